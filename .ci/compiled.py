@@ -1,4 +1,5 @@
-"""One line for each extension module that an installation left out: they are optional, so pip says nothing when one fails.
+"""One line for each extension module that an installation left out: they are optional, so pip says
+nothing when one fails.
 
 ``python .ci/compiled.py``, after an installation, as the Makefile does.
 """
@@ -34,7 +35,8 @@ def main() -> None:
     for source, available, instead in EXTENSIONS:
         if not available():
             print(
-                f"{source}: {why}; {instead}, right but slower. The compiler's words: pip install -v -e .",
+                f"{source}: {why}; {instead}, right but slower. The compiler's words: pip "
+                "install -v -e .",
                 file=sys.stderr,
             )
 

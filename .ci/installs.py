@@ -1,8 +1,10 @@
-"""Whether every extra resolves from wheels alone on the machines that users have, as pip would install them there.
+"""Whether every extra resolves from wheels alone on the machines that users have, as pip would
+install them there.
 
-``python .ci/installs.py [MACHINE ...]``: all machines, or those whose names begin so. Prints a line for each, once with the
-newest versions and once with those of ``constraints.txt``; the number of those that fail is the exit code. Where no registry can
-be reached it says that it is skipped. What a registry says is kept by uv, so that a second call is quick.
+``python .ci/installs.py [MACHINE ...]``: all machines, or those whose names begin so. Prints a line
+for each, once with the newest versions and once with those of ``constraints.txt``; the number of
+those that fail is the exit code. Where no registry can be reached it says that it is skipped. What
+a registry says is kept by uv, so that a second call is quick.
 """
 
 from __future__ import annotations
@@ -90,7 +92,8 @@ def main(chosen: list[str]) -> int:
             cases, pool.map(lambda case: resolve(*case), cases), strict=True
         ):
             print(
-                f"{machine}, Python {python}, {versions}: {said or 'every extra resolves from wheels'}",
+                f"{machine}, Python {python}, {versions}: "
+                f"{said or 'every extra resolves from wheels'}",
                 flush=True,
             )
             failed += bool(said)

@@ -1,4 +1,5 @@
-"""``python -m benchmarks [--write FILE] [--quick] [NAME ...]``: run the benchmarks and print, or write, one report of tables.
+"""``python -m benchmarks [--write FILE] [--quick] [NAME ...]``: run the benchmarks and print, or
+write, one report of tables.
 
 With names, the other sections of a report that is there stay as they are.
 """
@@ -23,7 +24,8 @@ _SECTIONS = {
     "dynamics": ("benchmarks.bench_dynamics", "Motion in time"),
     "scale": ("benchmarks.bench_scale", "How cost grows"),
 }
-#: What ``--quick`` gives a benchmark for its size: enough to see that it runs, too little to measure.
+#: What ``--quick`` gives a benchmark for its size: enough to see that it runs, too little to
+#: measure.
 _QUICK = {
     "equilibria": "20000",
     "accuracy": "10",
@@ -57,7 +59,8 @@ def main() -> int:
             parser.error(f"{name} is not one of {', '.join(_SECTIONS)}")
         module, title = _SECTIONS[name]
         print(f"# {title}", flush=True)
-        # A process of its own for each, so that none meets what another imported, compiled or allocated.
+        # A process of its own for each, so that none meets what another imported, compiled or
+        # allocated.
         size = [_QUICK[name]] if options.quick and name in _QUICK else []
         command = [sys.executable, "-m", module, *size]
         run = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
@@ -104,8 +107,10 @@ def _header() -> str:
             continue
     return (
         "# Performance\n\n"
-        "Measured by `make bench`; ratios within a table come from one run and carry over to other machines better than times do.\n"
-        "`python -m benchmarks.bench_before REV` times what is asked of this tree beside another commit.\n\n"
+        "Measured by `make bench`; ratios within a table come from one run and carry over to "
+        "other machines better than times do.\n"
+        "`python -m benchmarks.bench_before REV` times what is asked of this tree beside "
+        "another commit.\n\n"
         f"{_processor()}, {os.cpu_count()} cores; Python {platform.python_version()}; "
         f"{', '.join(versions)}.\n"
     )

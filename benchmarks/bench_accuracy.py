@@ -1,6 +1,8 @@
-"""Accuracy beside speed: wrong counts and worst errors of what one would use instead, where it is hard; a Markdown table.
+"""Accuracy beside speed: wrong counts and worst errors of what one would use instead, where it is
+hard; a Markdown table.
 
-``python -m benchmarks.bench_accuracy [N]``: N points of each family. The truth is the interval ladder at 30 digits.
+``python -m benchmarks.bench_accuracy [N]``: N points of each family. The truth is the interval
+ladder at 30 digits.
 """
 
 import ctypes
@@ -38,7 +40,8 @@ def main(n: int = 300) -> None:
             _in_c, c_target.build(compiler, c_target.FAST)
         )
     print(
-        f"{n} points of each family: wrong counts, and the largest error of (L, x, y) over max(1, |value|) where counts agree.\n"
+        f"{n} points of each family: wrong counts, and the largest error of (L, x, y) over "
+        "max(1, |value|) where counts agree.\n"
     )
     print("| family |" + "".join(f" {name} |" for name in methods))
     print("|---|" + "---|" * len(methods))

@@ -1,8 +1,11 @@
-"""A branch of cycles against AUTO-07p, the standard continuation code: the Hopf point where it begins, and cycles on it.
+"""A branch of cycles against AUTO-07p, the standard continuation code: the Hopf point where it
+begins, and cycles on it.
 
-``python -m benchmarks.bench_auto`` prints both, and the time of a point of either branch: processor time here, AUTO's own clock there. AUTO finds cycles by orthogonal collocation, without integrating; Debian has it as
-``auto-07p``, which also needs ``gfortran``. The model is the shipped ``stick_slip``: no contact is lost, and the friction law is smooth;
-between the Hopf point and V = 0.159 the slip keeps its sign.
+``python -m benchmarks.bench_auto`` prints both, and the time of a point of either branch: processor
+time here, AUTO's own clock there. AUTO finds cycles by orthogonal collocation, without integrating;
+Debian has it as ``auto-07p``, which also needs ``gfortran``. The model is the shipped
+``stick_slip``: no contact is lost, and the friction law is smooth; between the Hopf point and V =
+0.159 the slip keeps its sign.
 """
 
 import math
@@ -66,7 +69,9 @@ def installed() -> bool:
 
 
 def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]], float]:
-    """V of the Hopf point; period and largest x of the cycles, by V; seconds a point of the branch."""
+    """V of the Hopf point; period and largest x of the cycles, by V; seconds a point of the
+    branch.
+    """
     base = ss.load("stick_slip").base
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -109,7 +114,9 @@ def _rows(path: Path) -> list[list[float]]:
 
 
 def hopf_exactly() -> float:
-    """Where steady sliding loses its stability: ζ = 2 μ_s v_s (V² − v_s²)/(V² + v_s²)², the smaller V beyond v_s."""
+    """Where steady sliding loses its stability: ζ = 2 μ_s v_s (V² − v_s²)/(V² + v_s²)², the smaller
+    V beyond v_s.
+    """
     base = ss.load("stick_slip").base
     mu_s, v_s, zeta = base["mu_s"], base["v_s"], base["zeta"]
     # With w = V² + v_s²: ζ w² − 2 μ_s v_s w + 4 μ_s v_s³ = 0.
@@ -139,18 +146,22 @@ def main() -> None:
     (their_hopf, theirs, their_time), (our_hopf, own, our_time) = by_auto(), ours()
     exact = hopf_exactly()
     print(
-        f"Hopf point: exactly V = {exact:.12f}; AUTO {their_hopf - exact:+.1e}; the branch's end here {our_hopf - exact:+.1e}\n"
+        f"Hopf point: exactly V = {exact:.12f}; AUTO {their_hopf - exact:+.1e}; the branch's "
+        f"end here {our_hopf - exact:+.1e}\n"
     )
     print(
-        "| V | period here | AUTO's less ours | largest x here | AUTO's less ours |\n|---|---|---|---|---|"
+        "| V | period here | AUTO's less ours | largest x here | AUTO's less ours "
+        "|\n|---|---|---|---|---|"
     )
     for speed in SPEEDS:
         (period, top), (their_period, their_top) = own[speed], theirs[speed]
         print(
-            f"| {speed} | {period:.12f} | {their_period - period:+.1e} | {top:.12f} | {their_top - top:+.1e} |"
+            f"| {speed} | {period:.12f} | {their_period - period:+.1e} | {top:.12f} | "
+            f"{their_top - top:+.1e} |"
         )
     print(
-        f"\nA point of the branch: {1e3 * our_time:.1f} ms here, {1e3 * their_time:.1f} ms by AUTO's own clock"
+        f"\nA point of the branch: {1e3 * our_time:.1f} ms here, {1e3 * their_time:.1f} ms by "
+        "AUTO's own clock"
     )
 
 

@@ -1,9 +1,11 @@
-"""This tree beside another commit, in one run: how long each question takes, and whether the equilibria are the same.
+"""This tree beside another commit, in one run: how long each question takes, and whether the
+equilibria are the same.
 
-``python -m benchmarks.bench_before REV [--points N] [--rounds N] [--only NAMES]``: REV is checked out into a temporary folder, its
-compiled code is built there, and a process for each tree is asked the questions in turn, all or those whose names begin with one of
-NAMES, as in ``--only folds,cusps``. A question that raises is "not there". asv builds an environment for each commit, times the
-commits one after the other, and compares no answers.
+``python -m benchmarks.bench_before REV [--points N] [--rounds N] [--only NAMES]``: REV is checked
+out into a temporary folder, its compiled code is built there, and a process for each tree is asked
+the questions in turn, all or those whose names begin with one of NAMES, as in
+``--only folds,cusps``. A question that raises is "not there". asv builds an environment for each
+commit, times the commits one after the other, and compares no answers.
 """
 
 import argparse
@@ -23,7 +25,8 @@ from tests.oracles.families import random
 ROOT = Path(__file__).resolve().parent.parent
 #: Slower by more than this share is marked.
 ALLOWED = 0.05
-#: What both trees are asked; ``many`` are all points, ``some`` 300 of them, ``few`` 30 sets of one point each.
+#: What both trees are asked; ``many`` are all points, ``some`` 300 of them, ``few`` 30 sets of one
+#: point each.
 QUESTIONS = {
     "equilibria, numpy": "ss.set_backend('numpy', 1), ss.equilibria(many)",
     "equilibria, compiled": "ss.set_backend('compiled', 1), ss.equilibria(many)",
@@ -66,7 +69,8 @@ QUESTIONS = {
     "command --help": "fresh(\"from spragsym.cli import main; main(['--help'])\")",
     "command equilibria": "fresh(\"from spragsym.cli import main; main(['equilibria', '--theta0', '49'])\")",
 }
-#: The process of one tree: a line holds an expression, and a file if its equilibria are to be saved; the answer is seconds, or nothing.
+#: The process of one tree: a line holds an expression, and a file if its equilibria are to be
+#: saved; the answer is seconds, or nothing.
 WORKER = """
 import subprocess, sys, time
 import numpy as np, spragsym as ss
@@ -190,7 +194,8 @@ def main() -> None:
             stack.enter_context(worker(where, folder / "points.npy")) for where in (tree, ROOT)
         ]
         print(
-            f"{given.points:,} random points in contact, {given.rev} and this tree in turn, best of {given.rounds}.\n"
+            f"{given.points:,} random points in contact, {given.rev} and this tree in turn, "
+            f"best of {given.rounds}.\n"
         )
         print("| question | before, µs | now | now / before |\n|---|---:|---:|---|")
         for name, question in chosen.items():

@@ -1,4 +1,5 @@
-"""The C target beside the other compiled path, NumPy and eigenvalues, in one run; and what it vouches for where it is hard.
+"""The C target beside the other compiled path, NumPy and eigenvalues, in one run; and what it
+vouches for where it is hard.
 
 ``python -m benchmarks.bench_c [N]``: N random points, 1 000 000 by default; Markdown tables.
 """
@@ -35,7 +36,9 @@ def main(n: int = 1_000_000) -> None:
 
 
 def speed(n: int) -> None:
-    """Nanoseconds a point, everything included from the parameters to states, stability and error bounds."""
+    """Nanoseconds a point, everything included from the parameters to states, stability and error
+    bounds.
+    """
     p = random(np.random.default_rng(1), n)
     rows, out = c_target.table(p), c_target.room(n)
     works: dict[str, Callable[[], object]] = {}
@@ -53,15 +56,18 @@ def speed(n: int) -> None:
     taken = best_in_turn(works, _REPEATS)
     fastest = min(taken.values())
     print(
-        f"{n:,} random points in contact, one thread, best of {_REPEATS} in turn, from the parameters to states, stability and "
-        f"error bounds. C writes to arrays that are there, Python allocates its results. The flags of the fast builds: "
+        f"{n:,} random points in contact, one thread, best of {_REPEATS} in turn, from the "
+        "parameters to states, stability and "
+        "error bounds. C writes to arrays that are there, Python allocates its results. The "
+        "flags of the fast builds: "
         f"`{' '.join(c_target.FAST)}`.\n"
     )
     print("| method | ns a point | times eigvals | time over the fastest |\n|---|---|---|---|")
     reference = taken[_EIGVALS]
     for title, seconds in taken.items():
         print(
-            f"| {title} | {1e9 * seconds / n:,.0f} | {reference / seconds:.1f} | {seconds / fastest:.2f} |"
+            f"| {title} | {1e9 * seconds / n:,.0f} | {reference / seconds:.1f} | "
+            f"{seconds / fastest:.2f} |"
         )
 
 
@@ -69,11 +75,14 @@ def trust(n: int) -> None:
     """What the batch vouches for in each family, against NumPy with its ladder."""
     library = c_target.build(c_target.compiler() or "cc", c_target.FAST)
     print(
-        f"{n:,} points of each family against NumPy with its ladder: the share that is vouched for; among these wrong "
-        "counts or kinds, the largest error over max(1, |value|), and the largest over both error bounds together.\n"
+        f"{n:,} points of each family against NumPy with its ladder: the share that is "
+        "vouched for; among these wrong "
+        "counts or kinds, the largest error over max(1, |value|), and the largest over both "
+        "error bounds together.\n"
     )
     print(
-        "| family | regime | vouched for | wrong | largest error | largest / bounds |\n|---|---|---|---|---|---|"
+        "| family | regime | vouched for | wrong | largest error | largest / bounds "
+        "|\n|---|---|---|---|---|---|"
     )
     for place, (family, points) in enumerate(FAMILIES.items()):
         p = points(np.random.default_rng([6, place]), n)

@@ -1,4 +1,5 @@
-"""The whole bifurcation set against a continuation as one would write it with SciPy; a Markdown table.
+"""The whole bifurcation set against a continuation as one would write it with SciPy; a Markdown
+table.
 
 ``python -m benchmarks.bench_catastrophe``
 """
@@ -47,7 +48,8 @@ def main() -> None:
     for name, number, seconds in rows:
         print(f"| {name} | {number:,} | {1e3 * seconds:.1f} | {1e6 * seconds / number:.1f} |")
     print(
-        f"\nThe continuation follows one curve of two, through the cusp, in {len(found)} points; it says nothing of others."
+        f"\nThe continuation follows one curve of two, through the cusp, in {len(found)} "
+        "points; it says nothing of others."
     )
 
 
@@ -59,7 +61,9 @@ def _everything() -> None:
 
 
 def continuation(steps: int = 1000, step: float = 0.01) -> list[tuple[float, float, float]]:
-    """Pseudo-arclength on f = f′ = 0 in (θ, θ₀, μ₀) from the left fold at μ₀ = 0.5, through the cusp."""
+    """Pseudo-arclength on f = f′ = 0 in (θ, θ₀, μ₀) from the left fold at μ₀ = 0.5, through the
+    cusp.
+    """
     kappa, alpha, sigma, beta = _FIXED
 
     def residual(z: np.ndarray) -> tuple[float, float]:

@@ -1,7 +1,8 @@
 """Time a cycle, and 200 points of a branch; a Markdown table, in seconds of processor time.
 
-``python -m benchmarks.bench_cycles``: on one core, after a first cycle that compiles the integrator. Cycles are looked for from the
-neighbouring one at 0.2 degrees away, as along a branch, and from a state near them, which has to come around a few times first.
+``python -m benchmarks.bench_cycles``: on one core, after a first cycle that compiles the
+integrator. Cycles are looked for from the neighbouring one at 0.2 degrees away, as along a branch,
+and from a state near them, which has to come around a few times first.
 """
 
 import time
@@ -38,7 +39,8 @@ def main() -> None:
             lambda p=aside, cycle=cycle: ss.cycle(p, **BELT, near=cycle), time.process_time
         )
         print(
-            f"| cycle of period {cycle.period:.2f} at {degrees:g}°, from its neighbour | {along:.3f} |"
+            f"| cycle of period {cycle.period:.2f} at {degrees:g}°, from its neighbour | "
+            f"{along:.3f} |"
         )
         print(f"| the same, from a state | {near:.3f} |", flush=True)
         known.append(cycle)

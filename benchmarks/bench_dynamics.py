@@ -1,7 +1,8 @@
 """Motion in time, side by side: accuracy against tolerance, and a sweep against SciPy in a loop.
 
-Prints Markdown tables of errors and ratios: absolute times depend on the machine and its load, ratios hardly
-do. Run ``python -m benchmarks.bench_dynamics``; it takes a few minutes, nearly all of them in SciPy.
+Prints Markdown tables of errors and ratios: absolute times depend on the machine and its load,
+ratios hardly do. Run ``python -m benchmarks.bench_dynamics``; it takes a few minutes, nearly all of
+them in SciPy.
 """
 
 import inspect
@@ -34,7 +35,9 @@ FLOATS = SimpleNamespace(
 
 
 def plain(theta0: float, rtol: float, method: str) -> float:
-    """RMS of x as a user of ``solve_ivp`` gets it: the same field, over the kinks, Simpson's rule."""
+    """RMS of x as a user of ``solve_ivp`` gets it: the same field, over the kinks, Simpson's
+    rule.
+    """
     algebra = inspect.unwrap(ss.load("kang_nam").algebra.rhs)
     constants = (math.cos(theta0), math.sin(theta0), 0.5, 0.007, 0.007, 0.1, 0.0, V, D)
 
@@ -104,7 +107,8 @@ def sweep_table() -> None:
     sweep(SOME[:1], 1e-10)  # compile
     ours = error_of(sweep(SOME, 1e-10), reference)
     print(
-        "Median relative error of the RMS on every twelfth angle, against SciPy restarted at 1e-13: "
+        "Median relative error of the RMS on every twelfth angle, against SciPy restarted at "
+        "1e-13: "
         f"{ours:.1e} here at rtol 1e-10\n"
     )
     print("| `solve_ivp` | rtol | median error | time over ours |\n|---|---|---|---|")
@@ -122,7 +126,8 @@ def sweep_table() -> None:
                 break
     if not chosen:
         print(
-            "\n`solve_ivp` does not reach that error at any tolerance; compared at its tightest DOP853."
+            "\n`solve_ivp` does not reach that error at any tolerance; compared at its "
+            "tightest DOP853."
         )
     _, method, rtol = min(chosen, default=(0.0, "DOP853", 1e-13))
     here, one = timed(lambda: sweep(ANGLES, 1e-10))
@@ -151,7 +156,9 @@ def sweep_table() -> None:
 
 
 def overhead_table() -> None:
-    """What a point of a sweep costs over the integration alone, and how much of it is the judgement of its limit."""
+    """What a point of a sweep costs over the integration alone, and how much of it is the judgement
+    of its limit.
+    """
 
     def fastest(function: Any, times: int) -> float:
         function()
@@ -172,7 +179,8 @@ def overhead_table() -> None:
 
     print("\n## A point of a sweep against its integration alone, heyoka, microseconds\n")
     print(
-        "| θ₀, degrees | t to | integration | measured | judged | a point of `rms_sweep` | over integration |"
+        "| θ₀, degrees | t to | integration | measured | judged | a point of `rms_sweep` | "
+        "over integration |"
     )
     print("|---|---|---|---|---|---|---|")
     for t_end, times, many in ((10.0, 200, 200), (2000.0, 5, 5)):
@@ -199,7 +207,8 @@ def overhead_table() -> None:
             judged = fastest(lambda c=course, f=flow: classify(c, f), times)
             whole = fastest(lambda p=p, options=options: rms_sweep(p, V, D, **options), 1) / many
             print(
-                f"| {degrees:g} | {t_end:g} | {alone:.0f} | {measured:.0f} | {judged:.0f} | {whole:.0f} | {whole / alone:.2f} |",
+                f"| {degrees:g} | {t_end:g} | {alone:.0f} | {measured:.0f} | {judged:.0f} | "
+                f"{whole:.0f} | {whole / alone:.2f} |",
                 flush=True,
             )
 

@@ -1,6 +1,8 @@
-"""Equilibria: time a point against what one would use instead, and of the first call of a process; Markdown tables.
+"""Equilibria: time a point against what one would use instead, and of the first call of a process;
+Markdown tables.
 
-``python -m benchmarks.bench_equilibria [N]``: N random points, 1 000 000 by default; slow methods take a sample and are scaled.
+``python -m benchmarks.bench_equilibria [N]``: N random points, 1 000 000 by default; slow methods
+take a sample and are scaled.
 """
 
 import os
@@ -60,13 +62,15 @@ def speed(n: int) -> None:
     )
     each = {name: taken[name] / methods[name].points for name in methods}
     print(
-        f"{n:,} random points in contact, one thread unless said otherwise, best of three in turn, slow methods on a sample.\n"
+        f"{n:,} random points in contact, one thread unless said otherwise, best of three in "
+        "turn, slow methods on a sample.\n"
     )
     print("| method | ns a point | times eigvals | times numpy.roots |")
     print("|---|---|---|---|")
     for name, time in each.items():
         print(
-            f"| {name} | {1e9 * time:,.0f} | {each[_EIGVALS] / time:.2f} | {each[_LOOP] / time:.1f} |"
+            f"| {name} | {1e9 * time:,.0f} | {each[_EIGVALS] / time:.2f} | "
+            f"{each[_LOOP] / time:.1f} |"
         )
 
 
@@ -106,7 +110,9 @@ def _head(p: ss.Parameters, n: int) -> ss.Parameters:
 
 
 def roots_and_counts(p: ss.Parameters) -> np.ndarray:
-    """All four roots in t as two factors and their number, with the bound that says where it is certain; no states, in NumPy."""
+    """All four roots in t as two factors and their number, with the bound that says where it is
+    certain; no states, in NumPy.
+    """
     theta0, *values = p.broadcast(*NAMES)
     count = np.empty(theta0.size, dtype=np.int8)
     roots = np.empty((4, theta0.size))
@@ -131,7 +137,8 @@ def roots_and_counts(p: ss.Parameters) -> np.ndarray:
     return count
 
 
-# ------------------------------------------------------------------------------------------------------ first calls
+# ------------------------------------------------------------------------------------------------
+# first calls
 
 _FIRST = """
 import time, numpy as np, spragsym as ss
@@ -150,9 +157,12 @@ _TOUCH = {"x": "eq.x", "all": "eq.theta, eq.L, eq.x, eq.y, eq.error, eq.stabilit
 
 
 def first_calls(n: int) -> None:
-    """The first and the second call of a process, which meet memory that was never touched, and that was."""
+    """The first and the second call of a process, which meet memory that was never touched, and
+    that was.
+    """
     print(
-        f"{n:,} points in a process of its own, ns a point: the call alone, with `eq.x`, with all columns; medians of three.\n"
+        f"{n:,} points in a process of its own, ns a point: the call alone, with `eq.x`, with "
+        "all columns; medians of three.\n"
     )
     print("| backend | threads | call | alone | with `eq.x` | with all columns |")
     print("|---|---|---|---|---|---|")

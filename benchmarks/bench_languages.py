@@ -1,6 +1,8 @@
-"""JavaScript and MATLAB beside C and Python: speed, and every family against NumPy with its ladder and against C, bit for bit.
+"""JavaScript and MATLAB beside C and Python: speed, and every family against NumPy with its ladder
+and against C, bit for bit.
 
-``python -m benchmarks.bench_languages [N]``: N points of each family and regime, 10 000 by default; Markdown tables.
+``python -m benchmarks.bench_languages [N]``: N points of each family and regime, 10 000 by default;
+Markdown tables.
 """
 
 import os
@@ -53,7 +55,8 @@ def speed(ways: dict[str, Callable[[ss.Parameters, bool], languages.Found]], n: 
             library = c_target.build(compiler, c_target.FAST)
             taken[title] = 1e9 * best(partial(c_target.solve, library, rows, out, batch=batch)) / n
     print(
-        f"{n:,} random points in contact, one thread, from the parameters to states, stability and error bounds.\n"
+        f"{n:,} random points in contact, one thread, from the parameters to states, "
+        "stability and error bounds.\n"
     )
     print("| method | ns a point | time over the fastest |\n|---|---|---|")
     for title, nanoseconds in taken.items():
@@ -63,18 +66,22 @@ def speed(ways: dict[str, Callable[[ss.Parameters, bool], languages.Found]], n: 
 def trust(ways: dict[str, Callable[[ss.Parameters, bool], languages.Found]], n: int) -> None:
     """What each language vouches for in each family, and where it differs from C."""
     print(
-        f"{n:,} points of each family. Against NumPy with its ladder: the share that is vouched for; among these wrong counts or kinds, "
-        "and the largest error over both error bounds together. Against C: points at which a bit of the results differs.\n"
+        f"{n:,} points of each family. Against NumPy with its ladder: the share that is "
+        "vouched for; among these wrong counts or kinds, "
+        "and the largest error over both error bounds together. Against C: points at which a "
+        "bit of the results differs.\n"
     )
     print(
-        "| family | regime | language | vouched for | wrong | largest / bounds | not as C |\n|---|---|---|---|---|---|---|"
+        "| family | regime | language | vouched for | wrong | largest / bounds | not as C "
+        "|\n|---|---|---|---|---|---|---|"
     )
     for place, (family, points) in enumerate(FAMILIES.items()):
         p = points(np.random.default_rng([6, place]), n)
         for contact in (True, False):
             for title, run in ways.items():
                 print(
-                    f"| {family} | {'contact' if contact else 'lift-off'} | {title} |{compared(run(p, contact), p, contact)}",
+                    f"| {family} | {'contact' if contact else 'lift-off'} | {title} "
+                    f"|{compared(run(p, contact), p, contact)}",
                     flush=True,
                 )
 
@@ -88,7 +95,10 @@ def compared(found: languages.Found, p: ss.Parameters, contact: bool) -> str:
         if library
         else "no compiler"
     )
-    return f" {np.mean(found.status == 0):.3%} | {agreement.wrong} | {agreement.largest:.2f} | {unlike} |"
+    return (
+        f" {np.mean(found.status == 0):.3%} | {agreement.wrong} | {agreement.largest:.2f} | "
+        f"{unlike} |"
+    )
 
 
 @cache

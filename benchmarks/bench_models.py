@@ -1,7 +1,8 @@
-"""Processor time of the statics of the shipped models beside the closed forms of the article's model.
+"""Processor time of the statics of the shipped models beside the closed forms of the article's
+model.
 
-``OMP_NUM_THREADS=1 python -m benchmarks.bench_models [POINTS]``: POINTS of each model and of each family, and their square root, or
-317, as the side of a grid.
+``OMP_NUM_THREADS=1 python -m benchmarks.bench_models [POINTS]``: POINTS of each model and of each
+family, and their square root, or 317, as the side of a grid.
 """
 
 import sys
@@ -66,10 +67,12 @@ def single(of: Any, parameters: Any, values: dict[str, Any]) -> float:
 def table(points: int) -> None:
     """Equilibria, folds and cusps of all models."""
     print(
-        f"{points} points with random directions, friction or speeds, and the base values else. Folds and cusps at 1 rad.\n"
+        f"{points} points with random directions, friction or speeds, and the base values "
+        "else. Folds and cusps at 1 rad.\n"
     )
     print(
-        "| model | equilibria, µs a point | one call, ms | folds along theta0, s | along mu0, s | cusps, s | left open |"
+        "| model | equilibria, µs a point | one call, ms | folds along theta0, s | along mu0, "
+        "s | cusps, s | left open |"
     )
     print("|---|---|---|---|---|---|---|")
     for name in MODELS:
@@ -94,7 +97,8 @@ def table(points: int) -> None:
             cells.append("")
         call = single(model, model.Parameters, values)
         print(
-            f"| {name} | {1e6 * spent / points:.0f} | {1e3 * call:.1f} | {' | '.join(cells)} | {left} |",
+            f"| {name} | {1e6 * spent / points:.0f} | {1e3 * call:.1f} | {' | '.join(cells)} "
+            f"| {left} |",
             flush=True,
         )
     values = random_values(NAMES, points)
@@ -109,7 +113,8 @@ def table(points: int) -> None:
         f"{time_of:.3f}" for time_of in (*along, seconds(ss.cusps, ss.Parameters.article())[0])
     ]
     print(
-        f"| closed forms of `kang_nam` | {1e6 * spent / points:.1f} | {1e3 * call:.2f} | {' | '.join(cells)} | |\n"
+        f"| closed forms of `kang_nam` | {1e6 * spent / points:.1f} | {1e3 * call:.2f} | "
+        f"{' | '.join(cells)} | |\n"
     )
 
 
@@ -117,7 +122,8 @@ def families(points: int) -> None:
     """The article's model in hard places, through the general way and by its closed forms."""
     model = ss.load("kang_nam").search
     print(
-        f"`kang_nam` through the general way and by its closed forms, {points} points of each family:\n"
+        f"`kang_nam` through the general way and by its closed forms, {points} points of each "
+        "family:\n"
     )
     print("| family | general, ms a point | closed forms, ms a point | left open | other counts |")
     print("|---|---|---|---|---|")
@@ -130,7 +136,8 @@ def families(points: int) -> None:
         time_of, known = seconds(ss.equilibria, ss.Parameters(**values))
         other = eq.decided & known.decided & ~known.fold & (eq.count != known.count)
         print(
-            f"| {name} | {1e3 * spent / points:.3f} | {1e3 * time_of / points:.4f} | {int((~eq.decided).sum())} "
+            f"| {name} | {1e3 * spent / points:.3f} | {1e3 * time_of / points:.4f} | "
+            f"{int((~eq.decided).sum())} "
             f"| {int(other.sum())} |",
             flush=True,
         )

@@ -1,6 +1,7 @@
 """How cost grows: with points, threads, and the distance to the fold; and memory.
 
-``python -m benchmarks.bench_scale [LARGEST]``: up to 10^LARGEST points, 8 by default; 10^8 takes a few minutes and 14 GB.
+``python -m benchmarks.bench_scale [LARGEST]``: up to 10^LARGEST points, 8 by default; 10^8 takes a
+few minutes and 14 GB.
 """
 
 import sys
@@ -15,20 +16,23 @@ from tests.oracles.families import random
 
 _POINT = "import resource, numpy as np, spragsym as ss; rng = np.random.default_rng(0); n = {n}\n"
 _MEMORY = _POINT + (
-    "p = ss.Parameters(np.pi * rng.uniform(1e-9, 1, n), 2 * rng.random(n), 0.007, 0.007, 0.1, 0.0)\n"
+    "p = ss.Parameters(np.pi * rng.uniform(1e-9, 1, n), 2 * rng.random(n), 0.007, 0.007, 0.1, "
+    "0.0)\n"
     "before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\n"
     "ss.set_backend('{backend}', {threads})\n"
     "ss.equilibria(ss.Parameters(np.ones(10), 0.5, 0.007, 0.007, 0.1, 0.0))\n"
     "import time; t = time.perf_counter(); eq = ss.equilibria(p); t = time.perf_counter() - t\n"
     "after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\n"
-    "print(t, (after - before) / 1024, sum(getattr(eq, k).nbytes for k in ('theta', 'L', 'x', 'y', 'error', 'stability', 'count')) / 2**20)"
+    "print(t, (after - before) / 1024, sum(getattr(eq, k).nbytes for k in ('theta', 'L', 'x', "
+    "'y', 'error', 'stability', 'count')) / 2**20)"
 )
 
 
 def main(largest: int = 8) -> None:
     """Print the tables."""
     print(
-        "Whole results (states, stability, error bounds), random θ₀ and μ₀ at the article's other values.\n"
+        "Whole results (states, stability, error bounds), random θ₀ and μ₀ at the article's "
+        "other values.\n"
     )
     ways = [("numpy", 1), *([("compiled", 1), ("compiled", 2)] if compiled.available() else [])]
     titles = [f"{backend}, {threads} thread{'s' * (threads > 1)}" for backend, threads in ways]
@@ -53,7 +57,8 @@ def main(largest: int = 8) -> None:
         )
 
     print(
-        "\nShare of points that leave float64, against the relative distance to the left fold at μ₀ = 0.5:\n"
+        "\nShare of points that leave float64, against the relative distance to the left fold "
+        "at μ₀ = 0.5:\n"
     )
     print("| distance | escalated | µs a point |")
     print("|---|---|---|")

@@ -1,4 +1,6 @@
-"""What one would use instead of spragsym to find equilibria: NumPy's, SciPy's and mpmath's solvers on the published equations."""
+"""What one would use instead of spragsym to find equilibria: NumPy's, SciPy's and mpmath's solvers
+on the published equations.
+"""
 
 from collections.abc import Callable
 from typing import Any, TypeAlias
@@ -25,7 +27,9 @@ Array: TypeAlias = NDArray[np.float64]
 
 
 def companion_roots(coefficients: Array) -> NDArray[np.complex128]:
-    """Roots of quartics, (n, 5) ascending coefficients → (n, 4), as eigenvalues of companion matrices; NaN where these overflow."""
+    """Roots of quartics, (n, 5) ascending coefficients → (n, 4), as eigenvalues of companion
+    matrices; NaN where these overflow.
+    """
     with np.errstate(all="ignore"):
         roots = eigenvalues(coefficients).astype(np.complex128, copy=False)
         roots[~np.isfinite(coefficients[:, :4] / coefficients[:, 4:]).all(axis=1)] = np.nan
@@ -43,7 +47,8 @@ def length_quartic(p: ss.Parameters) -> Array:
     return np.stack(contact_quartic(np.cos(theta0), np.sin(theta0), *values), axis=-1)
 
 
-# ------------------------------------------------------------------------------------------------------- for speed
+# ------------------------------------------------------------------------------------------------
+# for speed
 
 
 def roots_loop(p: ss.Parameters) -> list[int]:
@@ -55,13 +60,17 @@ def roots_loop(p: ss.Parameters) -> list[int]:
 
 
 def eigvals(p: ss.Parameters) -> NDArray[Any]:
-    """Eigenvalues of companion matrices of the published quartic, and how many are real and positive."""
+    """Eigenvalues of companion matrices of the published quartic, and how many are real and
+    positive.
+    """
     roots = companion_roots(length_quartic(p))
     return np.count_nonzero((abs(roots.imag) < 1e-9) & (roots.real > 0), axis=-1)
 
 
 def fsolve_starts(p: ss.Parameters) -> list[int]:
-    """scipy.optimize.root on F_x, F_y from eight directions, and how many different roots it finds."""
+    """scipy.optimize.root on F_x, F_y from eight directions, and how many different roots it
+    finds.
+    """
     counts = []
     for theta0, *values in zip(*p.broadcast(*NAMES), strict=True):
         c0, s0 = np.cos(theta0), np.sin(theta0)
@@ -70,7 +79,8 @@ def fsolve_starts(p: ss.Parameters) -> list[int]:
         def balance(
             z: Array, c0: float = c0, s0: float = s0, values: list[float] = values
         ) -> tuple[float, float]:
-            return residuals(np.cos(z[0]), np.sin(z[0]), z[1], c0, s0, *values, 1)  # type: ignore[return-value]  # a pair for SciPy
+            # a pair for SciPy
+            return residuals(np.cos(z[0]), np.sin(z[0]), z[1], c0, s0, *values, 1)  # type: ignore[return-value]
 
         for start in np.linspace(0.2, 2.9, 8):
             outcome = scipy.optimize.root(balance, (start, 1.0))
@@ -93,7 +103,8 @@ def polyroots(p: ss.Parameters) -> list[int]:
     return counts
 
 
-# ---------------------------------------------------------------------------------------------------- for accuracy
+# ------------------------------------------------------------------------------------------------
+# for accuracy
 
 
 def states_from_roots(p: ss.Parameters) -> list[Array]:
@@ -106,7 +117,9 @@ def states_from_roots(p: ss.Parameters) -> list[Array]:
 def states_from_lengths(
     p: ss.Parameters, solve: Callable[[Array], NDArray[np.complex128]] = companion_roots
 ) -> list[Array]:
-    """Roots of the published quartic, states by solving (16), those with L > 0 and y < 0: (L, x, y) of each."""
+    """Roots of the published quartic, states by solving (16), those with L > 0 and y < 0: (L, x, y)
+    of each.
+    """
     theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*NAMES)
     c0, s0 = np.cos(theta0), np.sin(theta0)
     rows = []
@@ -128,7 +141,9 @@ def states_from_lengths(
 
 
 def states_from_half_angles(p: ss.Parameters) -> list[Array]:
-    """Roots of the quartic in tan(θ/2), states by the explicit formulas, those with L > 0 and y < 0: (L, x, y) of each."""
+    """Roots of the quartic in tan(θ/2), states by the explicit formulas, those with L > 0 and y <
+    0: (L, x, y) of each.
+    """
     theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*NAMES)
     c0, s0 = np.cos(theta0), np.sin(theta0)
     quartic = np.stack(

@@ -1,4 +1,6 @@
-"""How the benchmarks measure time: the best of several turns, and processes of their own for what happens once."""
+"""How the benchmarks measure time: the best of several turns, and processes of their own for what
+happens once.
+"""
 
 import subprocess
 import sys
@@ -21,13 +23,17 @@ def timed(work: Callable[[], T], clock: Callable[[], float] = time.perf_counter)
 
 
 def best(work: Callable[[], object], repeats: int = 5) -> float:
-    """The shortest of several calls, which other load on the machine disturbs least; the first call is not counted."""
+    """The shortest of several calls, which other load on the machine disturbs least; the first call
+    is not counted.
+    """
     work()
     return min(timed(work)[0] for _ in range(repeats))
 
 
 def best_in_turn(works: Mapping[str, Callable[[], object]], repeats: int = 7) -> dict[str, float]:
-    """The shortest call of each; all take turns, so that other load on the machine meets all alike."""
+    """The shortest call of each; all take turns, so that other load on the machine meets all
+    alike.
+    """
     taken = dict.fromkeys(works, np.inf)
     for _ in range(repeats):
         for name, work in works.items():

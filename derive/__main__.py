@@ -1,4 +1,6 @@
-"""Derive, check, emit: ``python -m derive [--out DIR] [--variant]``; one page is ``spragsym derive PAGE.py --out DIR``."""
+"""Derive, check, emit: ``python -m derive [--out DIR] [--variant]``; one page is
+``spragsym derive PAGE.py --out DIR``.
+"""
 
 import argparse
 import sys
@@ -55,7 +57,8 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument(
         "--variant",
         action="store_true",
-        help="write even if printed rows no longer hold, as when the article's page was changed on purpose",
+        help="write even if printed rows no longer hold, as when the article's page was changed on "
+        "purpose",
     )
     options = parser.parse_args(arguments)
     readable()
@@ -80,7 +83,8 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"not proved: {claim}", file=sys.stderr)
     for row in failed:
         print(
-            f"{row.id} ({row.where}): {row.note}\n  printed:    {row.printed}\n  derived:    {row.derived}\n"
+            f"{row.id} ({row.where}): {row.note}\n  printed:    {row.printed}\n  derived:    "
+            f"{row.derived}\n"
             f"  difference: {row.difference}",
             file=sys.stderr,
         )
@@ -93,7 +97,8 @@ def main(arguments: list[str] | None = None) -> int:
     write.write(write.sealed(files), options.out)
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
     print(
-        f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities, {len(proof)} steps of the count theorem and "
+        f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities, {len(proof)} "
+        "steps of the count theorem and "
         f"{len(least)} of the lowest fold proved"
     )
     for row in rows:
@@ -104,7 +109,9 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def models(*, variant: bool = False) -> dict[str, str]:
-    """The folders of the shipped pages below ``generated/models``; in a variant that of the article's only."""
+    """The folders of the shipped pages below ``generated/models``; in a variant that of the
+    article's only.
+    """
     shared: folder.Shared = {}
     files = {
         "models/__init__.py": f'"""Models from pages, one folder each.\n\n{write.header()}\n"""\n'

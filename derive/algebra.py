@@ -1,8 +1,10 @@
-"""Exact comparison: two expressions are equal when their difference reduces to zero, and not otherwise.
+"""Exact comparison: two expressions are equal when their difference reduces to zero, and not
+otherwise.
 
-An angle enters as a pair of symbols for its cosine and sine. A difference is brought over one denominator and its numerator reduced
-modulo cos² + sin² = 1 for each pair, which is a Gröbner basis: the remainder is zero exactly when the numerator vanishes on all of
-the unit circles. No float takes part.
+An angle enters as a pair of symbols for its cosine and sine. A difference is brought over one
+denominator and its numerator reduced modulo cos² + sin² = 1 for each pair, which is a Gröbner
+basis: the remainder is zero exactly when the numerator vanishes on all of the unit circles. No
+float takes part.
 """
 
 import math
@@ -21,7 +23,9 @@ Circles = tuple[tuple[sp.Symbol, sp.Symbol], ...]
 
 
 def expanded(expression: sp.Expr) -> sp.Expr:
-    """Products and powers written out, but for denominators: 1/(1 − x)² keeps its sign over an interval, 1/(1 − 2x + x²) does not."""
+    """Products and powers written out, but for denominators: 1/(1 − x)² keeps its sign over an
+    interval, 1/(1 − 2x + x²) does not.
+    """
     below = [
         node
         for node in expression.atoms(sp.Pow)
@@ -62,11 +66,13 @@ def fewest_terms(polynomial: sp.Expr, cosine: sp.Symbol, sine: sp.Symbol) -> sp.
 
 
 def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
-    """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit circles.
+    """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit
+    circles.
 
-    Every exponential, absolute value, sign or other function is treated as an independent unknown, and so is one root of every base,
-    of which its powers are powers. An equality that holds only because of a relation between two of them is not recognised; arguments
-    and bases that are equal as polynomials on the circles are the same.
+    Every exponential, absolute value, sign or other function is treated as an independent unknown,
+    and so is one root of every base, of which its powers are powers. An equality that holds only
+    because of a relation between two of them is not recognised; arguments and bases that are equal
+    as polynomials on the circles are the same.
     """
 
     def normal(argument: sp.Expr) -> sp.Expr:
@@ -116,7 +122,9 @@ def _without_powers(polynomial: sp.Expr, root: sp.Symbol, base: sp.Expr, order: 
 
 
 def manifestly_positive(polynomial: sp.Expr) -> bool:
-    """Whether no coefficient is negative, and one term holds none but positive symbols: sufficient for being positive, not necessary."""
+    """Whether no coefficient is negative, and one term holds none but positive symbols: sufficient
+    for being positive, not necessary.
+    """
     symbols = sorted(polynomial.free_symbols, key=str)
     terms = sp.Poly(sp.expand(polynomial), *symbols).terms()
     return (

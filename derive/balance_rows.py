@@ -1,4 +1,6 @@
-"""What the rows of the balance and of the stiffness have in common: forces that act between two coordinates, and symmetry."""
+"""What the rows of the balance and of the stiffness have in common: forces that act between two
+coordinates, and symmetry.
+"""
 
 import itertools
 
@@ -10,10 +12,12 @@ from .mechanics import MU, Mechanics
 
 
 def sums(model: Mechanics) -> sp.Matrix:
-    """T, the unit matrix with further entries ±1: in the rows of T F a spring between two coordinates acts in as few as may be.
+    """T, the unit matrix with further entries ±1: in the rows of T F a spring between two
+    coordinates acts in as few as may be.
 
-    Its force stands with both signs in two rows of F, and their sum is without it. det T is 1, so that T F and F vanish together,
-    and det(T K) is det K. A row of coordinates that the mirror turns is added to another such row only.
+    Its force stands with both signs in two rows of F, and their sum is without it. det T is 1, so
+    that T F and F vanish together, and det(T K) is det K. A row of coordinates that the mirror
+    turns is added to another such row only.
     """
     n = len(model.coordinates)
     T, rows, turned = sp.eye(n), list(model.residuals), symmetry.mirror(model).centres
@@ -34,7 +38,9 @@ def _directions(model: Mechanics, row: sp.Expr) -> set[sp.Symbol]:
 
 
 def symmetric(model: Mechanics, stiffness: sp.Matrix) -> bool:
-    """Whether K is symmetric where the friction coefficient is 0: not with a force that follows a coordinate, for one."""
+    """Whether K is symmetric where the friction coefficient is 0: not with a force that follows a
+    coordinate, for one.
+    """
     K = stiffness.subs(MU, 0)
     circles = tuple((line.c, line.s) for line in model.lines)
     return all(difference(K[i, j], K[j, i], circles) == 0 for i in range(K.rows) for j in range(i))

@@ -1,8 +1,11 @@
-"""The drawing of a page's mechanism, from its statements: ``python -m derive.drawing`` writes those of all pages to ``docs/images``.
+"""The drawing of a page's mechanism, from its statements: ``python -m derive.drawing`` writes those
+of all pages to ``docs/images``.
 
-What a page says of one mass on a belt, with anchors that stand still or run along the belt, is drawn; of any other mechanism the
-docstring's own drawing is shown. The mass stands in the middle. What is tied along the direction of sliding goes to a wall on its left, what is tied across it to a
-ceiling on its right; springs and dampers with two ends go where their ends are at the base values, with θ₀ = 55°.
+What a page says of one mass on a belt, with anchors that stand still or run along the belt, is
+drawn; of any other mechanism the docstring's own drawing is shown. The mass stands in the middle.
+What is tied along the direction of sliding goes to a wall on its left, what is tied across it to a
+ceiling on its right; springs and dampers with two ends go where their ends are at the base values,
+with θ₀ = 55°.
 """
 
 import math
@@ -29,7 +32,9 @@ _INCLINATION = math.radians(55.0)
 
 
 def render(page: Page, docstring: str = "") -> str:
-    """The SVG file of a page: its mechanism where that is one that can be drawn, else the drawing in its docstring."""
+    """The SVG file of a page: its mechanism where that is one that can be drawn, else the drawing
+    in its docstring.
+    """
     sheet = Sheet()
     if not is_drawn(page):
         for row, line in enumerate(typed(docstring) or [page.summary]):
@@ -49,7 +54,9 @@ def render(page: Page, docstring: str = "") -> str:
 
 
 def typed(docstring: str) -> list[str]:
-    """The lines of the drawing in a docstring: the block that follows ``::``, without its margin."""
+    """The lines of the drawing in a docstring: the block that follows ``::``, without its
+    margin.
+    """
     _, _, rest = docstring.partition("::\n")
     lines = rest.strip("\n").split("\n")
     end = next(
@@ -60,7 +67,9 @@ def typed(docstring: str) -> list[str]:
 
 
 def is_drawn(page: Page) -> bool:
-    """Whether every statement of the page is one of a mass on a belt, which is what can be drawn."""
+    """Whether every statement of the page is one of a mass on a belt, which is what can be
+    drawn.
+    """
     if any(it.unit == "rad" for it in page.coordinates):
         return False
     symbols = page.places
@@ -107,7 +116,9 @@ def _is_anchor(end: Point, symbols: Symbols) -> bool:
 
 
 def _has_one_mass(page: Page) -> bool:
-    """Whether the first two coordinates are those of one mass, and the others have masses of their own."""
+    """Whether the first two coordinates are those of one mass, and the others have masses of their
+    own.
+    """
     if page.inertia is None:
         return True
     M = sp.hessian(page.inertia[0], page.rates)
@@ -143,7 +154,8 @@ def _draw(sheet: Sheet, part: Element, axis: Axis, beside: Place, anchor: str = 
     sheet.name(_letter(part.strength), beside, anchor=anchor)
 
 
-# ------------------------------------------------------------------------------------------------- mass and belt
+# ------------------------------------------------------------------------------------------------
+# mass and belt
 
 
 def _half(page: Page) -> Place:
@@ -151,7 +163,9 @@ def _half(page: Page) -> Place:
 
 
 def _is_ball(page: Page) -> bool:
-    """Whether the contact law is that of a curved body: a power of the penetration that is not whole."""
+    """Whether the contact law is that of a curved body: a power of the penetration that is not
+    whole.
+    """
     if page.normal is None or page.normal.gap is None:
         return False
     depth = sp.Dummy(positive=True)
@@ -211,11 +225,14 @@ def _belt(sheet: Sheet, page: Page) -> None:
     sheet.name(letters, (-34.0, height + 0.5 * _CONTACT + 7), anchor="end")
 
 
-# ------------------------------------------------------------------------------------------------ springs and dampers
+# ------------------------------------------------------------------------------------------------
+# springs and dampers
 
 
 def _tied_to_ground(sheet: Sheet, page: Page, coordinate: Coordinate) -> None:
-    """What is along a coordinate of the mass: to the wall or to the ceiling. A trolley's is drawn with the trolley."""
+    """What is along a coordinate of the mass: to the wall or to the ceiling. A trolley's is drawn
+    with the trolley.
+    """
     parts, (width, _) = _along(page, coordinate), _half(page)
     if not parts:
         return
@@ -337,13 +354,17 @@ def _trolley(sheet: Sheet, page: Page, place: Place, coordinate: Coordinate) -> 
 
 
 def _slopes(page: Page, energy: sp.Expr) -> list[sp.Expr]:
-    """Slopes of a potential along the coordinates; none where it does not act on a mass in the plane."""
+    """Slopes of a potential along the coordinates; none where it does not act on a mass in the
+    plane.
+    """
     slopes = [sp.diff(energy, symbol) for symbol in page.places]
     return [] if len(slopes) < 2 or slopes[:2] == [0, 0] else slopes
 
 
 def _weight(page: Page, energy: sp.Expr) -> Pair | None:
-    """The force on the mass of a potential that is linear in the coordinates, as gravity's is: no spring, but an arrow."""
+    """The force on the mass of a potential that is linear in the coordinates, as gravity's is: no
+    spring, but an arrow.
+    """
     slopes = _slopes(page, energy)
     if not slopes or any(slope.has(*page.places) for slope in slopes):
         return None
@@ -360,7 +381,9 @@ def _ratio(page: Page, energy: sp.Expr) -> sp.Expr | None:
 
 
 def _leaning(sheet: Sheet, page: Page) -> None:
-    """A potential that depends on one combination of x and y: a spring along it that keeps its direction."""
+    """A potential that depends on one combination of x and y: a spring along it that keeps its
+    direction.
+    """
     for energy, _ in page.energies:
         ratio = _ratio(page, energy)
         if ratio is None or _weight(page, energy):
@@ -384,11 +407,14 @@ def _leaning(sheet: Sheet, page: Page) -> None:
         _anchor(sheet, axis.end)
 
 
-# ------------------------------------------------------------------------------------------------ forces and axes
+# ------------------------------------------------------------------------------------------------
+# forces and axes
 
 
 def _forces(sheet: Sheet, page: Page) -> None:
-    """Applied forces as arrows towards the mass or away from it, each with its symbols but those of its direction."""
+    """Applied forces as arrows towards the mass or away from it, each with its symbols but those of
+    its direction.
+    """
     values = _values(page)
     width, height = _half(page)
     given = [force.components for force in page.forces if len(force.place) == 2]

@@ -8,7 +8,9 @@ from .motion import Motion
 
 
 def equations(model: Mechanics) -> list[str]:
-    """One line a coordinate, M q″ + forces = 0, then the definitions of directions and of μ, and of a contact law that is no polynomial."""
+    """One line a coordinate, M q″ + forces = 0, then the definitions of directions and of μ, and of
+    a contact law that is no polynomial.
+    """
     names = _names(model)
     motion = Motion(model)
     accelerations = sp.Matrix(model.coordinates).applyfunc(
@@ -29,7 +31,8 @@ def equations(model: Mechanics) -> list[str]:
         theta = names[torsion.line.c].removeprefix(r"(\cos").removesuffix(")")
         phi, rest = names[torsion.phi], _latex(torsion.rest, names)
         lines.append(
-            rf"{phi} = {theta} - {rest if torsion.rest.is_Symbol else f'({rest})'}, \quad -\pi < {phi} \le \pi"
+            rf"{phi} = {theta} - {rest if torsion.rest.is_Symbol else f'({rest})'}, \quad "
+            rf"-\pi < {phi} \le \pi"
         )
     if model.slide is not None:
         speed = sp.Symbol("v", positive=True)

@@ -1,4 +1,6 @@
-"""A page from SymPy's mechanics: what a method of Lagrange or Kane holds, in a page's own statements."""
+"""A page from SymPy's mechanics: what a method of Lagrange or Kane holds, in a page's own
+statements.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,8 @@ def page_from(
     contact: tuple[Any, ...] | None = None,
     friction: tuple[Any, ...] | None = None,
 ) -> Page:
-    """Say on a page what a ``LagrangesMethod`` or ``KanesMethod`` of SymPy holds, which is made of the page's quantities.
+    """Say on a page what a ``LagrangesMethod`` or ``KanesMethod`` of SymPy holds, which is made of
+    the page's quantities.
 
     Parameters
     ----------
@@ -31,12 +34,14 @@ def page_from(
     page : Page
         With its units and parameters.
     coordinates : mapping
-        Unit and meaning of each coordinate of the method: ``{x: ("m", "displacement along the belt")}``.
+        Unit and meaning of each coordinate of the method: ``{x: ("m", "displacement along the
+        belt")}``.
     contact : tuple, optional
-        The symbol that stands for the normal force in the method, the gap in its coordinates, and the law.
+        The symbol that stands for the normal force in the method, the gap in its coordinates, and
+        the law.
     friction : tuple, optional
-        The symbol that stands for the friction coefficient, the displacement that friction opposes, the belt's speed, the law, and
-        what statics takes for it, if not the law at that speed.
+        The symbol that stands for the friction coefficient, the displacement that friction opposes,
+        the belt's speed, the law, and what statics takes for it, if not the law at that speed.
 
     Returns
     -------
@@ -46,8 +51,8 @@ def page_from(
     Raises
     ------
     PageError
-        Where the method holds what no page can say, which is named: a constraint, a gyroscopic term, a force that varies in time, or
-        one that is no spring, damper, contact or friction.
+        Where the method holds what no page can say, which is named: a constraint, a gyroscopic
+        term, a force that varies in time, or one that is no spring, damper, contact or friction.
     """
     it = _Reader(method, page, coordinates)
     page.kinetic(it.kinetic)
@@ -76,11 +81,13 @@ class _Reader:
         kane = hasattr(method, "kindiffdict")
         if any(map(len, (method._qdep, method._udep) if kane else (method.coneqs,))):
             raise refused(
-                "the method has constraints; eliminate them, so that its coordinates are independent"
+                "the method has constraints; eliminate them, so that its coordinates are "
+                "independent"
             )
         if set(coordinates) != set(method.q):
             raise refused(
-                f"the coordinates are {', '.join(map(str, method.q))}; give unit and meaning of each of these"
+                f"the coordinates are {', '.join(map(str, method.q))}; give unit and meaning "
+                "of each of these"
             )
         self.places = [page.coordinate(q.func.__name__, *coordinates[q]) for q in method.q]
         self.rates = [page.rate(place) for place in self.places]
@@ -115,7 +122,9 @@ class _Reader:
         return sp.Matrix([expression]).jacobian(self.places).T
 
     def split(self, contact: tuple[Any, ...] | None, friction: tuple[Any, ...] | None) -> sp.Matrix:
-        """Generalized forces of the loads without those of contact and friction, which become statements."""
+        """Generalized forces of the loads without those of contact and friction, which become
+        statements.
+        """
         if contact is None and friction is not None:
             raise self.refused("there is friction and no normal force; give contact=(N, gap, law)")
         forces = sp.zeros(len(self.places), 1)
@@ -144,8 +153,10 @@ class _Reader:
         for place, force in zip(self.places, forces, strict=True):
             if unknown := sorted(map(str, force.free_symbols - known)):
                 raise self.refused(
-                    f"the force along {place} holds {', '.join(unknown)} beside contact and friction, which act along the slope of the "
-                    "gap and of the displacement; give contact=(N, gap, law) and friction=(mu, along, belt, law) as the loads have them"
+                    f"the force along {place} holds {', '.join(unknown)} beside contact and "
+                    "friction, which act along the slope of the "
+                    "gap and of the displacement; give contact=(N, gap, law) and "
+                    "friction=(mu, along, belt, law) as the loads have them"
                 )
         return forces
 
@@ -163,16 +174,20 @@ class _Reader:
         return sp.expand(held).xreplace({dummy: base for base, dummy in kept.items()})
 
     def lines(self, forces: sp.Matrix) -> Iterator[tuple[sp.Expr, sp.Matrix, int, tuple[Any, Any]]]:
-        """Squared lengths that forces hold, half the slopes of each, a coordinate that changes it, and the ends of the line."""
+        """Squared lengths that forces hold, half the slopes of each, a coordinate that changes it,
+        and the ends of the line.
+        """
         for base in sorted(
             {base for force in forces for base in self.bases(force)}, key=sp.default_sort_key
         ):
             parts = [part.base for part in sp.Add.make_args(base) if part.is_Pow and part.exp == 2]
             if len(parts) != 2 or sp.expand(sum(part**2 for part in parts) - base) != 0:
                 raise self.refused(
-                    f"the root of {base} is no length between two points; write it as sqrt(dx**2 + dy**2)"
+                    f"the root of {base} is no length between two points; write it as "
+                    "sqrt(dx**2 + dy**2)"
                 )
-            # Along x comes first, and from the mass to the anchor both parts fall as the mass moves.
+            # Along x comes first, and from the mass to the anchor both parts fall as the mass
+            # moves.
             parts.sort(
                 key=lambda part: next(
                     (row for row, place in enumerate(self.places) if part.has(place)),
@@ -194,7 +209,8 @@ class _Reader:
         C = -forces.jacobian(self.rates).applyfunc(self.expanded)
         if C.has(*self.rates):
             raise self.refused(
-                f"{', '.join(str(one) for one in forces if one != 0)} is no damper of a page: {limits.NONLINEAR_DAMPER}"
+                f"{', '.join(str(one) for one in forces if one != 0)} is no damper of a page: "
+                f"{limits.NONLINEAR_DAMPER}"
             )
         if not (C - C.T).applyfunc(self.expanded).is_zero_matrix:
             raise self.refused(
@@ -228,9 +244,11 @@ class _Reader:
             }
             if not left or any(base in self.bases(force) for force in next(iter(left.values()))):
                 raise self.refused(
-                    f"the force {forces[row]} depends on {sp.sqrt(base)}, and is no k (l - r): it is no spring of a page"
+                    f"the force {forces[row]} depends on {sp.sqrt(base)}, and is no k (l - "
+                    "r): it is no spring of a page"
                 )
-            # Of k_2 λ_2 L_0, say, k_2 is the stiffness if it takes away what stands without the root.
+            # Of k_2 λ_2 L_0, say, k_2 is the stiffness if it takes away what stands without the
+            # root.
             stiffness = min(
                 left, key=lambda one: sum(len(sp.Add.make_args(force)) for force in left[one])
             )

@@ -1,9 +1,12 @@
-"""The friction law: its two smooth sides, the thin layers in it that a large time step would jump over, and its value at steady sliding.
+"""The friction law: its two smooth sides, the thin layers in it that a large time step would jump
+over, and its value at steady sliding.
 
-An exponential of the sliding speed makes a layer at v = 0, as does a hyperbolic tangent, which is ±1 and an exponential: far from it
-all its derivatives are below rounding. Every one gets a factor NEAR, 1 where it is felt and 0 where it is left out, and :func:`layers`
-says how far away a motion is, as minus its exponent. tanh z is written as 1 − 2 exp(−2z)/(1 + exp(−2z)): where it rounds to 1, its
-Taylor coefficients by (tanh z)′ = 1 − tanh² z are all zero, and a step of that length misses the layer.
+An exponential of the sliding speed makes a layer at v = 0, as does a hyperbolic tangent, which is
+±1 and an exponential: far from it all its derivatives are below rounding. Every one gets a factor
+NEAR, 1 where it is felt and 0 where it is left out, and :func:`layers` says how far away a motion
+is, as minus its exponent. tanh z is written as 1 − 2 exp(−2z)/(1 + exp(−2z)): where it rounds to 1,
+its Taylor coefficients by (tanh z)′ = 1 − tanh² z are all zero, and a step of that length misses
+the layer.
 """
 
 import sympy as sp
@@ -14,7 +17,8 @@ from .model import PageError, expression_of
 
 #: A sliding speed, positive.
 SLIP = sp.Symbol("_slip", positive=True)
-#: The share of the static coefficient that is used where nothing slides, from −1, against the belt, to 1, with it.
+#: The share of the static coefficient that is used where nothing slides, from −1, against the belt,
+#: to 1, with it.
 HELD = sp.Symbol("held", real=True)
 
 
@@ -38,7 +42,9 @@ def _sides(model: Mechanics) -> Pair:
 
 
 def _layers(model: Mechanics) -> list[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]]:
-    """Exponentials and hyperbolic tangents of the sliding speed, in a fixed order; the limit of each, what it lacks, its −exponent."""
+    """Exponentials and hyperbolic tangents of the sliding speed, in a fixed order; the limit of
+    each, what it lacks, its −exponent.
+    """
     nodes = {
         node for side in _sides(model) for node in side.atoms(sp.exp, sp.tanh) if node.has(SLIP)
     }
@@ -56,7 +62,9 @@ def _layers(model: Mechanics) -> list[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]]
 
 
 def _within_domains(value: sp.Expr) -> sp.Expr:
-    """A value of which only the sign is asked, with parameters away from 0 where that is the end of their domain."""
+    """A value of which only the sign is asked, with parameters away from 0 where that is the end of
+    their domain.
+    """
     return value.xreplace(
         {it: sp.Symbol(it.name, positive=True) for it in value.free_symbols if it.is_nonnegative}
     )
@@ -71,7 +79,8 @@ def limit(model: Mechanics, law: sp.Expr, speed: sp.Symbol, end: sp.Expr) -> sp.
         where = "at rest" if end == 0 else "at fast sliding"
         raise PageError(
             sliding.line if sliding is not None else 0,
-            f"what {law} comes to {where} can't be told: {str(error)[:1].lower()}{str(error)[1:]}; give its parameters domains that "
+            f"what {law} comes to {where} can't be told: "
+            f"{str(error)[:1].lower()}{str(error)[1:]}; give its parameters domains that "
             'decide it, as "> 0"',
         ) from error
 
@@ -84,7 +93,9 @@ def layers(model: Mechanics) -> Row:
 
 
 def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
-    """μ without the absolute value and the sign that kink it, for either SIDE; its exponentials with their NEAR unless all are felt."""
+    """μ without the absolute value and the sign that kink it, for either SIDE; its exponentials
+    with their NEAR unless all are felt.
+    """
     ahead, behind = _sides(model)
     found = _layers(model)
     if not felt:
@@ -100,7 +111,9 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
 
 
 def static_coefficients(model: Mechanics) -> Pair:
-    """Static friction coefficients with the belt and against it: not less than the kinetic ones at sliding speed 0."""
+    """Static friction coefficients with the belt and against it: not less than the kinetic ones at
+    sliding speed 0.
+    """
     sliding = model.page.sliding
     assert sliding is not None
     assert sliding.holds is not None
@@ -138,7 +151,8 @@ def slope_at_rest(model: Mechanics) -> sp.Expr:
 def slope_by_sizes(model: Mechanics) -> tuple[tuple[Pair, ...], ...]:
     """The slope as Σ c eᵃ, over each of its exponentials: c and a of all terms, once for each.
 
-    Where exponentials are too small for floats the slope is, too, but its sign is not lost over the largest of them.
+    Where exponentials are too small for floats the slope is, too, but its sign is not lost over the
+    largest of them.
     """
     terms: dict[sp.Expr, sp.Expr] = {}
     for term in sp.Add.make_args(sp.expand(slope_at_rest(model))):
@@ -155,7 +169,9 @@ def slope_by_sizes(model: Mechanics) -> tuple[tuple[Pair, ...], ...]:
 
 
 def friction_at_rest(model: Mechanics) -> sp.Expr:
-    """What μ is in the statics: the limit of the law that the page names, or the law at the belt's speed."""
+    """What μ is in the statics: the limit of the law that the page names, or the law at the belt's
+    speed.
+    """
     sliding = model.page.sliding
     if sliding is None:
         return sp.S.Zero
@@ -165,6 +181,7 @@ def friction_at_rest(model: Mechanics) -> sp.Expr:
     if sp.simplify(fast - named) != 0:
         raise PageError(
             sliding.line,
-            f"at_rest is {named}, and the friction law at fast sliding is {fast}; name that limit, or leave at_rest out for μ(V)",
+            f"at_rest is {named}, and the friction law at fast sliding is {fast}; name that "
+            "limit, or leave at_rest out for μ(V)",
         )
     return named

@@ -1,4 +1,6 @@
-"""What a page can't say, each with what can be done instead: the list of the guide, and the words of the refusals."""
+"""What a page can't say, each with what can be done instead: the list of the guide, and the words
+of the refusals.
+"""
 
 from dataclasses import dataclass
 
@@ -19,32 +21,39 @@ class Limit:
 
 SECOND_CONTACT = Limit(
     "a second contact or a second friction",
-    "keep the one that jams; a support that neither lifts off nor rubs is a spring, as page.spring(k, along=y), and one that rubs "
+    "keep the one that jams; a support that neither lifts off nor rubs is a spring, as "
+    "page.spring(k, along=y), and one that rubs "
     "at a constant coefficient a force beside it, as page.force(mu0*k_2*y, along=x)",
 )
 CONTACT_DAMPING = Limit(
     "damping in the contact",
-    "a damper beside it, page.damper(c, along=y), takes the same energy, in lift-off too, and adds nothing to the normal force",
+    "a damper beside it, page.damper(c, along=y), takes the same energy, in lift-off too, and "
+    "adds nothing to the normal force",
 )
 NONLINEAR_DAMPER = Limit(
     "a damper that is nonlinear in speed",
-    "take the coefficient at the speeds that matter, page.damper(c, along=x); it may depend on the place, as c*(1 + x**2/L_0**2)",
+    "take the coefficient at the speeds that matter, page.damper(c, along=x); it may depend "
+    "on the place, as c*(1 + x**2/L_0**2)",
 )
 STICKING = Limit(
     "a friction that is not 0 at speed 0 without what it holds there",
-    "say both, as page.friction(x, V, slip=lambda v: mu_k*sgn(v), holds=mu_s), or write a law that is steep there, as mu0*tanh(d*v)",
+    "say both, as page.friction(x, V, slip=lambda v: mu_k*sgn(v), holds=mu_s), or write a law "
+    "that is steep there, as mu0*tanh(d*v)",
 )
 FORCING = Limit(
     "forcing in time",
-    "let a heavy mass on a spring, a coordinate of its own, swing at that frequency and pull by a weak spring: its start is its amplitude",
+    "let a heavy mass on a spring, a coordinate of its own, swing at that frequency and pull "
+    "by a weak spring: its start is its amplitude",
 )
 FRICTION_STATE = Limit(
     "friction with a state of its own",
-    "write its steady value as a law of the sliding speed; a bristle may be a light mass that slides, on a spring and a damper",
+    "write its steady value as a law of the sliding speed; a bristle may be a light mass that "
+    "slides, on a spring and a damper",
 )
 GYROSCOPIC = Limit(
     "a gyroscopic term, a kinetic energy linear in the rates",
-    "leave it out where the speed of rotation is far below the frequencies; a part without rates, as of a centrifugal force, is "
+    "leave it out where the speed of rotation is far below the frequencies; a part without "
+    "rates, as of a centrifugal force, is "
     "page.potential(…) with the other sign",
 )
 FIFTH_COORDINATE = Limit(

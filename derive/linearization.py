@@ -8,7 +8,9 @@ from .mechanics import DEPTH, PUSHING, SIDE, Mechanics
 
 
 def damping(model: Mechanics) -> sp.Matrix:
-    """C: the dampers, and the slope of the friction law where the belt is faster than the mass, which gives its sign."""
+    """C: the dampers, and the slope of the friction law where the belt is faster than the mass,
+    which gives its sign.
+    """
     still = dict.fromkeys(model.rates, sp.S.Zero)
     C = sp.Matrix(model.resistance).jacobian(model.rates)
     if model.slide is not None:
@@ -23,7 +25,8 @@ def module(model: Mechanics) -> Module:
     state = (*model.coordinates, *model.directions, *model.arguments)
     return Module(
         "linearization",
-        "Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.",
+        "Small deviations from steady sliding: mass matrix and damping; the stiffness is "
+        "statics.forces_jacobian.",
         (
             of_page(
                 "mass_matrix",

@@ -1,15 +1,19 @@
-"""From a page to dimensionless mechanics: the units of measure become 1, and every straight spring gets a direction and a length.
+"""From a page to dimensionless mechanics: the units of measure become 1, and every straight spring
+gets a direction and a length.
 
-A spring between two points has the vector (dx, dy) from its first end, the mass's, to its second, its length l, and its direction
-(c, s) = (dx, dy)/l. Forces are written in c, s and l as symbols of their own, and derivatives follow by the chain rule
+A spring between two points has the vector (dx, dy) from its first end, the mass's, to its second,
+its length l, and its direction (c, s) = (dx, dy)/l. Forces are written in c, s and l as symbols of
+their own, and derivatives follow by the chain rule
 
     ∂l = c ∂dx + s ∂dy,    ∂c = s (s ∂dx − c ∂dy)/l,    ∂s = −c (s ∂dx − c ∂dy)/l,
 
-so that no square root is ever differentiated. Likewise the turning of a torsion spring is a symbol φ of its own, with
+so that no square root is ever differentiated. Likewise the turning of a torsion spring is a symbol
+φ of its own, with
 
     ∂φ = (c ∂dy − s ∂dx)/l − ∂rest,
 
-so that its energy k φ²/2 is exact and its forces are linear in φ: an arc tangent is taken once, in numbers.
+so that its energy k φ²/2 is exact and its forces are linear in φ: an arc tangent is taken once, in
+numbers.
 """
 
 from collections.abc import Callable, Mapping
@@ -27,7 +31,8 @@ PUSHING = sp.Symbol("pushing", real=True)
 SIDE = sp.Symbol("side", real=True)
 #: The friction coefficient, where a function takes it as a number.
 MU = sp.Symbol("mu", real=True)
-#: Penetration in lift-off: small, so that no exponential of it is infinite, and not 0, where slopes of a root are.
+#: Penetration in lift-off: small, so that no exponential of it is infinite, and not 0, where slopes
+#: of a root are.
 TOUCH = sp.Rational(1, 2**40)
 #: Penetration, positive, of a law that is no polynomial.
 DEPTH = sp.Symbol("_depth", positive=True)
@@ -62,7 +67,9 @@ class Line:
 
 @dataclass(frozen=True)
 class Turning:
-    """How far a line is turned from an inclination at rest, against a torsion spring: φ in (−π, π], the least turning."""
+    """How far a line is turned from an inclination at rest, against a torsion spring: φ in (−π, π],
+    the least turning.
+    """
 
     line: Line
     stiffness: sp.Expr
@@ -94,18 +101,24 @@ class Turning:
 
     @property
     def continued(self) -> sp.Expr:
-        """φ on its way: from −π/2 to 3π/2, or from −3π/2 to π/2, smooth across the ray on which the least turning jumps."""
+        """φ on its way: from −π/2 to 3π/2, or from −3π/2 to π/2, smooth across the ray on which the
+        least turning jumps.
+        """
         return self.way * (sp.pi / 2 - sp.atan2(self.cosine, self.way * self.sine))
 
     @property
     def border(self) -> sp.Expr:
-        """Positive from −0.93 to π, times the way: where a motion changes it. The two ways share the border ±π."""
+        """Positive from −0.93 to π, times the way: where a motion changes it. The two ways share
+        the border ±π.
+        """
         return 1 + self.cosine + 2 * self.way * self.sine
 
 
 @dataclass(frozen=True)
 class Angle:
-    """An angle enters by its cosine and sine; ``alone`` it stands by itself as well, as in k (φ − θ₀)²/2."""
+    """An angle enters by its cosine and sine; ``alone`` it stands by itself as well, as in k (φ −
+    θ₀)²/2.
+    """
 
     symbol: sp.Symbol
     c: sp.Symbol
@@ -151,7 +164,8 @@ class Mechanics:
         """Whether friction holds the mass where nothing slides."""
         return self.page.sliding is not None and self.page.sliding.holds is not None
 
-    # ------------------------------------------------------------------------------------------------ names
+    # ---------------------------------------------------------------------------------------------
+    # names
 
     @cached_property
     def arguments(self) -> Symbols:
@@ -172,7 +186,8 @@ class Mechanics:
         """φ of every torsion spring."""
         return tuple(torsion.phi for torsion in self.torsions)
 
-    # ------------------------------------------------------------------------------------------------ the chain rule
+    # ---------------------------------------------------------------------------------------------
+    # the chain rule
 
     def partial(self, expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
         """∂/∂symbol with directions and lengths held; an angle by its cosine and sine."""
@@ -185,7 +200,9 @@ class Mechanics:
         return sp.diff(expression, symbol)
 
     def derivative(self, expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-        """d/dsymbol, by a coordinate or a parameter, with directions, lengths, turnings and the penetration following."""
+        """d/dsymbol, by a coordinate or a parameter, with directions, lengths, turnings and the
+        penetration following.
+        """
         total = self.partial(expression, symbol)
         for line in self.lines:
             slopes = line.slopes(self.partial(line.dx, symbol), self.partial(line.dy, symbol))
@@ -203,7 +220,8 @@ class Mechanics:
         return total
 
     def tidy(self, expression: sp.Expr) -> sp.Expr:
-        """In the fewest terms: by c² + s² = 1, either square of every direction may go; common factors stand outside.
+        """In the fewest terms: by c² + s² = 1, either square of every direction may go; common
+        factors stand outside.
 
         Each parameter stands once where it can: an interval of it counts once, too.
         """
@@ -233,7 +251,9 @@ class Mechanics:
         return sp.collect(whole, tuple(map(number, self.parameters)))
 
     def _quotients(self, expression: sp.Expr) -> set[sp.Expr]:
-        """Quotients and roots of what has a direction or an angle: no polynomials in its cosine and sine, as 1/(1 + cos² v²) is none."""
+        """Quotients and roots of what has a direction or an angle: no polynomials in its cosine and
+        sine, as 1/(1 + cos² v²) is none.
+        """
         directions = {symbol for line in self.lines for symbol in (line.c, line.s)}
         return {
             node
@@ -241,14 +261,16 @@ class Mechanics:
             if waves(node.base) or node.base.free_symbols & directions
         }
 
-    # ------------------------------------------------------------------------------------------------ forces
+    # ---------------------------------------------------------------------------------------------
+    # forces
 
     @cached_property
     def in_coordinates(self) -> bool:
         """Whether the contact law stands in coordinates, else in DEPTH.
 
-        In DEPTH stand laws that are no polynomials, and powers of a gap that bends or takes several coordinates: in coordinates
-        those would be large terms that cancel, and whose intervals tell nothing.
+        In DEPTH stand laws that are no polynomials, and powers of a gap that bends or takes several
+        coordinates: in coordinates those would be large terms that cancel, and whose intervals tell
+        nothing.
         """
         if self.gap is None or not self.polynomial:
             return False
@@ -278,9 +300,11 @@ class Mechanics:
 
     @cached_property
     def depth(self) -> sp.Expr:
-        """What DEPTH stands for: the penetration, and in lift-off, where the law is multiplied by 0, a tiny one at which it is finite.
+        """What DEPTH stands for: the penetration, and in lift-off, where the law is multiplied by
+        0, a tiny one at which it is finite.
 
-        The square keeps 1 − PUSHING, a whole number, together: added apart, 1 would take the last digits of a shallow penetration.
+        The square keeps 1 − PUSHING, a whole number, together: added apart, 1 would take the last
+        digits of a shallow penetration.
         """
         if self.gap is None:
             return sp.S.Zero
@@ -293,7 +317,9 @@ class Mechanics:
 
     @cached_property
     def residuals_apart(self) -> Row:
-        """The same without the springs along lines, each of which adds its tension times (c ∂dx + s ∂dy), and without torsion springs."""
+        """The same without the springs along lines, each of which adds its tension times (c ∂dx + s
+        ∂dy), and without torsion springs.
+        """
         springs = [
             elastic(line, stiffness)
             for line, stiffness in zip(self.lines, self.stiffnesses, strict=True)
@@ -324,7 +350,9 @@ class Mechanics:
 
 
 def waves(expression: sp.Basic) -> list[Pair]:
-    """Cosine and sine of everything of which the expression takes one of them, in an order of their own."""
+    """Cosine and sine of everything of which the expression takes one of them, in an order of their
+    own.
+    """
     arguments = {node.args[0] for node in expression.atoms(sp.cos, sp.sin)}
     return [
         (sp.cos(argument), sp.sin(argument))
@@ -343,7 +371,8 @@ def number(datum: Datum) -> sp.Symbol:
 
 
 def of(page: Page, units: bool = False) -> Mechanics:
-    """The mechanics of a page; a :class:`~derive.model.PageError` where the page can't be carried through.
+    """The mechanics of a page; a :class:`~derive.model.PageError` where the page can't be carried
+    through.
 
     With ``units`` its quantities stay what they are, and nothing becomes 1.
     """
@@ -380,7 +409,9 @@ def of(page: Page, units: bool = False) -> Mechanics:
 
 
 class _Scaled:
-    """Makes an expression dimensionless: units of measure become 1, parameters numbers, angles cosines and sines (``units``: only these)."""
+    """Makes an expression dimensionless: units of measure become 1, parameters numbers, angles
+    cosines and sines (``units``: only these).
+    """
 
     def __init__(self, page: Page, units: bool) -> None:
         numbers = {datum.symbol: number(datum) for datum in page.parameters} | dict.fromkeys(
@@ -408,20 +439,26 @@ class _Scaled:
 
 
 def elastic(line: Line, stiffness: sp.Expr) -> sp.Expr:
-    """The energy k (l − r)²/2 as k (dx² + dy²)/2 − k r l, up to a constant: its forces are linear in coordinates and direction."""
+    """The energy k (l − r)²/2 as k (dx² + dy²)/2 − k r l, up to a constant: its forces are linear
+    in coordinates and direction.
+    """
     return stiffness * ((line.dx**2 + line.dy**2) / 2 - line.rest * line.l)
 
 
 def _lines(
     page: Page, scaled: _Scaled
 ) -> tuple[tuple[Line, ...], Row, tuple[Turning, ...], sp.Expr, sp.Expr]:
-    """Lines of springs and dampers, each once; stiffness along each; turnings; energy of springs; half the power of the dampers."""
+    """Lines of springs and dampers, each once; stiffness along each; turnings; energy of springs;
+    half the power of the dampers.
+    """
     found: list[Line] = []
     along: dict[Line, sp.Expr] = {}
     energy = dissipation = sp.S.Zero
 
     def line_of(ends: tuple[Point, Point], rest: sp.Expr | None, line: int) -> Line:
-        """The line between two points; that of a spring with this undeformed length, for a damper that of any."""
+        """The line between two points; that of a spring with this undeformed length, for a damper
+        that of any.
+        """
         ((ax, ay), (bx, by)) = ends
         vector = scaled(bx - ax), scaled(by - ay)
         for known in found:
@@ -470,7 +507,8 @@ def _turning(torsion: Element, line: Line, count: int, scaled: _Scaled) -> Turni
     if roots or cosine.has(sp.cos, sp.sin) or sine.has(sp.cos, sp.sin):
         raise PageError(
             torsion.line,
-            f"the inclination at rest is {torsion.rest}; expected is an angle of the page, a sum of such, or a multiple of pi/2: make "
+            f"the inclination at rest is {torsion.rest}; expected is an angle of the page, a "
+            "sum of such, or a multiple of pi/2: make "
             "another number a parameter in rad, with a base value",
         )
     phi, way = sp.symbols(f"phi{count} way{count}", real=True)

@@ -1,8 +1,10 @@
 """The vocabulary of a page: what a model's author writes, and nothing of what follows from it.
 
-A page is a Python file that makes one :class:`Page` and says, in the order of an article's second section: quantities, coordinates,
-energies, springs and dampers by their ends, applied forces, the contact law, the friction law. Every statement remembers its line, so
-that an error can name it. Laws and energies are made of :data:`FUNCTIONS`, roots and powers of fractions, each smooth where it is used.
+A page is a Python file that makes one :class:`Page` and says, in the order of an article's second
+section: quantities, coordinates, energies, springs and dampers by their ends, applied forces, the
+contact law, the friction law. Every statement remembers its line, so that an error can name it.
+Laws and energies are made of :data:`FUNCTIONS`, roots and powers of fractions, each smooth where it
+is used.
 """
 
 from __future__ import annotations
@@ -44,7 +46,8 @@ __all__ = [
 #: The sign function under the name that articles give it.
 sgn = sign
 
-#: The functions that laws and energies are made of, by the names that pages give them; beside them roots and other powers.
+#: The functions that laws and energies are made of, by the names that pages give them; beside them
+#: roots and other powers.
 FUNCTIONS = {
     "Abs": Abs,
     "atan": atan,
@@ -84,7 +87,9 @@ class PageError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Datum:
-    """A quantity of the page: a unit of measure, which becomes 1, or a parameter, which becomes a number named ``becomes``."""
+    """A quantity of the page: a unit of measure, which becomes 1, or a parameter, which becomes a
+    number named ``becomes``.
+    """
 
     symbol: sp.Symbol
     unit: str
@@ -97,7 +102,9 @@ class Datum:
 
     @property
     def cosine_and_sine(self) -> tuple[str, str]:
-        """Names that stand for an angle in code: ``cos0`` and ``sin0`` for ``theta0``, ``cos_psi`` and ``sin_psi`` for ``psi``."""
+        """Names that stand for an angle in code: ``cos0`` and ``sin0`` for ``theta0``, ``cos_psi``
+        and ``sin_psi`` for ``psi``.
+        """
         suffix = (
             self.becomes.removeprefix("theta")
             if self.becomes.startswith("theta")
@@ -125,7 +132,9 @@ def acceleration_of(coordinate: sp.Symbol) -> str:
 
 @dataclass(frozen=True)
 class Element:
-    """A straight spring or a viscous damper, or a spring that resists turning: between two points, or along a coordinate."""
+    """A straight spring or a viscous damper, or a spring that resists turning: between two points,
+    or along a coordinate.
+    """
 
     what: str  #: spring, torsion spring or damper
     strength: sp.Expr  #: stiffness or coefficient
@@ -164,7 +173,8 @@ class Contact:
 
 @dataclass(frozen=True)
 class Friction:
-    """μ as a law of the sliding speed ``belt − d(along)/dt``; ``at_rest`` is its limit at fast sliding, where statics takes that.
+    """μ as a law of the sliding speed ``belt − d(along)/dt``; ``at_rest`` is its limit at fast
+    sliding, where statics takes that.
 
     With ``holds`` the mass sticks to the belt, by any force up to so many times the normal force.
     """
@@ -178,7 +188,9 @@ class Friction:
 
 
 def expression_of(value: object) -> sp.Expr:
-    """A number or an expression, as an expression; decimals in it as the fractions that are written."""
+    """A number or an expression, as an expression; decimals in it as the fractions that are
+    written.
+    """
     if value is None or isinstance(value, str):
         said = "nothing" if value is None else f"{value!r}, a text"
         raise refused(
@@ -245,7 +257,8 @@ class Page:
         """Springs, torsion springs and dampers."""
         return (*self.springs, *self.torsions, *self.dampers)
 
-    # ------------------------------------------------------------------------------------------------ quantities
+    # ---------------------------------------------------------------------------------------------
+    # quantities
 
     def unit(self, name: str, unit: str, meaning: str, latex: str = "") -> sp.Symbol:
         """A positive quantity that becomes 1: a unit of measure of the dimensionless model."""
@@ -265,7 +278,9 @@ class Page:
         becomes: str = "",
         latex: str = "",
     ) -> sp.Symbol:
-        """A quantity that stays: ``becomes`` is its dimensionless name, ``base`` its dimensionless value unless changed."""
+        """A quantity that stays: ``becomes`` is its dimensionless name, ``base`` its dimensionless
+        value unless changed.
+        """
         _check_texts(
             name=name, unit=unit, meaning=meaning, domain=domain, becomes=becomes, latex=latex
         )
@@ -276,7 +291,8 @@ class Page:
             or not sp.sympify(base).is_number
         ):
             raise refused(
-                f"the base value {base!r} of {name} is no number; give one without quotation marks, as 0.5"
+                f"the base value {base!r} of {name} is no number; give one without quotation "
+                "marks, as 0.5"
             )
         number, allowed = None if base is None else float(base), interval(domain)
         if number is not None and not allowed.holds(number):
@@ -286,12 +302,14 @@ class Page:
             unit == "rad" and 2 * math.pi * (1 + 1e-9) < allowed.high - allowed.low < math.inf
         ):  # as one in degrees is
             raise refused(
-                f"the domain {domain} of the angle {name} is wider than a turn; angles are in radians, as (0, pi)"
+                f"the domain {domain} of the angle {name} is wider than a turn; angles are in "
+                "radians, as (0, pi)"
             )
         for other in self.parameters:
             if other.becomes == (becomes or name):
                 raise refused(
-                    f"{other.symbol} and {name} both become {other.becomes}; give one of them another name with becomes"
+                    f"{other.symbol} and {name} both become {other.becomes}; give one of them "
+                    "another name with becomes"
                 )
         letter = latex or sp.latex(symbol)
         return self._entered(
@@ -312,7 +330,8 @@ class Page:
         """Time derivative of a coordinate, or of an expression in coordinates."""
         return sp.Add(*(sp.diff(expression_of(of), it.symbol) * it.rate for it in self.coordinates))
 
-    # ------------------------------------------------------------------------------------------------ energies and forces
+    # ---------------------------------------------------------------------------------------------
+    # energies and forces
 
     def kinetic(self, energy: sp.Expr) -> None:
         """Kinetic energy, a quadratic form of the rates."""
@@ -330,19 +349,23 @@ class Page:
         length: sp.Expr | int = 0,
         along: sp.Expr | None = None,
     ) -> None:
-        """A spring: straight between two ``ends``, of undeformed ``length``; or along a coordinate."""
+        """A spring: straight between two ``ends``, of undeformed ``length``; or along a
+        coordinate.
+        """
         for what, value in (("stiffness", stiffness), ("undeformed length", length)):
             if moving := self._moving(expression_of(value)):
                 raise refused(
-                    f"the {what} of this spring depends on {moving}; say its energy with page.potential"
+                    f"the {what} of this spring depends on {moving}; say its energy with "
+                    "page.potential"
                 )
         self.springs.append(_element("spring", stiffness, ends, along, length))
 
     def torsion(self, stiffness: sp.Expr, *ends: Point, rest: sp.Expr) -> None:
-        """A torsion spring: it resists the turning φ of the line from the first end to the second, from the inclination ``rest``.
+        """A torsion spring: it resists the turning φ of the line from the first end to the second,
+        from the inclination ``rest``.
 
-        Its energy is k φ²/2, with φ in (−π, π]: the least turning. On the ray φ = ±π the torque jumps from k π to −k π, away from
-        the ray on either side; the energy is continuous there.
+        Its energy is k φ²/2, with φ in (−π, π]: the least turning. On the ray φ = ±π the torque
+        jumps from k π to −k π, away from the ray on either side; the energy is continuous there.
         """
         self.torsions.append(_element("torsion spring", stiffness, ends, None, rest))
 
@@ -357,7 +380,8 @@ class Page:
         """An applied force: two components at a point, or one along a coordinate."""
         if (at is None) == (along is None) or len(components) != (1 if at is None else 2):
             raise refused(
-                "a force has two components at a point, force(F_x, F_y, at=(x, y)), or one along a coordinate"
+                "a force has two components at a point, force(F_x, F_y, at=(x, y)), or one "
+                "along a coordinate"
             )
         if at is not None and (not isinstance(at, tuple | list) or len(at) != 2):
             raise refused(
@@ -366,10 +390,13 @@ class Page:
         place = (_along(along),) if at is None else tuple(map(expression_of, at))
         self.forces.append(Force(tuple(map(expression_of, components)), place, _line()))
 
-    # ------------------------------------------------------------------------------------------------ laws
+    # ---------------------------------------------------------------------------------------------
+    # laws
 
     def contact(self, gap: sp.Expr, law: Law, unilateral: bool = True) -> None:
-        """The normal force as a ``law`` of the penetration −gap; where the gap is positive there is none, if ``unilateral``."""
+        """The normal force as a ``law`` of the penetration −gap; where the gap is positive there is
+        none, if ``unilateral``.
+        """
         self._first(self.normal, "contact", str(limits.SECOND_CONTACT))
         self._check_law(law, "contact", "penetration")
         distance = expression_of(gap)
@@ -393,23 +420,29 @@ class Page:
         slip: Law | None = None,
         holds: sp.Expr | None = None,
     ) -> None:
-        """The friction coefficient as a ``law`` of the sliding speed ``belt − rate(along)``, 0 at speed 0; or dry friction.
+        """The friction coefficient as a ``law`` of the sliding speed ``belt − rate(along)``, 0 at
+        speed 0; or dry friction.
 
-        ``at_rest`` is what statics takes for it: the limit of the law at fast sliding. Left out, statics takes the law at the belt's
-        speed.
+        ``at_rest`` is what statics takes for it: the limit of the law at fast sliding. Left out,
+        statics takes the law at the belt's speed.
 
-        Dry friction is a law ``slip``, which may jump at speed 0, and what it ``holds``: where the sliding speed is 0 the mass sticks,
-        by any force F up to holds times the normal force N, or up to slip(0) times that where this is more. The rules at the limits:
+        Dry friction is a law ``slip``, which may jump at speed 0, and what it ``holds``: where the
+        sliding speed is 0 the mass sticks, by any force F up to holds times the normal force N, or
+        up to slip(0) times that where this is more. The rules at the limits:
 
-        - It sticks as soon as the sliding speed is 0 and |F| ≤ holds N with N > 0, |F| = holds N included; else the speed passes 0.
-        - It slips as soon as |F| is larger, in the direction in which F would accelerate it; and as soon as the contact is lost.
-        - A sliding speed that only touches 0 sticks there too, if the force is within its limit; a touch to within 1e-12 may be missed.
+        - It sticks as soon as the sliding speed is 0 and |F| ≤ holds N with N > 0, |F| = holds N
+          included; else the speed passes 0.
+        - It slips as soon as |F| is larger, in the direction in which F would accelerate it; and as
+          soon as the contact is lost.
+        - A sliding speed that only touches 0 sticks there too, if the force is within its limit; a
+          touch to within 1e-12 may be missed.
         - Where the belt stands, V = 0, every place at which F is within the limit is one of rest.
         """
         self._first(self.sliding, "friction", str(limits.SECOND_CONTACT))
         if (law is None) == (slip is None) or (slip is None) != (holds is None):
             raise refused(
-                "friction takes one law of the sliding speed, or both slip=… and holds=…, as slip=lambda v: mu_k*sgn(v), holds=mu_s"
+                "friction takes one law of the sliding speed, or both slip=… and holds=…, as "
+                "slip=lambda v: mu_k*sgn(v), holds=mu_s"
             )
         coefficient = None if holds is None else expression_of(holds)
         if coefficient is not None and (moving := self._moving(coefficient)):
@@ -436,7 +469,8 @@ class Page:
             raise
         except Exception as error:  # whatever the page's own code raises
             raise refused(
-                f"the {kind} law can't be taken of an expression: {type(error).__name__}: {error}; give a function of one argument, "
+                f"the {kind} law can't be taken of an expression: {type(error).__name__}: "
+                f"{error}; give a function of one argument, "
                 f"made of {', '.join(FUNCTIONS)}, sqrt of spragsym.derive.model"
             ) from error
         if moving:
@@ -444,13 +478,16 @@ class Page:
                 str(rate) in moving.split(", ") for rate in self.rates
             )
             raise refused(
-                f"the {kind} law depends on {moving}; it is a law of the {of} alone{f': {limit}' if rates else ''}"
+                f"the {kind} law depends on {moving}; it is a law of the {of} "
+                f"alone{f': {limit}' if rates else ''}"
             )
 
     def _check_speeds(
         self, expression: sp.Expr, what: str, limit: object = limits.CONTACT_DAMPING
     ) -> None:
-        """The normal force follows from the place; the coefficient of a damper holds no speed either."""
+        """The normal force follows from the place; the coefficient of a damper holds no speed
+        either.
+        """
         held = [str(rate) for rate in self.rates if expression.has(rate)]
         if held:
             raise refused(f"{what} {expression} holds the speed {', '.join(held)}: {limit}")
@@ -480,7 +517,9 @@ class Page:
 
 
 def _line() -> int:
-    """The line of the page that is being read: the innermost frame outside this file, and that of other methods."""
+    """The line of the page that is being read: the innermost frame outside this file, and that of
+    other methods.
+    """
     frame = inspect.currentframe()
     while frame is not None and frame.f_code.co_filename in (
         __file__,
@@ -515,7 +554,8 @@ def _needed(law: Law, kind: str, of: str) -> list[str]:
 def _along(along: sp.Expr | None) -> sp.Expr:
     if not isinstance(along, sp.Expr):
         raise refused(
-            f"along = {along!r} is no coordinate; give the coordinate itself, as along=x without quotation marks"
+            f"along = {along!r} is no coordinate; give the coordinate itself, as along=x "
+            "without quotation marks"
         )
     return expression_of(along)
 
@@ -534,7 +574,8 @@ def _element(
         )
     if any(not isinstance(end, tuple | list) or len(end) != 2 for end in ends):
         raise refused(
-            f"an end of a spring or a damper is a point of the plane, (x, y); here are {ends[0]} and {ends[1]}"
+            "an end of a spring or a damper is a point of the plane, (x, y); here are "
+            f"{ends[0]} and {ends[1]}"
         )
     both = tuple((expression_of(x), expression_of(y)) for x, y in ends)
     return Element(
@@ -552,13 +593,16 @@ def _check_texts(**texts: object) -> None:
     for what, text in texts.items():
         if not isinstance(text, str):
             raise refused(
-                f"{what} = {text!r} is no text; write it in quotation marks, in its place among the arguments"
+                f"{what} = {text!r} is no text; write it in quotation marks, in its place "
+                "among the arguments"
             )
         check_characters(what, text, _line())
 
 
 def check_characters(what: str, text: str, line: int, allowed: str = "") -> None:
-    """Text that files of every language can hold: no control characters, line ends, surrogates, or marks that turn the direction."""
+    """Text that files of every language can hold: no control characters, line ends, surrogates, or
+    marks that turn the direction.
+    """
     wrong = next(
         (
             one
@@ -570,7 +614,8 @@ def check_characters(what: str, text: str, line: int, allowed: str = "") -> None
     if wrong is not None:
         raise PageError(
             line,
-            f"{what} = {text!a} holds the character U+{ord(wrong):04X}, which is not printed; take it out",
+            f"{what} = {text!a} holds the character U+{ord(wrong):04X}, which is not printed; "
+            "take it out",
         )
 
 

@@ -1,4 +1,6 @@
-"""Motion of any model: accelerations in each regime in which they are smooth, their derivatives, borders, energy and powers."""
+"""Motion of any model: accelerations in each regime in which they are smooth, their derivatives,
+borders, energy and powers.
+"""
 
 from dataclasses import dataclass
 from functools import cached_property, partial
@@ -11,7 +13,8 @@ from .emit.function import Function, Module, Results, of_page
 from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, elastic, number, waves
 from .model import acceleration_of
 
-#: 1 while friction holds the mass to the belt, 0 while it slips; the force of a friction that holds.
+#: 1 while friction holds the mass to the belt, 0 while it slips; the force of a friction that
+#: holds.
 STUCK, FRICTION = sp.symbols("_stuck _friction", real=True)
 
 
@@ -33,7 +36,9 @@ class Motion:
 
     @cached_property
     def mobility(self) -> sp.Expr:
-        """Jᵀ M⁻¹ J of the displacement that friction opposes: by how much a unit of friction slows the sliding."""
+        """Jᵀ M⁻¹ J of the displacement that friction opposes: by how much a unit of friction slows
+        the sliding.
+        """
         return sum(
             (a * b for a, b in zip(self.along, self.accelerated(self.along), strict=True)),
             sp.S.Zero,
@@ -41,14 +46,17 @@ class Motion:
 
     @cached_property
     def holding(self) -> sp.Expr:
-        """The force that keeps the sliding speed from changing: the constraint force of sticking."""
+        """The force that keeps the sliding speed from changing: the constraint force of
+        sticking.
+        """
         return self.rate(self.borders[1], self.accelerations).subs(FRICTION, 0) / self.mobility
 
     @cached_property
     def dry_friction(self) -> Names:
         """What STUCK and FRICTION are; nothing of a friction that does not hold.
 
-        Sticking or not, the force is a sum and no coefficient times a normal force that goes to 0 where the contact is lost.
+        Sticking or not, the force is a sum and no coefficient times a normal force that goes to 0
+        where the contact is lost.
         """
         if not self.model.holds:
             return {}
@@ -56,7 +64,9 @@ class Motion:
         return {**self.inverted, STUCK: 1 - SIDE**2, MU: self.friction, FRICTION: force}
 
     def margins(self, force: sp.Expr) -> Row:
-        """How far a force of friction is from its limit with the belt, and from that against it: positive while friction holds."""
+        """How far a force of friction is from its limit with the belt, and from that against it:
+        positive while friction holds.
+        """
         ahead, behind = (
             coefficient * self.model.normal for coefficient in laws.static_coefficients(self.model)
         )
@@ -64,7 +74,9 @@ class Motion:
 
     @cached_property
     def side(self) -> sp.Expr:
-        """The sign of the sliding speed; where nothing slides 0 if friction holds, else that of what it slides into."""
+        """The sign of the sliding speed; where nothing slides 0 if friction holds, else that of
+        what it slides into.
+        """
         sliding = sp.sign(self.borders[1])
         if not self.model.holds:
             return sliding
@@ -75,7 +87,9 @@ class Motion:
 
     @cached_property
     def centrifugal(self) -> Row:
-        """The terms of Lagrange's equations besides M q″ where the mass matrix depends on the place: d(∂T/∂v)/dt − ∂T/∂q at q″ = 0."""
+        """The terms of Lagrange's equations besides M q″ where the mass matrix depends on the
+        place: d(∂T/∂v)/dt − ∂T/∂q at q″ = 0.
+        """
         it = self.model
         momenta = [sp.diff(it.kinetic, rate) for rate in it.rates]
         return tuple(
@@ -91,7 +105,9 @@ class Motion:
         return tuple(-static - damped - turned for static, damped, turned in rows)
 
     def balance(self, contact: sp.Expr) -> Row:
-        """M q″ less all forces, of which the contact's is ``contact``, in MU and the symbols of the accelerations."""
+        """M q″ less all forces, of which the contact's is ``contact``, in MU and the symbols of the
+        accelerations.
+        """
         it = self.model
         rows = []
         for symbol, inertia, pull in zip(
@@ -105,7 +121,9 @@ class Motion:
 
     @cached_property
     def accelerations(self) -> Row:
-        """q″ in MU, or in the FRICTION that holds, and in the entries of the inverse of M where these are no quotients of parameters."""
+        """q″ in MU, or in the FRICTION that holds, and in the entries of the inverse of M where
+        these are no quotients of parameters.
+        """
         return self.accelerated(self.forces)
 
     @cached_property
@@ -153,7 +171,9 @@ class Motion:
 
     @cached_property
     def inverted(self) -> Names:
-        """What the entries of the inverse of M are: M is inverted in numbers once, and never differentiated."""
+        """What the entries of the inverse of M are: M is inverted in numbers once, and never
+        differentiated.
+        """
         if not self.is_coupled:
             return {}
         determinant = sp.Symbol("_determinant", positive=True)
@@ -165,7 +185,9 @@ class Motion:
         }
 
     def slopes(self, symbol: sp.Symbol, turn: sp.Expr | None = None) -> Row:
-        """Derivatives of the accelerations by a coordinate, a rate or a parameter: M ∂q″ = ∂forces − ∂M q″; ``turn`` is friction's."""
+        """Derivatives of the accelerations by a coordinate, a rate or a parameter: M ∂q″ = ∂forces
+        − ∂M q″; ``turn`` is friction's.
+        """
         turn = self.friction_slope(symbol) if turn is None else turn
         if not self.is_coupled:
             return tuple(self.derivative(row, symbol, turn) for row in self.accelerations)
@@ -177,7 +199,9 @@ class Motion:
         return tuple(self.inverse * (pulls - changes))
 
     def friction_slope(self, symbol: sp.Symbol) -> sp.Expr:
-        """The derivative of μ; or that of a force that holds, which keeps the sliding speed from changing."""
+        """The derivative of μ; or that of a force that holds, which keeps the sliding speed from
+        changing.
+        """
         if not self.model.holds:
             return self.model.derivative(self.friction, symbol)
         slipping = self.model.derivative(self.friction * self.model.normal, symbol)
@@ -195,11 +219,14 @@ class Motion:
             + sp.diff(expression, FRICTION if self.model.holds else MU) * turn
         )
 
-    # ------------------------------------------------------------------------------------------------ energy
+    # ---------------------------------------------------------------------------------------------
+    # energy
 
     @cached_property
     def stored(self) -> sp.Expr:
-        """Kinetic and stored energy, with the work of the applied forces and, where it pushes, the contact's."""
+        """Kinetic and stored energy, with the work of the applied forces and, where it pushes, the
+        contact's.
+        """
         springs = zip(self.model.lines, self.model.stiffnesses, strict=True)
         return self._apart + sum(
             (elastic(line, k) + k * line.rest**2 / 2 for line, k in springs), sp.S.Zero
@@ -207,7 +234,9 @@ class Motion:
 
     @cached_property
     def energy(self) -> sp.Expr:
-        """The same with the springs' as k (l − r)²/2, which loses no digits where they are hardly deformed: l² is dx² + dy²."""
+        """The same with the springs' as k (l − r)²/2, which loses no digits where they are hardly
+        deformed: l² is dx² + dy².
+        """
         springs = zip(self.model.lines, self.model.stiffnesses, strict=True)
         return self._apart + sum(
             (k * (line.l - line.rest) ** 2 / 2 for line, k in springs), sp.S.Zero
@@ -215,7 +244,9 @@ class Motion:
 
     @cached_property
     def strain_energy(self) -> sp.Expr:
-        """Energy of springs, torsion springs, contact and the page's potentials, without the applied forces."""
+        """Energy of springs, torsion springs, contact and the page's potentials, without the
+        applied forces.
+        """
         return self.energy - self.model.kinetic + self.work
 
     @cached_property
@@ -233,7 +264,9 @@ class Motion:
 
     @cached_property
     def work(self) -> sp.Expr:
-        """A potential of the applied forces: the sum over coordinates of what is not counted yet."""
+        """A potential of the applied forces: the sum over coordinates of what is not counted
+        yet.
+        """
         it = self.model
         total = sp.S.Zero
         for symbol, force in zip(it.coordinates, it.applied, strict=True):
@@ -265,7 +298,9 @@ class Motion:
         return -2 * self.model.dissipation
 
     def balances(self) -> bool:
-        """Whether the energy changes by the powers and by nothing else, as exact algebra for every state."""
+        """Whether the energy changes by the powers and by nothing else, as exact algebra for every
+        state.
+        """
         it = self.model
         change = sp.S.Zero
         for symbol, rate, pull in zip(it.coordinates, it.rates, self.pull, strict=True):
@@ -280,7 +315,8 @@ class Motion:
         ]
         return difference(change.xreplace(turned), powers.xreplace(turned), tuple(circles)) == 0
 
-    # ------------------------------------------------------------------------------------------------ borders
+    # ---------------------------------------------------------------------------------------------
+    # borders
 
     @cached_property
     def borders(self) -> Row:
@@ -316,7 +352,9 @@ def _rows(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
 
 
 def _slopes(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
-    """Derivatives of the sliding speed and, while it sticks, of the margins of the force of friction."""
+    """Derivatives of the sliding speed and, while it sticks, of the margins of the force of
+    friction.
+    """
     rows = motion.borders[1], *motion.margins(FRICTION)
     turns = {symbol: motion.friction_slope(symbol).subs({STUCK: 1, SIDE: 0}) for symbol in symbols}
     return tuple(
@@ -394,14 +432,16 @@ def module(model: Mechanics) -> Module:
         (
             smooth(
                 "grip",
-                "How far the force of friction that holds is from its limits, with the belt and against it: positive while "
+                "How far the force of friction that holds is from its limits, with the belt "
+                "and against it: positive while "
                 "it sticks.",
                 motion.margins(motion.holding),
                 "(ahead, behind)",
             ),
             smooth(
                 "grip_slopes",
-                "Derivatives of the sliding speed, and of these while it sticks, by coordinates, rates and all parameters.",
+                "Derivatives of the sliding speed, and of these while it sticks, by "
+                "coordinates, rates and all parameters.",
                 _slopes(motion, (*place, *map(number, model.parameters))),
                 "((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …)",
             ),
@@ -441,7 +481,8 @@ def module(model: Mechanics) -> Module:
             ),
             function(
                 "borders",
-                "The gap and the sliding speed, each zero on a kink of the field; 1 where there is none.",
+                "The gap and the sliding speed, each zero on a kink of the field; 1 where "
+                "there is none.",
                 moving,
                 borders,
                 "gap, slip",
@@ -455,7 +496,8 @@ def module(model: Mechanics) -> Module:
             ),
             function(
                 "layers",
-                "Minus the exponents of the sliding speed in the friction law: large where they are not felt.",
+                "Minus the exponents of the sliding speed in the friction law: large where "
+                "they are not felt.",
                 (*moving, SIDE),
                 layers,
                 "(z_1, …)",

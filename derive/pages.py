@@ -45,7 +45,8 @@ def shipped() -> tuple[Path, ...]:
 
 
 def read(path: Path, name: str = "") -> Model:
-    """Read a page, once as it stands: it is run as a module of this package, wherever it is. The model has its name, or another.
+    """Read a page, once as it stands: it is run as a module of this package, wherever it is. The
+    model has its name, or another.
 
     Raises
     ------
@@ -60,7 +61,8 @@ def read(path: Path, name: str = "") -> Model:
         if not _NAME.fullmatch(name or path.stem):
             raise PageError(
                 0,
-                f"its name {name or path.stem!a} holds more than letters, digits, blanks and . - _; rename the file",
+                f"its name {name or path.stem!a} holds more than letters, digits, blanks and "
+                ". - _; rename the file",
             )
         return _model(path, path.read_text(encoding="utf-8-sig"), name or path.stem)
     except UnicodeDecodeError as error:
@@ -105,7 +107,8 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
         "__package__": f"{package}.models",
     }
     try:
-        exec(compile(tree, str(path), "exec"), names)  # noqa: S102  # a page is a program: its author runs it
+        # a page is a program: its author runs it
+        exec(compile(tree, str(path), "exec"), names)  # noqa: S102
     except PageError:
         raise
     except (Exception, SystemExit) as error:
@@ -143,7 +146,9 @@ def _said(error: BaseException) -> str:
 
 
 class _Imports(ast.NodeTransformer):
-    """Lets a page name the vocabulary as ``spragsym.derive.model``, ``derive.model`` or ``..model``: one module in any case."""
+    """Lets a page name the vocabulary as ``spragsym.derive.model``, ``derive.model`` or
+    ``..model``: one module in any case.
+    """
 
     def visit_ImportFrom(self, node: ast.ImportFrom) -> ast.ImportFrom:
         if node.level == 0 and node.module in ("spragsym.derive.model", "derive.model"):

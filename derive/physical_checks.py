@@ -1,4 +1,5 @@
-"""Whether a page makes sense: its units add up, its contact pushes, its friction opposes, a force acts on every coordinate.
+"""Whether a page makes sense: its units add up, its contact pushes, its friction opposes, a force
+acts on every coordinate.
 
 Each error names the line of the page, what was expected there, and what still works without it.
 """
@@ -20,7 +21,9 @@ MOST_POWER = 20
 
 
 def check_units(page: Page) -> None:
-    """Every sum of the page adds like to like, and every statement is what it says: an energy, a force, a length, a number."""
+    """Every sum of the page adds like to like, and every statement is what it says: an energy, a
+    force, a length, a number.
+    """
     known = _dimensions(page) | {DEPTH: units.LENGTH, laws.SLIP: units.SPEED}
     for it in statements(page):
         _check_dimension(it, known)
@@ -29,7 +32,8 @@ def check_units(page: Page) -> None:
         if not torsion.rest.free_symbols <= angles:
             raise PageError(
                 torsion.line,
-                "the inclination at rest of a torsion spring is made of angles of the page; give rest=theta0",
+                "the inclination at rest of a torsion spring is made of angles of the page; "
+                "give rest=theta0",
             )
 
 
@@ -39,13 +43,15 @@ def _check_dimension(it: Statement, known: dict[sp.Symbol, Dimension]) -> None:
         time = f": {limits.FORCING}" if {"t", "time"} & set(unknown) else ""
         raise PageError(
             it.line,
-            f"{it.what} holds {', '.join(unknown)}, which the page does not define; define it above{time}",
+            f"{it.what} holds {', '.join(unknown)}, which the page does not define; define it "
+            f"above{time}",
         )
     power = max((abs(part.exp) for part in it.value.atoms(sp.Pow) if part.exp.is_number), default=0)
     if power > MOST_POWER:
         raise PageError(
             it.line,
-            f"{it.what} holds a power of {str(power)[:40]}; write one of at most {MOST_POWER}, or a function such as exp",
+            f"{it.what} holds a power of {str(power)[:40]}; write one of at most "
+            f"{MOST_POWER}, or a function such as exp",
         )
     try:
         found = units.of(it.value, known)
@@ -74,7 +80,9 @@ def _dimensions(page: Page) -> dict[sp.Symbol, Dimension]:
 
 
 def groups(page: Page) -> dict[str, sp.Expr]:
-    """Every dimensionless parameter as its quantity over the product of units of measure that has its dimension."""
+    """Every dimensionless parameter as its quantity over the product of units of measure that has
+    its dimension.
+    """
     known = _dimensions(page)
     measures = tuple(known[unit.symbol] for unit in page.units)
     for place, unit in enumerate(page.units):
@@ -82,7 +90,8 @@ def groups(page: Page) -> dict[str, sp.Expr]:
             others = ", ".join(str(other.symbol) for other in page.units[:place]) or "numbers"
             raise PageError(
                 unit.line,
-                f"{unit.symbol} is in {unit.unit}, as is a product of powers of {others}: it can't become 1 too; make it a parameter",
+                f"{unit.symbol} is in {unit.unit}, as is a product of powers of {others}: it "
+                "can't become 1 too; make it a parameter",
             )
     found = {}
     for entry in (*page.parameters, *page.coordinates):
@@ -90,14 +99,17 @@ def groups(page: Page) -> dict[str, sp.Expr]:
         if measure is None:
             raise PageError(
                 entry.line,
-                f"{entry.symbol} is in {entry.unit}, and no product of {', '.join(str(unit.symbol) for unit in page.units) or 'nothing'}, "
-                "which become 1, is; make three independent quantities units of measure with page.unit(...)",
+                f"{entry.symbol} is in {entry.unit}, and no product of "
+                f"{', '.join(str(unit.symbol) for unit in page.units) or 'nothing'}, "
+                "which become 1, is; make three independent quantities units of measure with "
+                "page.unit(...)",
             )
         if isinstance(entry, Datum):
             if entry.becomes != str(entry.symbol) and known[entry.symbol] == units.NONE:
                 raise PageError(
                     entry.line,
-                    f"{entry.symbol} has no unit to be rid of and keeps its name; leave out becomes={entry.becomes!r}, or name it so",
+                    f"{entry.symbol} has no unit to be rid of and keeps its name; leave out "
+                    f"becomes={entry.becomes!r}, or name it so",
                 )
             found[entry.becomes] = entry.symbol / measure
     return found
@@ -114,11 +126,14 @@ def scale(page: Page, dimension: Dimension) -> sp.Expr | None:
     )
 
 
-# ------------------------------------------------------------------------------------------------ laws and forces
+# ------------------------------------------------------------------------------------------------
+# laws and forces
 
 
 def check_forces(model: Mechanics) -> None:
-    """A contact that pushes, a friction that opposes, a force and an inertia for every coordinate."""
+    """A contact that pushes, a friction that opposes, a force and an inertia for every
+    coordinate.
+    """
     _check_contact(model)
     _check_friction(model)
     laws.friction_at_rest(model)
@@ -136,12 +151,14 @@ def check_forces(model: Mechanics) -> None:
     if any(at_rest):
         raise PageError(
             line,
-            f"the kinetic energy has parts that are not quadratic in the rates: {limits.GYROSCOPIC}",
+            "the kinetic energy has parts that are not quadratic in the rates: "
+            f"{limits.GYROSCOPIC}",
         )
     if model.mass.has(*model.rates) or model.mass.det() == 0:
         raise PageError(
             line,
-            "the kinetic energy is no regular quadratic form of the rates: the equations of motion can't be solved for q″",
+            "the kinetic energy is no regular quadratic form of the rates: the equations of "
+            "motion can't be solved for q″",
         )
     _check_inertia(model)
     for row, (entry, force) in enumerate(zip(model.page.coordinates, model.residuals, strict=True)):
@@ -154,12 +171,15 @@ def check_forces(model: Mechanics) -> None:
             rest = f"; the forces along {', '.join(working)} are well" if working else ""
             raise PageError(
                 entry.line,
-                f"no force acts on {entry.symbol}; add a spring, a potential or a force along it{rest}",
+                f"no force acts on {entry.symbol}; add a spring, a potential or a force along "
+                f"it{rest}",
             )
 
 
 def _check_inertia(model: Mechanics) -> None:
-    """Masses that are positive, at the base values and where all coordinates are 0, or if there is none in some direction, nearby."""
+    """Masses that are positive, at the base values and where all coordinates are 0, or if there is
+    none in some direction, nearby.
+    """
     if model.page.inertia is None:
         return
     energy, line = model.page.inertia
@@ -177,7 +197,8 @@ def _check_inertia(model: Mechanics) -> None:
     ):
         raise PageError(
             line,
-            f"the kinetic energy {energy} is not positive for all rates at the base values; masses are",
+            f"the kinetic energy {energy} is not positive for all rates at the base values; "
+            "masses are",
         )
 
 
@@ -188,7 +209,8 @@ def _check_contact(model: Mechanics) -> None:
     if model.law == 0:
         raise PageError(
             contact.line,
-            "the normal force is 0, so that nothing pushes and nothing rubs; give one that is positive",
+            "the normal force is 0, so that nothing pushes and nothing rubs; give one that is "
+            "positive",
         )
     pulling = (
         _negative(model, model.law, DEPTH) if contact.gap is None or contact.unilateral else ""
@@ -201,7 +223,8 @@ def _check_contact(model: Mechanics) -> None:
     if contact.unilateral and model.law.subs(DEPTH, 0) != 0:
         raise PageError(
             contact.line,
-            f"the contact law gives {model.law.subs(DEPTH, 0)} where the mass just touches the belt; a force that jumps there is not "
+            f"the contact law gives {model.law.subs(DEPTH, 0)} where the mass just touches "
+            "the belt; a force that jumps there is not "
             "covered: let it begin at 0, or say unilateral=False for a mass that never leaves",
         )
     if pulling:
@@ -218,7 +241,8 @@ def _check_friction(model: Mechanics) -> None:
     if sliding.holds is not None and _negative(model, model.scaled(sliding.holds), laws.SLIP):
         raise PageError(
             sliding.line,
-            f"holds = {sliding.holds} is negative at the base values; give a coefficient that is >= 0",
+            f"holds = {sliding.holds} is negative at the base values; give a coefficient that "
+            "is >= 0",
         )
     ahead, behind = (model.scaled(expression_of(sliding.law(sign * laws.SLIP))) for sign in (1, -1))
     for side, value in (("ahead", ahead), ("behind", -behind)):
@@ -227,30 +251,38 @@ def _check_friction(model: Mechanics) -> None:
             law = at_zero if side == "ahead" else -at_zero
             raise PageError(
                 sliding.line,
-                f"the friction law drives: where the belt is just {side} of the mass it is {law}; friction opposes sliding, as mu_k*sgn(v)",
+                f"the friction law drives: where the belt is just {side} of the mass it is "
+                f"{law}; friction opposes sliding, as mu_k*sgn(v)",
             )
         if sliding.holds is None and at_zero != 0:
             raise PageError(
                 sliding.line,
-                f"the friction law drives at rest: where the belt is just {side} of the mass it is {at_zero}, not 0: {limits.STICKING}",
+                f"the friction law drives at rest: where the belt is just {side} of the mass "
+                f"it is {at_zero}, not 0: {limits.STICKING}",
             )
         witness = _negative(model, value, laws.SLIP)
         if witness:
             raise PageError(
                 sliding.line,
-                f"the friction law drives where the belt is {side}: {witness}; friction opposes sliding",
+                f"the friction law drives where the belt is {side}: {witness}; friction "
+                "opposes sliding",
             )
 
 
 def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
-    """Where a law is negative at the base values, or 1 where there is none, in words; empty if no place that was tried shows it."""
+    """Where a law is negative at the base values, or 1 where there is none, in words; empty if no
+    place that was tried shows it.
+    """
     if law.is_nonnegative or sp.factor_terms(sp.expand(law)).is_nonnegative:
         return ""
     values = dict(_bases(model))
     for place in _PLACES:
         value = law.subs(values).subs(variable, place)
         if value.is_number and value.is_negative:
-            return f"at {variable} = {sp.N(place, 3)} it is {sp.N(value, 3)} times its scale, at the base values"
+            return (
+                f"at {variable} = {sp.N(place, 3)} it is {sp.N(value, 3)} times its scale, at the "
+                "base values"
+            )
     return ""
 
 

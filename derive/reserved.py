@@ -1,10 +1,11 @@
 """Names that a page can't give away, since results, sets, commands and files of models have them.
 
-Those of generated code are no matter of a list: its own begin with an underscore, as no name of a page does, and in other languages
-than Python a page's names end with one.
+Those of generated code are no matter of a list: its own begin with an underscore, as no name of a
+page does, and in other languages than Python a page's names end with one.
 """
 
-#: What results of models and columns of their files are called; for coordinates and parameters alike.
+#: What results of models and columns of their files are called; for coordinates and parameters
+#: alike.
 RESULTS = frozenset(
     (
         "after",
@@ -134,7 +135,8 @@ OF_MOTIONS = frozenset(
 #: What generated Python calls by its own name.
 OF_CODE = frozenset(("abs", "xp"))
 
-#: What the commands of a model call their options, and the values of these: `spragsym folds --vary`. A test holds this list against them.
+#: What the commands of a model call their options, and the values of these:
+#: `spragsym folds --vary`. A test holds this list against them.
 OF_COMMANDS = frozenset(
     (
         "backend",

@@ -1,4 +1,6 @@
-"""What mechanisms are drawn of, as SVG: springs, dampers, walls, arrows, names with indices. Lengths are pixels, y runs down."""
+"""What mechanisms are drawn of, as SVG: springs, dampers, walls, arrows, names with indices.
+Lengths are pixels, y runs down.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +11,8 @@ from xml.sax.saxutils import escape
 
 Place = tuple[float, float]
 
-#: Colours by light and by dark; the card behind the drawing makes it readable on a page of either kind.
+#: Colours by light and by dark; the card behind the drawing makes it readable on a page of either
+#: kind.
 STYLE = """
 .card{fill:#fff}.ink{stroke:#24292f;fill:none;stroke-width:2;stroke-linecap:round;stroke-linejoin:round}
 .thin{stroke-width:1}.body{fill:#dbe7f5}.belt{fill:#eceff2}.force{stroke:#b3261e}.dash{stroke-dasharray:4 4}
@@ -89,7 +92,8 @@ class Sheet:
             words.append(escape(_GREEK.get(stem, stem)) + lowered)
         kind = f' class="{style}"' if style else ""
         self.elements.append(
-            f'<text{kind} x="{_number(x)}" y="{_number(y)}" text-anchor="{anchor}">{" ".join(words)}</text>'
+            f'<text{kind} x="{_number(x)}" y="{_number(y)}" '
+            f'text-anchor="{anchor}">{" ".join(words)}</text>'
         )
         width = 11.0 * len(text.replace("_", ""))
         left = x - width * {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor]
@@ -101,7 +105,8 @@ class Sheet:
         if text.strip():
             kept = escape(text).replace(" ", "\N{NO-BREAK SPACE}")
             self.elements.append(
-                f'<text class="typed" x="0" y="{_number(y)}" textLength="{_number(width)}" lengthAdjust="spacingAndGlyphs">{kept}</text>'
+                f'<text class="typed" x="0" y="{_number(y)}" textLength="{_number(width)}" '
+                f'lengthAdjust="spacingAndGlyphs">{kept}</text>'
             )
         self.places += [(0.0, y - 16), (width, y + 8)]
 
@@ -116,7 +121,8 @@ class Sheet:
             for axis, start in ((0, left), (1, top))
         )
         return (
-            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{left} {top} {width} {height}" width="{width}" height="{height}" role="img">\n'
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{left} {top} {width} {height}" '
+            f'width="{width}" height="{height}" role="img">\n'
             f"<title>{escape(title)}</title>\n<style>\n{STYLE}\n</style>\n"
             f'<rect class="card" x="{left}" y="{top}" width="{width}" height="{height}" rx="8"/>\n'
             + "\n".join(self.elements)

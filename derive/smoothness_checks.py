@@ -1,7 +1,8 @@
 """Whether generated code can say what a page says: smooth, of functions that every number type has.
 
-Kinks are where a mass touches the belt and where friction turns, and nowhere else: equilibria are sought by derivatives, and a motion
-is integrated from one kink to the next. Each error names the line, what stands there, and the remedy.
+Kinks are where a mass touches the belt and where friction turns, and nowhere else: equilibria are
+sought by derivatives, and a motion is integrated from one kink to the next. Each error names the
+line, what stands there, and the remedy.
 """
 
 import itertools
@@ -37,14 +38,18 @@ def check(model: Mechanics) -> None:
 def _angles(value: sp.Expr, turning: set[sp.Symbol]) -> Iterator[str]:
     for node in sorted(value.atoms(sp.cos, sp.sin), key=sp.default_sort_key):
         if not node.args[0].free_symbols & turning:
-            yield f"takes {node}, and {node.args[0]} is no angle of the page; make it a parameter with the unit rad"
+            yield (
+                f"takes {node}, and {node.args[0]} is no angle of the page; make it a parameter "
+                "with the unit rad"
+            )
 
 
 def _kinks(value: sp.Expr, moving: set[sp.Symbol]) -> Iterator[str]:
     for node in sorted(value.atoms(*_KINKED), key=sp.default_sort_key):
         if node.free_symbols & moving:
             yield (
-                f"holds {node}, which is not smooth where its argument changes its sign; kinks are at the touch of the belt and at "
+                f"holds {node}, which is not smooth where its argument changes its sign; "
+                "kinks are at the touch of the belt and at "
                 "the turn of friction only: write something smooth, as tanh, a power or an exp"
             )
 
@@ -58,18 +63,22 @@ def _unknown(value: sp.Expr) -> Iterator[str]:
             isinstance(node.exp, sp.Rational) and node.exp.q <= LARGEST_ROOT
         ):
             yield (
-                f"holds {node}: an exponent is a fraction of two integers, as in {node.base}**Rational(4, 3), and no other; "
+                f"holds {node}: an exponent is a fraction of two integers, as in "
+                f"{node.base}**Rational(4, 3), and no other; "
                 "what varies in it is said by exp and log"
             )
         if not isinstance(node, (*KNOWN, *WRITTEN)):
             yield (
-                f"holds {node}, which generated code does not know; it knows {', '.join(FUNCTIONS)}, sqrt and powers: write what "
+                f"holds {node}, which generated code does not know; it knows "
+                f"{', '.join(FUNCTIONS)}, sqrt and powers: write what "
                 "is near it with these, or leave it out to derive the rest of the page"
             )
 
 
 def _domains(value: sp.Expr, moving: set[sp.Symbol]) -> Iterator[str]:
-    """Roots of what is not negative, and in friction of what is positive, for a step may end behind its border; logarithms of that."""
+    """Roots of what is not negative, and in friction of what is positive, for a step may end behind
+    its border; logarithms of that.
+    """
     border = {symbol: sp.Symbol(symbol.name, nonnegative=True) for symbol in (DEPTH, laws.SLIP)}
     closed = value.xreplace(border)
     varying = moving | set(border.values())
@@ -81,8 +90,10 @@ def _domains(value: sp.Expr, moving: set[sp.Symbol]) -> Iterator[str]:
         forms = (argument, sp.factor_terms(sp.expand(argument)))
         if not any(form.is_positive or (not positive and form.is_nonnegative) for form in forms):
             yield (
-                f"holds {node}, and {argument} is not seen to be {'positive' if positive else 'not negative'}, 0 of its variables "
-                f"included; take a form that is, as {'log' if is_log else 'sqrt'}(1 + …), of parameters that are positive"
+                f"holds {node}, and {argument} is not seen to be "
+                f"{'positive' if positive else 'not negative'}, 0 of its variables "
+                f"included; take a form that is, as {'log' if is_log else 'sqrt'}(1 + …), of "
+                "parameters that are positive"
             )
 
 
@@ -91,7 +102,8 @@ def _check_contact(model: Mechanics) -> None:
     if contact is None:
         return
     if contact.gap is not None and not contact.unilateral:
-        # The penetration is of either sign: what is smooth where it is positive may not be so beyond.
+        # The penetration is of either sign: what is smooth where it is positive may not be so
+        # beyond.
         depth = sp.Dummy(real=True)
         law = model.scaled(expression_of(contact.law(depth)))
         for fault in itertools.chain(_kinks(law, {depth}), _domains(law, {depth})):
@@ -104,5 +116,6 @@ def _check_contact(model: Mechanics) -> None:
     if unknown or energy.has(sp.nan, sp.zoo, sp.oo, sp.I):
         raise PageError(
             contact.line,
-            f"the contact law {model.law} has no energy in {', '.join(FUNCTIONS)} and powers; give one whose integral SymPy finds in these",
+            f"the contact law {model.law} has no energy in {', '.join(FUNCTIONS)} and powers; "
+            "give one whose integral SymPy finds in these",
         )

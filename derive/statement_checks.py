@@ -1,6 +1,8 @@
-"""Whether the statements of a page say something: names that code can bear, springs that hold, quantities that are used.
+"""Whether the statements of a page say something: names that code can bear, springs that hold,
+quantities that are used.
 
-What is asked of forces and units is in :mod:`derive.physical_checks`. Each error names the line, what was expected, and the remedy.
+What is asked of forces and units is in :mod:`derive.physical_checks`. Each error names the line,
+what was expected, and the remedy.
 """
 
 import itertools
@@ -22,11 +24,13 @@ from .units import Dimension
 COORDINATE = "this coordinate"
 #: And a parameter.
 PARAMETER = "this parameter"
-#: So many letters has a name: MATLAB tells names apart by their first 63, of which generated code needs some.
+#: So many letters has a name: MATLAB tells names apart by their first 63, of which generated code
+#: needs some.
 LONGEST = 40
 #: So many exponentials of the sliding speed can a friction law have.
 NEAR = 9
-#: Places at which the sign of a coefficient is looked at, and where a range without an end is ended for it.
+#: Places at which the sign of a coefficient is looked at, and where a range without an end is ended
+#: for it.
 MOST_PLACES, FAR = 2000, 1000.0
 
 
@@ -47,17 +51,20 @@ def _check_coordinates(page: Page) -> None:
     if not page.coordinates:
         raise PageError(
             0,
-            f"the page has no coordinate, and a model has 1 to {limits.MOST_COORDINATES}; add page.coordinate(…)",
+            f"the page has no coordinate, and a model has 1 to {limits.MOST_COORDINATES}; add "
+            "page.coordinate(…)",
         )
     if len(page.coordinates) > limits.MOST_COORDINATES:
         excess = page.coordinates[limits.MOST_COORDINATES]
         raise PageError(
             excess.line,
-            f"{excess.symbol} is coordinate {limits.MOST_COORDINATES + 1} of {len(page.coordinates)}: {limits.FIFTH_COORDINATE}",
+            f"{excess.symbol} is coordinate {limits.MOST_COORDINATES + 1} of "
+            f"{len(page.coordinates)}: {limits.FIFTH_COORDINATE}",
         )
 
 
-# ------------------------------------------------------------------------------------------------ names
+# ------------------------------------------------------------------------------------------------
+# names
 
 
 def _check_names(page: Page) -> None:
@@ -66,12 +73,14 @@ def _check_names(page: Page) -> None:
         if name in reserved.OF_FILES:
             raise PageError(
                 datum.line,
-                f"this quantity is named {name!r}, as a key of files of data is; give it another name",
+                f"this quantity is named {name!r}, as a key of files of data is; give it "
+                "another name",
             )
         if not name.isidentifier():
             raise PageError(
                 datum.line,
-                f"this quantity is named {name!r}, which is no name; give it another, as {_instead(name)!r}",
+                f"this quantity is named {name!r}, which is no name; give it another, as "
+                f"{_instead(name)!r}",
             )
     taken: dict[str, tuple[str, int]] = {}
     for name, what, line in _names(page):
@@ -151,7 +160,8 @@ def _instead(name: str) -> str:
     return f"{tidy}_" if keyword.iskeyword(tidy) else tidy if tidy.isidentifier() else f"p_{tidy}"
 
 
-# ------------------------------------------------------------------------------------------------ springs and dampers
+# ------------------------------------------------------------------------------------------------
+# springs and dampers
 
 
 def _check_elements(page: Page) -> None:
@@ -165,18 +175,21 @@ def _check_elements(page: Page) -> None:
             )
             raise PageError(
                 element.line,
-                f"the {element.quality} of this {what}, {strength}, is negative: it {does}; give a positive one",
+                f"the {element.quality} of this {what}, {strength}, is negative: it {does}; "
+                "give a positive one",
             )
         if what == "damper" and (place := _negative_place(page, strength)):
             raise PageError(
                 element.line,
-                f"the coefficient of this damper, {strength}, is negative {place}, where it drives the motion; give its quantities "
+                f"the coefficient of this damper, {strength}, is negative {place}, where it "
+                "drives the motion; give its quantities "
                 'domains in which it is not, as ">= 0", or write it so',
             )
         if what == "spring" and _is_negative(page, element.rest):
             raise PageError(
                 element.line,
-                f"the undeformed length {element.rest} of this spring is negative; give a positive one",
+                f"the undeformed length {element.rest} of this spring is negative; give a "
+                "positive one",
             )
         if element.along is not None:
             _check_along(element.along, f"along of this {what}", element.line, moving, rates)
@@ -189,13 +202,15 @@ def _check_elements(page: Page) -> None:
                 )
                 raise PageError(
                     element.line,
-                    f"the two ends of this {what} {apart}: it does nothing; give the mass's end and the anchor's",
+                    f"the two ends of this {what} {apart}: it does nothing; give the mass's "
+                    "end and the anchor's",
                 )
         key = what, strength, str(element.ends), element.along, element.rest
         if key in seen:
             raise PageError(
                 element.line,
-                f"this {what} is the same as that of line {seen[key]}; drop it, or write 2*{strength} if there are two",
+                f"this {what} is the same as that of line {seen[key]}; drop it, or write "
+                f"2*{strength} if there are two",
             )
         seen[key] = element.line
 
@@ -227,7 +242,9 @@ def _is_negative(page: Page, value: sp.Expr) -> bool:
 
 
 def _negative_place(page: Page, value: sp.Expr) -> str:
-    """Where among ends, base values and places inside of all domains an expression is negative, in words; empty if nowhere."""
+    """Where among ends, base values and places inside of all domains an expression is negative, in
+    words; empty if nowhere.
+    """
     data = [entry for entry in page.parameters if entry.symbol in value.free_symbols]
     if value.is_nonnegative or value.free_symbols - {
         entry.symbol for entry in (*page.units, *data)
@@ -257,7 +274,8 @@ def _places(entry: Datum) -> list[sp.Rational]:
     ]
 
 
-# ------------------------------------------------------------------------------------------------ laws, forces, energies
+# ------------------------------------------------------------------------------------------------
+# laws, forces, energies
 
 
 def _check_places(page: Page) -> None:
@@ -266,20 +284,23 @@ def _check_places(page: Page) -> None:
         if energy.free_symbols & rates:
             raise PageError(
                 line,
-                "this potential energy holds a speed; what goes with speed is kinetic(...), damper(...) or friction(...)",
+                "this potential energy holds a speed; what goes with speed is kinetic(...), "
+                "damper(...) or friction(...)",
             )
     for force in page.forces:
         if any(part.free_symbols & rates for part in force.components):
             raise PageError(
                 force.line,
-                "this force holds a speed; one in proportion to it is page.damper(c, along=x), and friction is page.friction(…); of any "
+                "this force holds a speed; one in proportion to it is page.damper(c, "
+                "along=x), and friction is page.friction(…); of any "
                 f"other, {limits.NONLINEAR_DAMPER}",
             )
     contact, sliding = page.normal, page.sliding
     if contact is not None and contact.gap is not None and not contact.gap.free_symbols & moving:
         raise PageError(
             contact.line,
-            f"the gap {contact.gap} holds no coordinate, so it never closes; give the distance of mass and belt",
+            f"the gap {contact.gap} holds no coordinate, so it never closes; give the "
+            "distance of mass and belt",
         )
     if sliding is not None:
         _check_along(sliding.along, "what friction opposes", sliding.line, moving, rates)
@@ -287,13 +308,16 @@ def _check_places(page: Page) -> None:
             held = ", ".join(sorted(map(str, sliding.belt.free_symbols & (moving | rates))))
             raise PageError(
                 sliding.line,
-                f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed that stays, as V",
+                f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed "
+                "that stays, as V",
             )
         if not sliding.belt.is_nonnegative:
             raise PageError(
                 sliding.line,
-                f"the belt's speed {sliding.belt} may be negative, and equilibria take friction along the belt's direction; let the "
-                "coordinate point along the belt, and give what stands in its speed domains with which it is >= 0",
+                f"the belt's speed {sliding.belt} may be negative, and equilibria take "
+                "friction along the belt's direction; let the "
+                "coordinate point along the belt, and give what stands in its speed domains "
+                "with which it is >= 0",
             )
         if sliding.belt == 0:
             raise PageError(
@@ -303,7 +327,8 @@ def _check_places(page: Page) -> None:
         if contact is None:
             raise PageError(
                 sliding.line,
-                "there is friction and no normal force; add page.contact(...) or page.normal_force(...)",
+                "there is friction and no normal force; add page.contact(...) or "
+                "page.normal_force(...)",
             )
 
 
@@ -319,7 +344,9 @@ def check_used(page: Page) -> None:
 
 @dataclass(frozen=True)
 class Statement:
-    """An expression of the page and what it is; times ``per`` it has the ``dimension``, which is any where that is None."""
+    """An expression of the page and what it is; times ``per`` it has the ``dimension``, which is
+    any where that is None.
+    """
 
     value: sp.Expr
     what: str

@@ -1,4 +1,6 @@
-"""Statics of any model: the balance of forces at steady sliding or in lift-off, with first and second derivatives."""
+"""Statics of any model: the balance of forces at steady sliding or in lift-off, with first and
+second derivatives.
+"""
 
 from functools import partial
 
@@ -50,7 +52,9 @@ def by_parameters(model: Mechanics) -> tuple[Row, ...]:
 
 
 def _shortest(model: Mechanics, expression: sp.Expr) -> sp.Expr:
-    """With dx = c l and dy = s l of springs where that makes it shorter: what is left of a tension's terms is narrower then."""
+    """With dx = c l and dy = s l of springs where that makes it shorter: what is left of a
+    tension's terms is narrower then.
+    """
     for line in model.lines:
         for part, along in ((line.dx, line.c * line.l), (line.dy, line.s * line.l)):
             other = sp.factor_terms(sp.expand(expression).subs(sp.expand(part), along))
@@ -112,7 +116,8 @@ def module(model: Mechanics) -> Module:
         (
             function(
                 "friction_held",
-                "The friction coefficient while it sticks, by the share of the static one that is used.",
+                "The friction coefficient while it sticks, by the share of the static one "
+                "that is used.",
                 (*model.arguments, laws.HELD),
                 laws.friction_held(model),
                 "mu",
@@ -127,7 +132,8 @@ def module(model: Mechanics) -> Module:
         (
             function(
                 "geometry",
-                "The vector from the mass's end of every spring to its anchor, and its undeformed length.",
+                "The vector from the mass's end of every spring to its anchor, and its "
+                "undeformed length.",
                 place,
                 tuple((line.dx, line.dy, line.rest) for line in model.lines),
                 "((dx, dy, rest), …)",
@@ -141,7 +147,8 @@ def module(model: Mechanics) -> Module:
             ),
             function(
                 "mirror",
-                'The image of a state in the model\'s mirror, if it has one: see "mirror" in model.json.',
+                'The image of a state in the model\'s mirror, if it has one: see "mirror" in '
+                "model.json.",
                 place,
                 tuple(map(mirror.image, model.coordinates)),
                 "image",
@@ -205,7 +212,8 @@ def module(model: Mechanics) -> Module:
             ),
             function(
                 "forces_apart",
-                f"The forces without those springs; each adds its tension times (c ∂dx + s ∂dy).{turned}",
+                "The forces without those springs; each adds its tension times (c ∂dx + s "
+                f"∂dy).{turned}",
                 state,
                 model.residuals_apart,
                 "(F_1, …)",

@@ -1,9 +1,11 @@
 """Symmetries of a model: its mirror, and angles after a turn of which everything is as before.
 
-The mirror of a model: coordinates whose reflection in a centre reflects all forces too, where certain parameters are 0.
+The mirror of a model: coordinates whose reflection in a centre reflects all forces too, where
+certain parameters are 0.
 
-The article's model without friction and without a spring along the belt is one: with x′ = 2 cos θ₀ − x every spring is mirrored. There
-equilibria do not meet at folds but at pitchforks, which no perturbation of one parameter shows.
+The article's model without friction and without a spring along the belt is one: with x′ = 2 cos θ₀
+− x every spring is mirrored. There equilibria do not meet at folds but at pitchforks, which no
+perturbation of one parameter shows.
 """
 
 import itertools
@@ -20,7 +22,9 @@ MOST = 4
 
 
 def comes_around(model: Mechanics, place: int) -> bool:
-    """Whether a coordinate is an angle after a turn of which all forces, lines and the gap are as before."""
+    """Whether a coordinate is an angle after a turn of which all forces, lines and the gap are as
+    before.
+    """
     if model.page.coordinates[place].unit != "rad":
         return False
     symbol = model.coordinates[place]
@@ -35,13 +39,17 @@ def comes_around(model: Mechanics, place: int) -> bool:
 
 @dataclass(frozen=True)
 class Mirror:
-    """Turned coordinates with the doubled centre of each, and the sets of parameters of which one has to be 0."""
+    """Turned coordinates with the doubled centre of each, and the sets of parameters of which one
+    has to be 0.
+    """
 
     centres: Mapping[sp.Symbol, sp.Expr]
     zero: tuple[tuple[str, ...], ...]
 
     def takes(self, line: Line, other: Line) -> bool:
-        """Whether a line lies after the mirror where the mirrored image of another one does; its own is upright on the mirror."""
+        """Whether a line lies after the mirror where the mirrored image of another one does; its
+        own is upright on the mirror.
+        """
         image = [
             part.subs({symbol: self.image(symbol) for symbol in self.centres}, simultaneous=True)
             for part in (line.dx, line.dy)
@@ -58,7 +66,9 @@ class Mirror:
 
 
 def mirror(model: Mechanics) -> Mirror:
-    """The mirror that asks for the fewest parameters to be 0; one that turns nothing if there is none."""
+    """The mirror that asks for the fewest parameters to be 0; one that turns nothing if there is
+    none.
+    """
     sizes = range(1, len(model.coordinates) + 1)
     subsets = itertools.chain.from_iterable(
         itertools.combinations(model.coordinates, size) for size in sizes
@@ -68,7 +78,9 @@ def mirror(model: Mechanics) -> Mirror:
 
 
 def _about(model: Mechanics, turned: Symbols) -> Iterator[Mirror]:
-    """The mirrors of these coordinates: the first line that they move is upright at the centre, or another one's image there."""
+    """The mirrors of these coordinates: the first line that they move is upright at the centre, or
+    another one's image there.
+    """
     for centre in _centres(model, turned):
         centres = {**dict.fromkeys(turned, sp.S.Zero), turned[0]: centre}
         sets = _zero(model, _remainders(model, Mirror(centres, ())))
@@ -77,7 +89,9 @@ def _about(model: Mechanics, turned: Symbols) -> Iterator[Mirror]:
 
 
 def _centres(model: Mechanics, turned: Symbols) -> list[sp.Expr]:
-    """Doubled centres of the first coordinate that put the first line that it moves in the mirrored place of itself or another."""
+    """Doubled centres of the first coordinate that put the first line that it moves in the mirrored
+    place of itself or another.
+    """
     others = [symbol for symbol in model.coordinates if symbol not in turned]
     moved = []
     for line in model.lines:
@@ -108,7 +122,8 @@ def _remainders(model: Mechanics, one: Mirror) -> list[sp.Expr]:
             changes |= dict(zip((line.c, line.s, line.l), others, strict=True))
     unknown += model.turned
     for torsion in model.torsions:
-        # A mirrored line that is at rest upright is turned the other way; of another nothing is known.
+        # A mirrored line that is at rest upright is turned the other way; of another nothing is
+        # known.
         odd = one.takes(torsion.line, torsion.line) and torsion.cosine_of_rest == 0
         image = sp.Symbol(f"{torsion.phi}_image", real=True)
         changes[torsion.phi] = -torsion.phi if odd else image

@@ -1,8 +1,9 @@
-"""Units: what a page's quantities are measured in, whether its sums add up, and the dimensionless groups that follow.
+"""Units: what a page's quantities are measured in, whether its sums add up, and the dimensionless
+groups that follow.
 
-A dimension is a triple of exponents of kilogram, metre and second; angles and numbers have none. With three quantities as units of
-measure (those that become 1) every other quantity becomes a number: itself over the one product of their powers that has
-its dimension.
+A dimension is a triple of exponents of kilogram, metre and second; angles and numbers have none.
+With three quantities as units of measure (those that become 1) every other quantity becomes a
+number: itself over the one product of their powers that has its dimension.
 """
 
 import re
@@ -80,7 +81,8 @@ def of(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension |
     Raises
     ------
     UnitsError
-        Where a sum adds different dimensions, or a function is taken of something that is no number.
+        Where a sum adds different dimensions, or a function is taken of something that is no
+        number.
     """
     match expression:
         case sp.Symbol():
@@ -116,7 +118,8 @@ def of(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension |
     for argument in expression.args:
         if of(argument, known) not in (None, NONE):
             raise UnitsError(
-                f"{expression} is taken of {argument}, which is in {spelled(of(argument, known) or NONE)}, not a number"
+                f"{expression} is taken of {argument}, which is in "
+                f"{spelled(of(argument, known) or NONE)}, not a number"
             )
     return NONE
 

@@ -1,4 +1,6 @@
-"""The gallery of models: ``python docs/gallery.py [MODEL …]`` writes docs/models.md, and draws pictures in docs/images/models."""
+"""The gallery of models: ``python docs/gallery.py [MODEL …]`` writes docs/models.md, and draws
+pictures in docs/images/models.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,8 @@ from spragsym.models.load import USUAL, shipped
 from spragsym.models.model import title_drawing_words
 
 HERE = Path(__file__).parent
-#: What is shown of a model: the plane and its ranges; curves of onsets with damping ("hopf") and without ("flutter").
+#: What is shown of a model: the plane and its ranges; curves of onsets with damping ("hopf") and
+#: without ("flutter").
 GALLERY = {
     "two_springs": ("folds", "theta0", "mu0", {"mu0": (0.0, 1.4)}),
     "stribeck": ("folds", "theta0", "mu_s", {"mu_s": (0.0, 1.5)}),
@@ -24,7 +27,8 @@ GALLERY = {
     "stick_slip": ("hopf", "V", "zeta", {"V": (0.01, 1.5), "zeta": (0.0, 2.0)}),
 }
 
-#: Models of which nothing is drawn beside their mechanism: the one equilibrium of theirs never changes.
+#: Models of which nothing is drawn beside their mechanism: the one equilibrium of theirs never
+#: changes.
 UNDRAWN = ("coulomb_stick_slip",)
 
 

@@ -1,7 +1,9 @@
-"""Sprag-slip oscillation as a cusp catastrophe: equilibria, stability, folds, cusps, jumps and motion in time.
+"""Sprag-slip oscillation as a cusp catastrophe: equilibria, stability, folds, cusps, jumps and
+motion in time.
 
-The model is that of J. Kang and J. Nam, "Minimal Model for Sprag-Slip Oscillation as Catastrophe-Type Behavior", Applied
-Sciences 10 (2020) 2748, as derived from first principles in ``derive/``. Names below are loaded when they are used.
+The model is that of J. Kang and J. Nam, "Minimal Model for Sprag-Slip Oscillation as
+Catastrophe-Type Behavior", Applied Sciences 10 (2020) 2748, as derived from first principles in
+``derive/``. Names below are loaded when they are used.
 
 Examples
 --------
@@ -18,7 +20,8 @@ if (_sys.argv[0] == "-m" and "spragsym" in _sys.orig_argv) or _sys.argv[0].endsw
 ):
     import _signal
 
-    # As a command: until that hears Ctrl-C itself, it ends the process, without a traceback of what is imported.
+    # As a command: until that hears Ctrl-C itself, it ends the process, without a traceback of what
+    # is imported.
     if (
         _signal.getsignal(_signal.SIGINT) != _signal.SIG_IGN
     ):  # which a script's job in the background ignores
@@ -35,7 +38,9 @@ _HERE = (
 
 
 def _find_beside(name: str) -> None:
-    """Import a part of this package from beside it: it alone, since a path to all that is there leads to this package again."""
+    """Import a part of this package from beside it: it alone, since a path to all that is there
+    leads to this package again.
+    """
     whole = f"{__name__}.{name}"
     spec = _util.spec_from_file_location(whole, _HERE.parent / name / "__init__.py")
     assert spec is not None
@@ -44,8 +49,9 @@ def _find_beside(name: str) -> None:
     spec.loader.exec_module(module)
 
 
-# In a checkout derive/ and generated/ stand beside this folder, with links to them in it; where links can't be made, as by git on
-# Windows unless it is told to, the folders are found beside it all the same.
+# In a checkout derive/ and generated/ stand beside this folder, with links to them in it; where
+# links can't be made, as by git on Windows unless it is told to, the folders are found beside it
+# all the same.
 for _name in ("derive", "generated"):
     if not (_HERE / _name).is_dir() and (_HERE.parent / _name / "__init__.py").is_file():
         _find_beside(_name)

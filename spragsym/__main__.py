@@ -1,4 +1,6 @@
-"""``python -m spragsym``, and the command ``spragsym``: Ctrl-C is heard before anything else is imported."""
+"""``python -m spragsym``, and the command ``spragsym``: Ctrl-C is heard before anything else is
+imported.
+"""
 
 import os
 import signal

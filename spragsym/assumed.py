@@ -1,4 +1,6 @@
-"""Our assumptions, in one place: values that the figures and claims need and the article does not state."""
+"""Our assumptions, in one place: values that the figures and claims need and the article does not
+state.
+"""
 
 #: Belt speed and steepness of the friction law.
 V, D = 0.5, 10.0

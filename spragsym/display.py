@@ -1,4 +1,5 @@
-"""Results as tables, for notebooks and for ``print``: angles in degrees, under names that end in ``_deg``.
+"""Results as tables, for notebooks and for ``print``: angles in degrees, under names that end in
+``_deg``.
 
 A result says by ``table_model``, ``table_angles`` and ``table_codes`` what its columns are, by
 ``table_values`` which they are, and by ``as_table`` what to show in their place.
@@ -43,7 +44,9 @@ class Shown:
 
     @property
     def table_model(self) -> Any:
-        """The model that says which columns are angles, its own or that of a part; None where a result does not know it."""
+        """The model that says which columns are angles, its own or that of a part; None where a
+        result does not know it.
+        """
         parts = (getattr(self, name, None) for name in ("parameters", "sweep"))
         return next(
             (
@@ -121,7 +124,9 @@ _ALONE = Words(_by_name)
 
 
 def words(thing: Any, above: Words = _ALONE) -> Words:
-    """Table words of a result; a part that does not know its model or its parameter takes those of the result ``above``."""
+    """Table words of a result; a part that does not know its model or its parameter takes those of
+    the result ``above``.
+    """
     kind = type(thing) if isinstance(thing, Shown) else Shown
     model, vary = (getattr(thing, name, None) for name in ("table_model", "vary"))
     return Words(
@@ -130,7 +135,9 @@ def words(thing: Any, above: Words = _ALONE) -> Words:
 
 
 def tables(thing: Any, above: Words = _ALONE) -> Iterator[Table]:
-    """The tables of a dataclass: one of its columns, and one of each part that has columns itself."""
+    """The tables of a dataclass: one of its columns, and one of each part that has columns
+    itself.
+    """
     if hasattr(thing, "as_table"):  # one whose rows are not its fields
         yield thing.as_table()
         return
@@ -159,7 +166,9 @@ def tables(thing: Any, above: Words = _ALONE) -> Iterator[Table]:
 def sorted_out(
     thing: Any, said: Words
 ) -> tuple[dict[str, NDArray[Any]], dict[str, Any], dict[str, Any]]:
-    """The columns of a dataclass, arrays of its largest shape; what fits on the line above them; and all values."""
+    """The columns of a dataclass, arrays of its largest shape; what fits on the line above them;
+    and all values.
+    """
     values = thing.table_values() if isinstance(thing, Shown) else named_fields(thing)
     if isinstance(values.get("undecided"), np.ndarray):
         values["undecided"] = counted(len(values["undecided"]), "box", "boxes")
@@ -188,7 +197,8 @@ def sorted_out(
     return columns, single, values
 
 
-# ----------------------------------------------------------------------------------------- what tables are made of
+# ----------------------------------------------------------------------------------------- what
+# tables are made of
 
 
 def counted(number: int, one: str, many: str) -> str:
@@ -215,7 +225,9 @@ def caption(said: Words, name: str, single: Mapping[str, Any], size: str) -> str
 def in_rows(
     title: str, said: Words, count: int, columns: Callable[[IntArray], Mapping[str, Any]]
 ) -> Table:
-    """A row for each of so many things, the first and the last ones of many; ``columns`` are those of some rows, by name."""
+    """A row for each of so many things, the first and the last ones of many; ``columns`` are those
+    of some rows, by name.
+    """
     some, half = np.arange(count), ROWS // 2
     taken = columns(some if count <= ROWS else np.delete(some, slice(half, -half)))
     rows = [tuple(map(said.cell, taken, row)) for row in zip(*taken.values(), strict=True)]
@@ -327,7 +339,8 @@ def _size(shape: tuple[int, ...]) -> str:
     )
 
 
-# ------------------------------------------------------------------------------------------------- as HTML, as text
+# ------------------------------------------------------------------------------------------------
+# as HTML, as text
 
 
 def _html(table: Table) -> str:

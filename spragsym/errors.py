@@ -28,7 +28,8 @@ class ModelError(ParameterTypeError):
 class NotDimensionlessError(ParameterTypeError, AttributeError):
     """Parameters in newtons and metres stand where dimensionless ones are needed.
 
-    Also an AttributeError, so that ``hasattr`` answers: what is missing is what dimensionless parameters have.
+    Also an AttributeError, so that ``hasattr`` answers: what is missing is what dimensionless
+    parameters have.
     """
 
 
@@ -45,7 +46,8 @@ class MissingExtraError(SpragsymError, ImportError):
 
     def __init__(self, feature: str, module: str, extra: str) -> None:
         super().__init__(
-            f"{feature} needs {module}, which is not installed; in the source folder: pip install '.[{extra}]'"
+            f"{feature} needs {module}, which is not installed; in the source folder: pip "
+            f"install '.[{extra}]'"
         )
 
 
@@ -86,8 +88,8 @@ _WORDS = {
 def closest(given: str, allowed: Iterable[str]) -> str | None:
     """The allowed name that was most likely meant, or None.
 
-    Case, separators, Greek letters, subscripts and a trailing ``deg`` or ``rad`` make no difference; after that
-    the spelling decides.
+    Case, separators, Greek letters, subscripts and a trailing ``deg`` or ``rad`` make no
+    difference; after that the spelling decides.
 
     Examples
     --------

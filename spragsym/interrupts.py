@@ -1,4 +1,6 @@
-"""Ctrl-C, heard whatever a library makes of it: within an import or a callback of compiled code it is often swallowed."""
+"""Ctrl-C, heard whatever a library makes of it: within an import or a callback of compiled code it
+is often swallowed.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,9 @@ def _handler() -> Any:
 
 @contextmanager
 def heard() -> Iterator[Callable[[], None]]:
-    """A function that raises KeyboardInterrupt if there was one since; so does the end, whatever ended it."""
+    """A function that raises KeyboardInterrupt if there was one since; so does the end, whatever
+    ended it.
+    """
     seen: list[int] = []
     former = _handler()
     if former is None:
@@ -57,7 +61,9 @@ def heard() -> Iterator[Callable[[], None]]:
 
 @contextmanager
 def held() -> Iterator[None]:
-    """Ctrl-C waits for the end of the body, such as the import of a library that would be left half imported."""
+    """Ctrl-C waits for the end of the body, such as the import of a library that would be left half
+    imported.
+    """
     waiting: list[Any] = []
     former = _handler()
     if former is None:
@@ -79,7 +85,9 @@ def held() -> Iterator[None]:
 
 
 class _Ending:
-    """A handler of Ctrl-C for a process that ends soon after it: what does not end by itself in time is cut off."""
+    """A handler of Ctrl-C for a process that ends soon after it: what does not end by itself in
+    time is cut off.
+    """
 
     installed: ClassVar[_Ending | None] = None
 
@@ -109,7 +117,9 @@ def cut() -> None:
 
 @contextmanager
 def ending() -> Iterator[None]:
-    """A command: after Ctrl-C it raises KeyboardInterrupt at its end at the latest, and the process ends within a second."""
+    """A command: after Ctrl-C it raises KeyboardInterrupt at its end at the latest, and the process
+    ends within a second.
+    """
     if (
         threading.current_thread() is not threading.main_thread()
         or signal.getsignal(signal.SIGINT) == signal.SIG_IGN
@@ -130,7 +140,9 @@ def ending() -> Iterator[None]:
 
 
 def begun() -> _Ending:
-    """From now on, until there is a command, Ctrl-C ends the process at once, unless it is ignored."""
+    """From now on, until there is a command, Ctrl-C ends the process at once, unless it is
+    ignored.
+    """
     own = _Ending.installed = _Ending()
     if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
         signal.signal(signal.SIGINT, own)

@@ -1,12 +1,14 @@
 """The same answers with as many digits as wanted, from parameters taken exactly, each with a proof.
 
-A parameter is an int, a str such as ``"0.007"`` or ``"7/1000"``, a :class:`fractions.Fraction`, an mpmath number or a float, and
-is taken to be exactly the rational number that it writes.
+A parameter is an int, a str such as ``"0.007"`` or ``"7/1000"``, a :class:`fractions.Fraction`, an
+mpmath number or a float, and is taken to be exactly the rational number that it writes.
 
-Results are ``mpmath.mpf`` with every bit that they were computed with, some more than the digits asked for; nothing is rounded
-once a bound is known. The bound is on the numbers as they stand, whatever ``mpmath.mp.dps`` is. But what mpmath makes of them is
-rounded to the ``dps`` of that moment: set it before subtracting two results, and before ``+value``, which rounds as well. No
-precision of mpmath's or of python-flint's is set or read here, so results depend neither on them nor on other threads.
+Results are ``mpmath.mpf`` with every bit that they were computed with, some more than the digits
+asked for; nothing is rounded once a bound is known. The bound is on the numbers as they stand,
+whatever ``mpmath.mp.dps`` is. But what mpmath makes of them is rounded to the ``dps`` of that
+moment: set it before subtracting two results, and before ``+value``, which rounds as well. No
+precision of mpmath's or of python-flint's is set or read here, so results depend neither on them
+nor on other threads.
 """
 
 from __future__ import annotations
@@ -57,7 +59,8 @@ def as_exact(name: str, value: Exact, allowed: Range) -> Fraction:
     """The rational number that ``value`` writes, or an error that names the argument."""
     if isinstance(value, bool) or not isinstance(value, int | float | str | Fraction | mpmath.mpf):
         raise ParameterTypeError(
-            f"{name} = {value!r} is of type {type(value).__name__}; give an int, a str, a Fraction, an mpf or a float"
+            f"{name} = {value!r} is of type {type(value).__name__}; give an int, a str, a "
+            "Fraction, an mpf or a float"
         )
     if isinstance(value, str):
         if not _NUMBER.fullmatch(value):
@@ -69,8 +72,8 @@ def as_exact(name: str, value: Exact, allowed: Range) -> Fraction:
     elif isinstance(value, mpmath.mpf | float) and not mpmath.isfinite(value):
         raise ParameterError(f"{name} = {value} is not a finite number in {allowed}")
     exact = exactly(value)
-    # Python compares rational numbers with floats exactly, infinite ones too. π is irrational and its float lies below it: what
-    # is beyond the float but below π is not worth a doubt.
+    # Python compares rational numbers with floats exactly, infinite ones too. π is irrational and
+    # its float lies below it: what is beyond the float but below π is not worth a doubt.
     if not allowed.spans(exact):
         raise ParameterError(
             f"{name} = {value} is not in {allowed}"
@@ -100,13 +103,14 @@ def equilibria(
     method: Method = "auto",
     **exact: Exact,
 ) -> PreciseEquilibria:
-    """All equilibria of one point of any model to ``dps`` digits, count and digits proved by interval arithmetic.
+    """All equilibria of one point of any model to ``dps`` digits, count and digits proved by
+    interval arithmetic.
 
     Parameters
     ----------
     p : Parameters, optional
-        Of any model, single numbers, taken exactly as the floats that they are; the article's base values as it prints them where
-        left out.
+        Of any model, single numbers, taken exactly as the floats that they are; the article's base
+        values as it prints them where left out.
     contact : bool
         True for n̄ = 1 (y < 0), False for n̄ = 0 (y ≥ 0).
     dps : int
@@ -114,7 +118,8 @@ def equilibria(
     method : {"auto", "closed", "search"}
         Closed forms where the model has them, or the search over boxes as a second witness.
     **exact : int, str, Fraction, mpf or float
-        Parameters by name, taken exactly, in the place of those of ``p``; with ``theta0_deg`` an angle in degrees.
+        Parameters by name, taken exactly, in the place of those of ``p``; with ``theta0_deg`` an
+        angle in degrees.
 
     Returns
     -------
@@ -129,8 +134,8 @@ def equilibria(
 
     Notes
     -----
-    Source: f(θ) = 0, (12)–(13) eliminated; of other models the balance of forces, isolated over boxes and narrowed by Krawczyk's
-    operator in ball arithmetic.
+    Source: f(θ) = 0, (12)–(13) eliminated; of other models the balance of forces, isolated over
+    boxes and narrowed by Krawczyk's operator in ball arithmetic.
 
     Examples
     --------
@@ -159,13 +164,14 @@ def cusps(
     method: Method = "auto",
     **exact: Exact,
 ) -> CuspProof:
-    """All cusps of any model in the plane of two parameters to ``dps`` digits, and the proof that there are no more.
+    """All cusps of any model in the plane of two parameters to ``dps`` digits, and the proof that
+    there are no more.
 
     Parameters
     ----------
     p : Parameters, optional
-        Of any model, single numbers, of which those that vary are not asked; the article's base values as it prints them where
-        left out.
+        Of any model, single numbers, of which those that vary are not asked; the article's base
+        values as it prints them where left out.
     vary : pair of str, optional
         Two parameters; θ₀ and μ₀ where there are both.
     between : mapping, optional
@@ -173,28 +179,32 @@ def cusps(
     dps : int
         Decimal digits, 1 to 1000.
     method : {"auto", "closed", "search"}
-        The polynomial where the model has it, for θ₀ and μ₀, or the search over boxes as a second witness.
+        The polynomial where the model has it, for θ₀ and μ₀, or the search over boxes as a second
+        witness.
     **exact : int, str, Fraction, mpf or float
         Parameters by name, taken exactly, in the place of those of ``p``.
 
     Returns
     -------
     CuspProof
-        A sequence of cusps, empty where there is none; by the polynomial those with θ₀ in (−π, π] and μ₀ of either sign, by
-        search those within the parameters' ranges. ``complete`` says whether these are all: of a search with numbers that are no
-        floats, as ``"0.007"``, each cusp is proved, and not that there are no more.
+        A sequence of cusps, empty where there is none; by the polynomial those with θ₀ in (−π, π]
+        and μ₀ of either sign, by search those within the parameters' ranges. ``complete`` says
+        whether these are all: of a search with numbers that are no floats, as ``"0.007"``, each
+        cusp is proved, and not that there are no more.
 
     Raises
     ------
     ParameterError, ParameterTypeError
         For what is not a number, or out of range.
     ConvergenceError
-        For a cusp that no number of digits tells from a worse point, or from one on the border of the contact.
+        For a cusp that no number of digits tells from a worse point, or from one on the border of
+        the contact.
 
     Notes
     -----
-    Source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ with rational coefficients; of other models F = 0, det K = 0 and
-    ∇(det K) · v = 0 with K v = 0, isolated over boxes and narrowed by Krawczyk's operator in ball arithmetic.
+    Source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ with rational coefficients; of
+    other models F = 0, det K = 0 and ∇(det K) · v = 0 with K v = 0, isolated over boxes and
+    narrowed by Krawczyk's operator in ball arithmetic.
 
     Examples
     --------
@@ -222,7 +232,8 @@ def _model(p: ParameterSet | None) -> Model:
     """The model that is asked."""
     if p is not None and not isinstance(p, ParameterSet):
         raise ParameterTypeError(
-            f"p = {p!r:.60} is no set of parameters; give one, or numbers by name as theta0={p!r:.30}"
+            f"p = {p!r:.60} is no set of parameters; give one, or numbers by name as "
+            f"theta0={p!r:.30}"
         )
     if p is not None and p.shape:
         raise ParameterError(
@@ -249,7 +260,8 @@ def _exactly(
             )
         if name not in known:
             raise ParameterError(
-                f"{name} is no parameter of {model.name}{hint(name, known)}; it has {', '.join(known)}"
+                f"{name} is no parameter of {model.name}{hint(name, known)}; it has "
+                f"{', '.join(known)}"
             )
     given: dict[str, Any] = {}
     for name in (one for one in model.parameters if one not in unasked):
@@ -281,7 +293,9 @@ def _exactly(
 
 
 def prove_cycle(cycle: Any, **options: Any) -> Any:
-    """Prove that a cycle exists, is the only one near, and is stable or not: see :func:`spragsym.orbits.proofs.prove_cycle`."""
+    """Prove that a cycle exists, is the only one near, and is stable or not: see
+    :func:`spragsym.orbits.proofs.prove_cycle`.
+    """
     from .orbits import proofs
 
     return proofs.prove_cycle(cycle, **options)

@@ -41,8 +41,9 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
     part : str, optional
         What the block as a whole is.
     to : callable, optional
-        Called with each text. Without it a line on stderr says the last one: on a terminal until all is done, elsewhere after ten
-        seconds, and again each time that it has taken twice as long.
+        Called with each text. Without it a line on stderr says the last one: on a terminal until
+        all is done, elsewhere after ten seconds, and again each time that it has taken twice as
+        long.
 
     Returns
     -------
@@ -55,8 +56,9 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
 
     Notes
     -----
-    Only the thread that asked is listened to, and nothing that is computed depends on it. Within a block another one may stand:
-    until its end it is that one which is told. Sweeps, fate maps and probabilities have a bar of their own, ``progress=True``.
+    Only the thread that asked is listened to, and nothing that is computed depends on it. Within a
+    block another one may stand: until its end it is that one which is told. Sweeps, fate maps and
+    probabilities have a bar of their own, ``progress=True``.
 
     Examples
     --------
@@ -70,7 +72,8 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
     """
     if not isinstance(part, str) or not (to is None or callable(to)):
         raise ParameterTypeError(
-            f"part = {part!r}, to = {to!r}; give a text, and a function of one text, as show_progress(to=print)"
+            f"part = {part!r}, to = {to!r}; give a text, and a function of one text, as "
+            "show_progress(to=print)"
         )
     work = _Work(to or str, part)  # a line listens for itself
     token = _work.set(work)
@@ -86,7 +89,9 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
 
 @contextmanager
 def doing(text: str, *values: object) -> Iterator[None]:
-    """A part of what is computed, ``text.format(*values)``; where nobody listens, nothing is formatted."""
+    """A part of what is computed, ``text.format(*values)``; where nobody listens, nothing is
+    formatted.
+    """
     work = _work.get()
     if work is None:
         yield
@@ -143,7 +148,9 @@ def _lines(work: _Work) -> Iterator[None]:
 
 @contextmanager
 def advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], None]]:
-    """A function to call after every point, which moves a bar if one is wanted, and else tells who listens."""
+    """A function to call after every point, which moves a bar if one is wanted, and else tells who
+    listens.
+    """
     if not progress:
         made = itertools.count(done + 1)
         with doing("{} of {} points", done, total):

@@ -1,13 +1,16 @@
-"""Questions: one function for all models, answered by a closed form where the model of the parameters brings one.
+"""Questions: one function for all models, answered by a closed form where the model of the
+parameters brings one.
 
-``@question`` stands on the general algorithm, whose signature and docstring are the public ones: ``ss.folds`` is that function.
-A model must bring ``model.json`` and generated functions, ``algebra``, which follow from a page. A shipped one may bring closed
-forms of primitives (equilibria, folds, cusps, where states end, …) in a room of its name: ``CLOSED_FORMS`` there says for a
-question in which module the function of the same name stands. It is not asked about arguments that it does not have, and raises
-:class:`NotInClosedForm` for values that it does not know: then the general algorithm answers. What is derived from primitives
-asks the public questions, and so stands once. So a model gets every public question for nothing, by its general algorithm, but
-for those that :func:`of_article` marks. ``method="search"`` asks the same of the model without closed forms,
-``model.search``: its sets of parameters know it, so that everything below searches too.
+``@question`` stands on the general algorithm, whose signature and docstring are the public ones:
+``ss.folds`` is that function. A model must bring ``model.json`` and generated functions,
+``algebra``, which follow from a page. A shipped one may bring closed forms of primitives
+(equilibria, folds, cusps, where states end, …) in a room of its name: ``CLOSED_FORMS`` there says
+for a question in which module the function of the same name stands. It is not asked about arguments
+that it does not have, and raises :class:`NotInClosedForm` for values that it does not know: then
+the general algorithm answers. What is derived from primitives asks the public questions, and so
+stands once. So a model gets every public question for nothing, by its general algorithm, but for
+those that :func:`of_article` marks. ``method="search"`` asks the same of the model without closed
+forms, ``model.search``: its sets of parameters know it, so that everything below searches too.
 """
 
 from __future__ import annotations
@@ -24,7 +27,8 @@ from .models.parameters import Parameters, ParameterSet
 P = ParamSpec("P")
 R = TypeVar("R")
 
-#: Ways to an answer: by closed form where there is one, by closed form only, or by the general algorithm and all that it asks.
+#: Ways to an answer: by closed form where there is one, by closed form only, or by the general
+#: algorithm and all that it asks.
 Method: TypeAlias = Literal["auto", "closed", "search"]
 WAYS = ("auto", "closed", "search")
 
@@ -34,7 +38,9 @@ class NotInClosedForm(Exception):
 
 
 def question(general: Callable[P, R]) -> Callable[P, R]:
-    """The general algorithm behind the closed form of that name, if the model of the parameters brings one."""
+    """The general algorithm behind the closed form of that name, if the model of the parameters
+    brings one.
+    """
     name = general.__name__
 
     @functools.wraps(general)
@@ -57,7 +63,8 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
                 pass
         if method == "closed":
             raise ModelError(
-                f"{model.name} answers {name} with these arguments by no closed form; leave method out, or give method='search'"
+                f"{model.name} answers {name} with these arguments by no closed form; leave "
+                "method out, or give method='search'"
             )
         return general(*args, **options)
 
@@ -65,7 +72,9 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
 
 
 def of_article(instead: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
-    """A function that is there for the article's model only: another model's set is an error that says what to ask instead."""
+    """A function that is there for the article's model only: another model's set is an error that
+    says what to ask instead.
+    """
 
     def only(own: Callable[P, R]) -> Callable[P, R]:
         @functools.wraps(own)
@@ -83,11 +92,14 @@ def of_article(instead: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
 
 
 def model_of(*things: Any) -> Model:
-    """The model of the first set of parameters among arguments, all of which must be of that model."""
+    """The model of the first set of parameters among arguments, all of which must be of that
+    model.
+    """
     sets = [*_sets(things)]
     if not sets:
         raise ParameterTypeError(
-            f"p = {things[0] if things else None!r:.60} is no set of parameters; make one with model.Parameters(...)"
+            f"p = {things[0] if things else None!r:.60} is no set of parameters; make one "
+            "with model.Parameters(...)"
         )
     (_, kind), *others = sets
     model: Model = kind.model_of_class()
@@ -105,7 +117,9 @@ def model_of(*things: Any) -> Model:
 
 
 def _sets(things: Iterable[Any]) -> Iterator[tuple[Any, type[ParameterSet]]]:
-    """Sets of parameters among arguments, and designs that stand for one, each with its class; those in pairs of corners too."""
+    """Sets of parameters among arguments, and designs that stand for one, each with its class;
+    those in pairs of corners too.
+    """
     for thing in things:
         if isinstance(thing, ParameterSet):
             yield thing, type(thing)
@@ -116,7 +130,9 @@ def _sets(things: Iterable[Any]) -> Iterator[tuple[Any, type[ParameterSet]]]:
 
 
 def of(model: Model, thing: Any) -> Any:
-    """Arguments with their sets of parameters as sets of the model without closed forms, or of the one with them."""
+    """Arguments with their sets of parameters as sets of the model without closed forms, or of the
+    one with them.
+    """
     if isinstance(thing, ParameterSet) or hasattr(thing, "of_model"):
         return thing.of(model)
     return tuple(of(model, one) for one in thing) if type(thing) is tuple else thing
@@ -128,7 +144,9 @@ _signature = functools.cache(inspect.signature)
 def _closed_form(
     model: Model, name: str, args: tuple[Any, ...], options: Mapping[str, Any]
 ) -> Callable[..., Any] | None:
-    """The closed form of a question, if it has arguments of these names; None is what is left out."""
+    """The closed form of a question, if it has arguments of these names; None is what is left
+    out.
+    """
     closed = model.closed_form(name)
     if closed is None or (len(args) == 1 and not options):
         return closed

@@ -1,4 +1,6 @@
-"""Remarks on what is not known: sentences whose numbers know what they are of, so that they can be told in other units."""
+"""Remarks on what is not known: sentences whose numbers know what they are of, so that they can be
+told in other units.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,9 @@ Units: TypeAlias = Callable[[str], tuple[str, float]]
 
 @dataclass(frozen=True)
 class At:
-    """The value of a parameter or a coordinate, or both ends of a range of it, and its unit where the model measures it."""
+    """The value of a parameter or a coordinate, or both ends of a range of it, and its unit where
+    the model measures it.
+    """
 
     name: str
     ends: tuple[float, ...]

@@ -20,19 +20,21 @@ Once: TypeAlias = Callable[[str, Callable[[], Any]], Any]
 Begin: TypeAlias = Callable[..., "subprocess.Popen[Any]"]
 Run: TypeAlias = Callable[..., str]
 
-# The same numbers in every run, so that a failure is one everywhere: a few in `make test`, three times as many in `make check`,
-# which sets HYPOTHESIS_PROFILE=all. HYPOTHESIS_PROFILE=search looks for new ones.
+# The same numbers in every run, so that a failure is one everywhere: a few in `make test`, three
+# times as many in `make check`, which sets HYPOTHESIS_PROFILE=all. HYPOTHESIS_PROFILE=search looks
+# for new ones.
 settings.register_profile("repeat", derandomize=True, deadline=None, max_examples=30)
 settings.register_profile("all", derandomize=True, deadline=None, max_examples=100)
 settings.register_profile("search", deadline=None, max_examples=2000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeat"))
-# By itself hypothesis also tries constants that stand in the modules that a process has imported: other numbers beside other
-# tests, and seconds in each worker of a fresh clone.
+# By itself hypothesis also tries constants that stand in the modules that a process has imported:
+# other numbers beside other tests, and seconds in each worker of a fresh clone.
 if os.environ.get("HYPOTHESIS_PROFILE") != "search" and hasattr(providers, "_get_local_constants"):
     providers._get_local_constants = lambda none=providers._local_constants: none
 
 
-#: Files that take longest begin first, so that no worker is left with one of them when the others have nothing to do.
+#: Files that take longest begin first, so that no worker is left with one of them when the others
+#: have nothing to do.
 LONGEST = (
     "test_documents",
     "test_explorer_pages",
@@ -66,7 +68,9 @@ LONGEST = (
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The order of files, within each of which it stays; and the marks of parameters that take long."""
+    """The order of files, within each of which it stays; and the marks of parameters that take
+    long.
+    """
     for item in items:
         mark = item.get_closest_marker("by_hand")
         if mark and re.match(rf"({'|'.join(map(re.escape, mark.args))})\b", item.callspec.id):  # type: ignore[attr-defined]
@@ -78,12 +82,15 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     )
 
 
-# ---------------------------------------------------------------------------------------------- what is computed once
+# ----------------------------------------------------------------------------------------------
+# what is computed once
 
 
 @pytest.fixture(scope="session")
 def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
-    """``once(name, compute)``: what a computation gives, made by the first test of a run that asks and kept for all others."""
+    """``once(name, compute)``: what a computation gives, made by the first test of a run that asks
+    and kept for all others.
+    """
     folder = tmp_path_factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ:
         folder = folder.parent  # of the run, shared by its workers
@@ -100,7 +107,9 @@ def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
 
 @pytest.fixture
 def checked(once: Once, monkeypatch: pytest.MonkeyPatch) -> list[Any]:
-    """The rows of the check against the article; until the test ends commands take them instead of deriving them again."""
+    """The rows of the check against the article; until the test ends commands take them instead of
+    deriving them again.
+    """
     pytest.importorskip("sympy")
     from spragsym.derive.kang_nam import check
 
@@ -144,14 +153,17 @@ def run(capsys: pytest.CaptureFixture[str]) -> Run:
     return printed
 
 
-# ----------------------------------------------------------------------------------------- processes that tests start
+# -----------------------------------------------------------------------------------------
+# processes that tests start
 
 _LIBC = ctypes.CDLL(None) if sys.platform == "linux" else None
 _PR_SET_PDEATHSIG = 1
 
 
 def _as_from_a_terminal() -> None:
-    """Ctrl-C ends a process, also where these tests run under nohup; and it does not outlive them, even if they are killed."""
+    """Ctrl-C ends a process, also where these tests run under nohup; and it does not outlive them,
+    even if they are killed.
+    """
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     if _LIBC is not None:
         _LIBC.prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
@@ -159,7 +171,9 @@ def _as_from_a_terminal() -> None:
 
 @pytest.fixture
 def begin() -> Iterator[Begin]:
-    """``subprocess.Popen`` whose processes, and those that they started, end with the test, whatever happens."""
+    """``subprocess.Popen`` whose processes, and those that they started, end with the test,
+    whatever happens.
+    """
     started: list[subprocess.Popen[Any]] = []
     posix: dict[str, Any] = (
         {"preexec_fn": _as_from_a_terminal, "start_new_session": True} if os.name == "posix" else {}

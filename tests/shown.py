@@ -1,4 +1,6 @@
-"""What documents show: their blocks, their commands with the output below, and how it is compared with what runs."""
+"""What documents show: their blocks, their commands with the output below, and how it is compared
+with what runs.
+"""
 
 import doctest
 import os
@@ -41,7 +43,8 @@ def programs(path: Path, language: str) -> list[tuple[str, str]]:
 
 
 def run(command: str, folder: Path, *, bare: bool = False) -> str:
-    """stdout of a shell command that must succeed, with this interpreter's ``spragsym`` first on the path.
+    """stdout of a shell command that must succeed, with this interpreter's ``spragsym`` first on
+    the path.
 
     A bare shell has nothing of this environment but that path, and the folder for its home.
     """

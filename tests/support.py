@@ -1,4 +1,6 @@
-"""What several test modules share: numbers in other forms, exact onsets, and generated modules by name."""
+"""What several test modules share: numbers in other forms, exact onsets, and generated modules by
+name.
+"""
 
 import importlib
 import inspect
@@ -22,7 +24,8 @@ from tests.oracles.families import random_fixed
 
 ROOT = Path(__file__).parents[1]
 
-#: For what other systems do in another way: signals to other processes, shells, links that anyone may make.
+#: For what other systems do in another way: signals to other processes, shells, links that anyone
+#: may make.
 needs_posix = pytest.mark.skipif(os.name != "posix", reason="signals, shells and links of POSIX")
 
 #: Why tests with long motions are skipped; empty where an integrator that was compiled is there.
@@ -38,7 +41,9 @@ NO_ENVIRONMENT = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in 
 
 
 def few(parameters: Iterable[Any], *kept: Any) -> list[Any]:
-    """Parameters of a test: those kept, by value or id, run in ``make test``, the others in ``make check`` only."""
+    """Parameters of a test: those kept, by value or id, run in ``make test``, the others in
+    ``make check`` only.
+    """
     found = []
     for one in parameters:
         values, name, marks = (
@@ -89,9 +94,11 @@ def generated(name: str) -> ModuleType:
 
 
 def in_python(name: str, names: Sequence[str]) -> Callable[..., Any]:
-    """A function that a library in another language has, in Python: of arguments in that library's order, by its names for them.
+    """A function that a library in another language has, in Python: of arguments in that library's
+    order, by its names for them.
 
-    Of the page's functions it leaves out what nothing depends on, and the factor of an exponential, which it always feels.
+    Of the page's functions it leaves out what nothing depends on, and the factor of an exponential,
+    which it always feels.
     """
     function = _function(name)
     taken = [argument for argument in inspect.signature(function).parameters if argument != "xp"]
@@ -142,7 +149,9 @@ def middle_of(value: balls.Interval) -> float:
 
 
 def lowest_sets(number: int) -> list[Any]:
-    """Sets whose lowest fold is a cusp, a turn or none: one of each, one without a spring along the belt, random ones."""
+    """Sets whose lowest fold is a cusp, a turn or none: one of each, one without a spring along the
+    belt, random ones.
+    """
     rng = np.random.default_rng(31)
     first = [
         ss.Parameters.article(),

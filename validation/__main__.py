@@ -1,10 +1,13 @@
-"""``python -m validation`` lists the campaigns; ``python -m validation NAME [NUMBER] [--first K] [--seed S] [--folder F]`` runs one.
+"""``python -m validation`` lists the campaigns; ``python -m validation NAME [NUMBER] [--first K]
+[--seed S] [--folder F]`` runs one.
 
-``python -m validation all --folder F [--seconds T]`` runs every one after another, each for its own number of cases and at most T
-seconds (900). A campaign is a module with ``judge(number, rng)``, which draws a case and gives what was found as a dictionary:
-``kind``, ``wrong`` (a list of contradictions), and numbers, of which integers are added up and the largest of floats is kept.
-With a folder every finished case stands in ``NAME-KEY.jsonl``, from which the same command goes on; the key is made of the campaign,
-the seed, and all the code that computes and judges, so that no result of another claim is counted.
+``python -m validation all --folder F [--seconds T]`` runs every one after another, each for its own
+number of cases and at most T seconds (900). A campaign is a module with ``judge(number, rng)``,
+which draws a case and gives what was found as a dictionary: ``kind``, ``wrong`` (a list of
+contradictions), and numbers, of which integers are added up and the largest of floats is kept. With
+a folder every finished case stands in ``NAME-KEY.jsonl``, from which the same command goes on; the
+key is made of the campaign, the seed, and all the code that computes and judges, so that no result
+of another claim is counted.
 """
 
 import argparse
@@ -65,7 +68,9 @@ def store_of(folder: Path, name: str, seed: int) -> Path:
 
 
 def finished(path: Path) -> dict[int, dict[str, Any]]:
-    """The finished cases of a file by number; a line that was cut short by a kill is dropped from it."""
+    """The finished cases of a file by number; a line that was cut short by a kill is dropped from
+    it.
+    """
     if not path.is_file():
         return {}
     whole = [
@@ -78,7 +83,9 @@ def finished(path: Path) -> dict[int, dict[str, Any]]:
 
 
 def in_time(judge: Judge, number: int, seed: int) -> dict[str, Any]:
-    """What is found for a case; that it took too long, or that it ended with an error, which is wrong."""
+    """What is found for a case; that it took too long, or that it ended with an error, which is
+    wrong.
+    """
 
     def stop(*_: Any) -> None:
         raise Late
@@ -115,7 +122,9 @@ def cases(
 
 
 def run(name: str, numbers: range, seed: int, folder: Path | None, seconds: float) -> bool:
-    """Run a campaign, print each contradiction and what became of all cases; whether nothing contradicts."""
+    """Run a campaign, print each contradiction and what became of all cases; whether nothing
+    contradicts.
+    """
     module = importlib.import_module(f"validation.{name}")
     kinds: Counter[str] = Counter()
     sums: dict[str, float] = {}
@@ -139,7 +148,8 @@ def run(name: str, numbers: range, seed: int, folder: Path | None, seconds: floa
         for key, value in sums.items()
     )
     print(
-        f"{name}: {count} of {len(numbers)} cases, {bad} contradicted; {dict(sorted(kinds.items()))}; {told}",
+        f"{name}: {count} of {len(numbers)} cases, {bad} contradicted; "
+        f"{dict(sorted(kinds.items()))}; {told}",
         flush=True,
     )
     return not bad

@@ -1,8 +1,10 @@
-"""Points of stable manifolds by simulations of another integrator: on the boundary of a basin, or not.
+"""Points of stable manifolds by simulations of another integrator: on the boundary of a basin, or
+not.
 
-To either side of a point of ``basin_boundary``, 1e-6 across the curve, motions are followed over 40 000 time units: at a boundary
-their averages differ by far more than they change; where both sides are said to come to one attractor, they agree.
-Last found: points said to be on a boundary although nearer starts come to one attractor (5b4d0b77).
+To either side of a point of ``basin_boundary``, 1e-6 across the curve, motions are followed over 40
+000 time units: at a boundary their averages differ by far more than they change; where both sides
+are said to come to one attractor, they agree. Last found: points said to be on a boundary although
+nearer starts come to one attractor (5b4d0b77).
 """
 
 from typing import Any
@@ -20,7 +22,9 @@ OPEN = ("nothing", "as rounding decides", "nearer by")
 
 
 def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
-    """One curve: of each point whether it is said to be boundary, what either side comes to, and whether that is confirmed."""
+    """One curve: of each point whether it is said to be boundary, what either side comes to, and
+    whether that is confirmed.
+    """
     p = basin_of(number)
     try:
         found = ss.basin_boundary(p, step=0.05, points=2)
@@ -41,6 +45,7 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
         undecided += unsaid
         if not (differ(*sides) if found.boundary[i] else unsaid or off < max(3 * within, ALIKE)):
             wrong.append(
-                f"point {i}, boundary {bool(found.boundary[i])}, {told}: averages differ by {off:.2g}, change by {within:.1g}"
+                f"point {i}, boundary {bool(found.boundary[i])}, {told}: averages differ by "
+                f"{off:.2g}, change by {within:.1g}"
             )
     return {"kind": "curve", "wrong": wrong, "points": len(found.points), "undecided": undecided}

@@ -1,9 +1,11 @@
-"""Branches of cycles at random parameters, each over two ranges and with two steps: the same ends and events whatever these are.
+"""Branches of cycles at random parameters, each over two ranges and with two steps: the same ends
+and events whatever these are.
 
-A cycle from a random start is followed over a random range of a random parameter, and again over a part of that range with shorter
-steps; so is the doubled cycle at the first doubling. An event of one that is not on the other, although it lies on the piece that
-both have, contradicts, and so does an event whose multipliers are not what it says.
-Last found: an event placed where a multiplier only jumps past its value beside a grazing (0f39328e).
+A cycle from a random start is followed over a random range of a random parameter, and again over a
+part of that range with shorter steps; so is the doubled cycle at the first doubling. An event of
+one that is not on the other, although it lies on the piece that both have, contradicts, and so does
+an event whose multipliers are not what it says. Last found: an event placed where a multiplier only
+jumps past its value beside a grazing (0f39328e).
 """
 
 from typing import Any
@@ -17,7 +19,8 @@ CASES = 100
 #: Two events are one if their values are as close as this, in ranges, besides their errors.
 SAME = 1e-8
 
-#: An event is in doubt where its multiplier is off by more than this share of what it changes to the next point.
+#: An event is in doubt where its multiplier is off by more than this share of what it changes to
+#: the next point.
 SHARE = 0.1
 
 #: Of so many points of a branch with the nearest value and period is the nearest state taken.
@@ -77,7 +80,8 @@ def missing(one: list[Told], other: list[Told], width: float) -> list[str]:
 
 
 def doubtful(branch: ss.CycleBranch) -> list[str]:
-    """Events whose multipliers are not what they say, to 1e-3, or next to a grazing to a share of what they change between points.
+    """Events whose multipliers are not what they say, to 1e-3, or next to a grazing to a share of
+    what they change between points.
 
     Those that are said to jump, or to have no place, are left out.
     """

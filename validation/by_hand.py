@@ -1,9 +1,10 @@
-"""Random attack on every shipped model and other pages, against forces written by hand: equilibria, motions, generated code.
+"""Random attack on every shipped model and other pages, against forces written by hand: equilibria,
+motions, generated code.
 
-Values are log-uniform over 10⁻⁶ to 10⁶ or near the base, ends of ranges and 0 among them. A motion, on both integrators, is held
-against one that SciPy integrates without modes and events, and against the balance of energy.
-Last found: errors up to 7e-8 on proved states of stiff springs, kinks and belts that run backwards, which were carried through
-(5b82b53f).
+Values are log-uniform over 10⁻⁶ to 10⁶ or near the base, ends of ranges and 0 among them. A motion,
+on both integrators, is held against one that SciPy integrates without modes and events, and against
+the balance of energy. Last found: errors up to 7e-8 on proved states of stiff springs, kinks and
+belts that run backwards, which were carried through (5b82b53f).
 """
 
 import contextlib
@@ -41,7 +42,9 @@ def model_of(name: str) -> Any:
 
 
 def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
-    """One set of parameters of one model; the first of each has its generated functions compared."""
+    """One set of parameters of one model; the first of each has its generated functions
+    compared.
+    """
     name = list(DRAWN)[number % len(DRAWN)]
     model, drawn = model_of(name), DRAWN[name]
     values = draw(model, rng)
@@ -184,7 +187,9 @@ def _fastest(rhs: Any, start: Any) -> float:
 
 
 def _reference(rhs: Any, start: Any, t_end: float) -> tuple[Any, float]:
-    """The end of the motion by an implicit method on the field as a whole, and the difference of two tolerances."""
+    """The end of the motion by an implicit method on the field as a whole, and the difference of
+    two tolerances.
+    """
     from scipy.integrate import solve_ivp
 
     calls = itertools.count()

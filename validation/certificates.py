@@ -1,10 +1,13 @@
-"""Certificates of any model over random boxes: proved ones sampled, refuted ones followed, and both against closed forms.
+"""Certificates of any model over random boxes: proved ones sampled, refuted ones followed, and both
+against closed forms.
 
-Of a box in which nothing is proved to jump, points are followed one by one by a path with proved folds, which shares no tube with
-the certificate, and 10,000 have their jump values; of the article's model a million, by closed forms. At a counterexample the same path
-must end, and a motion from there leaves at a friction 1 % beyond that end and stays 1 % before it. Of the other claims the equilibria
-at 500 points, of the article's model at 10,000, and at the counterexample are counted and told by their eigenvalues.
-Last found: beside cusps tubes decided nothing where the state is followed with ease (a126b18f).
+Of a box in which nothing is proved to jump, points are followed one by one by a path with proved
+folds, which shares no tube with the certificate, and 10,000 have their jump values; of the
+article's model a million, by closed forms. At a counterexample the same path must end, and a motion
+from there leaves at a friction 1 % beyond that end and stays 1 % before it. Of the other claims the
+equilibria at 500 points, of the article's model at 10,000, and at the counterexample are counted
+and told by their eigenvalues. Last found: beside cusps tubes decided nothing where the state is
+followed with ease (a126b18f).
 """
 
 from typing import Any
@@ -19,10 +22,11 @@ MODELS = ("kang_nam", "two_springs", "inclined_belt", "cubic_contact", "damped")
 CLAIMS = ("no jump", "one equilibrium", "no flutter")
 #: One more, which flutters.
 STATES = (*MODELS, "mode_coupling")
-#: Points of a box that is proved: those that are followed, those with jump values, for closed forms; and where equilibria are counted,
-#: of any model and of the article's.
+#: Points of a box that is proved: those that are followed, those with jump values, for closed
+#: forms; and where equilibria are counted, of any model and of the article's.
 FOLLOWED, JUMPS, CLOSED, COUNTED, MANY = 4, 10_000, 1_000_000, 500, 10_000
-#: Of a motion beside the end of a state: how far from it in friction, for how long, with friction that works fully.
+#: Of a motion beside the end of a state: how far from it in friction, for how long, with friction
+#: that works fully.
 BESIDE, LONG, STEEP = 0.01, 3000.0, 400.0
 #: Parts of a box.
 PARTS = 300
@@ -53,10 +57,12 @@ def end_of(model: Any, p: Any) -> ModelEnd | None:
 
 
 def leaves(model: Any, p: Any, end: ModelEnd) -> bool | None:
-    """Whether motions from where a state ends leave beyond that friction and stay before it; None where no motion tells.
+    """Whether motions from where a state ends leave beyond that friction and stay before it; None
+    where no motion tells.
 
-    Which ones stay is told by the state just before its end: what gets no farther than that has not left, what gets three times as
-    far has. In between, as beside a cusp, where the next state is near, a motion does not tell.
+    Which ones stay is told by the state just before its end: what gets no farther than that has not
+    left, what gets three times as far has. In between, as beside a cusp, where the next state is
+    near, a motion does not tell.
     """
     if end.kind != "fold":
         return None
@@ -76,7 +82,9 @@ def leaves(model: Any, p: Any, end: ModelEnd) -> bool | None:
 
 
 def fails(eq: Any, claim: str) -> Any:
-    """At which points a claim is false, by their equilibria; those that are not decided do not count."""
+    """At which points a claim is false, by their equilibria; those that are not decided do not
+    count.
+    """
     if claim == "one equilibrium":
         return (eq.count > 1) | ((eq.count == 0) & eq.decided & eq.whole)
     return (

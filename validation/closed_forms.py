@@ -1,7 +1,9 @@
-"""The article's model by search against its closed forms: equilibria over the families, folds along each parameter, cusps.
+"""The article's model by search against its closed forms: equilibria over the families, folds along
+each parameter, cusps.
 
-A case is 200 points of a family; every tenth case is a search for folds or cusps at random parameters, μ₀ and α at 0 among them.
-It guards the claim that search and closed forms agree wherever both decide.
+A case is 200 points of a family; every tenth case is a search for folds or cusps at random
+parameters, μ₀ and α at 0 among them. It guards the claim that search and closed forms agree
+wherever both decide.
 """
 
 from typing import Any

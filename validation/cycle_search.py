@@ -1,14 +1,21 @@
-"""The search for cycles behind docs/oscillation.md: from many starts, along the inclination, and from period doublings.
+"""The search for cycles behind docs/oscillation.md: from many starts, along the inclination, and
+from period doublings.
 
-``python -m validation.cycle_search FOLDER [STARTS [POINTS]]`` (16 starts and 70 points a branch each way unless given):
+``python -m validation.cycle_search FOLDER [STARTS [POINTS]]`` (16 starts and 70 points a branch
+each way unless given):
 
-1. motions from rest and from random starts at each of 22 inclinations, judged at τ = 6000 by the cycle that they approach;
-2. every distinct cycle of these, unless it lies on a branch that is known, is followed over the inclination;
-3. where its period doubles, the doubled cycle is followed as well if it is stable there, and again from its doublings, twice at
-   most: a motion may come to it. Each time half as many points are followed.
+1. motions from rest and from random starts at each of 22 inclinations, judged at τ = 6000 by the
+   cycle that they approach;
+2. every distinct cycle of these, unless it lies on a branch that is known, is followed over the
+   inclination;
+3. where its period doubles, the doubled cycle is followed as well if it is stable there, and again
+   from its doublings, twice at most: a motion may come to it. Each time half as many points are
+   followed.
 
-It shows its progress, may be interrupted, and goes on where it was when it is called again: motions stand in ``motions.nc`` and
-branches, one a line, beside them in a file whose name is a key of the code. What the figure ``cycles`` draws is written to ``cycles.json`` of the folder; it is committed as spragsym/figures/cycles.json.
+It shows its progress, may be interrupted, and goes on where it was when it is called again: motions
+stand in ``motions.nc`` and branches, one a line, beside them in a file whose name is a key of the
+code. What the figure ``cycles`` draws is written to ``cycles.json`` of the folder; it is committed
+as spragsym/figures/cycles.json.
 """
 
 import json
@@ -116,7 +123,9 @@ def told(branch: ss.CycleBranch, name: str) -> dict[str, Any]:
 
 
 def known_at(lines: list[dict[str, Any]], cycle: ss.Cycle) -> bool:
-    """Whether a cycle lies on a branch that is known: its period and root mean square are those between two of its points."""
+    """Whether a cycle lies on a branch that is known: its period and root mean square are those
+    between two of its points.
+    """
     theta0 = cycle.values[0]
     for line in lines:
         values, periods, sizes = (np.array(line[name]) for name in ("theta0", "period", "rms"))
@@ -137,7 +146,8 @@ def follow(
     if any(line["name"] == name for line in lines) or known_at(lines, cycle):
         return
     print(
-        f"following {name}: period {cycle.period:.4f} at {math.degrees(cycle.values[0]):.4f} degrees",
+        f"following {name}: period {cycle.period:.4f} at {math.degrees(cycle.values[0]):.4f} "
+        "degrees",
         file=sys.stderr,
         flush=True,
     )
@@ -235,7 +245,8 @@ def main() -> None:
     )
     near = counts[[Regime.LIMIT_CYCLE, Regime.APPROACHES_CYCLE]].sum()
     print(
-        f"{len(sweep.regime)} inclinations, {counts.sum()} motions: {near} to a cycle or nearing one"
+        f"{len(sweep.regime)} inclinations, {counts.sum()} motions: {near} to a cycle or "
+        "nearing one"
     )
 
 

@@ -1,7 +1,10 @@
-"""Cycles and regimes against second drivers: SciPy's own event location on equations by hand, and the same motion much later.
+"""Cycles and regimes against second drivers: SciPy's own event location on equations by hand, and
+the same motion much later.
 
-The first nine cases are cycles of all kinds, whose state, period and multipliers are compared; every further one is twenty random motions
-whose limit, told at τ = 2000, must be that at τ = 40 000. Last found, at seed 1 of 6000 motions: differences over too long a step called a cycle unstable.
+The first nine cases are cycles of all kinds, whose state, period and multipliers are compared;
+every further one is twenty random motions whose limit, told at τ = 2000, must be that at τ = 40
+000. Last found, at seed 1 of 6000 motions: differences over too long a step called a cycle
+unstable.
 """
 
 from typing import Any

@@ -1,7 +1,9 @@
-"""Counts, digits and bounds of equilibria over the adversarial families, against independent references, to 1000 digits.
+"""Counts, digits and bounds of equilibria over the adversarial families, against independent
+references, to 1000 digits.
 
-A case is 1000 points of a family, every count of which is checked, and the digits of forty; every tenth case asks one point for
-twenty precisions. It guards the claims that no count is wrong and that every bound holds.
+A case is 1000 points of a family, every count of which is checked, and the digits of forty; every
+tenth case asks one point for twenty precisions. It guards the claims that no count is wrong and
+that every bound holds.
 """
 
 from typing import Any

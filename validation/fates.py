@@ -1,18 +1,22 @@
 """Boundaries of fates by simulations of another integrator.
 
-The parameter that varies, its bracket, the start and all other parameters of a call of ``fate_boundary`` are random.
+The parameter that varies, its bracket, the start and all other parameters of a call of
+``fate_boundary`` are random.
 
-- Motions are followed by DOP853 in the place of the Taylor method, and told by their averages, with weights that fall to 0 at both
-  ends of a window, so that a window need not hold whole periods. Two have different ends if these differ by far more than they
-  change from one window to the next.
-- An answer is confirmed by motions at ± 1e-6 with different ends; where fates are said to alternate more closely, at a third of the
-  way to the next change; where both come to one end there, nearer by, at three errors at least.
-- A refusal is read part by part, and each part has its own confirmation, between the values that it names. That both ends come to
-  one attractor: a motion is carried from one to the other, by steps of the parameter so small that averages jump nowhere, and ends
-  with the averages that the motion there has. That motions are undecided: averages still change, neighbours part, or a motion does
-  not come back to itself. That fates alternate more closely than rounding can tell: of motions that begin within rounding of one
-  another, at values within the width that is named, two have different ends. That an attractor ends: a motion carried on past there
-  comes to the averages of the motion there. What was left open for its length is counted as that, and says nothing.
+- Motions are followed by DOP853 in the place of the Taylor method, and told by their averages, with
+  weights that fall to 0 at both ends of a window, so that a window need not hold whole periods. Two
+  have different ends if these differ by far more than they change from one window to the next.
+- An answer is confirmed by motions at ± 1e-6 with different ends; where fates are said to alternate
+  more closely, at a third of the way to the next change; where both come to one end there, nearer
+  by, at three errors at least.
+- A refusal is read part by part, and each part has its own confirmation, between the values that it
+  names. That both ends come to one attractor: a motion is carried from one to the other, by steps
+  of the parameter so small that averages jump nowhere, and ends with the averages that the motion
+  there has. That motions are undecided: averages still change, neighbours part, or a motion does
+  not come back to itself. That fates alternate more closely than rounding can tell: of motions that
+  begin within rounding of one another, at values within the width that is named, two have different
+  ends. That an attractor ends: a motion carried on past there comes to the averages of the motion
+  there. What was left open for its length is counted as that, and says nothing.
 
 Last found: rounding decided between a cycle and itself, which had two labels (42b2a993).
 """
@@ -33,31 +37,38 @@ CASES = 300
 #: To either side of an answer.
 ASIDE = 1e-6
 
-#: Time of a simulation that confirms, and the last part of it, over the halves of which averages are taken, in steps of this.
+#: Time of a simulation that confirms, and the last part of it, over the halves of which averages
+#: are taken, in steps of this.
 LONG, WINDOW, SAMPLED = 40_000.0, 8000.0, 0.4
 
-#: Averages that differ by more than this, and by so many times what they change, are of different ends.
+#: Averages that differ by more than this, and by so many times what they change, are of different
+#: ends.
 OTHER, TIMES = 1e-5, 30.0
 
 #: Averages that differ by less than this are taken for those of one attractor.
 ALIKE = 1e-3
 
-#: How long a motion that decays slowly is followed at most, until averages change by no more than this.
+#: How long a motion that decays slowly is followed at most, until averages change by no more than
+#: this.
 SETTLED, STEADY = 400_000.0, 1e-6
 
-#: Where a motion is carried on: the first step as a share of the way, halvings of it, its time, and the most that averages may jump.
+#: Where a motion is carried on: the first step as a share of the way, halvings of it, its time, and
+#: the most that averages may jump.
 STEP, HALVINGS, STEP_LASTS, JUMP = 1 / 25, 10, 4000.0, 0.02
 
 #: Tolerance of the motions to either side of an answer.
 CLOSELY = 1e-13
 
-#: How much nearer to an answer motions are tried where those farther off come to one end, as on islands of the other fate.
+#: How much nearer to an answer motions are tried where those farther off come to one end, as on
+#: islands of the other fate.
 NEARER = (1, 30, 1000)
 
-#: Changes of the start, as far as the package moves it, and motions that are looked at, where rounding is said to decide.
+#: Changes of the start, as far as the package moves it, and motions that are looked at, where
+#: rounding is said to decide.
 ROUNDING, LOOKED_AT = 4e-12, 400
 
-#: For how long a motion is asked to come back to itself, how finely, and what is no return, as a share of its extent.
+#: For how long a motion is asked to come back to itself, how finely, and what is no return, as a
+#: share of its extent.
 PASSES, FINELY, AGAIN = 1000.0, 0.02, 1e-5
 
 
@@ -68,7 +79,9 @@ def averages(
     window: float = WINDOW,
     rtol: float = 1e-12,
 ) -> tuple[Any, Any]:
-    """Means of x and y and root mean squares of x about zero and its mean over each half of the last part, and the last state."""
+    """Means of x and y and root mean squares of x about zero and its mean over each half of the
+    last part, and the last state.
+    """
     numbers, halves, state = tuple(values.values()), [], np.array(start)
     for span in (lasting - window, window / 2, window / 2):
         if span > 0:
@@ -86,7 +99,9 @@ def averages(
 
 
 def apart(one: Any, other: Any) -> tuple[float, float]:
-    """By how much the averages of two motions differ, and by how much they change within the window."""
+    """By how much the averages of two motions differ, and by how much they change within the
+    window.
+    """
     within = max(np.ptp(each, axis=0).max() for each in (one, other))
     return float(np.abs(one.mean(axis=0) - other.mean(axis=0)).max()), float(within)
 
@@ -125,7 +140,9 @@ def confirmed(given: dict[str, Any], found: ss.FateBoundary) -> tuple[bool, str]
 def carried(
     given: dict[str, Any], low: float, high: float, *, jumps: bool = False
 ) -> tuple[bool, str]:
-    """Whether a motion carried from one value to another ends on the attractor of the motion there, with or without a jump."""
+    """Whether a motion carried from one value to another ends on the attractor of the motion there,
+    with or without a jump.
+    """
     values, vary = given["values"], given["vary"]
     there, _ = settled(values | {vary: high}, given["start"])
     before, state = settled(values | {vary: low}, given["start"])
@@ -146,12 +163,15 @@ def carried(
     right = off < ALIKE and (jumps or largest <= JUMP)
     return (
         right,
-        f"carried over, averages differ by {off:.2g}, change by {within:.1g}, jump by {largest:.2g} at most",
+        f"carried over, averages differ by {off:.2g}, change by {within:.1g}, jump by "
+        f"{largest:.2g} at most",
     )
 
 
 def undecided(given: dict[str, Any], *places: float) -> tuple[bool, str]:
-    """Whether a motion at some of the places does not come back to itself, or a neighbour has other averages."""
+    """Whether a motion at some of the places does not come back to itself, or a neighbour has other
+    averages.
+    """
     told, missed = [], []
     for place in places:
         values = given["values"] | {given["vary"]: place}
@@ -167,7 +187,9 @@ def undecided(given: dict[str, Any], *places: float) -> tuple[bool, str]:
 
 
 def returned(values: dict[str, float], start: Any) -> float:
-    """How near a motion passes its start once more, as a share of its extent; 0 for one that stays there."""
+    """How near a motion passes its start once more, as a share of its extent; 0 for one that stays
+    there.
+    """
     motion = SPRAG.simulate(tuple(values.values()), start, PASSES, backend="compiled", rtol=1e-12)
     times = np.linspace(0, PASSES, round(PASSES / FINELY) + 1)
     states = motion(times)
@@ -187,7 +209,9 @@ def returned(values: dict[str, float], start: Any) -> float:
 
 
 def lingering(given: dict[str, Any], place: float, until: float) -> tuple[bool, str]:
-    """Whether of motions that begin within rounding of one another one has not come to its end at that time."""
+    """Whether of motions that begin within rounding of one another one has not come to its end at
+    that time.
+    """
     rng, values = np.random.default_rng(1), given["values"] | {given["vary"]: place}
     for count in range(1, LOOKED_AT // 2 + 1):
         found, _ = averages(values, np.add(given["start"], ROUNDING * rng.uniform(-1, 1, 4)), until)
@@ -197,7 +221,9 @@ def lingering(given: dict[str, Any], place: float, until: float) -> tuple[bool, 
 
 
 def alternating(given: dict[str, Any], place: float, width: float) -> tuple[bool, str]:
-    """Whether motions from starts within rounding of one another have different ends, at values near one."""
+    """Whether motions from starts within rounding of one another have different ends, at values
+    near one.
+    """
     rng = np.random.default_rng(0)
     for _ in range(LOOKED_AT // 2):
         values = given["values"] | {given["vary"]: place + width * rng.uniform(-1, 1)}
@@ -208,7 +234,8 @@ def alternating(given: dict[str, Any], place: float, width: float) -> tuple[bool
         if differ(*pair):
             return (
                 True,
-                f"averages of neighbours differ by {apart(*pair)[0]:.1g}, change by {apart(*pair)[1]:.1g}",
+                f"averages of neighbours differ by {apart(*pair)[0]:.1g}, change by "
+                f"{apart(*pair)[1]:.1g}",
             )
     return False, f"of {LOOKED_AT} motions no neighbours come to different ends"
 

@@ -1,8 +1,10 @@
-"""Files of a user's under attack: commands that write are killed, interrupted, and given a full disk; a model's folder is changed.
+"""Files of a user's under attack: commands that write are killed, interrupted, and given a full
+disk; a model's folder is changed.
 
-In turn: a kill at a random moment, Ctrl-C at one, a file system of some kilobytes, and forty changes of one byte in a derived folder.
-What was there stays or is replaced whole, neighbours' names are nobody's, Ctrl-C ends with 130 within a second, and every change is
-refused. Last found: ``derive --force`` deleted what stood in the folder, and Ctrl-C was lost while heyoka was imported.
+In turn: a kill at a random moment, Ctrl-C at one, a file system of some kilobytes, and forty
+changes of one byte in a derived folder. What was there stays or is replaced whole, neighbours'
+names are nobody's, Ctrl-C ends with 130 within a second, and every change is refused. Last found:
+``derive --force`` deleted what stood in the folder, and Ctrl-C was lost while heyoka was imported.
 """
 
 import os

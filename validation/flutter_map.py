@@ -1,8 +1,9 @@
 """Onsets of undamped flutter held against a map of stability over the angle.
 
-The states on a grid and their stability are those of :func:`spragsym.equilibria`, which knows nothing of onsets. Between two
-neighbours a state that changes between flutter and no flutter must have its onset listed, with the right side, and a state that does
-not must have none. The grid is finer near 0, π/2 and π, about all that is listed, where a discriminant comes close to 0, and about
+The states on a grid and their stability are those of :func:`spragsym.equilibria`, which knows
+nothing of onsets. Between two neighbours a state that changes between flutter and no flutter must
+have its onset listed, with the right side, and a state that does not must have none. The grid is
+finer near 0, π/2 and π, about all that is listed, where a discriminant comes close to 0, and about
 folds, where states change places and nothing can be said of a cell.
 """
 
@@ -14,7 +15,8 @@ import spragsym as ss
 
 Array = np.ndarray
 
-#: Grid points in the middle, and towards each of 0, π/2 (from both sides) and π, down to :data:`NEAREST`.
+#: Grid points in the middle, and towards each of 0, π/2 (from both sides) and π, down to
+#: :data:`NEAREST`.
 EVEN, TOWARDS, NEAREST = 160, 40, 1e-9
 #: How often the grid is made finer where something comes close.
 ZOOMS = 4
@@ -57,7 +59,9 @@ def compare(p: ss.Parameters, onsets: ss.Onsets) -> tuple[int, int, int]:
 
 
 def refined_map(p: ss.Parameters, onsets: ss.Onsets) -> tuple[Array, ss.Equilibria]:
-    """θ₀ and the states there: the grid, points about everything listed, and more where a discriminant comes near 0."""
+    """θ₀ and the states there: the grid, points about everything listed, and more where a
+    discriminant comes near 0.
+    """
     events = onsets.theta0
     bounds = np.unique(np.concatenate([[0.0, np.pi], events]))
     about = [events + distance for size in (1e-3, 1e-6, 1e-9) for distance in (-size, size)]
@@ -79,7 +83,9 @@ def refined_map(p: ss.Parameters, onsets: ss.Onsets) -> tuple[Array, ss.Equilibr
 
 
 def dips(p: ss.Parameters, eq: ss.Equilibria) -> Array:
-    """Points at which the discriminant of a state comes closer to 0 than at the neighbours, without a change of its sign."""
+    """Points at which the discriminant of a state comes closer to 0 than at the neighbours, without
+    a change of its sign.
+    """
     mu0, alpha, sigma, beta = p.scalars("mu0", "alpha", "sigma", "beta")
     s, c = np.sin(eq.theta), np.cos(eq.theta)
     K11, K22, K21 = (

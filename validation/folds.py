@@ -1,8 +1,10 @@
-"""Fold curves, paths between folds, and the lowest fold of the article's model, at random stiffnesses over several decades.
+"""Fold curves, paths between folds, and the lowest fold of the article's model, at random
+stiffnesses over several decades.
 
-In turn: counts on a grid of θ₀ and μ₀ against those that crossing the fold curves predicts; a quasi-static path along each
-parameter against a state that creeps down the force; the lowest fold of all angles against a scan, and to 50 digits; onsets of
-undamped flutter against a map of stability. Last found: a path could not stop on the very float of a fold (13d1c672).
+In turn: counts on a grid of θ₀ and μ₀ against those that crossing the fold curves predicts; a
+quasi-static path along each parameter against a state that creeps down the force; the lowest fold
+of all angles against a scan, and to 50 digits; onsets of undamped flutter against a map of
+stability. Last found: a path could not stop on the very float of a fold (13d1c672).
 """
 
 from typing import Any

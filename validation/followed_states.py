@@ -1,7 +1,9 @@
-"""Verdicts of random files of five models against their states, stepped through by hand as friction rises.
+"""Verdicts of random files of five models against their states, stepped through by hand as friction
+rises.
 
-At each friction the state that lies nearest to the last one is taken up; where none lies near, the step is halved, and the state has
-ended where that goes on. It guards the claim that no report says "does not sprag" while the state at work ends within the range.
+At each friction the state that lies nearest to the last one is taken up; where none lies near, the
+step is halved, and the state has ended where that goes on. It guards the claim that no report says
+"does not sprag" while the state at work ends within the range.
 """
 
 import math
@@ -23,7 +25,9 @@ NEAR, STEP, LEAST, CLOSE = 0.02, 0.02, 1e-6, 1e-3
 
 
 def end_by_hand(p: Any, most: float) -> float:
-    """The friction at which the state that is followed ends, NaN where it does not up to ``most``."""
+    """The friction at which the state that is followed ends, NaN where it does not up to
+    ``most``.
+    """
     path = ss.quasi_static_path(p, "mu0", [0.0])
     here, mu, step = (
         np.array([path.coordinates[name][0] for name in p.model.coordinates]),

@@ -1,7 +1,9 @@
-"""First Lyapunov coefficients against 50 digits from equations written by hand, and their signs against motions.
+"""First Lyapunov coefficients against 50 digits from equations written by hand, and their signs
+against motions.
 
-A case is one search: those of the list on shipped pages, then random damped sets. Every fifth has its signs held against motions
-from inside and outside of the cycle that is born. It guards the claim that every proved bound of a coefficient holds (2d3fc3b3).
+A case is one search: those of the list on shipped pages, then random damped sets. Every fifth has
+its signs held against motions from inside and outside of the cycle that is born. It guards the
+claim that every proved bound of a coefficient holds (2d3fc3b3).
 """
 
 from typing import Any
@@ -66,7 +68,8 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
             off = abs(float(getattr(exact, name) - mpmath.mpf(float(getattr(onsets, name)[row]))))
             bound = float(getattr(onsets, f"{name}_error")[row])
             wrong += [
-                f"{onsets.parameters!r} along {onsets.vary}: {name} {off:.2e} off, bound {bound:.2e}"
+                f"{onsets.parameters!r} along {onsets.vary}: {name} {off:.2e} off, bound "
+                f"{bound:.2e}"
             ] * (off > bound)
         if onsets.criticality[row] != "undecided":
             decided += 1

@@ -1,8 +1,10 @@
-"""Jump values against paths of states, of the article's model and of models without closed forms; probabilities against samples.
+"""Jump values against paths of states, of the article's model and of models without closed forms;
+probabilities against samples.
 
-In turn: the values of a hundred points by closed form, each against the first jump of its path; values of 2000 points at once, six
-of which are followed one by one; an interval of a probability, and its proved bracket, against 10⁵ plain samples.
-Last found: last digits of values along stiffnesses that were beyond their bound (2119e429).
+In turn: the values of a hundred points by closed form, each against the first jump of its path;
+values of 2000 points at once, six of which are followed one by one; an interval of a probability,
+and its proved bracket, against 10⁵ plain samples. Last found: last digits of values along
+stiffnesses that were beyond their bound (2119e429).
 """
 
 import warnings
@@ -73,7 +75,9 @@ def values(number: int, rng: np.random.Generator) -> dict[str, Any]:
 
 
 def at_once(number: int, rng: np.random.Generator) -> dict[str, Any]:
-    """Points of a model at once, and some of them one after the other by a path between all folds."""
+    """Points of a model at once, and some of them one after the other by a path between all
+    folds.
+    """
     model, size = ss.load(MODELS[number % len(MODELS)]), 2000
     scales = {
         key: model.base[key] * 2 ** rng.uniform(-1, 1, size) for key in ("kappa", "sigma", "alpha")
@@ -104,7 +108,9 @@ def at_once(number: int, rng: np.random.Generator) -> dict[str, Any]:
 
 
 def probability(rng: np.random.Generator) -> dict[str, Any]:
-    """Whether the interval and four standard deviations of 10⁶ plain samples meet, but for one case in six thousand."""
+    """Whether the interval and four standard deviations of 10⁶ plain samples meet, but for one case
+    in six thousand.
+    """
     many, hits = 1_000_000, 0
     p = ss.Parameters(**{name: rng.uniform(*ends, many) for name, ends in TOLERANCES.items()})
     hits = int((have_jumped(p) == 1).sum())

@@ -1,7 +1,7 @@
 """Attacks on sweeps from outside: workers killed, disks filled; what became of each is counted.
 
-A wrong number, a wait without end, or an error that is not spragsym's own ends one with that error. Filled disks are small file
-systems in memory, which take root.
+A wrong number, a wait without end, or an error that is not spragsym's own ends one with that error.
+Filled disks are small file systems in memory, which take root.
 """
 
 import os
@@ -40,7 +40,9 @@ def small_disk(kilobytes: int) -> Iterator[Path]:
 
 
 def attack_disks(rng: np.random.Generator, count: int) -> Counter[str]:
-    """Fill the disk after any number of points, but for a few bytes, and go on when there is room again."""
+    """Fill the disk after any number of points, but for a few bytes, and go on when there is room
+    again.
+    """
     recorded, outcomes = Recorded(), Counter[str]()
     expected = rms_sweep(P, **SHORT, workers=recorded)
     for k in range(count):
@@ -72,8 +74,9 @@ def attack_disks(rng: np.random.Generator, count: int) -> Counter[str]:
 
 
 def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counter[str]:
-    """Kill one of two workers, or every fourth time their parent, at a random moment: one line, at once, and the same
-    command finishes the same file."""
+    """Kill one of two workers, or every fourth time their parent, at a random moment: one line, at
+    once, and the same command finishes the same file.
+    """
     outcomes = Counter[str]()
     grid = ["--theta0", "20:160:21", "--t-end", "1000", "--transient", "500", "-q", "-j", "2"]
     command = [sys.executable, "-m", "spragsym", "sweep", *grid, "-o"]

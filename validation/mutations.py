@@ -1,8 +1,10 @@
-"""Single faults in the package, each against the tests of CI, or those that the variable TESTS names; to see what no test notices.
+"""Single faults in the package, each against the tests of CI, or those that the variable TESTS
+names; to see what no test notices.
 
-Those of the fault's own room come first: they notice most. The faults of mutations.txt were drawn from all rooms, others where a
-line was gone. A row has the file, line and column, what is replaced by what, and the text of the line, by which it is found where
-code has moved; and, of a fault that changes no answer, why.
+Those of the fault's own room come first: they notice most. The faults of mutations.txt were drawn
+from all rooms, others where a line was gone. A row has the file, line and column, what is replaced
+by what, and the text of the line, by which it is found where code has moved; and, of a fault that
+changes no answer, why.
 """
 
 import os
@@ -22,7 +24,9 @@ PATIENCE = 1800.0
 
 
 class Fault(NamedTuple):
-    """A line of a file, a column of its text, what stands there, what is put in its place, that text, and why nothing changes."""
+    """A line of a file, a column of its text, what stands there, what is put in its place, that
+    text, and why nothing changes.
+    """
 
     file: str
     line: int
@@ -43,7 +47,9 @@ CASES = len(faults())
 
 
 def place(tree: Path, fault: Fault) -> tuple[Path, int] | None:
-    """The file and line of a fault: where it was, or the nearest line of the same text, or the only such line of the package."""
+    """The file and line of a fault: where it was, or the nearest line of the same text, or the only
+    such line of the package.
+    """
     every = [
         (path, number)
         for path in sorted((tree / "spragsym").rglob("*.py"))

@@ -1,9 +1,10 @@
-"""Pages whose quantities bear random names: words, functions and constants of every language, and those of generated code.
+"""Pages whose quantities bear random names: words, functions and constants of every language, and
+those of generated code.
 
-Each page is derived and exported to C, JavaScript and MATLAB under a random name of its own; every function gives the numbers of
-Python in each language, or the name is refused by its line.
-Last found: a parameter called ``pi`` gave other numbers in MATLAB, ``sin``, ``EOF``, ``INLINE`` and pages called ``main`` no code that
-compiles (19cc3e36).
+Each page is derived and exported to C, JavaScript and MATLAB under a random name of its own; every
+function gives the numbers of Python in each language, or the name is refused by its line. Last
+found: a parameter called ``pi`` gave other numbers in MATLAB, ``sin``, ``EOF``, ``INLINE`` and
+pages called ``main`` no code that compiles (19cc3e36).
 """
 
 import builtins
@@ -62,7 +63,10 @@ def pool() -> tuple[str, ...]:
                 ).stdout,
             )
         )
-    asked = "console.log([globalThis, Math, Number, Array].flatMap(it => Object.getOwnPropertyNames(it)).join(' '))"
+    asked = (
+        "console.log([globalThis, Math, Number, Array].flatMap(it => "
+        "Object.getOwnPropertyNames(it)).join(' '))"
+    )
     words |= set(
         subprocess.run(
             [str(NODE), "-e", asked], capture_output=True, text=True, check=True

@@ -1,4 +1,5 @@
-"""The numbers of docs/oscillation.md by the commands that stand beside them, those that take long and proofs included.
+"""The numbers of docs/oscillation.md by the commands that stand beside them, those that take long
+and proofs included.
 
 Last found: a row whose command did not print its number (013b47dd).
 """
@@ -12,7 +13,8 @@ import numpy as np
 from tests.oracles import oscillation_page
 
 ASKED = [("row", row) for row in oscillation_page.rows() if not row.command.startswith("python")]
-ASKED += [("proof", pair) for pair in oscillation_page.proofs().items()]  # type: ignore[misc]  # a row, or a command and its lines
+# a row, or a command and its lines
+ASKED += [("proof", pair) for pair in oscillation_page.proofs().items()]  # type: ignore[misc]
 CASES = len(ASKED)
 
 

@@ -1,14 +1,17 @@
 """Pages at random against mechanics assembled from their energies in numbers.
 
-A page is carried through, or refused by a line of its own. Energies, dampers, loads, gap and laws are evaluated as they are written;
-forces, masses, stiffnesses and damping follow by complex steps and by differences in 40 digits. Of each page are asked
+A page is carried through, or refused by a line of its own. Energies, dampers, loads, gap and laws
+are evaluated as they are written; forces, masses, stiffnesses and damping follow by complex steps
+and by differences in 40 digits. Of each page are asked
 
 - accelerations at random states, on both sides of the gap and of the sliding speed;
-- the states of some parameter sets, in contact and in lift-off: each solves the reference, on its side of the gap, and Newton's method from
-  many starts finds none that is neither listed, nor in an undecided box, nor outside of what was searched, where that is said;
+- the states of some parameter sets, in contact and in lift-off: each solves the reference, on its
+  side of the gap, and Newton's method from many starts finds none that is neither listed, nor in an
+  undecided box, nor outside of what was searched, where that is said;
 - the growth of each state with damping, by the eigenvalues of the reference;
-- the onsets of flutter along one parameter: at each that is listed a pair of eigenvalues of the reference lies on the imaginary axis,
-  and where a map of eigenvalues, of states of the reference followed over that range, shows that a pair has crossed it, one is listed.
+- the onsets of flutter along one parameter: at each that is listed a pair of eigenvalues of the
+  reference lies on the imaginary axis, and where a map of eigenvalues, of states of the reference
+  followed over that range, shows that a pair has crossed it, one is listed.
 """
 
 import itertools
@@ -25,20 +28,23 @@ import numpy as np
 import spragsym as ss
 from validation.page_writer import Drawn, draw
 
-#: Parameter sets of a page, states at which accelerations are compared, starts of Newton's method and its steps.
+#: Parameter sets of a page, states at which accelerations are compared, starts of Newton's method
+#: and its steps.
 SETS, PLACES, STARTS, STEPS = 3, 6, 300, 60
 DIGITS = 40
 #: Relative differences that rounding may make, of accelerations and of growth.
 ACCELERATION, GROWTH = 1e-9, 1e-6
 #: Nearer than this to its border, a state may be on either side.
 EDGE = 1e-9
-#: Values of the parameter along which onsets are asked for, its range as shares of a value, and how clearly eigenvalues grow.
+#: Values of the parameter along which onsets are asked for, its range as shares of a value, and how
+#: clearly eigenvalues grow.
 VALUES, SPAN, CLEAR = 13, (0.05, 4.0), 1e-6
 _TINY = 1e-30
 
 
 class Reference:
-    """The mechanics of a page in numbers: of numpy, complex for derivatives by complex steps, or of mpmath.
+    """The mechanics of a page in numbers: of numpy, complex for derivatives by complex steps, or of
+    mpmath.
 
     A state has the coordinates along its first axis; further axes are points.
     """
@@ -71,9 +77,11 @@ class Reference:
     def of(self, text: str, q: Sequence[Any], **more: Any) -> Any:
         """A part of the page at a place."""
         known = {name: value for (name, _), value in zip(self.page.coordinates, q, strict=True)}
-        return eval(_compiled(text), {"__builtins__": {}}, self.names | known | more) + 0 * q[0]  # noqa: S307  # our own text
+        # our own text
+        return eval(_compiled(text), {"__builtins__": {}}, self.names | known | more) + 0 * q[0]  # noqa: S307
 
-    # ------------------------------------------------------------------------------------------------ derivatives
+    # ---------------------------------------------------------------------------------------------
+    # derivatives
 
     def slopes(self, function: Callable[[Sequence[Any]], Any], q: Sequence[Any]) -> list[Any]:
         """Derivatives by the coordinates."""
@@ -104,7 +112,8 @@ class Reference:
             columns.append([(a - b) / (2 * h) for a, b in zip(up, down, strict=True)])
         return [[column[row] for column in columns] for row in range(self.n)]
 
-    # ------------------------------------------------------------------------------------------------ energies and forces
+    # ---------------------------------------------------------------------------------------------
+    # energies and forces
 
     def potential(self, q: Sequence[Any]) -> Any:
         """Of springs and potentials."""
@@ -297,7 +306,8 @@ def _compiled(text: str) -> Any:
     return _CODE.setdefault(text, compile(text, "<page>", "eval"))
 
 
-# ------------------------------------------------------------------------------------------------ comparisons
+# ------------------------------------------------------------------------------------------------
+# comparisons
 
 
 def sets(model: Any, page: Drawn, rng: np.random.Generator) -> list[dict[str, float]]:
@@ -347,7 +357,8 @@ def accelerated(
             scale = 1 + np.abs(want).max()
             if not np.abs(got - want).max() <= ACCELERATION * scale:
                 wrong.append(
-                    f"accelerations at {q.tolist()}, {v.tolist()}: {got.tolist()}, not {want.tolist()}"
+                    f"accelerations at {q.tolist()}, {v.tolist()}: {got.tolist()}, not "
+                    f"{want.tolist()}"
                 )
     return wrong
 
@@ -393,7 +404,8 @@ def _off(
     away = max(abs(a - b) / max(1, abs(a)) for a, b in zip(q, start, strict=True))
     if not away <= error * (1 + mp.mpf(10) ** -6) + mp.mpf(10) ** -16:
         return [
-            f"{state.tolist()} is {mp.nstr(away, 3)} from a state of the reference, its error is {error:.2g}"
+            f"{state.tolist()} is {mp.nstr(away, 3)} from a state of the reference, its error "
+            f"is {error:.2g}"
         ]
     wrong = []
     gap = exact.gap(q)
@@ -403,7 +415,8 @@ def _off(
         and ((gap > EDGE) if contact else (gap < -EDGE))
     ):
         wrong.append(
-            f"{state.tolist()}, {'contact' if contact else 'lift-off'}: its gap is {mp.nstr(gap, 5)}"
+            f"{state.tolist()}, {'contact' if contact else 'lift-off'}: its gap is "
+            f"{mp.nstr(gap, 5)}"
         )
     roots = exact.eigenvalues(q, touching)
     want, size = float(max(map(mp.re, roots))), float(max(map(abs, roots)))
@@ -471,7 +484,8 @@ def onsets(
             ).all()
             if found.decided and inside and not ((at >= one) & (at <= two)).any():
                 wrong.append(
-                    f"missed: a pair crosses the axis between {vary} = {one!r} and {two!r}, near {q.tolist()}"
+                    f"missed: a pair crosses the axis between {vary} = {one!r} and {two!r}, "
+                    f"near {q.tolist()}"
                 )
     return wrong, {
         "count": len(at),
@@ -484,7 +498,9 @@ def onsets(
 def _map_of_eigenvalues(
     model: Any, page: Drawn, values: dict[str, float], vary: str, along: Any
 ) -> list[list[tuple[float, Any, int | None]]]:
-    """States that are followed: the value, the place, and how many eigenvalues grow; None where that is not clear."""
+    """States that are followed: the value, the place, and how many eigenvalues grow; None where
+    that is not clear.
+    """
     first = ss.equilibria(model.Parameters(**{**values, vary: float(along[0])}))
     starts = np.array([first.coordinates[name] for name in model.coordinates], dtype=float)[
         :, : int(first.count)
@@ -598,12 +614,14 @@ def _missed(
         if not inside and not getattr(found, "whole", True):
             continue
         wrong.append(
-            f"missed {'in contact' if contact else 'in lift-off'}: {turned.tolist()} (complete {found.complete})"
+            f"missed {'in contact' if contact else 'in lift-off'}: {turned.tolist()} "
+            f"(complete {found.complete})"
         )
     return wrong[:3]
 
 
-# ------------------------------------------------------------------------------------------------ pages
+# ------------------------------------------------------------------------------------------------
+# pages
 
 
 def judged(seed: int, number: int) -> dict[str, Any]:

@@ -1,7 +1,9 @@
-"""Pages at random, from everything that the vocabulary allows, each as text and as what its statements are made of.
+"""Pages at random, from everything that the vocabulary allows, each as text and as what its
+statements are made of.
 
-The parts are kept as text, and :mod:`validation.page_mechanics` evaluates them as numbers: nothing of ``derive/`` is used.
-Units become 1, so that the dimensionless values of the parameters are what the quantities are.
+The parts are kept as text, and :mod:`validation.page_mechanics` evaluates them as numbers: nothing
+of ``derive/`` is used. Units become 1, so that the dimensionless values of the parameters are what
+the quantities are.
 """
 
 from dataclasses import dataclass, field
@@ -65,7 +67,8 @@ class Drawn:
         """The page."""
         lines = [
             '"""A page at random, which has no drawing."""',
-            "from spragsym.derive.model import Abs, Page, atan, cos, exp, log, pi, sgn, sin, sqrt, tanh",
+            "from spragsym.derive.model import Abs, Page, atan, cos, exp, log, pi, sgn, sin, "
+            "sqrt, tanh",
             'page = Page("A page at random.")',
             'm = page.unit("m", "kg", "mass")',
             'k_c = page.unit("k_c", "N/m", "stiffness")',
@@ -146,7 +149,8 @@ class _Writer:
             self.page.parameters.append((name, unit, domain, base))
         return name
 
-    # ------------------------------------------------------------------------------------------------ displacements
+    # ---------------------------------------------------------------------------------------------
+    # displacements
 
     def simple(self) -> str:
         """A coordinate, as a length."""
@@ -194,7 +198,8 @@ class _Writer:
             case _:
                 return self.pick("-L_0", "L_0/2"), self.pick("L_0", "3*L_0/2")
 
-    # ------------------------------------------------------------------------------------------------ statements
+    # ---------------------------------------------------------------------------------------------
+    # statements
 
     def write(self) -> Drawn:
         rng, page = self.rng, self.page
@@ -411,7 +416,8 @@ class _Writer:
                 f"{mu} * {low}",
             ),
             (
-                f"{mu} * ({low} + (1 - {low}) * exp(-{fall} * Abs(v))) * (1 - exp(-{d} * Abs(v))) * sgn(v)",
+                f"{mu} * ({low} + (1 - {low}) * exp(-{fall} * Abs(v))) * (1 - exp(-{d} * "
+                "Abs(v))) * sgn(v)",
                 f"{mu} * {low}",
             ),
             (f"{mu} * {d} * v / (1 + {d} * Abs(v))", mu),
@@ -421,7 +427,9 @@ class _Writer:
 
 
 def draw(seed: int, number: int) -> Drawn:
-    """The page of a number: the same wherever it is drawn. Parameters that no statement uses are left out."""
+    """The page of a number: the same wherever it is drawn. Parameters that no statement uses are
+    left out.
+    """
     page = _Writer(np.random.default_rng([seed, number])).write()
     import re
 

@@ -1,7 +1,8 @@
 """Proofs of cycles at 10, 25, 60 and 200 digits, and claims of cycles that are none.
 
-Decimals, as rational intervals, hold the ball that was proved and meet those of all other numbers of digits. It guards the claim
-that no cycle is proved that is none, for as long as a proof may take.
+Decimals, as rational intervals, hold the ball that was proved and meet those of all other numbers
+of digits. It guards the claim that no cycle is proved that is none, for as long as a proof may
+take.
 """
 
 from collections.abc import Callable
@@ -79,7 +80,9 @@ CASES = len(ASKED)
 
 
 def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
-    """A claim that must be refused, or the proofs of a cycle, whose decimals hold what is proved and meet each other."""
+    """A claim that must be refused, or the proofs of a cycle, whose decimals hold what is proved
+    and meet each other.
+    """
     kind, name = ASKED[number]
     if kind == "no cycle":
         found = proofs._run(NONE[name](proofs.claim_of(base(), 25)), PATIENCE)

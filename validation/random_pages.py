@@ -1,7 +1,9 @@
-"""Pages at random, from all of the vocabulary, against mechanics assembled from their energies in numbers.
+"""Pages at random, from all of the vocabulary, against mechanics assembled from their energies in
+numbers.
 
-Of each page accelerations, states with their gaps, growth and onsets of flutter are compared; see page_mechanics.py.
-Last found: an onset that hid behind a pair that is never damped (ef46ff1f), and a coordinate called s (64079ff1).
+Of each page accelerations, states with their gaps, growth and onsets of flutter are compared; see
+page_mechanics.py. Last found: an onset that hid behind a pair that is never damped (ef46ff1f), and
+a coordinate called s (64079ff1).
 """
 
 from typing import Any

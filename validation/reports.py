@@ -1,6 +1,8 @@
-"""Reports of random brakes: all pairs of their statements for contradictions, and every change against corners and samples.
+"""Reports of random brakes: all pairs of their statements for contradictions, and every change
+against corners and samples.
 
-It guards the claim that no two statements of a report contradict each other, beyond the brakes that tests ask for.
+It guards the claim that no two statements of a report contradict each other, beyond the brakes that
+tests ask for.
 """
 
 import itertools
@@ -199,11 +201,14 @@ def contradictions(text: str) -> list[str]:
     return found
 
 
-# ------------------------------------------------------------------------------------------------------------ brakes
+# ------------------------------------------------------------------------------------------------
+# brakes
 
 
 def brake(seed: int, i: int) -> ss.Study:
-    """A random brake: stiff or soft, steep or flat, fast, slow or without a belt, with tolerances of any kind or none."""
+    """A random brake: stiff or soft, steep or flat, fast, slow or without a belt, with tolerances
+    of any kind or none.
+    """
     rng = np.random.default_rng([seed, i])
     k_c, L_0 = 10 ** rng.uniform(5, 7), 10 ** rng.uniform(-2, -0.7)
     values: dict[str, Any] = {
@@ -240,7 +245,9 @@ def brake(seed: int, i: int) -> ss.Study:
 
 
 def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
-    """One report, which is asked for an oscillation now and then; or, of every sixth brake, its changes."""
+    """One report, which is asked for an oscillation now and then; or, of every sixth brake, its
+    changes.
+    """
     if number % 6 == 5:
         return changed(number, rng)
     text = (
@@ -254,7 +261,9 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
 
 
 def changed(number: int, rng: np.random.Generator) -> dict[str, Any]:
-    """The changes of one brake: how many within their tolerances jump, of all corners and samples."""
+    """The changes of one brake: how many within their tolerances jump, of all corners and
+    samples.
+    """
     study = brake(1, number)
     names = ["k", "k_x", "k_c", "F_L", "L_0"]
     off = {

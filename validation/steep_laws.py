@@ -1,6 +1,8 @@
-"""Periods of cycles that stick, three laws with d from 10 to 3,000, against maxima of SciPy's Radau on the equation by hand.
+"""Periods of cycles that stick, three laws with d from 10 to 3,000, against maxima of SciPy's Radau
+on the equation by hand.
 
-Last found: under tanh(d v) a step passed the layer, and the period was wrong by 1e-4 with an error of 1e-15 (issue 55).
+Last found: under tanh(d v) a step passed the layer, and the period was wrong by 1e-4 with an error
+of 1e-15 (issue 55).
 """
 
 import math
@@ -59,7 +61,9 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
 def return_time(
     law: str, values: Mapping[str, float], state: Any, near: float, rtol: float
 ) -> float:
-    """The time nearest to ``near`` between two maxima of x, over a little more than three such times."""
+    """The time nearest to ``near`` between two maxima of x, over a little more than three such
+    times.
+    """
     mu_s, delta, zeta, V, d = (values[name] for name in ("mu_s", "delta", "zeta", "V", "d"))
 
     def friction(v: float) -> tuple[float, float]:

@@ -1,4 +1,5 @@
-"""Sweeps under attack: journals and result files damaged, disks filled, workers and their parents killed.
+"""Sweeps under attack: journals and result files damaged, disks filled, workers and their parents
+killed.
 
 It guards the claim that no kill, full disk or damaged byte makes a wrong number.
 """

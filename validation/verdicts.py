@@ -1,18 +1,22 @@
 """Verdicts on motions against a driver that knows nothing of the library's.
 
-A hundred motions at random, and from number 100 on those from rest where irregular ones are common, at a steep friction law and a
-slow belt (even numbers), and transients at the base values (odd ones), judged by ``ss.fate``. Each verdict is held against SciPy's
-DOP853 with its own events, on equations written by hand, begun where the library's motion ended:
+A hundred motions at random, and from number 100 on those from rest where irregular ones are common,
+at a steep friction law and a slow belt (even numbers), and transients at the base values (odd
+ones), judged by ``ss.fate``. Each verdict is held against SciPy's DOP853 with its own events, on
+equations written by hand, begun where the library's motion ended:
 
-- rest: 3000 time units later the motion comes no farther from the equilibrium than before, or stays within 1e-6 of it;
-- cycle: once round from its state leads back to it within 1e-6, and the multipliers by differences of this driver, all but the
-  one nearest to 1, are in the unit circle, as far as they are known, to 1e-3;
-- chaos: two motions 1e-8 apart part at a rate that agrees with the largest exponent within a factor of two, over twelve stretches;
+- rest: 3000 time units later the motion comes no farther from the equilibrium than before, or stays
+  within 1e-6 of it;
+- cycle: once round from its state leads back to it within 1e-6, and the multipliers by differences
+  of this driver, all but the one nearest to 1, are in the unit circle, as far as they are known, to
+  1e-3;
+- chaos: two motions 1e-8 apart part at a rate that agrees with the largest exponent within a factor
+  of two, over twelve stretches;
 - lift-off: there is no crossing of y = 0.
 
-Errors of exponents are held against those of multipliers, where a motion has wound onto a cycle: the share of 95 % intervals that
-hold is counted.
-It guards the claim of docs/oscillation.md that another driver confirms every verdict.
+Errors of exponents are held against those of multipliers, where a motion has wound onto a cycle:
+the share of 95 % intervals that hold is counted. It guards the claim of docs/oscillation.md that
+another driver confirms every verdict.
 """
 
 import math

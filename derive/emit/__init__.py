@@ -1,1 +1,3 @@
-"""From derived expressions to committed code: what is generated, in which form, and how it is written."""
+"""From derived expressions to committed code: what is generated, in which form, and how it is
+written.
+"""

@@ -1,4 +1,6 @@
-"""Generated functions as their Python text has them, which is what every other language is printed from; without SymPy."""
+"""Generated functions as their Python text has them, which is what every other language is printed
+from; without SymPy.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,8 @@ from typing import Any
 
 #: Functions that generated algebra calls, by what follows ``xp.``; ``abs`` is a built-in one.
 NAMES = ("sqrt", "pi", "exp", "log", "tanh", "atan", "cos", "sin", "atan2", "abs", "sign")
-#: Symbols with the name of a function that languages have, and what stands for them where the two would be confused.
+#: Symbols with the name of a function that languages have, and what stands for them where the two
+#: would be confused.
 SPELLED = {"cos": "cos_theta", "sin": "sin_theta"}
 
 #: Nested results: the text of an expression, or a tuple of such.
@@ -140,7 +143,9 @@ def _results(text: str, node: ast.expr) -> Results:
 
 
 def _plain(text: str, node: ast.expr) -> str:
-    """An expression on one line, fractions as divisions of whole numbers: a 1 of the arguments' type is for Python only."""
+    """An expression on one line, fractions as divisions of whole numbers: a 1 of the arguments'
+    type is for Python only.
+    """
     one_line = " ".join((ast.get_source_segment(text, node) or "").split())
     one_line = re.sub(r"\(?(-?\d+)\*_one/(\d+)\)?", r"(\1/\2)", one_line)
     return re.sub(

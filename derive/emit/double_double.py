@@ -1,15 +1,18 @@
-"""Double-double arithmetic, written once for every target language: a number as the exact sum of two doubles.
+"""Double-double arithmetic, written once for every target language: a number as the exact sum of
+two doubles.
 
 :mod:`.language` reads the functions below and each target prints them, as it does a kernel.
 
-Additions, products and quotients of doubles are each rounded once to nearest, and none is fused with another: the results have
-the same bits on every machine. Where nothing overflows or underflows, ``two_sum``, ``fast_two_sum`` and ``two_product`` are exact,
-and relative errors are at most, in units of 2^-106 and but for terms of 2^-159: 3 for ``dd_add``, 7 for ``dd_multiply``, 2 for
+Additions, products and quotients of doubles are each rounded once to nearest, and none is fused
+with another: the results have the same bits on every machine. Where nothing overflows or
+underflows, ``two_sum``, ``fast_two_sum`` and ``two_product`` are exact, and relative errors are at
+most, in units of 2^-106 and but for terms of 2^-159: 3 for ``dd_add``, 7 for ``dd_multiply``, 2 for
 either with one double, 15 for ``dd_divide``. A number is at most 2^996, so that it can be split.
 
-Sources: M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building blocks of double-word arithmetic,
-ACM Trans. Math. Softw. 44 (2017) 15res: algorithms 4, 6, 7, 10 and 17; T. J. Dekker, A floating-point technique for extending the
-available precision, Numer. Math. 18 (1971) 224, for the exact product.
+Sources: M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building
+blocks of double-word arithmetic, ACM Trans. Math. Softw. 44 (2017) 15res: algorithms 4, 6, 7, 10
+and 17; T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math.
+18 (1971) 224, for the exact product.
 """
 
 from typing import NamedTuple
@@ -36,7 +39,8 @@ class SplitDirection(NamedTuple):
     sine_low: Real
 
 
-# ----------------------------------------------------------------------------------------------- exact transformations
+# -----------------------------------------------------------------------------------------------
+# exact transformations
 
 
 def paired(high: Real, low: Real) -> Wide:
@@ -70,7 +74,8 @@ def two_product(a: Real, b: Real) -> Wide:
     return Wide(p, ((high_a * high_b - p) + high_a * low_b + low_a * high_b) + low_a * low_b)
 
 
-# ---------------------------------------------------------------------------------------------------------- arithmetic
+# ------------------------------------------------------------------------------------------------
+# arithmetic
 
 
 def dd_negative(x: Wide) -> Wide:
@@ -94,7 +99,9 @@ def dd_scaled(x: Wide, power: Real) -> Wide:
 
 
 def dd_less(x: Wide, y: Wide) -> Flag:
-    """Whether x < y, by the sign of the difference: low parts decide only where high ones are the same or next to each other."""
+    """Whether x < y, by the sign of the difference: low parts decide only where high ones are the
+    same or next to each other.
+    """
     return (x.high - y.high) + (x.low - y.low) < 0.0
 
 
@@ -157,14 +164,15 @@ def dd_sqrt(x: Wide) -> Wide:
     return fast_two_sum(root, where(root > 0.0, rest / (2.0 * root), 0.0))
 
 
-# --------------------------------------------------------------------------------------------------- cosine and sine
+# ------------------------------------------------------------------------------------------------
+# cosine and sine
 
 
 def dd_cosine_and_sine(x: Real) -> SplitDirection:
     """cos x and sin x of a double 0 < x < π, within 2^-101 of themselves.
 
-    x = k π/2 + r with |r| ≤ π/4 by π/2 in three parts, of which the first leaves nothing to round; then Taylor's series, whose
-    terms from the tenth on need a double only.
+    x = k π/2 + r with |r| ≤ π/4 by π/2 in three parts, of which the first leaves nothing to round;
+    then Taylor's series, whose terms from the tenth on need a double only.
     """
     k = where(x > 0.7853981633974483, 1.0, 0.0) + where(x > 2.356194490192345, 1.0, 0.0)
     near = x - k * 1.5707963267948966

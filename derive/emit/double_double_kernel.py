@@ -1,8 +1,10 @@
-"""A kernel a second time, on double-double numbers: operators become calls of the arithmetic in ``double_double.py``.
+"""A kernel a second time, on double-double numbers: operators become calls of the arithmetic in
+``double_double.py``.
 
-What comes out is text in the kernel's own language, which targets print as they print the kernel. A statement is rewritten by the
-kinds of what it computes with: doubles stay doubles, and what a double-double enters becomes one. Functions that are given doubles
-only are those of the plain kernel.
+What comes out is text in the kernel's own language, which targets print as they print the kernel. A
+statement is rewritten by the kinds of what it computes with: doubles stay doubles, and what a
+double-double enters becomes one. Functions that are given doubles only are those of the plain
+kernel.
 """
 
 import ast
@@ -34,10 +36,11 @@ def widened(
     algebra: Mapping[str, Definition],
     called: Iterable[tuple[str, tuple[str, ...]]],
 ) -> Source:
-    """The functions that ``called`` names with the kinds of their arguments, and all that they need.
+    """The functions that ``called`` names with the kinds of their arguments, and all that they
+    need.
 
-    Where one of these kinds is a record of the kernel, its version on double-doubles is meant; a function that is named earlier
-    returns it.
+    Where one of these kinds is a record of the kernel, its version on double-doubles is meant; a
+    function that is named earlier returns it.
     """
     program = _Program(kernel, arithmetic, algebra)
     for name, kinds in called:
@@ -47,7 +50,9 @@ def widened(
 
 @dataclass
 class _Program:
-    """What has been written so far: functions and records of double-doubles, each after those that it needs."""
+    """What has been written so far: functions and records of double-doubles, each after those that
+    it needs.
+    """
 
     kernel: Source
     arithmetic: Source
@@ -113,7 +118,9 @@ class _Program:
     def write(
         self, name: str, summary: str, given: dict[str, str], body: Sequence[ast.stmt]
     ) -> None:
-        """Write a function of double-doubles; what explains its statements stands in the plain one."""
+        """Write a function of double-doubles; what explains its statements stands in the plain
+        one.
+        """
         writer = _Writer(self, dict(given))
         written = "\n".join(
             ast.unparse(ast.fix_missing_locations(writer.statement(statement)))
@@ -196,7 +203,9 @@ class _Writer:
         return _call("dd_negative", value) if kind == WIDE else ast.UnaryOp(ast.USub(), value)
 
     def leading(self, value: ast.expr) -> ast.expr:
-        """The leading double, by a call: not every language lets one take a field of a call's result."""
+        """The leading double, by a call: not every language lets one take a field of a call's
+        result.
+        """
         named = isinstance(value, ast.Name | ast.Attribute)
         return ast.Attribute(value, "high", ast.Load()) if named else _call("dd_leading", value)
 

@@ -1,4 +1,5 @@
-"""Functions of an angle in double precision, with the same bits on every machine, which those of the languages' libraries don't have.
+"""Functions of an angle in double precision, with the same bits on every machine, which those of
+the languages' libraries don't have.
 
 In the small language of :mod:`.language`, emitted with a kernel that needs them.
 """
@@ -16,10 +17,11 @@ class Direction(NamedTuple):
 
 
 def cosine_and_sine(x: Real) -> Direction:
-    """cos x and sin x for 0 < x < π in double precision, within one unit in the last place, which not every library's are.
+    """cos x and sin x for 0 < x < π in double precision, within one unit in the last place, which
+    not every library's are.
 
-    x = k π/2 + (r + tail) with r at most π/4, by π/2 in two parts, of which the first leaves nothing to round; then the
-    polynomials of fdlibm's k_sin.c and k_cos.c.
+    x = k π/2 + (r + tail) with r at most π/4, by π/2 in two parts, of which the first leaves
+    nothing to round; then the polynomials of fdlibm's k_sin.c and k_cos.c.
     """
     k = where(x > 0.7853981633974483, 1.0, 0.0) + where(x > 2.356194490192345, 1.0, 0.0)
     near = x - k * 1.5707963267948966
@@ -49,8 +51,8 @@ def cosine_and_sine(x: Real) -> Direction:
 def arctangent(t: Real) -> Real:
     """atan t in double precision, within one unit in the last place.
 
-    By atan t = atan c + atan((t − c)/(1 + c t)) with c one of 0, 1/2, 1, 3/2 and infinity, whose arc tangents stand in two
-    parts; then the polynomial of fdlibm's s_atan.c.
+    By atan t = atan c + atan((t − c)/(1 + c t)) with c one of 0, 1/2, 1, 3/2 and infinity, whose
+    arc tangents stand in two parts; then the polynomial of fdlibm's s_atan.c.
     """
     size = absolute(t)
     first = size < 0.4375

@@ -1,4 +1,6 @@
-"""Expressions of the kernel's language in a target's syntax, with brackets where its operators need them."""
+"""Expressions of the kernel's language in a target's syntax, with brackets where its operators need
+them.
+"""
 
 import ast
 import re
@@ -49,7 +51,9 @@ class Expressions:
     syntax: Syntax
 
     def print(self, node: ast.expr, least: int = _CHOICE) -> str:
-        """The text of an expression, in brackets where it binds more weakly than what stands around it."""
+        """The text of an expression, in brackets where it binds more weakly than what stands around
+        it.
+        """
         text, strength = self._expression(node)
         return f"({text})" if strength < least else text
 
@@ -74,14 +78,16 @@ class Expressions:
             case ast.Compare(left=left, ops=[op], comparators=[right]):
                 sign = _COMPARISONS[type(op)]
                 return (
-                    f"{self.print(left, SUM)} {self.syntax.signs.get(sign, sign)} {self.print(right, SUM)}",
+                    f"{self.print(left, SUM)} {self.syntax.signs.get(sign, sign)} "
+                    f"{self.print(right, SUM)}",
                     _COMPARE,
                 )
             case ast.Call(func=ast.Name(id="where"), args=[condition, yes, no]) if (
                 self.syntax.ternary
             ):
                 return (
-                    f"{self.print(condition, _COMPARE)} ? {self.print(yes, _OR)} : {self.print(no, _OR)}",
+                    f"{self.print(condition, _COMPARE)} ? {self.print(yes, _OR)} : "
+                    f"{self.print(no, _OR)}",
                     _CHOICE,
                 )
             case ast.Call(func=ast.Name(id=name), args=[argument]) if hands_back(
@@ -105,19 +111,23 @@ class Expressions:
     def _binary(self, left: ast.expr, op: ast.operator, right: ast.expr) -> tuple[str, int]:
         strength = _STRENGTH[type(op)]
         if isinstance(op, ast.BitAnd | ast.BitOr):
-            # Brackets on both sides, except in a chain of the same sign: no reader needs to know which binds more strongly.
+            # Brackets on both sides, except in a chain of the same sign: no reader needs to know
+            # which binds more strongly.
             chained = isinstance(left, ast.BinOp) and type(left.op) is type(op)
             sides = self.print(left, strength if chained else _ATOM), self.print(right, _ATOM)
             return f"{sides[0]} {self.syntax.logic[type(op)]} {sides[1]}", strength
         sign = _ARITHMETIC[type(op)]
         return (
-            f"{self.print(left, strength)} {self.syntax.signs.get(sign, sign)} {self.print(right, strength + 1)}",
+            f"{self.print(left, strength)} {self.syntax.signs.get(sign, sign)} "
+            f"{self.print(right, strength + 1)}",
             strength,
         )
 
 
 def hands_back(routine: Routine | None) -> bool:
-    """Whether a routine returns its argument unchanged, as ``rough`` does for doubles: a call is then printed as its argument."""
+    """Whether a routine returns its argument unchanged, as ``rough`` does for doubles: a call is
+    then printed as its argument.
+    """
     match routine:
         case Routine(arguments=((argument, _),), body=(ast.Return(value=ast.Name(id=returned)),)):
             return argument == returned
@@ -125,7 +135,9 @@ def hands_back(routine: Routine | None) -> bool:
 
 
 def printed(source: Source, asked: Iterable[str]) -> list[Routine]:
-    """The routines that are printed: those that are asked for, and all that they call, but for those that return their argument."""
+    """The routines that are printed: those that are asked for, and all that they call, but for
+    those that return their argument.
+    """
     needed: set[str] = set()
     further = [source.routines[name] for name in asked]
     while further:

@@ -13,7 +13,9 @@ Results = sp.Expr | tuple["Results", ...]
 
 @dataclass(frozen=True)
 class Function:
-    """One generated function: ``results`` in ``arguments`` and in ``shorthands``, each of these in arguments and earlier shorthands."""
+    """One generated function: ``results`` in ``arguments`` and in ``shorthands``, each of these in
+    arguments and earlier shorthands.
+    """
 
     name: str
     summary: str
@@ -22,7 +24,8 @@ class Function:
     results: Results
     returns: str
     shorthands: Names = field(default_factory=dict)
-    #: Arguments that the published model does not have and a changed assumption brings in: they come last and default to 0.
+    #: Arguments that the published model does not have and a changed assumption brings in: they
+    #: come last and default to 0.
     further: Symbols = ()
 
     @property

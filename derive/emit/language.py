@@ -1,7 +1,8 @@
 """The small language that kernels are written in: its primitives, and how a target reads it.
 
-A function is a docstring, statements and a return. Statements assign a name, unpack the results of generated algebra into names,
-or repeat statements a fixed number of times. Everything has one of three kinds: a real number, a flag, or a record.
+A function is a docstring, statements and a return. Statements assign a name, unpack the results of
+generated algebra into names, or repeat statements a fixed number of times. Everything has one of
+three kinds: a real number, a flag, or a record.
 """
 
 import ast
@@ -26,7 +27,8 @@ def _primitive(name: str) -> Callable[..., Any]:
     return unbound
 
 
-#: What every target provides: ``where`` computes both sides of a choice; the others are functions of one or two reals.
+#: What every target provides: ``where`` computes both sides of a choice; the others are functions
+#: of one or two reals.
 where, maximum, minimum, absolute, sqrt, cube_root = map(
     _primitive, ("where", "maximum", "minimum", "absolute", "sqrt", "cube_root")
 )
@@ -68,7 +70,9 @@ class Constant:
 
 @dataclass(frozen=True)
 class Source:
-    """The kernel as read: its parts, which a target prints, and its text, which the Python target copies."""
+    """The kernel as read: its parts, which a target prints, and its text, which the Python target
+    copies.
+    """
 
     text: str
     constants: tuple[Constant, ...]
@@ -95,7 +99,9 @@ class KernelError(ArithmeticError):
 
 
 def read(path: Path, *further: Path) -> Source:
-    """Parse the kernel in a file, or in several of which the first describes it; what they import of each other is left out."""
+    """Parse the kernel in a file, or in several of which the first describes it; what they import
+    of each other is left out.
+    """
     others = (definitions(it.read_text(encoding="utf-8")) for it in further)
     return parse("\n\n".join([path.read_text(encoding="utf-8"), *others]))
 
@@ -169,7 +175,8 @@ def _kind(annotation: ast.expr | None, node: ast.AST) -> str:
     return annotation.id
 
 
-# ------------------------------------------------------------------------------------------------------ kinds
+# ------------------------------------------------------------------------------------------------
+# kinds
 
 
 @dataclass(frozen=True)

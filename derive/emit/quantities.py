@@ -1,4 +1,6 @@
-"""What a symbol of generated code stands for: its name in print, meaning, unit and allowed values."""
+"""What a symbol of generated code stands for: its name in print, meaning, unit and allowed
+values.
+"""
 
 import math
 import re
@@ -43,7 +45,9 @@ class Quantity:
 
 
 def interval(domain: str) -> Interval:
-    """Read ``real``, ``> 0``, ``>= 0``, ``(0, pi)``, ``(-pi/2, pi/2)``, ``[-1, 1]``; a set of values, ``{0, 1}``, has the interval that it spans."""
+    """Read ``real``, ``> 0``, ``>= 0``, ``(0, pi)``, ``(-pi/2, pi/2)``, ``[-1, 1]``; a set of
+    values, ``{0, 1}``, has the interval that it spans.
+    """
     if domain == "real":
         return Interval()
     if bound := re.fullmatch(r"(>=?) (\S+)", domain):

@@ -1,4 +1,6 @@
-"""Functions of the kernel's language in a target's syntax: its kinds of statements, each printed as the target writes it."""
+"""Functions of the kernel's language in a target's syntax: its kinds of statements, each printed as
+the target writes it.
+"""
 
 import ast
 from collections import Counter
@@ -10,7 +12,9 @@ from .language import KernelError, Routine, Source, passes
 
 
 class Printer:
-    """Prints one routine; a target says below how each kind of statement is written, in lines that end with a newline."""
+    """Prints one routine; a target says below how each kind of statement is written, in lines that
+    end with a newline.
+    """
 
     step: ClassVar[str] = "  "  #: how much further the statements of a loop are indented
     begin: ClassVar[str]  #: of a loop, with ``{}`` for the number of passes
@@ -66,8 +70,9 @@ class Printer:
             dict(self.source.records[name].fields), map(self.expressions.print, values), strict=True
         )
 
-    #: What a target writes for a statement that may be too long for a line, for a comment, for an assignment, for results of generated
-    #: algebra that are given names, and for what is returned: a record or several results.
+    #: What a target writes for a statement that may be too long for a line, for a comment, for an
+    #: assignment, for results of generated algebra that are given names, and for what is returned:
+    #: a record or several results.
     line: Callable[[str, str], str]
     comment: Callable[[str, str], str]
     assignment: Callable[[str, ast.expr, str], str]
@@ -77,7 +82,9 @@ class Printer:
 
 
 def assigned(node: ast.stmt) -> Iterator[str]:
-    """Names that a statement assigns; those assigned in a loop are listed twice, since they change."""
+    """Names that a statement assigns; those assigned in a loop are listed twice, since they
+    change.
+    """
     match node:
         case ast.Assign(targets=[target]):
             yield from places(target)

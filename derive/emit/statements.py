@@ -1,4 +1,6 @@
-"""From a function's algebra to straight-line code: shorthands in order, powers as products, shared subexpressions once."""
+"""From a function's algebra to straight-line code: shorthands in order, powers as products, shared
+subexpressions once.
+"""
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
@@ -22,7 +24,9 @@ class Body:
 
     @cached_property
     def negated(self) -> Mapping[sp.Symbol, sp.Expr]:
-        """Names for minus another, which turn a sign where they stand; not those of which a power is taken."""
+        """Names for minus another, which turn a sign where they stand; not those of which a power
+        is taken.
+        """
         wholes = (*dict(self.assignments).values(), *flat(self.results))
         bases = {power.base for whole in wholes for power in whole.atoms(sp.Pow)}
         return {
@@ -39,7 +43,9 @@ class Body:
 
     @cached_property
     def inlined(self) -> Mapping[sp.Symbol, sp.Expr]:
-        """What needs no statement of its own: a power used in one place, printed there, a second name, a name for minus another."""
+        """What needs no statement of its own: a power used in one place, printed there, a second
+        name, a name for minus another.
+        """
         used = Counter(part for whole in self._computed for part in sp.preorder_traversal(whole))
         kept = {
             symbol: value
@@ -83,7 +89,8 @@ def straight_line(function: Function) -> Body:
     available.update(zip(definitions, reduced[count : count + extra], strict=True))
     available.update(again.definitions)
     outputs = reduced[count + extra :]
-    # What sharing has named has two names if it is the base of a power, too, and its powers are named after the wrong one.
+    # What sharing has named has two names if it is the base of a power, too, and its powers are
+    # named after the wrong one.
     second = {
         symbol: available.pop(symbol) for symbol in definitions if available[symbol].is_Symbol
     }
@@ -128,10 +135,12 @@ def _needed(leaves: Row, function: Function) -> list[tuple[sp.Symbol, sp.Expr]]:
 
 
 class _Powers:
-    """Replaces integer powers by named products of smaller powers, each computed once, so that a number type needs no powers.
+    """Replaces integer powers by named products of smaller powers, each computed once, so that a
+    number type needs no powers.
 
-    Squares are replaced too: some interval libraries cannot square a ball around zero. Other powers become products of a
-    root. A name that the function itself uses, as ``sigma_2`` may be, is given to no power.
+    Squares are replaced too: some interval libraries cannot square a ball around zero. Other powers
+    become products of a root. A name that the function itself uses, as ``sigma_2`` may be, is given
+    to no power.
     """
 
     def __init__(self, taken: set[str]) -> None:
@@ -181,7 +190,8 @@ class _Powers:
             return base
         if not base.is_Symbol:
             base = self._once("base", base)
-        # Always with the same assumptions: SymPy takes symbols of one name and different assumptions for different symbols.
+        # Always with the same assumptions: SymPy takes symbols of one name and different
+        # assumptions for different symbols.
         symbol = sp.Symbol(self.free(f"{base}_{exponent}"), real=True)
         if symbol not in self.definitions:
             low, high = exponent // 2, exponent - exponent // 2
@@ -191,7 +201,9 @@ class _Powers:
 
 
 def _place(root: sp.Expr, available: Names, ordered: Names) -> None:
-    """Put what an expression needs in its order, and the value of a symbol after what that needs."""
+    """Put what an expression needs in its order, and the value of a symbol after what that
+    needs.
+    """
     if root.is_Symbol and (root in ordered or root not in available):
         return
     whole = available[root] if root.is_Symbol else root

@@ -1,4 +1,6 @@
-"""Writes the files of a folder: all of them to the disk first, then each into its place; what others wrote there stays."""
+"""Writes the files of a folder: all of them to the disk first, then each into its place; what
+others wrote there stays.
+"""
 
 import hashlib
 import json
@@ -24,7 +26,9 @@ def header() -> str:
 
 
 def sealed(files: dict[str, str]) -> dict[str, str]:
-    """The files with the SHA-256 over all their names and texts in place of :data:`DIGEST`: it changes with what is emitted only."""
+    """The files with the SHA-256 over all their names and texts in place of :data:`DIGEST`: it
+    changes with what is emitted only.
+    """
     whole = "".join(f"{name}\0{text}\0" for name, text in sorted(files.items()))
     digest = hashlib.sha256(whole.encode()).hexdigest()
     return {
@@ -34,7 +38,9 @@ def sealed(files: dict[str, str]) -> dict[str, str]:
 
 
 def as_json(value: Any) -> str:
-    """JSON text, with whatever fits on a line on one line; an object in a list begins and ends on its lines."""
+    """JSON text, with whatever fits on a line on one line; an object in a list begins and ends on
+    its lines.
+    """
     return f"{_json(value, 0)}\n"
 
 
@@ -72,10 +78,11 @@ def _lines(entries: list[str], indent: int) -> list[str]:
 
 
 def write(files: dict[str, str], target: Path, mark: str = "files.json") -> None:
-    """Put files into a folder: those that ``mark`` says were written before are replaced, or removed if they are no more.
+    """Put files into a folder: those that ``mark`` says were written before are replaced, or
+    removed if they are no more.
 
-    Whatever else is there stays; a file that is there and was not written before is an error, and so is a folder that holds others and
-    no ``mark``, whose own file is the last to take its place.
+    Whatever else is there stays; a file that is there and was not written before is an error, and
+    so is a folder that holds others and no ``mark``, whose own file is the last to take its place.
     """
     target = target.resolve()
     if target.exists() and not target.is_dir():
@@ -91,7 +98,8 @@ def write(files: dict[str, str], target: Path, mark: str = "files.json") -> None
     )
     if foreign:
         raise FileExistsError(
-            f"{', '.join(str(target / name) for name in foreign)}: written by something else; move it, or name another folder"
+            f"{', '.join(str(target / name) for name in foreign)}: written by something else; "
+            "move it, or name another folder"
         )
     target.mkdir(parents=True, exist_ok=True)
     _remove_left(target)
@@ -114,7 +122,9 @@ def write(files: dict[str, str], target: Path, mark: str = "files.json") -> None
 
 
 def _exchange(names: list[str], gone: list[str], fresh: Path, target: Path) -> None:
-    """Put files into their places, and remove those that are no more; all of them, or after an error none."""
+    """Put files into their places, and remove those that are no more; all of them, or after an
+    error none.
+    """
     old = Path(tempfile.mkdtemp(dir=fresh))
     kept = [name for name in (*names, *gone) if (target / name).is_file()]
     for name in kept:
@@ -141,7 +151,8 @@ def _listed(mark: Path) -> set[str]:
         names = {str(name) for name in (content["files"] if isinstance(content, dict) else content)}
     except (ValueError, KeyError, TypeError) as error:
         raise FileExistsError(
-            f"{mark} is damaged ({error}), and so it is not known what was written; name another folder"
+            f"{mark} is damaged ({error}), and so it is not known what was written; name "
+            "another folder"
         ) from error
     return {
         name

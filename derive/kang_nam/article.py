@@ -1,13 +1,16 @@
-r"""What is printed: every numbered equation, appendix coefficient and definition of the article, mistakes included.
+r"""What is printed: every numbered equation, appendix coefficient and definition of the article,
+mistakes included.
 
-J. Kang and J. Nam, "Minimal Model for Sprag-Slip Oscillation as Catastrophe-Type Behavior", Applied Sciences 10 (2020)
-2748. Nothing here is derived or corrected; :mod:`derive.kang_nam.check` compares each entry with the
+J. Kang and J. Nam, "Minimal Model for Sprag-Slip Oscillation as Catastrophe-Type Behavior", Applied
+Sciences 10 (2020)
+2748. Nothing here is derived or corrected; :mod:`derive.kang_nam.check` compares each entry with
+      the
 derivation.
 
-``latex`` is the article's typesetting. ``expression`` is its transcription: for an equation, left side less right side;
-for several components, a tuple. Where the article writes a relation between objects that it defines elsewhere (D, b, the
-coefficients), the transcription is a function of those objects, so that each mistake is found where it stands and not
-wherever it is used.
+``latex`` is the article's typesetting. ``expression`` is its transcription: for an equation, left
+side less right side; for several components, a tuple. Where the article writes a relation between
+objects that it defines elsewhere (D, b, the coefficients), the transcription is a function of those
+objects, so that each mistake is found where it stands and not wherever it is used.
 """
 
 from collections.abc import Callable
@@ -131,7 +134,8 @@ EQUATIONS = (
     ),
     _equation(
         10,
-        r"\mu = \mu_o \left\{ 1 - \exp\left(-d\left|V - \dot{x}\right|\right) \right\} sgn(V - \dot{x})",
+        r"\mu = \mu_o \left\{ 1 - \exp\left(-d\left|V - \dot{x}\right|\right) \right\} sgn(V "
+        r"- \dot{x})",
         mu0 * (1 - sp.exp(-creep * sp.Abs(V - vx))) * sp.sign(V - vx),
     ),
     _equation(11, r"n = \frac{1}{2} \left(\left| y \right| - y \right)", (sp.Abs(y) - y) / 2),
@@ -147,12 +151,14 @@ EQUATIONS = (
     ),
     _equation(
         14,
-        r"\sigma(1-L)\cos\theta + \alpha(\cos\theta_o - L\cos\theta) + \mu_o(\sin\theta_o - L\sin\theta) = 0",
+        r"\sigma(1-L)\cos\theta + \alpha(\cos\theta_o - L\cos\theta) + \mu_o(\sin\theta_o - "
+        r"L\sin\theta) = 0",
         sigma * (1 - L) * c + alpha * (c0 - L * c) + mu0 * (s0 - L * s),
     ),
     _equation(
         15,
-        r"\sigma(1-L)\sin\theta + \beta(\sin\theta_o - L\sin\theta) + (\sin\theta_o - L\sin\theta) = -\kappa",
+        r"\sigma(1-L)\sin\theta + \beta(\sin\theta_o - L\sin\theta) + (\sin\theta_o - "
+        r"L\sin\theta) = -\kappa",
         sigma * (1 - L) * s + beta * (s0 - L * s) + (s0 - L * s) + kappa,
     ),
     _equation(
@@ -167,7 +173,8 @@ EQUATIONS = (
     ),
     _equation(
         18,
-        r"\mathbf{A} = \begin{bmatrix} -(\sigma + \alpha) & -\mu \\ 0 & -(\sigma + \beta + 1) \end{bmatrix}",
+        r"\mathbf{A} = \begin{bmatrix} -(\sigma + \alpha) & -\mu \\ 0 & -(\sigma + \beta + 1) "
+        r"\end{bmatrix}",
         (-(sigma + alpha), -mu, sp.S.Zero, -(sigma + beta + 1)),
     ),
     _equation(
@@ -179,7 +186,8 @@ EQUATIONS = (
     _equation(
         20,
         r"\left\{\begin{array}{c}\cos\theta\\\sin\theta\end{array}\right\}^{T}"
-        r"\left\{\begin{array}{c}\cos\theta\\\sin\theta\end{array}\right\} = 1 = \mathbf{b}^{T}\left(\mathbf{D}\mathbf{D}^{T}\right)^{-1}\mathbf{b}",
+        r"\left\{\begin{array}{c}\cos\theta\\\sin\theta\end{array}\right\} = 1 = "
+        r"\mathbf{b}^{T}\left(\mathbf{D}\mathbf{D}^{T}\right)^{-1}\mathbf{b}",
         _unit_norm,
     ),
     _equation(21, r"c_0 + c_1 L + c_2 L^2 + c_3 L^3 + c_4 L^4 = 0", _quartic),
@@ -191,14 +199,16 @@ EQUATIONS = (
     ),
     _equation(
         23,
-        r"\begin{cases} \cos\theta\\ \sin\theta \end{cases}^{T} \begin{cases} \cos\theta\\ \sin\theta \end{cases} "
+        r"\begin{cases} \cos\theta\\ \sin\theta \end{cases}^{T} \begin{cases} \cos\theta\\ "
+        r"\sin\theta \end{cases} "
         r"= 1 = \widetilde{\mathbf{b}}^{T} (\widetilde{\mathbf{D}}\widetilde{\mathbf{D}}^{T})^{-1} "
         r"\widetilde{\mathbf{b}}",
         _unit_norm,
     ),
     _equation(
         24,
-        r"\widetilde{\mathbf{D}} = \begin{bmatrix} \sigma(1-L) - L\alpha & 0\\ 0 & \sigma(1-L) - L\beta "
+        r"\widetilde{\mathbf{D}} = \begin{bmatrix} \sigma(1-L) - L\alpha & 0\\ 0 & "
+        r"\sigma(1-L) - L\beta "
         r"\end{bmatrix}",
         (sigma * (1 - L) - L * alpha, sp.S.Zero, sp.S.Zero, sigma * (1 - L) - L * beta),
     ),
@@ -214,12 +224,15 @@ EQUATIONS = (
     ),
     _equation(
         28,
-        r"\mathbf{K} = \begin{bmatrix} \frac{\partial F_x}{\partial x} & \frac{\partial F_x}{\partial y} \\ "
-        r"\frac{\partial F_y}{\partial x} & \frac{\partial F_y}{\partial y} \end{bmatrix}_{equilibriums} = "
+        r"\mathbf{K} = \begin{bmatrix} \frac{\partial F_x}{\partial x} & \frac{\partial "
+        r"F_x}{\partial y} \\ "
+        r"\frac{\partial F_y}{\partial x} & \frac{\partial F_y}{\partial y} "
+        r"\end{bmatrix}_{equilibriums} = "
         r"\begin{bmatrix} \sigma \left(1 - \frac{\sin^2 \theta_{eq}}{L_{eq}} \right) + \alpha & "
         r"\frac{\sigma}{L_{eq}} \sin \theta_{eq} \cos \theta_{eq} + \mu_0 \overline{n} \\ "
         r"\frac{\sigma}{L_{eq}} \sin \theta_{eq} \cos \theta_{eq} & "
-        r"\sigma \left(1 - \frac{\cos^2 \theta_{eq}}{L_{eq}} \right) + \beta + \overline{n} \end{bmatrix}",
+        r"\sigma \left(1 - \frac{\cos^2 \theta_{eq}}{L_{eq}} \right) + \beta + \overline{n} "
+        r"\end{bmatrix}",
         (
             sigma * (1 - s**2 / L) + alpha,
             sigma / L * s * c + mu0 * nbar,
@@ -247,7 +260,8 @@ APPENDIX = (
     ),
     _appendix(
         "A2",
-        r"c_{1} = 2b_{1}b_{2}\mu_{o}\sigma + (\sigma^{3} - b_{1}^{2}\sigma)(2 + 2\beta + 2\sigma) + "
+        r"c_{1} = 2b_{1}b_{2}\mu_{o}\sigma + (\sigma^{3} - b_{1}^{2}\sigma)(2 + 2\beta + "
+        r"2\sigma) + "
         r"(\sigma^{3} - b_{2}^{2}\sigma)(2\alpha + 2\sigma)",
         2 * b1 * b2 * mu0 * sigma
         + (sigma**3 - b1**2 * sigma) * (2 + 2 * beta + 2 * sigma)
@@ -256,7 +270,8 @@ APPENDIX = (
     _appendix(
         "A3",
         r"c_{2} = \mu_{0}^{2}\sigma^{2} - 2b_{1}b_{2}\mu_{0}(1+\beta+\sigma) + "
-        r"(b_{1}^{2}-\sigma^{2})(1+\beta+\sigma)^{2} - (2+2\beta+2\sigma)\sigma^{2}(2\alpha+2\sigma) + "
+        r"(b_{1}^{2}-\sigma^{2})(1+\beta+\sigma)^{2} - "
+        r"(2+2\beta+2\sigma)\sigma^{2}(2\alpha+2\sigma) + "
         r"(b_{2}^{2}-\sigma^{2})(\mu_{0}^{2}+(\alpha+\sigma)^{2})",
         mu0**2 * sigma**2
         - 2 * b1 * b2 * mu0 * (1 + beta + sigma)
@@ -266,7 +281,8 @@ APPENDIX = (
     ),
     _appendix(
         "A4",
-        r"c_{3} = -2\mu_{o}^{2}\sigma(1+\beta+\sigma) + \sigma(1+\beta+\sigma)^{2}(2\alpha+2\sigma) + "
+        r"c_{3} = -2\mu_{o}^{2}\sigma(1+\beta+\sigma) + "
+        r"\sigma(1+\beta+\sigma)^{2}(2\alpha+2\sigma) + "
         r"\sigma(2+2\beta+2\sigma)(\mu_{o}^{2}+(\alpha+\sigma)^{2})",
         -2 * mu0**2 * sigma * (1 + beta + sigma)
         + sigma * (1 + beta + sigma) ** 2 * (2 * alpha + 2 * sigma)
@@ -286,7 +302,8 @@ APPENDIX = (
     ),
     _appendix(
         "A7",
-        r"d_2 = \left(b_4^2 - \sigma^2\right)(\alpha + \sigma)^2 - 4\sigma^2(\alpha + \sigma)(\beta + \sigma) + "
+        r"d_2 = \left(b_4^2 - \sigma^2\right)(\alpha + \sigma)^2 - 4\sigma^2(\alpha + "
+        r"\sigma)(\beta + \sigma) + "
         r"\left(b_3^2 - \sigma^2\right)(\beta + \sigma)^2",
         (b4**2 - sigma**2) * (alpha + sigma) ** 2
         - 4 * sigma**2 * (alpha + sigma) * (beta + sigma)
@@ -294,7 +311,8 @@ APPENDIX = (
     ),
     _appendix(
         "A8",
-        r"d_3 = 2\sigma(\alpha + \sigma)^2(\beta + \sigma) + 2\sigma(\alpha + \sigma)(\beta + \sigma)^2",
+        r"d_3 = 2\sigma(\alpha + \sigma)^2(\beta + \sigma) + 2\sigma(\alpha + \sigma)(\beta + "
+        r"\sigma)^2",
         2 * sigma * (alpha + sigma) ** 2 * (beta + sigma)
         + 2 * sigma * (alpha + sigma) * (beta + sigma) ** 2,
     ),

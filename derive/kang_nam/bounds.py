@@ -1,9 +1,11 @@
-"""Counts of roundings, from the statements that are emitted: what the kernel's error bounds rest on.
+"""Counts of roundings, from the statements that are emitted: what the kernel's error bounds rest
+on.
 
-Every rounded operation multiplies each term of a result by 1 + δ with |δ| ≤ u. An expression whose every term meets at most n
-roundings is therefore off by at most n u times its size, the sum of its terms' absolute values, to first order; one more covers
-the higher orders and the rounding of the size itself, as long as n u is tiny. The counts below are those n + 1. Generated algebra
-is followed statement by statement, the kernel's own functions are run on numbers that carry their count along.
+Every rounded operation multiplies each term of a result by 1 + δ with |δ| ≤ u. An expression whose
+every term meets at most n roundings is therefore off by at most n u times its size, the sum of its
+terms' absolute values, to first order; one more covers the higher orders and the rounding of the
+size itself, as long as n u is tiny. The counts below are those n + 1. Generated algebra is followed
+statement by statement, the kernel's own functions are run on numbers that carry their count along.
 """
 
 from __future__ import annotations
@@ -21,7 +23,8 @@ from ..emit.language import Source
 from ..emit.definitions import flat
 from ..emit.statements import straight_line
 
-#: Roundings that θ = 2 atan t may be off by: an arc tangent within four units in the last place, of an angle below π.
+#: Roundings that θ = 2 atan t may be off by: an arc tangent within four units in the last place, of
+#: an angle below π.
 _IN_ARCTANGENT = 16
 #: Units that cos θ₀ and sin θ₀ are off by: one in the last place.
 _IN_DIRECTION = 2
@@ -33,7 +36,8 @@ _ROUNDINGS_IN_UNCERTAINTY = 8
 class Counted:
     """A number with the roundings that its terms have met, and its size.
 
-    ``cancels``: its terms may have different signs, so that the count says nothing about its own relative error.
+    ``cancels``: its terms may have different signs, so that the count says nothing about its own
+    relative error.
     """
 
     size: Any
@@ -87,7 +91,8 @@ def _is_power_of_two(value: Counted) -> bool:
     return value.count == 0 and value.size.is_Number and math.frexp(float(value.size))[0] == 0.5
 
 
-# ---------------------------------------------------------------------------------------------- generated algebra
+# ----------------------------------------------------------------------------------------------
+# generated algebra
 
 
 def follow(function: Function, arguments: tuple[Counted, ...]) -> tuple[Counted, ...]:
@@ -103,7 +108,8 @@ def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:
     if expression.is_Symbol:
         return known[expression]
     if expression.is_Rational:
-        # p/q in a product is printed as a product and a quotient, of which only the quotient may round, and not by a power of 2.
+        # p/q in a product is printed as a product and a quotient, of which only the quotient may
+        # round, and not by a power of 2.
         return Counted(
             abs(expression), 0 if _is_power_of_two(Counted(sp.Integer(expression.q))) else 1
         )
@@ -137,16 +143,19 @@ def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:
     raise ArithmeticError(f"no bound is known for the rounding of {expression}")
 
 
-# ------------------------------------------------------------------------------------------------------ counts
+# ------------------------------------------------------------------------------------------------
+# counts
 
 
 def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
     """Every count that the kernel names, with ``known`` the generated functions by name."""
     kernel: dict[str, Any] = {"__name__": f"{__package__}.kernel", "__package__": __package__}
-    exec(compile(source.text, "the kernel", "exec"), kernel)  # noqa: S102  # our own file, as every import is
+    # our own file, as every import is
+    exec(compile(source.text, "the kernel", "exec"), kernel)  # noqa: S102
     exact = {symbol: Counted(sp.Symbol(f"{symbol}_size")) for symbol in (*nm.PARAMETERS, nm.nbar)}
     angle0 = tuple(Counted(sp.Symbol(f"{name}0_size"), _IN_DIRECTION) for name in ("cos", "sin"))
-    # t is exact, so that 1 − t and 1 + t are rounded once, relative to themselves: the counts of cos θ and sin θ are relative.
+    # t is exact, so that 1 − t and 1 + t are rounded once, relative to themselves: the counts of
+    # cos θ and sin θ are relative.
     at = kernel["direction"](Counted(sp.Symbol("t")))
     c, s = Counted(sp.Symbol("c"), at.cosine.count), Counted(sp.Symbol("s"), at.sine.count)
 
@@ -169,7 +178,8 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
         (c, s, *angle0, exact[nm.kappa], exact[nm.sigma], exact[nm.beta], exact[nm.nbar]),
     )
 
-    # In units of the uncertainty ω: one for each of cos θ, sin θ and L, and an eighth for a rounding.
+    # In units of the uncertainty ω: one for each of cos θ, sin θ and L, and an eighth for a
+    # rounding.
     omega = sp.Rational(_ROUNDINGS_IN_UNCERTAINTY)
     vague = [Counted(sp.Symbol(name), omega) for name in ("c", "s", "L")]
     stiffness = follow(

@@ -1,4 +1,6 @@
-"""The equilibrium surface in closed form, its folds (f = f′ = 0) and its cusps (f = f′ = f″ = 0)."""
+"""The equilibrium surface in closed form, its folds (f = f′ = 0) and its cusps (f = f′ = f″ =
+0).
+"""
 
 from functools import cache
 
@@ -39,7 +41,9 @@ def surface_in_coefficients() -> sp.Expr:
 
 @cache
 def slope_identity() -> bool:
-    """L det K = ∂f/∂θ wherever f = 0: with the friction for which f = 0 put in, the two sides are the same function."""
+    """L det K = ∂f/∂θ wherever f = 0: with the friction for which f = 0 put in, the two sides are
+    the same function.
+    """
     on_surface = {nm.M: surface()}
     determinant = stability.in_shorthand(stability.stiffness()).det()
     left = (nm.L * determinant).subs(nm.L, elimination.state()[nm.L])
@@ -47,7 +51,8 @@ def slope_identity() -> bool:
     return equal(left.subs(on_surface), right.subs(on_surface))
 
 
-# ------------------------------------------------------------------------------------------------------ folds
+# ------------------------------------------------------------------------------------------------
+# folds
 
 
 @cache
@@ -67,14 +72,18 @@ def fold_relations() -> Names:
 
 @cache
 def fold_residuals() -> Pair:
-    """b − b(fold) and d − d(fold): both zero exactly where f = f′ = 0, and linear in each of μ₀, κ, α, σ and β."""
+    """b − b(fold) and d − d(fold): both zero exactly where f = f′ = 0, and linear in each of μ₀, κ,
+    α, σ and β.
+    """
     coefficients = elimination.f_coefficients()
     return tuple((symbol - value).subs(coefficients) for symbol, value in fold_relations().items())
 
 
 @cache
 def fold_angles() -> Pair:
-    """sin θ₀ and cos θ₀ on the fold through θ at friction M: a line and a parabola in M. Needs α, B > 0."""
+    """sin θ₀ and cos θ₀ on the fold through θ at friction M: a line and a parabola in M. Needs α, B
+    > 0.
+    """
     along, across = fold_residuals()
     (s0,) = sp.solve(along, nm.s0)
     (c0,) = sp.solve(across, nm.c0)
@@ -83,10 +92,12 @@ def fold_angles() -> Pair:
 
 @cache
 def fold_quartic() -> tuple[Row, Names]:
-    """Coefficients, lowest power first, of the polynomial in M whose roots are all folds at a given θ, and names in them.
+    """Coefficients, lowest power first, of the polynomial in M whose roots are all folds at a given
+    θ, and names in them.
 
-    It is sin² θ₀ + cos² θ₀ − 1 with :func:`fold_angles`, u0 + u1 M and g0 + g1 M + g2 M²; α = 0 takes :func:`fold_quadratic`.
-    Dividing by p B and q α first keeps every coefficient a sum of a few squares and products.
+    It is sin² θ₀ + cos² θ₀ − 1 with :func:`fold_angles`, u0 + u1 M and g0 + g1 M + g2 M²; α = 0
+    takes :func:`fold_quadratic`. Dividing by p B and q α first keeps every coefficient a sum of a
+    few squares and products.
     """
     s0, c0 = fold_angles()
     line, parabola = sp.symbols("u:2"), sp.symbols("g:3")
@@ -101,7 +112,9 @@ def fold_quartic() -> tuple[Row, Names]:
 
 @cache
 def fold_quadratic() -> Row:
-    """The same for α = 0: cos θ₀ drops out of f, and what is left of d − d(fold) is quadratic in M."""
+    """The same for α = 0: cos θ₀ drops out of f, and what is left of d − d(fold) is quadratic in
+    M.
+    """
     _, across = fold_residuals()
     s0, _ = fold_angles()
     return _coefficients_in_M(sp.cancel((nm.p * nm.B * across.subs(nm.s0, s0)).subs(nm.alpha, 0)))
@@ -115,10 +128,11 @@ def _coefficients_in_M(condition: sp.Expr) -> Row:
 
 @cache
 def fold_conic() -> Row:
-    """E0, E1, E2, Ec of E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0: all folds at a given θ, friction eliminated.
+    """E0, E1, E2, Ec of E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0: all folds at a given θ,
+    friction eliminated.
 
-    The fold relations are lines in M, so that M drops out of u1 w2 − u2 w1. But for the last one, which has the factor cos θ, the
-    coefficients are polynomials in sin θ.
+    The fold relations are lines in M, so that M drops out of u1 w2 − u2 w1. But for the last one,
+    which has the factor cos θ, the coefficients are polynomials in sin θ.
     """
     threshold = nm.kappa + nm.sigma * nm.s * (2 - nm.s**2)
     conic = (
@@ -139,10 +153,11 @@ def fold_conic() -> Row:
 
 
 def fold_events(conic: Row) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """What vanishes where two folds of one θ meet, where one has θ₀ = 0 or π, and where one has no friction.
+    """What vanishes where two folds of one θ meet, where one has θ₀ = 0 or π, and where one has no
+    friction.
 
-    The first two in E0, E1, E2 and Ec² of :func:`fold_conic`, which in v = tan(θ₀/2) is a quartic; the third is
-    (p B q α)² (sin² θ₀ + cos² θ₀ − 1) with :func:`fold_angles` at M = 0.
+    The first two in E0, E1, E2 and Ec² of :func:`fold_conic`, which in v = tan(θ₀/2) is a quartic;
+    the third is (p B q α)² (sin² θ₀ + cos² θ₀ − 1) with :func:`fold_angles` at M = 0.
     """
     e0, e1, e2, square = conic
     v, ec = sp.symbols("v ec")
@@ -162,9 +177,11 @@ CHANGE = {nm.fa: nm.fa_v, nm.fb: nm.fb_v, nm.fd: nm.fd_v, nm.fm: nm.fm_v}
 
 @cache
 def fold_sextic() -> Row:
-    """Coefficients, lowest power first, of (1 + t²)³ (f′ f_v − f f_v′), t = tan(θ/2): its roots are all folds along v.
+    """Coefficients, lowest power first, of (1 + t²)³ (f′ f_v − f f_v′), t = tan(θ/2): its roots are
+    all folds along v.
 
-    With f = f₀ + v f_v the surface is v(θ) = −f₀/f_v, and v′ is minus this over f_v²; f for any value of v gives the same.
+    With f = f₀ + v f_v the surface is v(θ) = −f₀/f_v, and v′ is minus this over f_v²; f for any
+    value of v gives the same.
     """
     change = f_form.subs(CHANGE)
     condition = unit_circles.reduce_circles(
@@ -174,7 +191,9 @@ def fold_sextic() -> Row:
 
 
 def fold_cubics() -> tuple[Row, Row]:
-    """Coefficients, lowest power first, of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀ on the fold through t at friction M."""
+    """Coefficients, lowest power first, of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀ on the
+    fold through t at friction M.
+    """
     s0, c0 = fold_angles()
     values = nm.p * nm.B * s0, nm.p * nm.B * nm.q * nm.alpha * c0.subs(nm.s0, s0)
     sine, cosine = (
@@ -184,7 +203,8 @@ def fold_cubics() -> tuple[Row, Row]:
     return sine, cosine
 
 
-# ------------------------------------------------------------------------------------------------------ cusps
+# ------------------------------------------------------------------------------------------------
+# cusps
 
 
 @cache
@@ -199,7 +219,9 @@ def cusp_friction() -> sp.Expr:
 
 @cache
 def cusp_angles() -> Pair:
-    """sin θ₀ and cos θ₀ / cos θ on a cusp, rational functions of s = sin θ with the factor 3 s² − 2 kept together."""
+    """sin θ₀ and cos θ₀ / cos θ on a cusp, rational functions of s = sin θ with the factor 3 s² − 2
+    kept together.
+    """
     s, S = nm.s, 3 * nm.s**2 - 2
     sine = (nm.sigma * (nm.B - nm.alpha) * s**3 / (nm.p * S) - nm.kappa) / nm.B
     G = (
@@ -216,10 +238,11 @@ def cusp_angles() -> Pair:
 
 @cache
 def cusp_polynomial() -> Row:
-    """Coefficients, lowest power first, of the polynomial in s = sin θ whose real roots in (−1, 1) are all the cusps.
+    """Coefficients, lowest power first, of the polynomial in s = sin θ whose real roots in (−1, 1)
+    are all the cusps.
 
-    It is (B p α q)² (3 s² − 2)⁴ (sin² θ₀ + cos² θ₀ − 1) with :func:`cusp_angles`. Contact only, α > 0 and a ≠ 0; the terms of
-    degree 10 cancel.
+    It is (B p α q)² (3 s² − 2)⁴ (sin² θ₀ + cos² θ₀ − 1) with :func:`cusp_angles`. Contact only, α >
+    0 and a ≠ 0; the terms of degree 10 cancel.
     """
     s0, ratio = cusp_angles()
     scale = nm.B * nm.p * nm.alpha * nm.q * (3 * nm.s**2 - 2) ** 2
@@ -260,9 +283,8 @@ def identities() -> dict[str, bool]:
         )
         == 0,
         "the cusp cubic (α = 0) has degree 3": len(cusp_cubic()) == 4,
-        "the trace of K in contact is α + σ + (B sin θ₀ + κ)/(L sin θ) > 0, so that no onset of flutter is a fold": (
-            stability.trace_identity()
-        ),
+        "the trace of K in contact is α + σ + (B sin θ₀ + κ)/(L sin θ) > 0, so that no onset "
+        "of flutter is a fold": (stability.trace_identity()),
         "(θ, θ₀, μ) → (π − θ, π − θ₀, −μ) turns f into −f": unit_circles.equal(
             f.subs(mirror, simultaneous=True), -f
         ),

@@ -22,11 +22,13 @@ Components: TypeAlias = tuple[sp.Expr, ...]
 
 @dataclass(frozen=True)
 class Row:
-    """The outcome for one printed statement; every text is LaTeX or plain words, every empty field means not applicable.
+    """The outcome for one printed statement; every text is LaTeX or plain words, every empty field
+    means not applicable.
 
-    ``derivation`` is the form at which the derivation itself arrives. ``derived`` equals it, as exact algebra has shown, and has the
-    arrangement of ``printed``, so that the two can be compared by eye. In a failed row ``derived`` is the same as ``derivation``.
-    ``derived_by`` names the function of this folder that derives it.
+    ``derivation`` is the form at which the derivation itself arrives. ``derived`` equals it, as
+    exact algebra has shown, and has the arrangement of ``printed``, so that the two can be compared
+    by eye. In a failed row ``derived`` is the same as ``derivation``. ``derived_by`` names the
+    function of this folder that derives it.
     """
 
     id: str
@@ -44,7 +46,9 @@ class Row:
     limit: str = ""
 
     def recorded(self) -> dict[str, str]:
-        """As the ledger has it: without what is empty, and without a derived form that is the printed one."""
+        """As the ledger has it: without what is empty, and without a derived form that is the
+        printed one.
+        """
         return {
             name: text
             for name, text in asdict(self).items()
@@ -54,13 +58,16 @@ class Row:
 
 @dataclass(frozen=True)
 class Derived:
-    """What the derivation gives where something is printed: its components, and what a printed relation is about."""
+    """What the derivation gives where something is printed: its components, and what a printed
+    relation is about.
+    """
 
     value: sp.Expr | Components
     #: The function that derives it.
     by: Callable[..., Any]
     about: tuple[Any, ...] = ()
-    #: Substitutions that bring the printed form into the derivation's terms; one comparison for each tuple of them.
+    #: Substitutions that bring the printed form into the derivation's terms; one comparison for
+    #: each tuple of them.
     terms: tuple[tuple[tuple[sp.Expr, sp.Expr], ...], ...] = ((),)
 
     @property
@@ -81,7 +88,9 @@ def failures(rows: Sequence[Row]) -> list[Row]:
 
 
 def check(entry: Printed, derived: Derived) -> Row:
-    """Compare one printed statement with the derivation and with its explanation, if there is one."""
+    """Compare one printed statement with the derivation and with its explanation, if there is
+    one.
+    """
     gaps = _differences(_components(entry.expression, derived), derived)
     base = {
         "id": entry.id,
@@ -176,7 +185,8 @@ def _latex(components: Components) -> str:
     return texts[0] if len(texts) == 1 else r"\left(" + r",\; ".join(texts) + r"\right)"
 
 
-# --------------------------------------------------------------------------------------------- what is derived
+# ------------------------------------------------------------------------------------------- what
+# is derived
 
 
 def derived_forms() -> dict[str, Derived]:
@@ -271,7 +281,8 @@ def _quartic_forms() -> dict[str, Derived]:
     # Printed in b₁ … b₄; what those stand for is checked by the rows A10–A13.
     sides = (*b.subs(equilibrium.CONTACT), *b.subs(equilibrium.LIFTOFF))
     right_sides = tuple(zip((nm.b1, nm.b2, nm.b3, nm.b4), sides, strict=True))
-    # (20) and (23) for any invertible D and any b, so that the printed form is checked as an identity.
+    # (20) and (23) for any invertible D and any b, so that the printed form is checked as an
+    # identity.
     any_pair = sp.Matrix(2, 2, sp.symbols("D11 D12 D21 D22")), sp.Matrix(sp.symbols("B1 B2"))
     forms: dict[str, Derived] = {}
     for equation, vector_names, case, names in (

@@ -1,7 +1,9 @@
-"""From the balance of forces to one polynomial: the published quartic in L, (20)–(21), (23), (26), and the quartic in t.
+"""From the balance of forces to one polynomial: the published quartic in L, (20)–(21), (23), (26),
+and the quartic in t.
 
-Both come from D(L) (cos θ, sin θ)ᵀ = b. The article asks that D⁻¹ b have unit length, which forgets the sign of
-cos θ; solving the second row for L keeps it and leaves one trigonometric equation f(θ) = 0.
+Both come from D(L) (cos θ, sin θ)ᵀ = b. The article asks that D⁻¹ b have unit length, which forgets
+the sign of cos θ; solving the second row for L keeps it and leaves one trigonometric equation f(θ)
+= 0.
 """
 
 from functools import cache
@@ -13,11 +15,14 @@ from . import unit_circles, equilibrium
 from . import nomenclature as nm
 from .equilibrium import spell_out
 
-# ---------------------------------------------------------------------------------- the published quartic in L
+# ---------------------------------------------------------------------------------- the published
+# quartic in L
 
 
 def unit_norm(D: sp.Matrix, b: sp.Matrix) -> sp.Expr:
-    """|D⁻¹ b|² − 1 by Cramer's rule, which vanishes at an equilibrium: (20) and (23), there written bᵀ (D Dᵀ)⁻¹ b = 1."""
+    """|D⁻¹ b|² − 1 by Cramer's rule, which vanishes at an equilibrium: (20) and (23), there written
+    bᵀ (D Dᵀ)⁻¹ b = 1.
+    """
     cosine = sp.Matrix.hstack(b, D[:, 1]).det() / D.det()
     sine = sp.Matrix.hstack(D[:, 0], b).det() / D.det()
     return cosine**2 + sine**2 - 1
@@ -31,7 +36,8 @@ def cleared(D: sp.Matrix, b: sp.Matrix) -> sp.Expr:
 
 @cache
 def quartic_in_L() -> Row:
-    """Coefficients of (21) and (26), lowest power first: of |adj(D) b|² − det(D)² for the family in n̄, in c0, s0 and the parameters.
+    """Coefficients of (21) and (26), lowest power first: of |adj(D) b|² − det(D)² for the family in
+    n̄, in c0, s0 and the parameters.
 
     This is (20) times det(D)²: adj(D) = det(D) D⁻¹, and |D⁻¹ b|² = bᵀ D⁻ᵀ D⁻¹ b = bᵀ (D Dᵀ)⁻¹ b.
     """
@@ -50,12 +56,15 @@ def quartic_in_L_shorthand() -> Row:
     return tuple(sp.factor_terms(sp.collect(value, (nm.b1, nm.b2))) for value in coefficients)
 
 
-# ------------------------------------------------------------------------------------------ the equation in θ
+# ------------------------------------------------------------------------------------------ the
+# equation in θ
 
 
 @cache
 def state() -> Names:
-    """L, y and x as functions of θ, from the balance across the belt, in which μ₀ does not occur."""
+    """L, y and x as functions of θ, from the balance across the belt, in which μ₀ does not
+    occur.
+    """
     _, across = equilibrium.balance()
     (length,) = sp.solve(across, nm.L)
     shorthand = (nm.sigma * nm.s + nm.B * nm.s0 + nm.kappa) / (nm.q * nm.s)
@@ -73,7 +82,9 @@ f_form = nm.fa * nm.s * nm.c + nm.fb * nm.c + nm.fd * nm.s - nm.fm * nm.s**2
 
 @cache
 def f_coefficients() -> Names:
-    """a, b, d, m of f(θ) = q s F_x(θ, L(θ)), in shorthands; derived, then arranged so that few digits are lost."""
+    """a, b, d, m of f(θ) = q s F_x(θ, L(θ)), in shorthands; derived, then arranged so that few
+    digits are lost.
+    """
     along, _ = equilibrium.balance()
     f = sp.expand(sp.simplify(spell_out(nm.q * nm.s * along.subs(nm.L, state()[nm.L]))))
     derived = sp.Poly(f, nm.c, nm.s).as_dict()
@@ -111,10 +122,12 @@ def quartic_in_t() -> Row:
 
 @cache
 def resolvent_cubic() -> Row:
-    """Coefficients, lowest power first, of the cubic in ℓ whose roots split f into two straight lines.
+    """Coefficients, lowest power first, of the cubic in ℓ whose roots split f into two straight
+    lines.
 
-    On the unit circle f equals the conic f + ℓ (c² + s² − 1), which is a pair of lines where its determinant is zero.
-    The cubic has the discriminant of the quartic in t (see :func:`identities`) and needs no division by b.
+    On the unit circle f equals the conic f + ℓ (c² + s² − 1), which is a pair of lines where its
+    determinant is zero. The cubic has the discriminant of the quartic in t (see :func:`identities`)
+    and needs no division by b.
     """
     ell = sp.Symbol("ell")
     conic = f_form + ell * (nm.c**2 + nm.s**2 - 1)
@@ -130,7 +143,8 @@ def resolvent_cubic() -> Row:
     return tuple(sp.expand(value / leading) for value in (*lower, leading))
 
 
-# ------------------------------------------------------------------------------------------------- identities
+# ------------------------------------------------------------------------------------------------
+# identities
 
 
 def identities() -> dict[str, bool]:
@@ -145,7 +159,8 @@ def identities() -> dict[str, bool]:
     published = (nm.q * nm.s) ** 2 * in_L.subs(RIGHT_SIDE).subs(nm.L, length)
     factored = (nm.sigma - nm.q * length) ** 2 * f * f.subs(nm.c, -nm.c)
 
-    # Where a s + b = 0 the terms in cos θ cancel, so that θ and π − θ are roots together: there L = σ/(σ + α).
+    # Where a s + b = 0 the terms in cos θ cancel, so that θ and π − θ are roots together: there L =
+    # σ/(σ + α).
     shared = {nm.s: -nm.fb / nm.fa}
     false_root = spell_out(length.subs(shared).subs(f_coefficients()))
     return {

@@ -1,4 +1,6 @@
-"""Every file of ``generated/``: the Python package, the C library that is built with it, and the ledger."""
+"""Every file of ``generated/``: the Python package, the C library that is built with it, and the
+ledger.
+"""
 
 import re
 
@@ -10,7 +12,9 @@ from .catalogue import modules
 
 
 def render(outcome: ledger.Ledger, models: dict[str, str]) -> dict[str, str]:
-    """The text of every file, by its path below ``generated/``, those of the ``models`` among them."""
+    """The text of every file, by its path below ``generated/``, those of the ``models`` among
+    them.
+    """
     parts, solver, named, header = (
         modules(),
         library.kernel(),

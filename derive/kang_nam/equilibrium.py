@@ -1,8 +1,8 @@
 """The balance of forces at rest on the moving belt, (12)–(20) and (22)–(25), as one family in n̄.
 
-n̄ = 1 is contact, n̄ = 0 lift-off. ``c, s, L`` are polar coordinates about the spring's anchor: x = cos θ₀ − L cos θ and
-y = sin θ₀ − L sin θ. From here on μ₀ stands for the friction coefficient at steady sliding; that it equals
-μ₀ (1 − exp(−d V)) exactly is the row ``eq-12`` of the ledger.
+n̄ = 1 is contact, n̄ = 0 lift-off. ``c, s, L`` are polar coordinates about the spring's anchor: x =
+cos θ₀ − L cos θ and y = sin θ₀ − L sin θ. From here on μ₀ stands for the friction coefficient at
+steady sliding; that it equals μ₀ (1 − exp(−d V)) exactly is the row ``eq-12`` of the ledger.
 """
 
 from functools import cache
@@ -33,7 +33,9 @@ def equal(left: sp.Expr, right: sp.Expr) -> bool:
 
 
 def spell_out(expression: sp.Expr) -> sp.Expr:
-    """Replace every shorthand by what it stands for, until only parameters and the state are left."""
+    """Replace every shorthand by what it stands for, until only parameters and the state are
+    left.
+    """
     while expression.free_symbols & SHORTHANDS.keys():
         expression = expression.subs(SHORTHANDS, simultaneous=True)
     return expression
@@ -46,7 +48,9 @@ def displacement() -> Names:
 
 @cache
 def balance_cartesian() -> Pair:
-    """(12) and (13) in x, y and L: (8) and (9) at rest, with μ₀ for the friction at steady sliding."""
+    """(12) and (13) in x, y and L: (8) and (9) at rest, with μ₀ for the friction at steady
+    sliding.
+    """
     equations = mechanics.motion()
     rest = {**mechanics.AT_REST, nm.mu: nm.mu0, nm.n: mechanics.contact_family()}
     return equations.x.subs(rest), equations.y.subs(rest)
@@ -61,7 +65,9 @@ def balance() -> Pair:
 
 @cache
 def matrix_form() -> tuple[sp.Matrix, sp.Matrix]:
-    """D and b of D (cos θ, sin θ)ᵀ = b: (16)–(19), (A10), (A11) and (22), (24), (25), (A12), (A13)."""
+    """D and b of D (cos θ, sin θ)ᵀ = b: (16)–(19), (A10), (A11) and (22), (24), (25), (A12),
+    (A13).
+    """
     direction = sp.Matrix([nm.c, nm.s])
     forces = sp.Matrix(balance())
     D = forces.jacobian(direction)

@@ -1,6 +1,7 @@
 """What is at a root of f, and how far it can be trusted: state, error bounds, stability.
 
-The second part of the kernel, in the same small language; the first, :mod:`.kernel`, finds the roots.
+The second part of the kernel, in the same small language; the first, :mod:`.kernel`, finds the
+roots.
 """
 
 from typing import NamedTuple
@@ -13,7 +14,8 @@ from .kernel import INFINITY, Balance, Point, direction, rough, sound
 f, f_slope, state, stiffness, invariants = derived(5)
 COUNT_F, COUNT_SLOPE, COUNT_STATE, COUNT_THETA, COUNT_K = derived(5)
 
-#: The largest h = |f| max|f″| / f′² for which a root is taken as proved: Kantorovich's theorem asks for 1/2.
+#: The largest h = |f| max|f″| / f′² for which a root is taken as proved: Kantorovich's theorem asks
+#: for 1/2.
 LARGEST_H = 0.4
 #: The largest radius around θ, over sin θ, for which the bounds on the state below hold.
 LARGEST_RADIUS = 1e-3
@@ -29,9 +31,10 @@ class Kind(NamedTuple):
 class Root(NamedTuple):
     """What is at a root of f.
 
-    The state; the radius around θ in which exactly one root is proved, infinite where none is; a bound on the error of θ, L, x
-    and y over max(1, |value|); whether it certainly is an equilibrium (L > 0, and y on the side that n̄ says); whether it
-    certainly is none; its stability, and whether that is certain.
+    The state; the radius around θ in which exactly one root is proved, infinite where none is; a
+    bound on the error of θ, L, x and y over max(1, |value|); whether it certainly is an equilibrium
+    (L > 0, and y on the side that n̄ says); whether it certainly is none; its stability, and
+    whether that is certain.
     """
 
     L: Real
@@ -48,13 +51,15 @@ class Root(NamedTuple):
 def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     """State, error bounds and stability at a root of f that is proved to lie near θ = 2 atan t.
 
-    Newton–Kantorovich on f at θ: a root lies within about |f|/|f′|. Then, with R = (β + n̄) sin θ₀ + κ,
-    L = σ/q + R/(q sin θ), y = (σ (sin θ₀ − sin θ) − κ)/q and x = cos θ₀ − L cos θ over that radius: sin θ changes by at most
-    radius (|cos θ| + radius), cos θ by radius (|sin θ| + radius), and 1/sin θ as sin θ does, over sin² θ, but for some thousandths.
+    Newton–Kantorovich on f at θ: a root lies within about |f|/|f′|. Then, with R = (β + n̄) sin θ₀
+    + κ, L = σ/q + R/(q sin θ), y = (σ (sin θ₀ − sin θ) − κ)/q and x = cos θ₀ − L cos θ over that
+    radius: sin θ changes by at most radius (|cos θ| + radius), cos θ by radius (|sin θ| + radius),
+    and 1/sin θ as sin θ does, over sin² θ, but for some thousandths.
 
-    Where y can't be told from 0, as at θ₀ under a small preload, f decides: at the border of contact, sin θ* = sin θ₀ − κ/σ, it is
-    q (α sin(θ* − θ₀) − κ cos θ*), negative for acute θ* and positive for obtuse ones. Where f is monotone from there to the root,
-    y < 0 if f rises, and y > 0 if it falls.
+    Where y can't be told from 0, as at θ₀ under a small preload, f decides: at the border of
+    contact, sin θ* = sin θ₀ − κ/σ, it is q (α sin(θ* − θ₀) − κ cos θ*), negative for acute θ* and
+    positive for obtuse ones. Where f is monotone from there to the root, y < 0 if f rises, and y >
+    0 if it falls.
     """
     at = direction(t)
     c_size = absolute(rough(at.cosine))
@@ -119,8 +124,8 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
 def stability(at: Direction, L: Real, slope: Real, uncertainty: Real, point: Point) -> Kind:
     """1 stable, 2 divergent, 3 flutter, by (27).
 
-    The sign of det K is that of f′, which is known where the root is proved. ``uncertainty`` bounds the errors of cos θ, and of
-    sin θ and L over themselves.
+    The sign of det K is that of f′, which is known where the root is proved. ``uncertainty`` bounds
+    the errors of cos θ, and of sin θ and L over themselves.
     """
     (K11, K12), (K21, K22) = stiffness(
         at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta, point.nbar
@@ -131,8 +136,8 @@ def stability(at: Direction, L: Real, slope: Real, uncertainty: Real, point: Poi
     sigma = rough(point.sigma)
     nbar = rough(point.nbar)
     pull = sigma / absolute(rough(L))
-    # With N = α + β + n̄ + 2 σ the terms of the discriminant add up to (N + 2 pull)² + 4 pull (μ₀ n̄ + pull), those of the trace to
-    # N + 2 pull.
+    # With N = α + β + n̄ + 2 σ the terms of the discriminant add up to (N + 2 pull)² + 4 pull (μ₀
+    # n̄ + pull), those of the trace to N + 2 pull.
     size = rough(point.alpha) + rough(point.beta) + nbar + 2.0 * sigma + 3.0 * pull
     margin = COUNT_K * uncertainty * size
     saddle = slope < 0.0
@@ -144,7 +149,9 @@ def stability(at: Direction, L: Real, slope: Real, uncertainty: Real, point: Poi
 
 
 def apart(low: Real, low_radius: Real, high: Real, high_radius: Real) -> Flag:
-    """Whether two intervals in θ around 2 atan(low) < 2 atan(high) are disjoint: dθ = 2 dt/(1 + t²)."""
+    """Whether two intervals in θ around 2 atan(low) < 2 atan(high) are disjoint: dθ = 2 dt/(1 +
+    t²).
+    """
     low_square = rough(low) * rough(low)
     high_square = rough(high) * rough(high)
     return 2.0 * rough(high - low) > (low_radius + high_radius) * (

@@ -1,7 +1,9 @@
-"""What we say about the rows that are not simply confirmed: corrections of misprints, approximations and definitions.
+"""What we say about the rows that are not simply confirmed: corrections of misprints,
+approximations and definitions.
 
-A correction holds the right form, which the check holds against the derived one; a second derivation; and what the misprint
-would cost at the article's base values. An explanation of a difference that is zero fails the check.
+A correction holds the right form, which the check holds against the derived one; a second
+derivation; and what the misprint would cost at the article's base values. An explanation of a
+difference that is zero fails the check.
 """
 
 from collections.abc import Callable
@@ -21,11 +23,14 @@ from .free_body import DIGITS, Point, show
 
 @dataclass(frozen=True)
 class Correction:
-    """The right form of a misprint, its likely cause, evidence by another route, and its consequence in numbers."""
+    """The right form of a misprint, its likely cause, evidence by another route, and its
+    consequence in numbers.
+    """
 
     latex: str
     expression: sp.Expr | tuple[sp.Expr, ...]
-    #: Printed form less right form. Only this difference is explained; any other misprint in the row still fails the check.
+    #: Printed form less right form. Only this difference is explained; any other misprint in the
+    #: row still fails the check.
     gap: sp.Expr
     cause: str
     #: Both are asked with :data:`.free_body.DIGITS` digits.
@@ -35,7 +40,8 @@ class Correction:
 
 @dataclass(frozen=True)
 class Approximation:
-    """A form that holds in a limit only: ``limit`` names it, ``vanishes`` proves that the difference is 0 there.
+    """A form that holds in a limit only: ``limit`` names it, ``vanishes`` proves that the
+    difference is 0 there.
 
     ``latex`` and ``expression`` are the exact form in the arrangement of the print.
     """
@@ -46,11 +52,14 @@ class Approximation:
     vanishes: Callable[[sp.Expr], bool]
 
 
-# ------------------------------------------------------------------------------------------------ corrections
+# ------------------------------------------------------------------------------------------------
+# corrections
 
 
 def _below(value: mpf) -> str:
-    """A rounding error for the ledger: its size varies with machine and version, so a small one is reported as small, without its digits."""
+    """A rounding error for the ledger: its size varies with machine and version, so a small one is
+    reported as small, without its digits.
+    """
     return "below 1e-40" if abs(value) < mpf(10) ** -40 else show(value, 3)
 
 
@@ -68,7 +77,10 @@ def _length_consequence(point: Point) -> str:
     length = free_body.spring_length(point, x, y)
     theta = mpmath.arg(free_body.anchor(point) - mpmath.mpc(x, y))
     printed = mpmath.sqrt((mpmath.cos(theta) - x) ** 2 + (mpmath.sin(theta) - y) ** 2)
-    return f"at the base equilibrium (θ₀ = {point.theta0_deg}°) the printed form gives L = {show(printed)} where L = {show(length)}"
+    return (
+        f"at the base equilibrium (θ₀ = {point.theta0_deg}°) the printed form gives L = "
+        f"{show(printed)} where L = {show(length)}"
+    )
 
 
 def _preload_evidence() -> tuple[bool, str]:
@@ -85,7 +97,8 @@ def _preload_consequence(point: Point) -> str:
     # Without κ, (13) is solved by the undeformed state, where the contact force is zero as well.
     residual = free_body.forces(Point(kappa=Fraction(0)), mpf(0), mpf(0), mpf(1))
     return (
-        f"the undeformed state x = y = 0 would be an equilibrium (residual {_below(max(map(abs, residual)))}) "
+        "the undeformed state x = y = 0 would be an equilibrium (residual "
+        f"{_below(max(map(abs, residual)))}) "
         f"without any contact force, where the base equilibrium (θ₀ = {point.theta0_deg}°) is "
         f"x = {show(with_preload[0])}, y = {show(with_preload[1])}"
     )
@@ -108,14 +121,18 @@ def _force_scale_consequence(point: Point) -> str:
     (right,) = free_body.equilibria(point)
     (literal,) = free_body.equilibria(point, Fraction(1, 10))
     return (
-        "none for L_o = 1 in the unit of length in use; taken literally with L_o = 0.1 m, n is a tenth of −y and the base "
-        f"equilibrium (θ₀ = {point.theta0_deg}°) moves from x = {show(right[0])} to {show(literal[0])} and from "
+        "none for L_o = 1 in the unit of length in use; taken literally with L_o = 0.1 m, n "
+        "is a tenth of −y and the base "
+        f"equilibrium (θ₀ = {point.theta0_deg}°) moves from x = {show(right[0])} to "
+        f"{show(literal[0])} and from "
         f"y = {show(right[1])} to {show(literal[1])}"
     )
 
 
 def _liftoff_polynomial(point: Point, constant: str) -> list[mpf]:
-    """Lift-off coefficients d₄ … d₀ written out from A6–A9, with the constant term of either reading."""
+    """Lift-off coefficients d₄ … d₀ written out from A6–A9, with the constant term of either
+    reading.
+    """
     theta0 = point.number("theta0")
     alpha, sigma, beta, kappa, mu0 = (
         point.number(name) for name in ("alpha", "sigma", "beta", "kappa", "mu0")
@@ -147,7 +164,8 @@ def _constant_evidence() -> tuple[bool, str]:
     }
     return (
         bool(lengths) and residuals["right"] < mpf(10) ** -40 and residuals["printed"] > 1e-6,
-        f"at the lift-off equilibrium of the free body the quartic is {_below(residuals['right'])} with the right d_0 and "
+        "at the lift-off equilibrium of the free body the quartic is "
+        f"{_below(residuals['right'])} with the right d_0 and "
         f"{show(residuals['printed'], 3)} with the printed one",
     )
 
@@ -158,8 +176,10 @@ def _constant_consequence(point: Point) -> str:
     real = [show(mpmath.re(root), 6) for root in roots if abs(mpmath.im(root)) < 1e-20]
     ((x, y),) = free_body.equilibria(point, contact=0)
     return (
-        f"d_0 = {show(values['printed'])} instead of {show(values['right'])}; the lift-off length at θ₀ = "
-        f"{point.theta0_deg}° is L = {show(free_body.spring_length(point, x, y))}, the printed quartic has the real roots "
+        f"d_0 = {show(values['printed'])} instead of {show(values['right'])}; the lift-off "
+        "length at θ₀ = "
+        f"{point.theta0_deg}° is L = {show(free_body.spring_length(point, x, y))}, the "
+        "printed quartic has the real roots "
         f"{', '.join(real) or 'none'}"
     )
 
@@ -171,7 +191,8 @@ _ACROSS = nm.sigma / nm.L * (1 - nm.L) * (nm.s0 - nm.y) + nm.beta * nm.y - nm.n 
 
 CORRECTIONS: dict[str, Correction] = {
     "eq-6": Correction(
-        latex=r"L = \sqrt{\left(L_o \cos \theta_o - x\right)^2 + \left(L_o \sin \theta_o - y\right)^2}",
+        latex=r"L = \sqrt{\left(L_o \cos \theta_o - x\right)^2 + \left(L_o \sin \theta_o - "
+        r"y\right)^2}",
         expression=_DISTANCE,
         gap=_DISTANCE.subs({nm.c0: nm.c, nm.s0: nm.s}) - _DISTANCE,
         cause="the index o of θ_o is missing: (4) and (5), squared and added, give the form with θ_o",
@@ -206,13 +227,15 @@ CORRECTIONS: dict[str, Correction] = {
         latex=r"d_0 = \left(b_3^2 + b_4^2\right)\sigma^2 - \sigma^4",
         expression=(nm.b3**2 + nm.b4**2) * nm.sigma**2 - nm.sigma**4,
         gap=(nm.b1**2 + nm.b2**2 - nm.b3**2 - nm.b4**2) * nm.sigma**2,
-        cause="c_0 and d_0 were set in one line; in lift-off b_3, b_4 stand where b_1, b_2 stand in contact",
+        cause="c_0 and d_0 were set in one line; in lift-off b_3, b_4 stand where b_1, b_2 stand in "
+        "contact",
         evidence=_constant_evidence,
         consequence=_constant_consequence,
     ),
 }
 
-# --------------------------------------------------------------------------------------------- approximations
+# ---------------------------------------------------------------------------------------------
+# approximations
 
 
 def _vanishes_at_full_slip(difference: sp.Expr) -> bool:
@@ -227,7 +250,9 @@ def _vanishes_at_full_slip(difference: sp.Expr) -> bool:
 
 
 def _friction_slope() -> sp.Expr:
-    """How friction falls as the mass speeds up, −∂μ/∂x', at steady sliding: n times this is a damping along the belt."""
+    """How friction falls as the mass speeds up, −∂μ/∂x', at steady sliding: n times this is a
+    damping along the belt.
+    """
     return -sp.diff(mechanics.smooth_friction(sp.S.One), nm.vx).subs(nm.vx, 0)
 
 
@@ -239,7 +264,8 @@ APPROXIMATIONS: dict[str, Approximation] = {
         expression=nm.sigma / nm.L * (1 - nm.L) * (nm.c0 - nm.x)
         + nm.alpha * nm.x
         - mechanics.steady_friction() * nm.n,
-        limit="d V → ∞ on a belt that runs forward, V > 0: at steady sliding (10) gives μ = μ_o (1 − exp(−d |V|)), not μ_o. From here on μ_o stands for the "
+        limit="d V → ∞ on a belt that runs forward, V > 0: at steady sliding (10) gives μ = μ_o (1 "
+        "− exp(−d |V|)), not μ_o. From here on μ_o stands for the "
         "friction at steady sliding, which makes every later row exact",
         vanishes=_vanishes_at_full_slip,
     ),
@@ -253,19 +279,22 @@ APPROXIMATIONS: dict[str, Approximation] = {
             + article.lam * sp.diag(-nm.nbar * nm.y * _friction_slope(), 0)
             + K
         ).det(),
-        limit="d V → ∞, V > 0: (8) also has the damping n μ_o d exp(−d |V|) λ in its first row, from ∂μ/∂x'",
+        limit="d V → ∞, V > 0: (8) also has the damping n μ_o d exp(−d |V|) λ in its first row, "
+        "from ∂μ/∂x'",
         vanishes=_vanishes_at_full_slip,
     ),
 }
 
-# ------------------------------------------------------------------------------------------------ definitions
+# ------------------------------------------------------------------------------------------------
+# definitions
 
 DEFINITIONS: dict[str, str] = {
     "eq-3": "names the compression of the inclined spring",
     "eq-4": "defines θ, with (5): the spring's direction from the mass to its anchor",
     "eq-5": "defines θ, with (4)",
     "eq-7": "the contact law, an assumption",
-    "eq-10": "the friction law, an assumption. Its form is the same with and without dimensions, since d |V − dx/dt| is a "
+    "eq-10": "the friction law, an assumption. Its form is the same with and without dimensions, since "
+    "d |V − dx/dt| is a "
     "number; in (10) the dot stands for the prime of (8)",
     "def-prime": "names the derivative with respect to τ",
 }

@@ -1,8 +1,10 @@
-"""A second route to what the check decides: Newton's law on the free body, in complex numbers, at 50 digits.
+"""A second route to what the check decides: Newton's law on the free body, in complex numbers, at
+50 digits.
 
-Nothing here uses the symbolic derivation. The spring's pull is a vector along the line to its anchor, equilibria are found
-by Newton's method on the sum of forces, and the forces themselves are compared with differences of the energy. It
-confirms the algebra of a corrected row and computes what a misprint would cost.
+Nothing here uses the symbolic derivation. The spring's pull is a vector along the line to its
+anchor, equilibria are found by Newton's method on the sum of forces, and the forces themselves are
+compared with differences of the energy. It confirms the algebra of a corrected row and computes
+what a misprint would cost.
 """
 
 import cmath
@@ -46,7 +48,9 @@ def anchor(point: Point, arithmetic: Any = mpmath.mp) -> mpmath.mpc:
 def forces(
     point: Point, x: mpf, y: mpf, contact: mpf, arithmetic: Any = mpmath.mp
 ) -> tuple[mpf, mpf]:
-    """Minus the sum of forces on the mass at rest, over k_c L_0; ``contact`` is the contact stiffness over k_c."""
+    """Minus the sum of forces on the mass at rest, over k_c L_0; ``contact`` is the contact
+    stiffness over k_c.
+    """
     sigma, alpha, mu0, beta, kappa = (
         point.number(name, arithmetic) for name in ("sigma", "alpha", "mu0", "beta", "kappa")
     )
@@ -71,8 +75,8 @@ def energy_slope_y(point: Point, x: mpf, y: mpf, contact: mpf) -> mpf:
 def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpf, mpf]]:
     """Rest positions (x, y) in contact, or in lift-off for ``contact=0``, sorted by x.
 
-    Newton's method from a grid of starting points, first in floats, then in the precision of the first call. There may be states
-    that it does not find.
+    Newton's method from a grid of starting points, first in floats, then in the precision of the
+    first call. There may be states that it does not find.
     """
 
     def root(arithmetic: Any, start: tuple[Any, Any], **options: Any) -> Any:

@@ -1,24 +1,29 @@
-"""How the equilibria of one point are found and how far the result can be trusted, written once for every target language.
+"""How the equilibria of one point are found and how far the result can be trusted, written once for
+every target language.
 
-Nothing here is run as it stands. :mod:`derive.emit.language` reads the functions below and each target prints them: Python for
-arrays of any float type, C for one point and for blocks of points. They are therefore written in a small language: functions of
-numbers and of the records below, assignments, ``+ - * /``, comparisons joined by ``&``, ``|`` and ``~``, ``where`` for both
-sides of a choice, loops of a fixed number of passes, and calls. There are no branches, so that many points can be worked on side
-by side. ``resolvent`` and other names that are not defined here are generated algebra (``catalogue/``). What is at a root that was
-found stands in :mod:`.examination`, functions of an angle in :mod:`derive.emit.elementary`; the three are emitted as one.
+Nothing here is run as it stands. :mod:`derive.emit.language` reads the functions below and each
+target prints them: Python for arrays of any float type, C for one point and for blocks of points.
+They are therefore written in a small language: functions of numbers and of the records below,
+assignments, ``+ - * /``, comparisons joined by ``&``, ``|`` and ``~``, ``where`` for both sides of
+a choice, loops of a fixed number of passes, and calls. There are no branches, so that many points
+can be worked on side by side. ``resolvent`` and other names that are not defined here are generated
+algebra (``catalogue/``). What is at a root that was found stands in :mod:`.examination`, functions
+of an angle in :mod:`derive.emit.elementary`; the three are emitted as one.
 
-What decides where double precision can't is computed a second time in double-double arithmetic, by the same functions: a number
-is then the exact sum of two doubles, and ``u`` the unit roundoff of such sums. Sizes, bounds and results stay doubles; ``rough``
-is where one turns into the other.
+What decides where double precision can't is computed a second time in double-double arithmetic, by
+the same functions: a number is then the exact sum of two doubles, and ``u`` the unit roundoff of
+such sums. Sizes, bounds and results stay doubles; ``rough`` is where one turns into the other.
 
-The quartic in t = tan(θ/2) has roots that multiply to −1, so it splits into (t² + p1 t + q1)(t² + p2 t + q2) with real factors,
-q1 < 0 < q2 and q1 q2 = −1: the first holds one positive and one negative root, the second a pair of one sign or a complex one.
-The split comes from the root of the resolvent cubic that lies farthest from the mean of the three. At a fold that root stays
-simple, so that the two roots about to meet sit together in the second factor, which is then as accurate as the problem allows.
+The quartic in t = tan(θ/2) has roots that multiply to −1, so it splits into (t² + p1 t + q1)(t² +
+p2 t + q2) with real factors, q1 < 0 < q2 and q1 q2 = −1: the first holds one positive and one
+negative root, the second a pair of one sign or a complex one. The split comes from the root of the
+resolvent cubic that lies farthest from the mean of the three. At a fold that root stays simple, so
+that the two roots about to meet sit together in the second factor, which is then as accurate as the
+problem allows.
 
-Bounds on rounding errors have the form (count) u (size): ``u`` is the unit roundoff, the size is the same expression with the
-absolute values of all of its terms, and the count, at the head of the emitted file, is derived from the emitted statements by
-:mod:`derive.emit.bounds`.
+Bounds on rounding errors have the form (count) u (size): ``u`` is the unit roundoff, the size is
+the same expression with the absolute values of all of its terms, and the count, at the head of the
+emitted file, is derived from the emitted statements by :mod:`derive.emit.bounds`.
 """
 
 from typing import NamedTuple
@@ -30,19 +35,23 @@ from ..emit.language import Flag, Real, absolute, cube_root, derived, maximum, m
 f_coefficients, f_magnitudes, t_quartic, resolvent = derived(4)
 COUNT_P, COUNT_Q, COUNT_E1 = derived(3)
 
-#: A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings covers.
+#: A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings
+#: covers.
 SMALLEST_PARAMETER = 1e-250
 #: Between these the largest coefficient of f can be divided out without underflow or overflow.
 SMALLEST_SCALE = 1e-200
 LARGEST_SCALE = 1e200
-#: The least |b| over the largest coefficient: the quartic in t is divided by it, and roots farther apart share no scale.
+#: The least |b| over the largest coefficient: the quartic in t is divided by it, and roots farther
+#: apart share no scale.
 SMALLEST_RATIO = 1e-60
 #: Where P or Q vanishes, as at a cusp, it is replaced by the smallest normal number.
 SMALLEST_NORMAL = 2.2250738585072014e-308
-#: Between these, numbers are far enough from underflow and overflow for the exact products of double-double arithmetic.
+#: Between these, numbers are far enough from underflow and overflow for the exact products of
+#: double-double arithmetic.
 SMALLEST_WIDE = 1e-50
 LARGEST_WIDE = 1e50
-#: The unit roundoff of double-double arithmetic, 2^-102: sixteen units of 2^-106, of which its operations lose 15 at most.
+#: The unit roundoff of double-double arithmetic, 2^-102: sixteen units of 2^-106, of which its
+#: operations lose 15 at most.
 WIDE_ROUNDOFF = 1.9721522630525295e-31
 #: What underflow may add to P³ + Q² at most, generously.
 UNDERFLOW = 1e-307
@@ -63,7 +72,9 @@ class Point(NamedTuple):
 
 
 class Balance(NamedTuple):
-    """Coefficients of f, the sizes of a and d, all over ``scale``, which is the largest coefficient."""
+    """Coefficients of f, the sizes of a and d, all over ``scale``, which is the largest
+    coefficient.
+    """
 
     a: Real
     b: Real
@@ -102,14 +113,18 @@ class Quartic(NamedTuple):
 
 
 class Discriminant(NamedTuple):
-    """P³ + Q², negative for four real roots in t and positive for two, and a bound on its rounding error."""
+    """P³ + Q², negative for four real roots in t and positive for two, and a bound on its rounding
+    error.
+    """
 
     value: Real
     error: Real
 
 
 class Above(NamedTuple):
-    """Of three positive roots: whether all of them are certainly above a number, and whether certainly only one is."""
+    """Of three positive roots: whether all of them are certainly above a number, and whether
+    certainly only one is.
+    """
 
     all: Flag
     one: Flag
@@ -125,7 +140,9 @@ class Factors(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """Roots of a quadratic, the one of larger magnitude first, and a quarter of the discriminant, negative if they are not real."""
+    """Roots of a quadratic, the one of larger magnitude first, and a quarter of the discriminant,
+    negative if they are not real.
+    """
 
     large: Real
     small: Real
@@ -133,7 +150,9 @@ class Pair(NamedTuple):
 
 
 class Guesses(NamedTuple):
-    """tan(θ/2) at the roots that may be equilibria, ascending, how many there are, and whether there are certainly no more."""
+    """tan(θ/2) at the roots that may be equilibria, ascending, how many there are, and whether
+    there are certainly no more.
+    """
 
     t0: Real
     t1: Real
@@ -143,11 +162,14 @@ class Guesses(NamedTuple):
     certain: Flag
 
 
-# ------------------------------------------------------------------------------------------- the balance of forces
+# ------------------------------------------------------------------------------------------- the
+# balance of forces
 
 
 def rough(x: Real) -> Real:
-    """A number as a double, for bounds and for results: itself, and of a double-double the leading part."""
+    """A number as a double, for bounds and for results: itself, and of a double-double the leading
+    part.
+    """
     return x
 
 
@@ -170,7 +192,9 @@ def sound(point: Point) -> Flag:
 
 
 def pressed(point: Point) -> Real:
-    """(β + n̄) sin θ₀ + κ: κ is never a factor by itself, so that this sum has to be far from underflow."""
+    """(β + n̄) sin θ₀ + κ: κ is never a factor by itself, so that this sum has to be far from
+    underflow.
+    """
     return (rough(point.beta) + rough(point.nbar)) * rough(point.sin0) + rough(point.kappa)
 
 
@@ -229,11 +253,14 @@ def representable(line: Balance) -> Flag:
     )
 
 
-# ---------------------------------------------------------------------------------------------- the number of roots
+# -------------------------------------------------------------------------------------------- the
+# number of roots
 
 
 def depressed(r0: Real, r1: Real, r2: Real) -> Depressed:
-    """The resolvent r0 + r1 ℓ + r2 ℓ² + ℓ³ without its quadratic term; P³ + Q² < 0: four real roots in t."""
+    """The resolvent r0 + r1 ℓ + r2 ℓ² + ℓ³ without its quadratic term; P³ + Q² < 0: four real roots
+    in t.
+    """
     mean = r2 / 3.0
     return Depressed((r1 - r2 * mean) / 3.0, 0.5 * (r0 - mean * (r1 - 2.0 * mean * mean)))
 
@@ -264,8 +291,8 @@ def quartic(a: Real, b: Real, d: Real, m: Real) -> Quartic:
 def discriminant(line: Balance, it: Cubic, u: Real) -> Discriminant:
     """The sign of P³ + Q² is that of the discriminant, reversed.
 
-    From bounds on the errors of P and Q: |P̃³ − P³| ≤ 3 (|P| + error)² error and |Q̃² − Q²| ≤ 2 (|Q| + error) error; cubing,
-    squaring and adding round four times more.
+    From bounds on the errors of P and Q: |P̃³ − P³| ≤ 3 (|P| + error)² error and |Q̃² − Q²| ≤ 2
+    (|Q| + error) error; cubing, squaring and adding round four times more.
     """
     size = depressed_size(line.a_size, absolute(rough(line.b)), line.d_size, rough(line.m))
     P_bound = absolute(rough(it.P)) + COUNT_P * u * size.P
@@ -276,15 +303,18 @@ def discriminant(line: Balance, it: Cubic, u: Real) -> Discriminant:
 
 
 def one_positive(line: Balance, e: Quartic, u: Real) -> Flag:
-    """Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2 ≤ 0 and e1 < 0."""
+    """Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2 ≤ 0
+    and e1 < 0.
+    """
     return rough(e.e1) < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size)
 
 
 def above(e1: Real, e2: Real, e3: Real, e4: Real, c: Real, margin: Real) -> Above:
     """How many of the positive roots of e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ are above c ≥ 0.
 
-    Three are positive, the fourth is real as well, and the value at c is negative. As many are above c as the derivatives there,
-    over factorials, change their sign (Budan and Fourier), from that value to e4 > 0: three times or once.
+    Three are positive, the fourth is real as well, and the value at c is negative. As many are
+    above c as the derivatives there, over factorials, change their sign (Budan and Fourier), from
+    that value to e4 > 0: three times or once.
     """
     d1 = ((4.0 * e4 * c + 3.0 * e3) * c + 2.0 * e2) * c + e1
     d2 = (6.0 * e4 * c + 3.0 * e3) * c + e2
@@ -301,14 +331,17 @@ def above(e1: Real, e2: Real, e3: Real, e4: Real, c: Real, margin: Real) -> Abov
 def one_or_three(point: Point, u: Real) -> Real:
     """The number of equilibria in contact, 1 or 3; 0 where that is open.
 
-    Each is a positive root in t. One is positive unless all four are real and e1 > 0; then three are, by Descartes' rule. Of these
-    the ones in contact have sin θ > s* = sin θ₀ − κ/σ. At the lower end t = c of these directions f is negative, so that none or two
-    of the three lie below it. None lies beyond the upper end, where cos θ < 0 and sin θ = s < s* < sin θ₀: there
-    f = |cos θ| (|b| − a s) + s (m (s* − s) + α q cos θ₀) is positive, by |b| − a s > α q s and |cos θ| > |cos θ₀|.
+    Each is a positive root in t. One is positive unless all four are real and e1 > 0; then three
+    are, by Descartes' rule. Of these the ones in contact have sin θ > s* = sin θ₀ − κ/σ. At the
+    lower end t = c of these directions f is negative, so that none or two of the three lie below
+    it. None lies beyond the upper end, where cos θ < 0 and sin θ = s < s* < sin θ₀: there f = |cos
+    θ| (|b| − a s) + s (m (s* − s) + α q cos θ₀) is positive, by |b| − a s > α q s and |cos θ| >
+    |cos θ₀|.
 
-    ``margin`` is more than what the derivatives at c may be off by. All coefficients are at most 4 and c at most 1; the largest
-    share is that of c, which is off by √(22 u) at most, near c = 1, and changes a derivative by up to 44 times as much; the rest is
-    below 480 u (1 + a_size + d_size).
+    ``margin`` is more than what the derivatives at c may be off by. All coefficients are at most 4
+    and c at most 1; the largest share is that of c, which is off by √(22 u) at most, near c = 1,
+    and changes a derivative by up to 44 times as much; the rest is below 480 u (1 + a_size +
+    d_size).
     """
     line = balance(point)
     e = quartic(line.a, line.b, line.d, line.m)
@@ -324,7 +357,8 @@ def one_or_three(point: Point, u: Real) -> Real:
     return where(one, 1.0, where(three_positive & in_contact.all, 3.0, 0.0))
 
 
-# -------------------------------------------------------------------------------------------------- the two factors
+# ------------------------------------------------------------------------------------------------
+# the two factors
 
 
 def outermost(P: Real, Q: Real) -> Real:
@@ -335,7 +369,8 @@ def outermost(P: Real, Q: Real) -> Real:
     w = cube_root(size + sqrt(maximum(inside, 0.0)) + SMALLEST_NORMAL)
     v = P / w
     alone = where(P > 0.0, 2.0 * size / (w * w + P + v * v), w - v)
-    # Three: 2 √−P cos(φ/3) with cos φ = |Q| / √−P³, from 4 z³ − 3 z = cos φ on [√3/2, 1], where Newton converges at once.
+    # Three: 2 √−P cos(φ/3) with cos φ = |Q| / √−P³, from 4 z³ − 3 z = cos φ on [√3/2, 1], where
+    # Newton converges at once.
     root = sqrt(maximum(-P, SMALLEST_NORMAL))
     cosine = minimum(size / (root * root * root), 1.0)
     z = 0.8660254037844386 + cosine * (0.16306 - 0.02908 * cosine)
@@ -346,7 +381,9 @@ def outermost(P: Real, Q: Real) -> Real:
 
 
 def simple_root(it: Cubic) -> Real:
-    """The real root of the resolvent cubic farthest from the mean of the three, to full relative accuracy."""
+    """The real root of the resolvent cubic farthest from the mean of the three, to full relative
+    accuracy.
+    """
     # Newton's step squares the error, so that more than a double would be lost on the start.
     z = outermost(rough(it.P), rough(it.Q))
     x = z - it.r2 / 3.0
@@ -358,8 +395,8 @@ def simple_root(it: Cubic) -> Real:
 def polish(A1: Real, A2: Real, A3: Real, p1: Real, q1: Real, p2: Real, q2: Real) -> Factors:
     """One Newton step on both factors of t⁴ + A3 t³ + A2 t² + A1 t − 1 at once.
 
-    The change of the second factor is the remainder over the first, modulo the second. q1 q2 = −1 is kept by setting the smaller
-    from the larger.
+    The change of the second factor is the remainder over the first, modulo the second. q1 q2 = −1
+    is kept by setting the smaller from the larger.
     """
     r3 = A3 - (p1 + p2)
     r2 = A2 - (q1 + q2) - p1 * p2
@@ -419,8 +456,9 @@ def root_pair(p: Real, q: Real) -> Pair:
 def guesses(point: Point, line: Balance, u: Real) -> Guesses:
     """The roots that may be equilibria.
 
-    In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The first factor has a root of
-    either sign; those of the second are complex, or both negative, or both positive.
+    In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The
+    first factor has a root of either sign; those of the second are complex, or both negative, or
+    both positive.
     """
     e = quartic(line.a, line.b, line.d, line.m)
     resolved = cubic(line.a, line.b, line.d, line.m)

@@ -16,7 +16,9 @@ _AS_PRINTED = ("confirmed", "definition")
 
 @dataclass(frozen=True)
 class Ledger:
-    """Rows of the check, the identities that the elimination rests on, and the steps of two theorems."""
+    """Rows of the check, the identities that the elimination rests on, and the steps of two
+    theorems.
+    """
 
     rows: tuple[Row, ...]
     identities: dict[str, bool]
@@ -48,13 +50,18 @@ def markdown(ledger: Ledger, header: str) -> str:
         "",
         header,
         "",
-        "Every numbered equation, appendix coefficient and definition of J. Kang and J. Nam, *Minimal Model for Sprag-Slip "
-        "Oscillation as Catastrophe-Type Behavior*, Applied Sciences 10 (2020) 2748, as printed, against what follows from "
-        "energies and forces. Equality is decided by exact algebra modulo sin² + cos² = 1. What is derived stands in the "
-        "arrangement of the print, so that the two can be compared by eye; ledger.json also has the form that the derivation itself "
+        "Every numbered equation, appendix coefficient and definition of J. Kang and J. Nam, "
+        "*Minimal Model for Sprag-Slip "
+        "Oscillation as Catastrophe-Type Behavior*, Applied Sciences 10 (2020) 2748, as "
+        "printed, against what follows from "
+        "energies and forces. Equality is decided by exact algebra modulo sin² + cos² = 1. "
+        "What is derived stands in the "
+        "arrangement of the print, so that the two can be compared by eye; ledger.json also "
+        "has the form that the derivation itself "
         "arrives at, and leaves out a derived form that is the printed one.",
         "",
-        "Shorthands: $B = \\beta + \\overline{n}$, $M = \\mu_o \\overline{n}$, $p = \\alpha + \\sigma$, $q = B + \\sigma$.",
+        "Shorthands: $B = \\beta + \\overline{n}$, $M = \\mu_o \\overline{n}$, $p = \\alpha + "
+        "\\sigma$, $q = B + \\sigma$.",
         "",
         "Outcome: "
         + ", ".join(f"{count} {status}" for status, count in summary(ledger.rows).items())
@@ -86,8 +93,10 @@ def markdown(ledger: Ledger, header: str) -> str:
     lines += [
         "## One or three",
         "",
-        "For 0 < θ₀ < π, κ > 0, σ > 0, α, β ≥ 0 and every μ₀ ≥ 0 there are one or three steady-sliding equilibria, counted "
-        "with multiplicity, and of three different ones the middle one is divergent. With s = sin θ and s* = s₀ − κ/σ, each "
+        "For 0 < θ₀ < π, κ > 0, σ > 0, α, β ≥ 0 and every μ₀ ≥ 0 there are one or three "
+        "steady-sliding equilibria, counted "
+        "with multiplicity, and of three different ones the middle one is divergent. With s = "
+        "sin θ and s* = s₀ − κ/σ, each "
         "step decided by exact algebra:",
         "",
         *(
@@ -97,9 +106,12 @@ def markdown(ledger: Ledger, header: str) -> str:
         "",
         "## The lowest fold",
         "",
-        "For κ > 0, σ > 0 and α, β ≥ 0 the least friction at which, over 0 < θ₀ < π, the reference state ends is the least of: "
-        "the cusps with 0 < θ₀ < π/2 and μ₀ ≥ 0; the points with 0 < θ₀ < π/2, μ₀ > 0 and f″ < 0 at which the curve of folds turns back, "
-        "f = f′ = f_θ₀ = 0; the folds at θ₀ = 0 with μ₀ > 0 and f″ < 0. Where there is none of these it never ends:",
+        "For κ > 0, σ > 0 and α, β ≥ 0 the least friction at which, over 0 < θ₀ < π, the "
+        "reference state ends is the least of: "
+        "the cusps with 0 < θ₀ < π/2 and μ₀ ≥ 0; the points with 0 < θ₀ < π/2, μ₀ > 0 and f″ "
+        "< 0 at which the curve of folds turns back, "
+        "f = f′ = f_θ₀ = 0; the folds at θ₀ = 0 with μ₀ > 0 and f″ < 0. Where there is none "
+        "of these it never ends:",
         "",
         *(
             f"{number}. {_mark(step.holds)} {step.claim}"

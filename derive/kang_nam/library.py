@@ -1,4 +1,6 @@
-"""The article's model as a library in any language, from the generated Python package; without SymPy."""
+"""The article's model as a library in any language, from the generated Python package; without
+SymPy.
+"""
 
 import re
 from collections.abc import Callable
@@ -46,7 +48,8 @@ OF_PAGE = {
 #: Those that take no more than they read; the others take all that a motion is given.
 _SHORT = ("energy", "friction_force")
 
-#: What solvers call on double-double numbers: functions of the kernel with the kinds of their arguments.
+#: What solvers call on double-double numbers: functions of the kernel with the kinds of their
+#: arguments.
 WIDELY = (
     ("balance", ("Point",)),
     ("moderate", ("Point",)),
@@ -67,12 +70,16 @@ _GENERATED = _HERE.parent.parent / "generated"
 
 
 def exported(written_in: str) -> dict[str, str]:
-    """The files of the library in a language, by their names, from the package that was generated beside this one."""
+    """The files of the library in a language, by their names, from the package that was generated
+    beside this one.
+    """
     return render(written_in, lambda name: (_GENERATED / name).read_text(encoding="utf-8"))
 
 
 def render(written_in: str, generated: Callable[[str], str]) -> dict[str, str]:
-    """The same from the texts of a generated package, given by their names; they carry the hash of what they are."""
+    """The same from the texts of a generated package, given by their names; they carry the hash of
+    what they are.
+    """
     return write.sealed(targets.render(written_in, material(generated)))
 
 
@@ -130,7 +137,9 @@ def double_doubles() -> language.Source:
 
 
 def _of_page(text: str) -> tuple[Definition, ...]:
-    """Functions of the page, with n̄ for contact and all exponentials of the friction law felt; no name begins with an underscore."""
+    """Functions of the page, with n̄ for contact and all exponentials of the friction law felt; no
+    name begins with an underscore.
+    """
     known = {function.name: function for function in definitions.of_module(text)}
     return tuple(_library_form(known[name], equations) for name, equations in OF_PAGE.items())
 

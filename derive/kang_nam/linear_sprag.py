@@ -1,6 +1,8 @@
-"""The constant-angle model of the article's reference [17], its poles, and the critical friction μ_cr.
+"""The constant-angle model of the article's reference [17], its poles, and the critical friction
+μ_cr.
 
-The inclined spring keeps the angle θ₀ however the mass moves, so its stretch is the displacement along that direction.
+The inclined spring keeps the angle θ₀ however the mass moves, so its stretch is the displacement
+along that direction.
 """
 
 from functools import cache
@@ -14,7 +16,9 @@ from . import nomenclature as nm
 
 @cache
 def balance() -> sp.Matrix:
-    """Forces at steady sliding in contact, with the inclined spring's energy at a constant direction; dimensionless."""
+    """Forces at steady sliding in contact, with the inclined spring's energy at a constant
+    direction; dimensionless.
+    """
     stretch = nm.x * nm.c0 + nm.y * nm.s0
     energy = nm.sigma * stretch**2 / 2
     page = mechanics.of_page()
@@ -58,7 +62,9 @@ def pole_quadratic() -> Row:
 
 @cache
 def critical_friction_squared() -> sp.Expr:
-    """μ_cr²: the discriminant of :func:`pole_quadratic` is σ² (μ₀² − μ_cr²). Below μ_cr there is no pole."""
+    """μ_cr²: the discriminant of :func:`pole_quadratic` is σ² (μ₀² − μ_cr²). Below μ_cr there is no
+    pole.
+    """
     e0, e1, e2 = pole_quadratic()
     discriminant = sp.expand(e1**2 - 4 * e0 * e2)
     return sp.factor(sp.solve(discriminant, nm.mu0**2)[0])

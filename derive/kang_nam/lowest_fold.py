@@ -1,6 +1,8 @@
-"""The lowest fold: the least friction at which, over all inclinations 0 < θ₀ < π, the reference state ends.
+"""The lowest fold: the least friction at which, over all inclinations 0 < θ₀ < π, the reference
+state ends.
 
-Candidates are the cusps, the points at which the curve of folds turns back in μ₀, f = f′ = f_θ₀ = 0, and the folds at θ₀ = 0.
+Candidates are the cusps, the points at which the curve of folds turns back in μ₀, f = f′ = f_θ₀ =
+0, and the folds at θ₀ = 0.
 """
 
 from functools import cache
@@ -15,7 +17,8 @@ from .theorem import Step, alpha, beta, in_contact, kappa, s0, sigma
 from .unit_circles import by_inclination
 
 
-# -------------------------------------------------------------------------------------- where the curve of folds turns back
+# -------------------------------------------------------------------------------------- where the
+# curve of folds turns back
 
 
 #: What the line and the quadratics below are written in, each in terms of those before it.
@@ -55,9 +58,11 @@ def quadratics_in_parts() -> tuple[Row, Row]:
 
 @cache
 def turning_quadratics() -> tuple[Row, Row]:
-    """Coefficients, lowest power first, of two quadratics in sin θ₀ that are 0 where folds turn back; polynomials in sin θ.
+    """Coefficients, lowest power first, of two quadratics in sin θ₀ that are 0 where folds turn
+    back; polynomials in sin θ.
 
-    The first is f_θ₀ with the friction of a fold and cos θ₀ of :func:`turning_line`, the second sin² θ₀ + cos² θ₀ = 1 with it.
+    The first is f_θ₀ with the friction of a fold and cos θ₀ of :func:`turning_line`, the second
+    sin² θ₀ + cos² θ₀ = 1 with it.
     """
     slope, circle = (
         tuple(value.subs(PARTS).subs(PARTS) for value in row) for row in quadratics_in_parts()
@@ -79,14 +84,17 @@ def turning_quadratics() -> tuple[Row, Row]:
 
 
 def minors(one: Row, two: Row) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """O, U and V of two quadratics: their resultant is O² − U V, and where it is 0, −O/U is the common root."""
+    """O, U and V of two quadratics: their resultant is O² − U V, and where it is 0, −O/U is the
+    common root.
+    """
     outer, upper, lower = (one[i] * two[j] - one[j] * two[i] for i, j in ((2, 0), (2, 1), (1, 0)))
     return outer, upper, lower
 
 
 @cache
 def turning_polynomial() -> Row:
-    """Coefficients, lowest power first, of the polynomial in s = sin θ among whose roots in (0, 1] are all points of turning back.
+    """Coefficients, lowest power first, of the polynomial in s = sin θ among whose roots in (0, 1]
+    are all points of turning back.
 
     The resultant of :func:`turning_quadratics` is −κ (s² − 1) w² times it. Contact only, and α > 0.
     """
@@ -111,10 +119,8 @@ def identities() -> dict[str, bool]:
     root = -outer / upper
     values = (unit_circles.polynomial(row, root) for row in (one, two))
     return {
-        "where the curve of folds turns back in μ₀, sin θ is a root of a polynomial of degree 9": len(
-            turning_polynomial()
-        )
-        == 10,
+        "where the curve of folds turns back in μ₀, sin θ is a root of a polynomial of degree "
+        "9": len(turning_polynomial()) == 10,
         "two quadratics whose resultant is 0 have the common root that turning_sine names": all(
             sp.cancel(value * upper**2 - row[2] * resultant) == 0
             for value, row in zip(values, (one, two), strict=True)
@@ -122,11 +128,14 @@ def identities() -> dict[str, bool]:
     }
 
 
-# ------------------------------------------------------------------------------------------------ why these are all
+# ------------------------------------------------------------------------------------------------
+# why these are all
 
 
 def steps() -> tuple[Step, ...]:
-    """The least friction at which the reference state ends is that of a cusp, of a turn with f″ < 0, or of a fold at θ₀ = 0."""
+    """The least friction at which the reference state ends is that of a cusp, of a turn with f″ <
+    0, or of a fold at θ₀ = 0.
+    """
     return (*_start(), *_inclined_backward(), *_follow())
 
 
@@ -145,8 +154,10 @@ def _start() -> tuple[Step, ...]:
             sp.expand(at_rest - (nm.alpha * (nm.c0 - L * nm.c) + nm.sigma * (1 - L) * nm.c)) == 0,
         ),
         Step(
-            "q s (L − 1) = κ − B (s − s₀): where cos θ > 0, L < 1 asks sin θ > sin θ₀, hence L cos θ < cos θ₀ and x > 0, against α x < 0, so "
-            "that L ≥ 1 and 0 ≤ x < cos θ₀ (α = 0: L = 1, sin θ > sin θ₀): the one state with cos θ > 0 is the one of small deformation",
+            "q s (L − 1) = κ − B (s − s₀): where cos θ > 0, L < 1 asks sin θ > sin θ₀, hence "
+            "L cos θ < cos θ₀ and x > 0, against α x < 0, so "
+            "that L ≥ 1 and 0 ≤ x < cos θ₀ (α = 0: L = 1, sin θ > sin θ₀): the one state with "
+            "cos θ > 0 is the one of small deformation",
             sp.expand(stretch - lift) == 0,
         ),
     )
@@ -171,14 +182,17 @@ def _inclined_backward() -> tuple[Step, ...]:
             sp.expand(relations[nm.fb] + nm.s**2 * (nm.fa * nm.s + nm.fm * nm.c)) == 0,
         ),
         Step(
-            "on a fold q α cos θ₀ = −a cos³ θ + m s cos² θ − M q y: where cos θ ≤ 0 and μ₀ > 0, so that a > 0 and −M q y > 0, this is "
+            "on a fold q α cos θ₀ = −a cos³ θ + m s cos² θ − M q y: where cos θ ≤ 0 and μ₀ > "
+            "0, so that a > 0 and −M q y > 0, this is "
             "positive: such a fold has θ₀ < π/2, and with α = 0 there is none",
             unit_circles.equal(pull.subs(in_friction), sum(parts).subs(in_friction))
             and manifestly_positive(turned),
         ),
         Step(
-            "θ₀ ≥ π/2: without friction f = q α cos θ₀ ≤ 0 at θ = π/2, so that the reference state has cos θ ≤ 0, friction moves "
-            "it to larger θ, and folds are not there; at θ₀ = π/2 no other state has it, as f = cos θ (a s + b) has the sign of −cos θ",
+            "θ₀ ≥ π/2: without friction f = q α cos θ₀ ≤ 0 at θ = π/2, so that the reference "
+            "state has cos θ ≤ 0, friction moves "
+            "it to larger θ, and folds are not there; at θ₀ = π/2 no other state has it, as f "
+            "= cos θ (a s + b) has the sign of −cos θ",
             sp.expand(
                 (f - nm.c * (nm.fa * nm.s + nm.fb))
                 .subs(elimination.f_coefficients())
@@ -196,25 +210,33 @@ def _follow() -> tuple[Step, ...]:
     f = elimination.f_in_parameters()
     return (
         Step(
-            "f is linear in μ₀, and f_μ₀ = q y sin θ < 0 in contact: the friction of a direction is one number, and a state with f′ > 0 "
+            "f is linear in μ₀, and f_μ₀ = q y sin θ < 0 in contact: the friction of a "
+            "direction is one number, and a state with f′ > 0 "
             "moves to larger θ as friction rises",
             sp.expand(sp.diff(f, nm.M) - sp.cancel(nm.q * nm.s * elimination.state()[nm.y])) == 0,
         ),
         Step(
-            "a fold with μ₀ > 0 and f″ < 0 has f > 0 at its θ without friction, so that the reference state, the first root, lies "
-            "below it; at the fold f < 0 on both sides, and the third root lies above: to get there the state would pass the fold's θ "
-            "at a smaller friction, and that θ has one friction only. So it ends at the fold, or before",
+            "a fold with μ₀ > 0 and f″ < 0 has f > 0 at its θ without friction, so that the "
+            "reference state, the first root, lies "
+            "below it; at the fold f < 0 on both sides, and the third root lies above: to get "
+            "there the state would pass the fold's θ "
+            "at a smaller friction, and that θ has one friction only. So it ends at the fold, "
+            "or before",
             all(step.holds for step in theorem.one_or_three()),
         ),
         Step(
-            "along the folds of f″ ≠ 0 dμ₀/dθ₀ = −f_θ₀/f_μ₀: the least friction of those with f″ < 0 is that of a cusp (f″ = 0), of a turn "
-            "(f_θ₀ = 0), or at an end of the angles, θ₀ = 0: f ≠ 0 keeps folds away from sin θ = 0 and y = 0, the steps above from "
-            "θ₀ = π/2, and without friction and α > 0 a double root lies above the first, which is simple, and has f″ > 0",
+            "along the folds of f″ ≠ 0 dμ₀/dθ₀ = −f_θ₀/f_μ₀: the least friction of those with "
+            "f″ < 0 is that of a cusp (f″ = 0), of a turn "
+            "(f_θ₀ = 0), or at an end of the angles, θ₀ = 0: f ≠ 0 keeps folds away from sin "
+            "θ = 0 and y = 0, the steps above from "
+            "θ₀ = π/2, and without friction and α > 0 a double root lies above the first, "
+            "which is simple, and has f″ > 0",
             sp.expand(elimination.f_form.subs(nm.s, 0) - nm.fb * nm.c) == 0
             and bool(_inclined_backward()),
         ),
         Step(
-            "α = 0: at a turn κ σ cos θ cos θ₀ = 0, and neither cos θ = 0 nor θ₀ = π/2 is on a fold with μ₀ > 0: the least is at a cusp or at "
+            "α = 0: at a turn κ σ cos θ cos θ₀ = 0, and neither cos θ = 0 nor θ₀ = π/2 is on "
+            "a fold with μ₀ > 0: the least is at a cusp or at "
             "θ₀ = 0",
             sp.expand((turning_line()[0] - nm.kappa * nm.sigma).subs(POLES).subs(nm.alpha, 0)) == 0
             and all(value.subs(nm.alpha, 0) == 0 for value in turning_line()[1:]),

@@ -1,8 +1,9 @@
 """The equations of motion of the article, (1)–(11), from its page.
 
-The assumptions stand in ``derive/models/kang_nam.py``: where the springs are held, the preload, the contact law, the friction law. The
-general way derives from them, as from any page; here stands what it gives in the article's symbols. The elimination, the closed
-forms and the theorem are made for these forces: where a changed page takes away what they rest on, the derivation stops.
+The assumptions stand in ``derive/models/kang_nam.py``: where the springs are held, the preload, the
+contact law, the friction law. The general way derives from them, as from any page; here stands what
+it gives in the article's symbols. The elimination, the closed forms and the theorem are made for
+these forces: where a changed page takes away what they rest on, the derivation stops.
 """
 
 from functools import cache
@@ -29,7 +30,8 @@ PUBLISHED = (nm.theta0, *nm.PARAMETERS, nm.V, nm.creep)
 _WITH_UNITS = {nm.V: nm.V_dim, nm.creep: nm.d_dim}
 
 
-# ------------------------------------------------------------------------------------------------ the page
+# ------------------------------------------------------------------------------------------------
+# the page
 
 
 def page() -> Page:
@@ -46,7 +48,9 @@ def of_page() -> Mechanics:
 
 
 def _require(model: Mechanics) -> None:
-    """Raise where a changed page lacks what the article's chain is about, or gives one of its names to something else."""
+    """Raise where a changed page lacks what the article's chain is about, or gives one of its names
+    to something else.
+    """
     becomes = {datum.becomes for datum in model.page.parameters}
     published = {str(symbol) for symbol in PUBLISHED}
     places, here = {"x", "y"}, {str(symbol) for symbol in model.coordinates}
@@ -56,18 +60,21 @@ def _require(model: Mechanics) -> None:
     ):
         if missing:
             raise ArithmeticError(
-                f"the article's page has no {what} {', '.join(sorted(missing))}, which its closed forms are about"
+                f"the article's page has no {what} {', '.join(sorted(missing))}, which its "
+                "closed forms are about"
             )
     if here != places or len(model.lines) != 1:
         raise ArithmeticError(
-            f"the article's page has {len(here)} coordinates and {len(model.lines)} inclined springs; its closed forms are about x, y "
+            f"the article's page has {len(here)} coordinates and {len(model.lines)} inclined "
+            "springs; its closed forms are about x, y "
             "and one: a model with others is a page of its own"
         )
     for datum in model.page.parameters:
         entry = nm.quantities().get(datum.becomes)
         if entry is not None and datum.becomes not in published:
             raise ArithmeticError(
-                f"{datum.becomes} is {entry.meaning} in the article; give this parameter another name"
+                f"{datum.becomes} is {entry.meaning} in the article; give this parameter "
+                "another name"
             )
 
 
@@ -111,7 +118,9 @@ def quantities() -> dict[str, Quantity]:
 
 
 def in_article(model: Mechanics, expression: sp.Expr) -> sp.Expr:
-    """An expression of the general way in the article's symbols: in x, y, and L for the length of the inclined spring."""
+    """An expression of the general way in the article's symbols: in x, y, and L for the length of
+    the inclined spring.
+    """
     names: dict[sp.Basic, sp.Expr] = {MU: nm.mu, PUSHING: nm.nbar, SIDE: nm.side}
     scaled = {number(datum): symbol_of(datum) for datum in page().parameters}
     names |= (
@@ -132,7 +141,8 @@ def in_article(model: Mechanics, expression: sp.Expr) -> sp.Expr:
     return sp.sympify(expression).subs(directions, simultaneous=True).subs(names, simultaneous=True)
 
 
-# ------------------------------------------------------------------------------------------------ the inclined spring
+# ------------------------------------------------------------------------------------------------
+# the inclined spring
 
 
 def _length(model: Mechanics) -> sp.Expr:
@@ -141,7 +151,9 @@ def _length(model: Mechanics) -> sp.Expr:
 
 
 def measured_length() -> sp.Expr:
-    """Distance from the spring's anchor, at L_0 (cos θ₀, sin θ₀), to the mass at (x, y): (4)–(6)."""
+    """Distance from the spring's anchor, at L_0 (cos θ₀, sin θ₀), to the mass at (x, y):
+    (4)–(6).
+    """
     return _length(_with_units())
 
 
@@ -172,7 +184,8 @@ def replace_length(expression: sp.Expr) -> sp.Expr:
     return expression.replace(is_length, lambda node: nm.L ** (2 * node.exp))
 
 
-# ------------------------------------------------------------------------------------------------ equations of motion
+# ------------------------------------------------------------------------------------------------
+# equations of motion
 
 
 class Motion(NamedTuple):
@@ -199,13 +212,17 @@ def measured_motion() -> Motion:
 
 @cache
 def motion() -> Motion:
-    """The dimensionless equations of motion, (8) and (9), at rest (12) and (13), in x, y and the spring length L."""
+    """The dimensionless equations of motion, (8) and (9), at rest (12) and (13), in x, y and the
+    spring length L.
+    """
     return _motion(of_page(), nm.n)
 
 
 @cache
 def scales() -> dict[str, sp.Expr]:
-    """Scales of length, time and force of the text after (9): the products of the units of measure with these dimensions."""
+    """Scales of length, time and force of the text after (9): the products of the units of measure
+    with these dimensions.
+    """
     named = {"length": units.LENGTH, "time": units.TIME, "force": units.FORCE}
     return {
         name: in_article(_with_units(), physical_checks.scale(page(), dimension))
@@ -215,7 +232,9 @@ def scales() -> dict[str, sp.Expr]:
 
 @cache
 def groups() -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
-    """Each dimensionless quantity of the text after (9) with the dimensional one behind it and the scale between the two."""
+    """Each dimensionless quantity of the text after (9) with the dimensional one behind it and the
+    scale between the two.
+    """
     found = {nm.n: (nm.N, scales()["force"])}
     for datum in page().parameters:
         ratio = in_article(_with_units(), physical_checks.groups(page())[datum.becomes])
@@ -223,7 +242,8 @@ def groups() -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
     return found
 
 
-# ------------------------------------------------------------------------------------------------ contact and friction
+# ------------------------------------------------------------------------------------------------
+# contact and friction
 
 
 def _contact(model: Mechanics) -> sp.Expr:
@@ -264,11 +284,15 @@ def friction() -> sp.Expr:
 
 
 def smooth_friction(side: sp.Expr) -> sp.Expr:
-    """(10) where sgn(V − x') = ``side``, without the absolute value and the sign that kink it at V = x'."""
+    """(10) where sgn(V − x') = ``side``, without the absolute value and the sign that kink it at V
+    = x'.
+    """
     return in_article(of_page(), laws.smooth_friction(of_page(), felt=True)).subs(nm.side, side)
 
 
 @cache
 def steady_friction() -> sp.Expr:
-    """μ at steady sliding, x' = 0 < V: μ₀ (1 − exp(−d V)) exactly, μ₀ in the limit that (12) takes."""
+    """μ at steady sliding, x' = 0 < V: μ₀ (1 − exp(−d V)) exactly, μ₀ in the limit that (12)
+    takes.
+    """
     return in_article(of_page(), laws.friction_at_speed(of_page()))

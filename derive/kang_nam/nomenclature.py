@@ -1,7 +1,9 @@
-"""Every symbol of the model, once: SymPy symbol, code name, the article's name, meaning, unit, domain.
+"""Every symbol of the model, once: SymPy symbol, code name, the article's name, meaning, unit,
+domain.
 
-Angles enter the algebra only through their cosine and sine, so ``c`` and ``s`` stand for cos θ and sin θ, ``c0``
-and ``s0`` for cos θ₀ and sin θ₀; the relation between the two is in :data:`UNIT_CIRCLES`.
+Angles enter the algebra only through their cosine and sine, so ``c`` and ``s`` stand for cos θ and
+sin θ, ``c0`` and ``s0`` for cos θ₀ and sin θ₀; the relation between the two is in
+:data:`UNIT_CIRCLES`.
 """
 
 from collections.abc import Mapping
@@ -16,8 +18,8 @@ _QUANTITIES: dict[sp.Symbol, Quantity] = {}
 def _define(
     code: str, article: str, meaning: str, unit: str = "1", domain: str = "real", scale: str = ""
 ) -> sp.Symbol:
-    # Positive is all that SymPy must know to simplify the square root in the spring length. A proof that relies on other signs
-    # states them itself.
+    # Positive is all that SymPy must know to simplify the square root in the spring length. A proof
+    # that relies on other signs states them itself.
     symbol = sp.Symbol(code, real=True, positive=True if domain == "> 0" else None)
     return _enter(Quantity(symbol, article, meaning, unit, domain, scale))
 
@@ -46,7 +48,8 @@ def _local(code: str, meaning: str) -> sp.Symbol:
 def _enter(entry: Quantity) -> sp.Symbol:
     if any(str(entry.symbol) == str(other) for other in _QUANTITIES):
         raise ValueError(
-            f"{entry.symbol} stands in the nomenclature twice; give the second quantity another name"
+            f"{entry.symbol} stands in the nomenclature twice; give the second quantity "
+            "another name"
         )
     _QUANTITIES[entry.symbol] = entry
     return entry.symbol
@@ -94,7 +97,8 @@ mu = _define("mu", r"\mu", "friction coefficient at the current sliding speed")
 n = _define("n", "n", "contact force N / (k_c L_0)", domain=">= 0")
 tt = _define("t", "t", "tan(θ/2)")
 
-# Shorthands. They are symbols too, so that the elimination can be read, and emitted, in their terms.
+# Shorthands. They are symbols too, so that the elimination can be read, and emitted, in their
+# terms.
 B = _define("B", "B", "β + n̄, the stiffness across the belt with the contact")
 M = _define("M", "M", "μ₀ n̄, friction per unit of penetration")
 p = _define("p", "p", "α + σ")

@@ -1,7 +1,9 @@
-"""Two ways to one thing, compared exactly: linearizations, and what other pages are without what they add.
+"""Two ways to one thing, compared exactly: linearizations, and what other pages are without what
+they add.
 
-K of (28) and the damping that (27) leaves out follow from the balance in x, y and L, and by the general way in directions and lengths;
-and each of some pages, without what it adds, has the equations of the article's page.
+K of (28) and the damping that (27) leaves out follow from the balance in x, y and L, and by the
+general way in directions and lengths; and each of some pages, without what it adds, has the
+equations of the article's page.
 """
 
 import sympy as sp

@@ -1,4 +1,6 @@
-"""Linearization about an equilibrium: K (28), n̄ (29), the characteristic equation (27), and the damping it leaves out."""
+"""Linearization about an equilibrium: K (28), n̄ (29), the characteristic equation (27), and the
+damping it leaves out.
+"""
 
 from functools import cache
 
@@ -55,9 +57,11 @@ def flutter_discriminant(K: sp.Matrix) -> sp.Expr:
 
 @cache
 def trace_identity() -> bool:
-    """The trace of K at an equilibrium in contact is α + σ + (B sin θ₀ + κ)/(L sin θ): positive for 0 < θ, θ₀ < π.
+    """The trace of K at an equilibrium in contact is α + σ + (B sin θ₀ + κ)/(L sin θ): positive for
+    0 < θ, θ₀ < π.
 
-    Where the discriminant is 0, the determinant is a quarter of its square: positive, so that no onset of flutter is a fold.
+    Where the discriminant is 0, the determinant is a quarter of its square: positive, so that no
+    onset of flutter is a fold.
     """
     _, across = equilibrium.balance()
     (preload,) = sp.solve(in_contact(across), nm.kappa)
@@ -67,7 +71,9 @@ def trace_identity() -> bool:
 
 @cache
 def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
-    """u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, the two balances in contact at given θ and μ₀."""
+    """u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, the two balances in contact at
+    given θ and μ₀.
+    """
     friction, preload = nm.M / nm.B, nm.sigma * nm.s + nm.kappa
     lines = (
         -preload / nm.B,
@@ -90,7 +96,9 @@ def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
 
 @cache
 def flutter_quadratic() -> Row:
-    """Coefficients, lowest power first, of L² times the discriminant: zero at an onset with spring length L in direction θ."""
+    """Coefficients, lowest power first, of L² times the discriminant: zero at an onset with spring
+    length L in direction θ.
+    """
     discriminant = sp.expand(nm.L**2 * flutter_discriminant(in_shorthand(stiffness())))
     coefficients = map(unit_circles.reduce_circles, unit_circles.ascending(discriminant, nm.L))
     difference = nm.alpha - nm.B
@@ -107,10 +115,11 @@ def flutter_quadratic() -> Row:
 
 @cache
 def flutter_elimination() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """X, Y and Z in u1, w1, u2, w2 and e0, e1, e2: X² = Y Z is the resultant, in L, of the discriminant and of the unit circle.
+    """X, Y and Z in u1, w1, u2, w2 and e0, e1, e2: X² = Y Z is the resultant, in L, of the
+    discriminant and of the unit circle.
 
-    :func:`flutter_quadratic` has the coefficients e; α² (cos² θ₀ + sin² θ₀ − 1) with :func:`reference_lines` is a second
-    quadratic in L. Where the two share one root, it is X/Y.
+    :func:`flutter_quadratic` has the coefficients e; α² (cos² θ₀ + sin² θ₀ − 1) with
+    :func:`reference_lines` is a second quadratic in L. Where the two share one root, it is X/Y.
     """
     u1, w1, u2, w2 = LINES
     e0, e1, e2 = QUADRATIC
@@ -127,7 +136,9 @@ def flutter_elimination() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 
 @cache
 def flutter_without_alpha() -> sp.Expr:
-    """The same for α = 0: cos θ₀ is free, the second balance is itself the second condition, and the resultant is a square."""
+    """The same for α = 0: cos θ₀ is free, the second balance is itself the second condition, and
+    the resultant is a square.
+    """
     _, _, u2, w2 = LINES
     e0, e1, e2 = QUADRATIC
     condition = e0 * w2**2 - e1 * u2 * w2 + e2 * u2**2
@@ -146,10 +157,12 @@ QUADRATIC = sp.symbols("e0 e1 e2")
 
 @cache
 def flutter_crossing() -> tuple[Pair, Names]:
-    """N and J: along the equilibria at fixed μ₀, L² times the discriminant changes by N/J per unit of θ₀; and names in them.
+    """N and J: along the equilibria at fixed μ₀, L² times the discriminant changes by N/J per unit
+    of θ₀; and names in them.
 
-    By the implicit function theorem and Cramer's rule, in the derivatives of the balances along and across the belt and of the
-    discriminant by θ, L and θ₀. J is minus the Jacobian determinant of the two balances in θ and L, and equals f′.
+    By the implicit function theorem and Cramer's rule, in the derivatives of the balances along and
+    across the belt and of the discriminant by θ, L and θ₀. J is minus the Jacobian determinant of
+    the two balances in θ and L, and equals f′.
     """
     a_t, a_l, a_0, b_t, b_l, b_0, d_t, d_l = sp.symbols(
         "a_theta a_L a_theta0 b_theta b_L b_theta0 d_theta d_L"
@@ -189,7 +202,9 @@ def flutter_crossing() -> tuple[Pair, Names]:
 
 @cache
 def flutter_friction() -> sp.Expr:
-    """M at which an equilibrium with spring length L in direction θ is an onset: the discriminant is linear in M."""
+    """M at which an equilibrium with spring length L in direction θ is an onset: the discriminant
+    is linear in M.
+    """
     e0, e1, e2 = flutter_quadratic()
     (friction,) = sp.solve(unit_circles.polynomial((e0, e1, e2), nm.L), nm.M)
     arranged = -(
@@ -201,10 +216,11 @@ def flutter_friction() -> sp.Expr:
 
 @cache
 def flutter_cubic() -> Row:
-    """g0, g1, k0, k1, k2, k3: onsets at a given θ are where cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀.
+    """g0, g1, k0, k1, k2, k3: onsets at a given θ are where cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin
+    θ₀ + … + k3 sin³ θ₀.
 
-    The balance along the belt times 4 σ sin θ cos θ L, with L from the balance across it and μ₀ from
-    :func:`flutter_friction`.
+    The balance along the belt times 4 σ sin θ cos θ L, with L from the balance across it and μ₀
+    from :func:`flutter_friction`.
     """
     along, _ = equilibrium.balance()
     scale = 4 * nm.sigma * nm.s * nm.c * nm.L

@@ -1,9 +1,10 @@
-"""One or three: for 0 < θ₀ < π, κ > 0, σ > 0, α, β ≥ 0 and every μ₀ ≥ 0 the number of steady-sliding equilibria,
-counted with multiplicity, is one or three, and of three different ones the middle one is divergent.
+"""One or three: for 0 < θ₀ < π, κ > 0, σ > 0, α, β ≥ 0 and every μ₀ ≥ 0 the number of
+steady-sliding equilibria, counted with multiplicity, is one or three, and of three different ones
+the middle one is divergent.
 
-An equilibrium in contact is a root of f with L > 0 and y < 0, that is, with s > s* = s₀ − κ/σ. Each step names what it
-claims and decides it by exact algebra: an identity, or a polynomial in nonnegative quantities with nonnegative
-coefficients and a term that is positive.
+An equilibrium in contact is a root of f with L > 0 and y < 0, that is, with s > s* = s₀ − κ/σ. Each
+step names what it claims and decides it by exact algebra: an identity, or a polynomial in
+nonnegative quantities with nonnegative coefficients and a term that is positive.
 """
 
 import itertools
@@ -67,13 +68,16 @@ def _quartic() -> tuple[Step, ...]:
             manifestly_positive(in_contact(-nm.fb)),
         ),
         Step(
-            "the quartic in t begins with −b t⁴ and ends with b: negative at 0 and positive at ±∞, so that it has an "
+            "the quartic in t begins with −b t⁴ and ends with b: negative at 0 and positive "
+            "at ±∞, so that it has an "
             "odd number of roots on either side of 0, and at most three positive ones",
             len(quartic) == 5 and quartic[4] == -nm.fb and quartic[0] == nm.fb,
         ),
         Step(
-            "three positive roots need a + d > 0: that of t is 2 (a + d), that of t² is −4 m with m = μ₀ σ ≥ 0, and without "
-            "the first positive the coefficients change sign once, which by Descartes' rule leaves one positive root",
+            "three positive roots need a + d > 0: that of t is 2 (a + d), that of t² is −4 m "
+            "with m = μ₀ σ ≥ 0, and without "
+            "the first positive the coefficients change sign once, which by Descartes' rule "
+            "leaves one positive root",
             sp.expand(quartic[1] - 2 * (nm.fa + nm.fd)) == 0
             and quartic[2] == -4 * nm.fm
             and manifestly_positive(in_contact(nm.fm).subs(nm.mu0, friction))
@@ -85,11 +89,13 @@ def _quartic() -> tuple[Step, ...]:
             ),
         ),
         Step(
-            "f = b cos θ ≠ 0 where sin θ = 0, so that the factor q sin θ of f = q sin θ F_x adds no root",
+            "f = b cos θ ≠ 0 where sin θ = 0, so that the factor q sin θ of f = q sin θ F_x "
+            "adds no root",
             elimination.f_form.subs(nm.s, 0) == nm.fb * nm.c,
         ),
         Step(
-            "no equilibrium has sin θ = 0, which solving F_y = 0 for L would lose: F_y is then B s₀ + κ > 0",
+            "no equilibrium has sin θ = 0, which solving F_y = 0 for L would lose: F_y is "
+            "then B s₀ + κ > 0",
             manifestly_positive(in_contact(across.subs(nm.s, 0))),
         ),
         Step(
@@ -104,7 +110,8 @@ def _threshold_below_zero() -> tuple[Step, ...]:
     depth = sp.Symbol("depth", nonnegative=True)  # −s* = κ/σ − s₀
     numerator, denominator = _length_fraction()
     penetration = in_contact(-nm.q * elimination.state()[nm.y])  # −q y(θ), positive in contact
-    # s = −u: L > 0 asks numerator < 0, contact asks penetration > 0, yet the first exceeds the second.
+    # s = −u: L > 0 asks numerator < 0, contact asks penetration > 0, yet the first exceeds the
+    # second.
     conflict = (numerator - penetration).subs(nm.s, -u)
     return (
         Step(
@@ -117,7 +124,8 @@ def _threshold_below_zero() -> tuple[Step, ...]:
             manifestly_positive(penetration.subs(nm.s, s).subs(kappa, sigma * (s0 + depth))),
         ),
         Step(
-            "s < 0 excludes L > 0 together with y < 0: σ s + B s₀ + κ must be negative and σ (s − s₀) + κ positive, "
+            "s < 0 excludes L > 0 together with y < 0: σ s + B s₀ + κ must be negative and σ "
+            "(s − s₀) + κ positive, "
             "but the first is larger than the second by (B + σ) s₀",
             manifestly_positive(conflict),
         ),
@@ -149,8 +157,10 @@ def _threshold_above_zero() -> tuple[Step, ...]:
             manifestly_positive(in_contact(-P).subs(nm.L, 1 + stretch) - alpha),
         ),
         Step(
-            "P² cos² θ* > α² cos² θ₀, with −P = α + λ, cos² θ₀ = C ≥ 0 and cos² θ* = C + s₀² − s*²: F_x has the sign of "
-            "−cos θ at either end, so that there is an odd number of roots between, all with t > 0 and L > 0: one or three",
+            "P² cos² θ* > α² cos² θ₀, with −P = α + λ, cos² θ₀ = C ≥ 0 and cos² θ* = C + s₀² "
+            "− s*²: F_x has the sign of "
+            "−cos θ at either end, so that there is an odd number of roots between, all with "
+            "t > 0 and L > 0: one or three",
             manifestly_positive(
                 (alpha + surplus) ** 2 * (level + (threshold + excess) ** 2 - threshold**2)
                 - alpha**2 * level
@@ -174,26 +184,31 @@ def _middle() -> tuple[Step, ...]:
     return (
         Step("L det K = f′ at every equilibrium", catastrophe.slope_identity()),
         Step(
-            "s* ≤ 0: contact is 0 < θ < π, and f is negative before the first root and positive after the last: f = b < 0 at "
+            "s* ≤ 0: contact is 0 < θ < π, and f is negative before the first root and "
+            "positive after the last: f = b < 0 at "
             "θ = 0 and −b at θ = π",
             f.subs({nm.s: 0, nm.c: 1}) == nm.fb
             and f.subs({nm.s: 0, nm.c: -1}) == -nm.fb
             and manifestly_positive(in_contact(-nm.fb)),
         ),
         Step(
-            "s* > 0: contact is θ* < θ < π − θ*, and f is negative before the first root and positive after the last: at the "
-            "ends f = q s* F_x with q s* > 0, F_x = P cos θ + α cos θ₀ has the sign of P cos θ since (F_x)(P cos θ − α cos θ₀) > 0, "
+            "s* > 0: contact is θ* < θ < π − θ*, and f is negative before the first root and "
+            "positive after the last: at the "
+            "ends f = q s* F_x with q s* > 0, F_x = P cos θ + α cos θ₀ has the sign of P cos "
+            "θ since (F_x)(P cos θ − α cos θ₀) > 0, "
             "and P < 0",
             all(step.holds for step in _threshold_above_zero())
             and sp.simplify(at_end - in_contact(nm.q) * threshold * force) == 0,
         ),
         Step(
-            "three different roots that count three at most are simple, so that the signs of f before, between and after them are "
+            "three different roots that count three at most are simple, so that the signs of "
+            "f before, between and after them are "
             "−, +, −, +: f falls through the second, f′ < 0 there, and det K < 0",
             multiplicities == [(1, 1, 1)],
         ),
         Step(
-            "det K < 0 is divergence: (27) is λ⁴ + tr K λ² + det K = 0, negative at λ = 0 and positive for large λ, so that a real "
+            "det K < 0 is divergence: (27) is λ⁴ + tr K λ² + det K = 0, negative at λ = 0 and "
+            "positive for large λ, so that a real "
             "λ > 0 solves it",
             equation.all_coeffs() == [1, 0, K.trace(), 0, sp.expand(K.det())],
         ),
@@ -201,7 +216,8 @@ def _middle() -> tuple[Step, ...]:
 
 
 def smallest_without_friction() -> tuple[Step, ...]:
-    """At μ₀ = 0 and cos θ₀ > 0 at most one equilibrium has cos θ > 0, and every other has x ≥ cos θ₀; cos θ₀ < 0 is the mirror image.
+    """At μ₀ = 0 and cos θ₀ > 0 at most one equilibrium has cos θ > 0, and every other has x ≥ cos
+    θ₀; cos θ₀ < 0 is the mirror image.
 
     So a state with 0 < L cos θ < 2 cos θ₀, that is |x| < cos θ₀, is the one of smallest |x|.
     """
@@ -226,7 +242,8 @@ def smallest_without_friction() -> tuple[Step, ...]:
             sp.simplify(f - nm.s * nm.c * (nm.fa + nm.fb / nm.s + nm.fd / nm.c)) == 0,
         ),
         Step(
-            "the bracket rises with θ where sin θ, cos θ > 0: times s² c² its slope is a polynomial with positive coefficients",
+            "the bracket rises with θ where sin θ, cos θ > 0: times s² c² its slope is a "
+            "polynomial with positive coefficients",
             manifestly_positive(slope),
         ),
         Step(

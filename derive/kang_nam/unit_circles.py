@@ -1,4 +1,6 @@
-"""Exact algebra on the unit circles of θ and θ₀, whose cosines and sines are symbols of the nomenclature."""
+"""Exact algebra on the unit circles of θ and θ₀, whose cosines and sines are symbols of the
+nomenclature.
+"""
 
 from collections.abc import Iterable
 
@@ -45,7 +47,9 @@ def polynomial(coefficients: Iterable[sp.Expr], variable: sp.Expr) -> sp.Expr:
 
 
 def in_half_angle(expression: sp.Expr, power: int) -> Row:
-    """Coefficients in t = tan(θ/2), lowest power first, of (1 + t²)^power times an expression in ``c`` and ``s``."""
+    """Coefficients in t = tan(θ/2), lowest power first, of (1 + t²)^power times an expression in
+    ``c`` and ``s``.
+    """
     t = nm.tt
     turned = expression.subs({nm.c: (1 - t**2) / (1 + t**2), nm.s: 2 * t / (1 + t**2)})
     return ascending(sp.cancel(sp.together((1 + t**2) ** power * turned)), t)

@@ -1,9 +1,11 @@
-"""Which printed statements no longer hold when the model changes: every printed row against the model of a page.
+"""Which printed statements no longer hold when the model changes: every printed row against the
+model of a page.
 
-A row rests on few things: the geometry of the spring, the laws of contact and friction, the balance of forces, and so on. Each of these
-is compared with the article's, by exact algebra; a row holds where all that it rests on is the article's, fails where something
-differs, with the difference, and has no meaning where the model lacks what it is about. Misprints of the article are corrected
-before a row is judged.
+A row rests on few things: the geometry of the spring, the laws of contact and friction, the balance
+of forces, and so on. Each of these is compared with the article's, by exact algebra; a row holds
+where all that it rests on is the article's, fails where something differs, with the difference, and
+has no meaning where the model lacks what it is about. Misprints of the article are corrected before
+a row is judged.
 """
 
 from __future__ import annotations
@@ -30,7 +32,9 @@ Gaps: TypeAlias = dict[str, sp.Expr]
 
 @dataclass(frozen=True)
 class Judgement:
-    """What becomes of one printed row: the difference, model less article, or why it has no meaning."""
+    """What becomes of one printed row: the difference, model less article, or why it has no
+    meaning.
+    """
 
     id: str
     where: str
@@ -115,12 +119,15 @@ class _Compared:
         return sp.S.Zero if found == 0 else sp.factor_terms(sp.expand(found))
 
     def at_rest(self, row: int, pushing: int) -> sp.Expr:
-        """The balance along x or y. Friction is μ₀ times the contact force, as in the article: the model's μ is a row of its own."""
+        """The balance along x or y. Friction is μ₀ times the contact force, as in the article: the
+        model's μ is a row of its own.
+        """
         it = self.model
         force = it.residuals[self.row("xy"[row])].subs({PUSHING: pushing, MU: nm.mu0})
         return self.named(force if it.gap is None else force.subs(DEPTH, -it.gap))
 
-    # ------------------------------------------------------------------------------------------------ aspects
+    # ---------------------------------------------------------------------------------------------
+    # aspects
 
     def geometry(self, row: int) -> Gaps:
         """L cos θ or L sin θ."""
@@ -186,7 +193,8 @@ class _Compared:
             raise NoMeaning(f"the balance has {len(it.coordinates)} unknowns: there are no D and b")
         if len(it.lines) != 1:
             raise NoMeaning(
-                f"there are {len(it.lines)} inclined springs: the balance is not linear in one direction"
+                f"there are {len(it.lines)} inclined springs: the balance is not linear in "
+                "one direction"
             )
         for row in (0, 1):
             ours = self.polar(self.at_rest(row, pushing))
@@ -194,7 +202,8 @@ class _Compared:
                 sp.diff(ours, one, other) != 0 for one in (nm.c, nm.s) for other in (nm.c, nm.s)
             ):
                 raise NoMeaning(
-                    "the balance is not linear in cos θ and sin θ: there are no D and b, and no quartic in L"
+                    "the balance is not linear in cos θ and sin θ: there are no D and b, and "
+                    "no quartic in L"
                 )
         return {}
 
@@ -241,7 +250,8 @@ class _Compared:
         """That there are no unknowns besides x and y."""
         if len(self.model.coordinates) != 2:
             raise NoMeaning(
-                f"the linearization has {len(self.model.coordinates)} unknowns: its determinant is of higher order"
+                f"the linearization has {len(self.model.coordinates)} unknowns: its "
+                "determinant is of higher order"
             )
         return {}
 
@@ -277,7 +287,9 @@ def _quotient_gap(ours: sp.Expr, theirs: sp.Expr) -> sp.Expr:
 
 
 def _law_gap(gap: sp.Expr) -> sp.Expr:
-    """The difference of two laws, 0 if equal. Simplifying one of tanh takes minutes: what numbers tell from 0 is left as it stands."""
+    """The difference of two laws, 0 if equal. Simplifying one of tanh takes minutes: what numbers
+    tell from 0 is left as it stands.
+    """
     others = sorted(gap.free_symbols - {nm.side}, key=str)
     place = {nm.side: 1} | {
         symbol: sp.Rational(1, 2) + sp.Rational(i, 7) for i, symbol in enumerate(others)

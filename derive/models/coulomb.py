@@ -1,4 +1,5 @@
-r"""The article's model with dry friction: the mass sticks to the belt until the static coefficient is used up.
+r"""The article's model with dry friction: the mass sticks to the belt until the static coefficient
+is used up.
 
 ::
 
@@ -14,16 +15,18 @@ r"""The article's model with dry friction: the mass sticks to the belt until the
      ============================>  V
                  belt
 
-All but the friction is as in the article: springs k_x and k_y to the ground, an inclined spring k, a preload F_L and the contact
-stiffness k_c. The article lets friction rise as μ₀ (1 − exp(−d |v|)) with the sliding speed v, so that what sticks creeps. Here the
-belt holds the mass by any force up to μ₀ N, and μ₀ times the ratio of kinetic to static friction is left where it slides. A ratio of 1
+All but the friction is as in the article: springs k_x and k_y to the ground, an inclined spring k,
+a preload F_L and the contact stiffness k_c. The article lets friction rise as μ₀ (1 − exp(−d |v|))
+with the sliding speed v, so that what sticks creeps. Here the belt holds the mass by any force up
+to μ₀ N, and μ₀ times the ratio of kinetic to static friction is left where it slides. A ratio of 1
 is the limit d → ∞ of the article's law.
 """
 
 from ..model import Page, cos, sgn, sin
 
 page = Page(
-    "The article's model with dry friction, which holds the mass until its static coefficient is used up."
+    "The article's model with dry friction, which holds the mass until its static coefficient "
+    "is used up."
 )
 
 m = page.unit("m", "kg", "mass")

@@ -1,4 +1,5 @@
-r"""Stick–slip by dry friction: one mass and one spring on a belt, with a static and a kinetic coefficient.
+r"""Stick–slip by dry friction: one mass and one spring on a belt, with a static and a kinetic
+coefficient.
 
 ::
 
@@ -10,9 +11,10 @@ r"""Stick–slip by dry friction: one mass and one spring on a belt, with a stat
      ============================>  V
                  belt
 
-A mass is pressed on a belt by the given force N_0 and held by a spring k. It rides with the belt until the spring pulls by μ_s N_0,
-and slides back against μ_k N_0. Lengths are measured in N_0/k, time in √(m/k): then it sticks from x = 2 μ_k − μ_s to μ_s, and slides
-on the circle about x = μ_k, in the plane of x and x′, through these points with x′ = V. With Δ = μ_s − μ_k the period is
+A mass is pressed on a belt by the given force N_0 and held by a spring k. It rides with the belt
+until the spring pulls by μ_s N_0, and slides back against μ_k N_0. Lengths are measured in N_0/k,
+time in √(m/k): then it sticks from x = 2 μ_k − μ_s to μ_s, and slides on the circle about x = μ_k,
+in the plane of x and x′, through these points with x′ = V. With Δ = μ_s − μ_k the period is
 
     2 Δ/V + 2 π − 2 atan(Δ/V),
 
@@ -22,7 +24,8 @@ and x reaches from μ_k − A to μ_k + A with A² = Δ² + V².
 from ..model import Page, sgn
 
 page = Page(
-    "One mass, one spring and dry friction: stick-slip whose period and amplitude have closed forms."
+    "One mass, one spring and dry friction: stick-slip whose period and amplitude have closed "
+    "forms."
 )
 
 m = page.unit("m", "kg", "mass")

@@ -14,8 +14,9 @@ r"""The article's model on a belt that gets stiffer the deeper the mass dips int
      ============================>  V
                  belt
 
-As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the spring k and pressed down by F_L.
-The contact force is a cubic polynomial of the penetration δ: n = −(y + γ y³) for y < 0, with γ = k_3 L_0²/k_c.
+As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the
+spring k and pressed down by F_L. The contact force is a cubic polynomial of the penetration δ: n =
+−(y + γ y³) for y < 0, with γ = k_3 L_0²/k_c.
 """
 
 from ..model import Abs, Page, cos, exp, sgn, sin

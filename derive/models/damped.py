@@ -15,9 +15,10 @@ r"""The article's model with dampers along the belt, across it, and beside the i
      ============================>  V
                  belt
 
-As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the spring k and pressed down by F_L.
-Every spring has a viscous damper beside it. With ζ = c/√(k_c m) for each of them the forces are −ζ_x x′, −ζ_y y′, and −ζ_s L′ along
-the inclined spring. At rest dampers push nothing: the equilibria are those of the article, and only the linearization differs.
+As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the
+spring k and pressed down by F_L. Every spring has a viscous damper beside it. With ζ = c/√(k_c m)
+for each of them the forces are −ζ_x x′, −ζ_y y′, and −ζ_s L′ along the inclined spring. At rest
+dampers push nothing: the equilibria are those of the article, and only the linearization differs.
 """
 
 from ..model import Abs, Page, cos, exp, sgn, sin

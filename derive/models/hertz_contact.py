@@ -14,9 +14,10 @@ r"""The article's model whose mass touches the belt as a ball does.
      ============================>  V
                  belt
 
-As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the spring k and pressed down by F_L.
-The contact force is Hertz's for a ball on a plane, n = (−y)^(3/2) for y < 0: soft at first touch, where its slope is 0 and its
-curvature infinite. The unit of force is k_h L_0^(3/2), and that of stiffness k_h L_0^(1/2) takes the place of k_c.
+As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the
+spring k and pressed down by F_L. The contact force is Hertz's for a ball on a plane, n = (−y)^(3/2)
+for y < 0: soft at first touch, where its slope is 0 and its curvature infinite. The unit of force
+is k_h L_0^(3/2), and that of stiffness k_h L_0^(1/2) takes the place of k_c.
 """
 
 from ..model import Abs, Page, cos, exp, sgn, sin, sqrt

@@ -12,9 +12,10 @@ r"""The article's model on a belt that climbs, with the weight of the mass.
               v  _.-´  psi
             _.-´- - - - - - - - - - - - -
 
-As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the spring k and pressed down by F_L.
-The belt climbs under the angle ψ, and the weight m g pulls the mass by −m g sin ψ along it and by −m g cos ψ across it. In units of
-force the weight is γ_g = m g/(k_c L_0).
+As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the
+spring k and pressed down by F_L. The belt climbs under the angle ψ, and the weight m g pulls the
+mass by −m g sin ψ along it and by −m g cos ψ across it. In units of force the weight is γ_g = m
+g/(k_c L_0).
 """
 
 from ..model import Abs, Page, cos, exp, sgn, sin

@@ -14,9 +14,10 @@ r"""Kang and Nam's minimal model: a mass on a moving belt, leaned on by an incli
      ============================>  V
                  belt
 
-A mass m lies on a belt that runs at the speed V. Springs k_x and k_y tie it to the ground, along the belt and across it. A spring
-k of undeformed length L_0 leans on it, from an anchor under the angle θ₀, and a preload F_L presses it on the belt, which carries
-it through the contact stiffness k_c and drags it by friction. Lengths are measured in L_0, time in √(m/k_c), forces in k_c L_0.
+A mass m lies on a belt that runs at the speed V. Springs k_x and k_y tie it to the ground, along
+the belt and across it. A spring k of undeformed length L_0 leans on it, from an anchor under the
+angle θ₀, and a preload F_L presses it on the belt, which carries it through the contact stiffness
+k_c and drags it by friction. Lengths are measured in L_0, time in √(m/k_c), forces in k_c L_0.
 """
 
 from ..model import Abs, Page, cos, exp, sgn, sin

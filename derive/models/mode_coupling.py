@@ -1,4 +1,5 @@
-r"""Flutter by mode coupling: two linear modes that friction couples, with a threshold in closed form.
+r"""Flutter by mode coupling: two linear modes that friction couples, with a threshold in closed
+form.
 
 ::
 
@@ -13,14 +14,16 @@ r"""Flutter by mode coupling: two linear modes that friction couples, with a thr
      ============================>  V
                  belt
 
-A mass is pressed on a belt by F_L and always touches it, through the contact stiffness k_c. Springs k_x and k_y tie it to the ground
-along the belt and across it, and a third one, k, under 45°, couples the two: its length changes by (x − y)/√2. All of it is linear.
-In units of k_c the stiffness matrix is, with α = k_x/k_c, β = k_y/k_c and σ = k/k_c,
+A mass is pressed on a belt by F_L and always touches it, through the contact stiffness k_c. Springs
+k_x and k_y tie it to the ground along the belt and across it, and a third one, k, under 45°,
+couples the two: its length changes by (x − y)/√2. All of it is linear. In units of k_c the
+stiffness matrix is, with α = k_x/k_c, β = k_y/k_c and σ = k/k_c,
 
     K = ( α + σ/2       μ − σ/2    )
         ( −σ/2       1 + β + σ/2   ).
 
-Its modes come together, and flutter begins, where (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0, which is at the friction
+Its modes come together, and flutter begins, where (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0, which is at the
+friction
 
     μ = ((1 + β − α)² + σ²)/(2 σ).
 

@@ -21,12 +21,14 @@ r"""A brake pad between its piston and a disc that gives way: four coordinates.
             >       | |
         ///////////////////
 
-The pad, of the mass m, is held along the disc by k_x and leaned on by the inclined spring k, as in the model of Kang and Nam. The piston
-m_z presses on its back through k_p with the force F_L. Below it the disc, of the mass m_w, bends away from the pad by w, on the stiffness
-k_w and with the damping c_w: the gap is y − w.
+The pad, of the mass m, is held along the disc by k_x and leaned on by the inclined spring k, as in
+the model of Kang and Nam. The piston m_z presses on its back through k_p with the force F_L. Below
+it the disc, of the mass m_w, bends away from the pad by w, on the stiffness k_w and with the
+damping c_w: the gap is y − w.
 
-Piston and disc change where the pad is, and the normal force not at all: what rests here rests in the article's model too, whose contact
-stiffness is that of k_c and k_w in a row, k_c k_w/(k_c + k_w). What moves does not.
+Piston and disc change where the pad is, and the normal force not at all: what rests here rests in
+the article's model too, whose contact stiffness is that of k_c and k_w in a row, k_c k_w/(k_c +
+k_w). What moves does not.
 """
 
 from ..model import Abs, Page, cos, exp, sgn, sin

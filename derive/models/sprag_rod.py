@@ -14,17 +14,20 @@ r"""A rod on a pivot whose tip leans on a moving wall: sprag-slip in one coordin
       ========================>  V
                 wall
 
-A uniform rod of length l and mass m turns on a pivot at the distance h = l cos θ₀ from a wall that moves with the speed V. It is turned
-by φ against the motion, and its tip touches the wall where |φ| is less than θ₀: the gap is h − l cos φ. A torsion spring k_t, at rest at
-φ = θ₀ − ψ, presses the tip on the wall; a damper c_t turns with it.
+A uniform rod of length l and mass m turns on a pivot at the distance h = l cos θ₀ from a wall that
+moves with the speed V. It is turned by φ against the motion, and its tip touches the wall where |φ|
+is less than θ₀: the gap is h − l cos φ. A torsion spring k_t, at rest at φ = θ₀ − ψ, presses the
+tip on the wall; a damper c_t turns with it.
 
-Friction pulls the tip along with the wall, below the pivot, and so deeper in. Where the contact is stiff, the tip stays at the angle θ₀,
-and the moments k_t ψ of the spring, N l sin θ₀ of the normal force and μ N l cos θ₀ of friction give
+Friction pulls the tip along with the wall, below the pivot, and so deeper in. Where the contact is
+stiff, the tip stays at the angle θ₀, and the moments k_t ψ of the spring, N l sin θ₀ of the normal
+force and μ N l cos θ₀ of friction give
 
     N = k_t ψ / (l (sin θ₀ − μ cos θ₀)),
 
-which grows beyond all bounds as θ₀ comes down to the jamming angle, tan θ₀ = μ: there the rod locks the wall. The wall of this page gives
-way: close to the jamming angle the rod jumps, through the upright position, to the other side, where it trails.
+which grows beyond all bounds as θ₀ comes down to the jamming angle, tan θ₀ = μ: there the rod locks
+the wall. The wall of this page gives way: close to the jamming angle the rod jumps, through the
+upright position, to the other side, where it trails.
 """
 
 from ..model import Abs, Page, cos, exp, pi, sgn, sin

@@ -11,13 +11,15 @@ r"""Stick-slip: one mass, one spring, one damper, and a friction that falls with
      ============================>  V
                  belt
 
-A mass is pressed on a belt by the given force N_0 and held by a spring k and a damper c. The friction coefficient
+A mass is pressed on a belt by the given force N_0 and held by a spring k and a damper c. The
+friction coefficient
 
     μ(v) = 2 μ_s v v_s/(v² + v_s²)
 
-rises to μ_s at the sliding speed v_s and falls beyond it; it is smooth also where v changes its sign. At steady sliding the spring is
-stretched by μ(V) N_0/k, and a small deviation obeys x″ + (ζ + μ′(V)) x′ + x = 0 with ζ = c/√(k m): the slope of the friction law is a
-damping. Sliding loses its stability in a Hopf bifurcation where
+rises to μ_s at the sliding speed v_s and falls beyond it; it is smooth also where v changes its
+sign. At steady sliding the spring is stretched by μ(V) N_0/k, and a small deviation obeys x″ + (ζ +
+μ′(V)) x′ + x = 0 with ζ = c/√(k m): the slope of the friction law is a damping. Sliding loses its
+stability in a Hopf bifurcation where
 
     ζ = 2 μ_s v_s (V² − v_s²)/(V² + v_s²)².
 
@@ -27,7 +29,8 @@ Lengths are measured in N_0/k, time in √(m/k).
 from ..model import Page
 
 page = Page(
-    "One mass, one spring, and a falling friction law: stick-slip, with its Hopf point in closed form."
+    "One mass, one spring, and a falling friction law: stick-slip, with its Hopf point in "
+    "closed form."
 )
 
 m = page.unit("m", "kg", "mass")

@@ -12,9 +12,10 @@ r"""The article's model with a friction that falls with the sliding speed.
                                  ~~~~~~k_c~~~~~~  contact
                             ============================>  V
 
-As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the spring k and pressed down by F_L.
-Friction has Stribeck's form: it rises in a thin layer of creep, 1/d, towards μ_s, and falls over speeds of v_s to μ_k. At steady
-sliding it is μ(V), so that V and d are parameters of the equilibria too, and its negative slope works against all damping.
+As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the
+spring k and pressed down by F_L. Friction has Stribeck's form: it rises in a thin layer of creep,
+1/d, towards μ_s, and falls over speeds of v_s to μ_k. At steady sliding it is μ(V), so that V and d
+are parameters of the equilibria too, and its negative slope works against all damping.
 """
 
 from ..model import Abs, Page, cos, exp, sgn, sin

@@ -15,8 +15,9 @@ r"""The article's model whose spring is held by a trolley.
      ============================>  V
                  belt
 
-As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the spring k and pressed down by F_L.
-The anchor of the inclined spring has the mass m_a and moves along the belt by x_a, on a spring k_a to the ground.
+As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the
+spring k and pressed down by F_L. The anchor of the inclined spring has the mass m_a and moves along
+the belt by x_a, on a spring k_a to the ground.
 """
 
 from ..model import Abs, Page, cos, exp, sgn, sin

@@ -14,8 +14,9 @@ r"""The article's model with a second inclined spring.
      ============================>  V
                  belt
 
-As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the spring k and pressed down by F_L.
-A second spring, of stiffness k_2 and undeformed length λ_2 L_0, leans on it under the angle θ₀₂.
+As in the model of Kang and Nam a mass lies on a belt, tied by springs k_x and k_y, leaned on by the
+spring k and pressed down by F_L. A second spring, of stiffness k_2 and undeformed length λ_2 L_0,
+leans on it under the angle θ₀₂.
 """
 
 from ..model import Abs, Page, cos, exp, sgn, sin

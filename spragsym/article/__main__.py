@@ -1,4 +1,6 @@
-"""``python -m spragsym.article`` writes the record of the claims anew; with ``measure``, that of time and memory of commands."""
+"""``python -m spragsym.article`` writes the record of the claims anew; with ``measure``, that of
+time and memory of commands.
+"""
 
 import json
 import os

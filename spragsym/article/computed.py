@@ -1,4 +1,6 @@
-"""The computation that decides each statement: it returns whether the statement holds, and the values behind it."""
+"""The computation that decides each statement: it returns whether the statement holds, and the
+values behind it.
+"""
 
 import math
 from collections.abc import Callable
@@ -34,14 +36,18 @@ Outcome: TypeAlias = tuple[Any, dict[str, Any]]
 #: Largest friction of Figures 11 to 14.
 MU0_MAX = MU0_RANGE[1]
 
-#: Inclinations far below the fold, degrees, and the one at which the cycle is looked for with other belts.
+#: Inclinations far below the fold, degrees, and the one at which the cycle is looked for with other
+#: belts.
 FAR_BELOW, WITH_OTHERS = (10.0, 20.0, 30.0, 40.0), 30.0
-#: V and d of other belts, of which the article states neither: between rest and oscillation the motions of these are regular.
+#: V and d of other belts, of which the article states neither: between rest and oscillation the
+#: motions of these are regular.
 OTHER_BELTS = ((0.3, 10.0), (0.5, 5.0), (0.4, 12.5))
-#: Inclinations, degrees, at which the motion from rest comes to rest and at which it goes on: of our belt, and of each of these.
+#: Inclinations, degrees, at which the motion from rest comes to rest and at which it goes on: of
+#: our belt, and of each of these.
 FATES_CHANGE = ((41.0, 42.0), (41.2, 43.0), (41.2, 43.7), (41.2, 42.0))
 
-#: Inclinations, degrees, at which equilibria are compared with those under dry friction; one, and a state, on cycles under it.
+#: Inclinations, degrees, at which equilibria are compared with those under dry friction; one, and a
+#: state, on cycles under it.
 OF_STATICS = (10.0, 30.0, 49.0, 90.0, 160.0)
 ON_DRY_CYCLE, ON_STICKING = (
     (42.0, (2.9429144682, 3.3611284180, 0.0, 0.3671196394)),
@@ -59,7 +65,8 @@ def _at(degrees: Any, **changes: Any) -> Parameters:
     return _article(theta0=np.radians(degrees), **changes)
 
 
-# ------------------------------------------------------------------------------------------ the linear model
+# ------------------------------------------------------------------------------------------ the
+# linear model
 
 
 def linear_critical() -> Outcome:
@@ -105,7 +112,9 @@ def no_linear_sliding() -> Outcome:
 
 
 def _linear_gap(angle: Any, mu0: float) -> FloatArray:
-    """Relative distance of x between the two models, the nonlinear one at its smallest |x|, less a tenth."""
+    """Relative distance of x between the two models, the nonlinear one at its smallest |x|, less a
+    tenth.
+    """
     p = _article(theta0=angle, mu0=mu0)
     x = equilibria(p).x
     near = np.take_along_axis(x, np.nanargmin(np.abs(x), axis=-1)[..., None], axis=-1)[..., 0]
@@ -130,7 +139,8 @@ def linear_approximates() -> Outcome:
     return holds, values
 
 
-# ------------------------------------------------------------------------------------- equilibria in contact
+# ------------------------------------------------------------------------------------- equilibria
+# in contact
 
 
 def one_or_three() -> Outcome:
@@ -176,7 +186,9 @@ def base_stability() -> Outcome:
 
 
 def _middle_diverges(eq: Equilibria) -> bool:
-    """Whether of three states the middle one diverges and the others are stable, and of one that is."""
+    """Whether of three states the middle one diverges and the others are stable, and of one that
+    is.
+    """
     stable, three = Stability.STABLE, eq.stability[eq.count == 3]
     return bool(
         (three == [stable, Stability.DIVERGENT, stable]).all()
@@ -216,7 +228,8 @@ def roots_of_21() -> Outcome:
     }
 
 
-# ----------------------------------------------------------------------------------------------------- jumps
+# ------------------------------------------------------------------------------------------------
+# jumps
 
 
 def jump_rising() -> Outcome:
@@ -268,7 +281,8 @@ def family_row(name: str, value: float, bracket: list[float], jumps: bool) -> Ou
     return bool(found) == jumps == (lowest < 0.5), values | jump
 
 
-# --------------------------------------------------------------------------------------------------- flutter
+# ------------------------------------------------------------------------------------------------
+# flutter
 
 
 def flutter_alpha() -> Outcome:
@@ -313,7 +327,8 @@ def hopf() -> Outcome:
     }
 
 
-# ----------------------------------------------------------------------------------- set, cusp, trajectories
+# ----------------------------------------------------------------------------------- set, cusp,
+# trajectories
 
 
 def separates() -> Outcome:
@@ -361,7 +376,8 @@ def no_return() -> Outcome:
     }
 
 
-# ---------------------------------------------------------------------------------------------------- motion
+# ------------------------------------------------------------------------------------------------
+# motion
 
 
 def friction_law() -> Outcome:
@@ -398,7 +414,8 @@ def amplitude_jump() -> Outcome:
     }
 
 
-# ----------------------------------------------------------------------- where the oscillation lives, and the fate of rest
+# ----------------------------------------------------------------------- where the oscillation
+# lives, and the fate of rest
 
 
 def lives_below() -> Outcome:
@@ -464,7 +481,8 @@ def fate_of_rest() -> Outcome:
     }
 
 
-# -------------------------------------------------------------------------------------- under dry friction, d → ∞
+# -------------------------------------------------------------------------------------- under dry
+# friction, d → ∞
 
 
 def _dry(degrees: Any) -> ParameterSet:
@@ -506,7 +524,8 @@ def oscillation_without_d() -> Outcome:
     }
 
 
-# ------------------------------------------------------------------------------------------ cross-references
+# ------------------------------------------------------------------------------------------
+# cross-references
 
 
 def printed_with(mark: str, what: str, among: list[str], expected: list[str]) -> Outcome:
@@ -517,6 +536,8 @@ def printed_with(mark: str, what: str, among: list[str], expected: list[str]) ->
 
 
 def reference_10() -> Outcome:
-    """A path at constant θ₀ does not appear in Figure 10, where the friction is constant and θ₀ is the axis."""
+    """A path at constant θ₀ does not appear in Figure 10, where the friction is constant and θ₀ is
+    the axis.
+    """
     path = quasi_static_path(_at(60.0), "mu0", np.linspace(0.0, MU0_MAX, 11))
     return path.vary == "mu0" and np.ptp(path.values) > 0, {"what varies along a-a'": path.vary}

@@ -1,4 +1,6 @@
-"""Rows of the ledger of claims: what is stated, what was computed, and what has drifted; and the referee's page of them."""
+"""Rows of the ledger of claims: what is stated, what was computed, and what has drifted; and the
+referee's page of them.
+"""
 
 import json
 import math
@@ -86,7 +88,9 @@ def recorded(statements: Sequence[Statement] = STATEMENTS) -> list[Row]:
 
 
 def drifted(rows: Sequence[Row], record: Sequence[Row]) -> list[str]:
-    """What differs from the record, one line each: statuses, words, and numbers beyond their digits."""
+    """What differs from the record, one line each: statuses, words, and numbers beyond their
+    digits.
+    """
     before = {row["id"]: row for row in record}
     return sorted(
         f"{row['id']}: {line}" for row in rows for line in _differences(row, before[row["id"]])
@@ -94,10 +98,13 @@ def drifted(rows: Sequence[Row], record: Sequence[Row]) -> list[str]:
 
 
 def record_text(rows: Sequence[Row]) -> str:
-    """The record as JSON, numbers rounded to their digits; rows that do not hold can't be recorded."""
+    """The record as JSON, numbers rounded to their digits; rows that do not hold can't be
+    recorded.
+    """
     if lost := [row["id"] for row in rows if row["status"] == "not reproduced"]:
         raise ConvergenceError(
-            f"{', '.join(lost)}: not reproduced; mend the statement in statements.toml, or what computes it"
+            f"{', '.join(lost)}: not reproduced; mend the statement in statements.toml, or "
+            "what computes it"
         )
     return (
         json.dumps({row["id"]: row["values"] for row in rows}, indent=1, ensure_ascii=False) + "\n"
@@ -105,7 +112,9 @@ def record_text(rows: Sequence[Row]) -> str:
 
 
 def rounded(value: Any, digits: int) -> Value:
-    """A number, or several, to so many digits; of some numbers of a row fewer are known than of the others."""
+    """A number, or several, to so many digits; of some numbers of a row fewer are known than of the
+    others.
+    """
     if isinstance(value, np.ndarray | list | tuple):
         items: list[Any] = [rounded(item, digits) for item in value]
         return items
@@ -133,7 +142,9 @@ def _differences(now: Row, before: Row) -> list[str]:
 
 
 def _close(one: Any, other: Any, digits: int) -> bool:
-    """Whether values are equal; floats may differ by a unit of the last recorded digit, those below 1 by that unit of 1."""
+    """Whether values are equal; floats may differ by a unit of the last recorded digit, those below
+    1 by that unit of 1.
+    """
     if isinstance(one, list) and isinstance(other, list):
         return len(one) == len(other) and all(
             _close(a, b, digits) for a, b in zip(one, other, strict=True)
@@ -145,7 +156,8 @@ def _close(one: Any, other: Any, digits: int) -> bool:
     return bool(one == other)
 
 
-#: Growth of the states at 30°, for the friction's own slope at V and d: μ₀, what (27) says, largest real part of λ.
+#: Growth of the states at 30°, for the friction's own slope at V and d: μ₀, what (27) says, largest
+#: real part of λ.
 PARADOX = (
     (0.5, "before the jump", "stable", -4.4e-6),
     (0.5, "after the jump", "stable", 4.9e-6),

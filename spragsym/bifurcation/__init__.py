@@ -1,4 +1,6 @@
-"""Bifurcations of equilibria for any model: folds, cusps, Hopf points, their curves in a plane, and paths."""
+"""Bifurcations of equilibria for any model: folds, cusps, Hopf points, their curves in a plane, and
+paths.
+"""
 
 #: Modules that other rooms ask; each is loaded when it is imported.
 __all__ = [

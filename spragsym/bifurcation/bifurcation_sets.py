@@ -1,8 +1,10 @@
-"""The bifurcation set of a model in the plane of two parameters: curves of folds, and the cusps on them.
+"""The bifurcation set of a model in the plane of two parameters: curves of folds, and the cusps on
+them.
 
-In coordinates and both parameters a curve of folds is smooth at its cusps, too: only its image in the plane of the two
-has a point there. So it is followed there: between two neighbours a cubic with their tangents says where another point is looked
-for, as often as makes the curve smooth, and behind its last point it is followed to where it leaves a parameter's range.
+In coordinates and both parameters a curve of folds is smooth at its cusps, too: only its image in
+the plane of the two has a point there. So it is followed there: between two neighbours a cubic with
+their tangents says where another point is looked for, as often as makes the curve smooth, and
+behind its last point it is followed to where it leaves a parameter's range.
 """
 
 from __future__ import annotations
@@ -49,7 +51,8 @@ _WHERE = {
 ENOUGH = 4
 #: How near a line counts as on it, over the range of the parameter.
 ON_LINE = 1e-9
-#: How far a curve may be from the straight line between two neighbours, over the ranges of the parameters.
+#: How far a curve may be from the straight line between two neighbours, over the ranges of the
+#: parameters.
 SMOOTH = 2e-4
 #: Times that points are put between all neighbours.
 HALVINGS = 7
@@ -73,7 +76,8 @@ def bifurcation_set(
     within: Ranges | None = None,
     method: Method = "auto",
 ) -> BifurcationSet:
-    """Where the number of equilibria in contact changes in the plane of two parameters: every curve of folds, and the cusps.
+    """Where the number of equilibria in contact changes in the plane of two parameters: every curve
+    of folds, and the cusps.
 
     Parameters
     ----------
@@ -82,8 +86,9 @@ def bifurcation_set(
     vary : pair of str, optional
         Two parameters, θ₀ and μ₀ unless told otherwise.
     n : int, optional
-        Lines in each direction, 60 unless told otherwise, and one more wherever none of them passes between two extrema of
-        curves; on each all folds are found and proved. Of closed forms about how many directions θ to solve at, 2000 at least.
+        Lines in each direction, 60 unless told otherwise, and one more wherever none of them passes
+        between two extrema of curves; on each all folds are found and proved. Of closed forms about
+        how many directions θ to solve at, 2000 at least.
     between, within, method
         As for :func:`spragsym.folds`, ranges of the two.
 
@@ -96,15 +101,17 @@ def bifurcation_set(
     ParameterError
         For parameters that the model has not, or ranges that leave theirs.
     ConvergenceError
-        Of the article's model with hardly any preload, κ some 10⁻⁷ of σ or of 1 + β, where float64 can't tell folds apart.
+        Of the article's model with hardly any preload, κ some 10⁻⁷ of σ or of 1 + β, where float64
+        can't tell folds apart.
 
     Notes
     -----
-    Source: F = 0 and det K = 0 along these lines, all searched at once; extrema of curves in the second parameter, cusps among
-    them, and ends of curves by :func:`spragsym.bifurcation.bifurcation_sets.extrema`: where all of these are known, no curve
-    is missed, however small it is. Points between by :class:`FoldCurves`. Two points are neighbours
-    only if no line separates them on which all folds are known.
-    Of the article's model: :mod:`spragsym.kang_nam.bifurcation_sets`.
+    Source: F = 0 and det K = 0 along these lines, all searched at once; extrema of curves in the
+    second parameter, cusps among them, and ends of curves by
+    :func:`spragsym.bifurcation.bifurcation_sets.extrema`: where all of these are known, no curve is
+    missed, however small it is. Points between by :class:`FoldCurves`. Two points are neighbours
+    only if no line separates them on which all folds are known. Of the article's model:
+    :mod:`spragsym.kang_nam.bifurcation_sets`.
 
     Examples
     --------
@@ -132,7 +139,9 @@ def bifurcation_set(
 
 
 def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator[str]:
-    """Remarks: ranges that are ``cut``, and each other remark on extrema and ends of curves once, with the points it concerns."""
+    """Remarks: ranges that are ``cut``, and each other remark on extrema and ends of curves once,
+    with the points it concerns.
+    """
     yield from cut
     said: dict[str, dict[str, None]] = {}
     for kind, points in known:
@@ -149,10 +158,12 @@ def extrema(
     between: Ranges,
     within: Ranges | None = None,
 ) -> Iterator[tuple[str, Points]]:
-    """Where curves of folds have extreme values of the second parameter or end, by kind, each proved; arguments as of ``folds``.
+    """Where curves of folds have extreme values of the second parameter or end, by kind, each
+    proved; arguments as of ``folds``.
 
-    Kinds are ``"cusp"``; ``"turn"``: F = 0, det K = 0 and w · ∂F/∂v = 0 for the first parameter v, with w K = 0; ``"end"``, at
-    either end of the range of v; and ``"border"``, where folds leave a contact that opens.
+    Kinds are ``"cusp"``; ``"turn"``: F = 0, det K = 0 and w · ∂F/∂v = 0 for the first parameter v,
+    with w K = 0; ``"end"``, at either end of the range of v; and ``"border"``, where folds leave a
+    contact that opens.
     """
     over, along = vary
     family, rest = (
@@ -187,7 +198,9 @@ def rows_of(family: Family, found: Points) -> FloatArray:
 
 @dataclass(frozen=True)
 class OnLines:
-    """Points of a kind on lines, in order along curves, and the lines; boxes that are left, and what is known of them."""
+    """Points of a kind on lines, in order along curves, and the lines; boxes that are left, and
+    what is known of them.
+    """
 
     curves: FoldCurves
     chains: list[FloatArray]
@@ -200,9 +213,11 @@ class OnLines:
 def on_lines(
     family: Family, condition: Condition, n: int, more: FloatArray, apart: Iterable[float] = ()
 ) -> OnLines:
-    """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points belong to them as well.
+    """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points
+    belong to them as well.
 
-    Between any two of the values ``apart`` of the second parameter there is a line of the first one.
+    Between any two of the values ``apart`` of the second parameter there is a line of the first
+    one.
     """
     rows, left, lines, decided, whole = [], [], {}, {}, True
     balance, vary, spans = family.balance, family.vary, family.spans
@@ -251,7 +266,9 @@ def on_lines(
 
 
 def _on_each(lines: Family, condition: Condition) -> Found:
-    """All points on lines, searched at once; each line of which boxes are left again alone, with all that decides one line."""
+    """All points on lines, searched at once; each line of which boxes are left again alone, with
+    all that decides one line.
+    """
     found = search(lines, condition, BUDGET)
     roots, undecided = found.roots, 0
     for line in np.unique(roots.left_point)[:, None]:
@@ -264,17 +281,22 @@ def _on_each(lines: Family, condition: Condition) -> Found:
 
 
 def _between(values: Iterable[float], span: FloatArray, lines: FloatArray) -> FloatArray:
-    """Middles of the intervals between values next to each other, in a range, in which no line is; none where two are alike."""
+    """Middles of the intervals between values next to each other, in a range, in which no line is;
+    none where two are alike.
+    """
     ends = np.unique([*span, *values])
     empty = np.searchsorted(lines, ends[:-1], "right") == np.searchsorted(lines, ends[1:], "left")
     return 0.5 * (ends[:-1] + ends[1:])[empty & (np.diff(ends) > ON_LINE * np.ptp(span))]
 
 
-# ------------------------------------------------------------------------------------------------------- order of points
+# ------------------------------------------------------------------------------------------------
+# order of points
 
 
 def _no_line_between(places: FloatArray, lines: FloatArray, span: FloatArray) -> BoolArray:
-    """Whether no line separates two points, for every pair: where a curve crosses a line, there is a point of its own."""
+    """Whether no line separates two points, for every pair: where a curve crosses a line, there is
+    a point of its own.
+    """
     room = ON_LINE * (span[1] - span[0])
     first, last = (
         np.searchsorted(lines, places - room, "left"),
@@ -284,7 +306,8 @@ def _no_line_between(places: FloatArray, lines: FloatArray, span: FloatArray) ->
 
 
 def _chains(folds: FoldCurves, states: FloatArray, near: BoolArray) -> list[IntArray]:
-    """Points in order along curves: each is joined to the next ones ahead and behind along its tangent, if they agree.
+    """Points in order along curves: each is joined to the next ones ahead and behind along its
+    tangent, if they agree.
 
     ``near`` says which two may be neighbours, shape (points, points).
     """
@@ -298,7 +321,8 @@ def _chains(folds: FoldCurves, states: FloatArray, near: BoolArray) -> list[IntA
         cost = np.where(
             near & (straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf
         )
-    # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link, the nearest pairs first.
+    # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link, the
+    # nearest pairs first.
     side = np.where(ahead > 0, 0, 1)
     cost = np.where(np.tri(count, dtype=np.bool_), np.inf, cost + cost.T)
     links: list[set[int]] = [set() for _ in range(count)]
@@ -314,7 +338,9 @@ def _chains(folds: FoldCurves, states: FloatArray, near: BoolArray) -> list[IntA
 
 @dataclass(frozen=True)
 class FoldCurves:
-    """Folds along two parameters: the system in coordinates and both, and scales of the unknowns."""
+    """Folds along two parameters: the system in coordinates and both, and scales of the
+    unknowns.
+    """
 
     system: Augmented
     scale: FloatArray
@@ -325,7 +351,9 @@ class FoldCurves:
         return self.system.family.spans
 
     def smooth(self, states: FloatArray) -> FloatArray:
-        """A chain of folds, shape (n + 2, number), with further ones between neighbours, until it is smooth."""
+        """A chain of folds, shape (n + 2, number), with further ones between neighbours, until it
+        is smooth.
+        """
         for _ in range(HALVINGS):
             place, along = states / self.scale[:, None], self.tangents(states)
             chord, centre = np.diff(place, axis=1), 0.5 * (place[:, :-1] + place[:, 1:])
@@ -346,7 +374,9 @@ class FoldCurves:
         return states
 
     def joined(self, chains: Sequence[FloatArray]) -> list[FloatArray]:
-        """Chains followed beyond both ends: to the end of a range, or to the end of another chain, with which it then is one."""
+        """Chains followed beyond both ends: to the end of a range, or to the end of another chain,
+        with which it then is one.
+        """
         left, out = list(chains), []
         while left:
             chain = left.pop(0)
@@ -361,7 +391,8 @@ class FoldCurves:
     def _beyond(
         self, chain: FloatArray, others: list[FloatArray], side: int
     ) -> tuple[FloatArray, bool]:
-        """A chain with the points behind its last by pseudo-arclength, and whether they lead to its begin or another one.
+        """A chain with the points behind its last by pseudo-arclength, and whether they lead to its
+        begin or another one.
 
         The other one is then a part of it, and among the others no more.
         """
@@ -397,7 +428,9 @@ class FoldCurves:
         return np.concatenate(path, axis=1), False
 
     def _within(self, end: FloatArray, to: FloatArray) -> tuple[FloatArray, int | None]:
-        """Where the way from one point to another first comes to an end of a range, and the number of the parameter there."""
+        """Where the way from one point to another first comes to an end of a range, and the number
+        of the parameter there.
+        """
         way, (low, high) = to - end, self.spans.T
         last = np.where(way[-2:] > 0, high, low)
         with quiet():
@@ -412,7 +445,9 @@ class FoldCurves:
         return start, place
 
     def _lies_between(self, point: FloatArray, one: FloatArray, two: FloatArray) -> bool:
-        """Whether a point of the curve lies between two others near to each other, or is the second one."""
+        """Whether a point of the curve lies between two others near to each other, or is the second
+        one.
+        """
         chord, away = (two - one) / self.scale, (point - one) / self.scale
         length = norm(chord)
         share = float(away @ chord) / length**2
@@ -432,7 +467,9 @@ class FoldCurves:
     def on_curve(
         self, start: FloatArray, normal: FloatArray, near: FloatArray
     ) -> tuple[FloatArray, BoolArray]:
-        """Points of the curve in the planes through points with these normals, over the scales, and which are proved."""
+        """Points of the curve in the planes through points with these normals, over the scales, and
+        which are proved.
+        """
         states, scale = start, self.scale[:, None]
         with quiet():
             for _ in range(STEPS):
@@ -454,12 +491,14 @@ class FoldCurves:
             good &= ((self.spans[:, :1] <= states[-2:]) & (states[-2:] <= self.spans[:, 1:])).all(
                 axis=0
             )
-            # A fold in contact is next to each state, with the same value of what the normal points along most.
+            # A fold in contact is next to each state, with the same value of what the normal points
+            # along most.
             good[good] = self.enclosed(states[:, good], np.abs(normal[:, good]).argmax(axis=0))[1]
         return states, good
 
     def enclosed(self, states: FloatArray, fixed: IntArray) -> tuple[FloatArray, BoolArray]:
-        """Boxes, shape (2, n + 2, N), around points of the curve in contact, and which are proved to hold one.
+        """Boxes, shape (2, n + 2, N), around points of the curve in contact, and which are proved
+        to hold one.
 
         ``fixed`` is the number of the unknown whose value is that of the state.
         """

@@ -1,8 +1,10 @@
-"""Branch matching: the equilibria of a model at two values of a parameter that lie on one branch, proved by tubes.
+"""Branch matching: the equilibria of a model at two values of a parameter that lie on one branch,
+proved by tubes.
 
-A tube holds one equilibrium for every value between the two, see :mod:`spragsym.bifurcation.tubes`. The two that meet at a
-fold nearby differ in the sign of det K, which no branch changes between folds; of the three at a pitchfork the outer two lie on
-different sides of the mirror, which none crosses. A step of which not all pairs are known so is halved.
+A tube holds one equilibrium for every value between the two, see :mod:`spragsym.bifurcation.tubes`.
+The two that meet at a fold nearby differ in the sign of det K, which no branch changes between
+folds; of the three at a pitchfork the outer two lie on different sides of the mirror, which none
+crosses. A step of which not all pairs are known so is halved.
 """
 
 import itertools
@@ -29,7 +31,8 @@ from .points import INFINITY
 from .singularities import turned as turned_by_mirror
 from .tubes import Tubes
 
-#: Times a step is halved where all is to be known, and steps beyond which nothing more is hoped for; halvings for what is drawn.
+#: Times a step is halved where all is to be known, and steps beyond which nothing more is hoped
+#: for; halvings for what is drawn.
 HALVINGS, MANY, DRAWN = 40, 500, 3
 #: Of two places the one this much nearer, over the distance of the other, is that of a state there.
 CLEARLY = 0.1
@@ -37,7 +40,9 @@ CLEARLY = 0.1
 
 @dataclass(frozen=True)
 class Along:
-    """A model along one of its parameters, and values, kinds and coordinates (n, number) of the points at which states vanish."""
+    """A model along one of its parameters, and values, kinds and coordinates (n, number) of the
+    points at which states vanish.
+    """
 
     balance: Balance
     p: Any
@@ -49,7 +54,9 @@ class Along:
 
 @dataclass(frozen=True)
 class _States(ByColumn):
-    """Equilibria at one value, shape (n, number), the signs of det K, and sides of the mirror: 0 on it, or if there is none."""
+    """Equilibria at one value, shape (n, number), the signs of det K, and sides of the mirror: 0 on
+    it, or if there is none.
+    """
 
     q: FloatArray
     signs: FloatArray
@@ -67,11 +74,12 @@ def linked(
     only: int | None = None,
     method: Method = "auto",
 ) -> list[dict[int, int]]:
-    """For each step between values of a parameter and each slot at its beginning, the slot at its end on the same branch, if any.
+    """For each step between values of a parameter and each slot at its beginning, the slot at its
+    end on the same branch, if any.
 
-    ``turns`` are all points along it at which states vanish, None in lift-off, where there are none. A step is halved
-    ``most`` times; if it is not known then it has the pairs that tubes join and no others, or is an error after
-    :data:`HALVINGS`. ``only`` one step may be asked for.
+    ``turns`` are all points along it at which states vanish, None in lift-off, where there are
+    none. A step is halved ``most`` times; if it is not known then it has the pairs that tubes join
+    and no others, or is an error after :data:`HALVINGS`. ``only`` one step may be asked for.
     """
     at, kinds, q = np.empty(0), np.empty(0, dtype=str), np.empty((0, 0))
     if turns is not None:
@@ -140,7 +148,9 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
 def _by_tubes(
     along: Along, steps: list[Span], states: Mapping[float, _States]
 ) -> tuple[dict[Span, dict[int, int]], set[Span]]:
-    """Pairs of slots whose states a tube joins, over a fold those of states that go through; and steps of which all are known."""
+    """Pairs of slots whose states a tube joins, over a fold those of states that go through; and
+    steps of which all are known.
+    """
     n, known = along.balance.n, {step: dict[int, int]() for step in steps}
     begun = [(one, two, slot) for one, two in steps for slot in range(states[one].signs.size)]
     given = given_column(along.p, along.balance.parameters, (along.vary,))
@@ -167,7 +177,9 @@ def _by_tubes(
 def _complete(
     along: Along, pairs: dict[int, int], step: Span, begin: _States, end: _States
 ) -> bool:
-    """Whether all pairs of a step are known, after those are entered that signs or the mirror tell."""
+    """Whether all pairs of a step are known, after those are entered that signs or the mirror
+    tell.
+    """
     within = (along.at >= min(step)) & (along.at <= max(step))
     kinds, counts = along.kinds[within].astype(str), (begin.signs.size, end.signs.size)
     if kinds.size and (kinds == "pitchfork").all():
@@ -178,12 +190,14 @@ def _complete(
         above = np.char.endswith(kinds, "up")
         gone = int((above == (step[0] > step[1])).sum())
         return len(pairs) == counts[0] - gone == counts[1] - (above.size - gone)
-    # A fold that is a value of the path itself lies on the one side of that float or on the other, as the counts tell.
+    # A fold that is a value of the path itself lies on the one side of that float or on the other,
+    # as the counts tell.
     if ((along.at > min(step)) & (along.at < max(step))).any() or (
         kinds.size and counts[0] != counts[1]
     ):
         return len(pairs) == min(counts)
-    # Of those that tubes do not reach: between folds no branch changes the sign of its det K, or crosses the mirror.
+    # Of those that tubes do not reach: between folds no branch changes the sign of its det K, or
+    # crosses the mirror.
     left = _left(pairs, begin), _left(pairs.values(), end)
     one, other = (
         _told_apart(states, part) for states, part in zip((begin, end), left, strict=True)
@@ -196,11 +210,13 @@ def _complete(
 def _across_pitchforks(
     places: FloatArray, pairs: dict[int, int], begin: _States, end: _States, on: list[bool]
 ) -> bool:
-    """Pairs of the states that meet at pitchforks in these places, shape (n, number), all but those that end there.
+    """Pairs of the states that meet at pitchforks in these places, shape (n, number), all but those
+    that end there.
 
-    ``on`` says which of both values are on them. The outer two and the one that is left on the other side agree in the sign of
-    det K. Where that is positive none ends, and of three that begin the upper goes on. Where it is negative it is the middle one
-    that is stable: it ends, and begins.
+    ``on`` says which of both values are on them. The outer two and the one that is left on the
+    other side agree in the sign of det K. Where that is positive none ends, and of three that begin
+    the upper goes on. Where it is negative it is the middle one that is stable: it ends, and
+    begins.
     """
     left = _left(pairs, begin), _left(pairs.values(), end)
     near = [
@@ -233,7 +249,9 @@ def _across_pitchforks(
 
 
 def clearly_nearest(q: FloatArray, places: FloatArray) -> IntArray:
-    """For each of some states, shape (n, number), the place that is by far the nearest to it; -1 if none is."""
+    """For each of some states, shape (n, number), the place that is by far the nearest to it; -1 if
+    none is.
+    """
     away = np.linalg.norm(q[:, :, None] - places[:, None], axis=0)
     first, second = np.sort(np.pad(away, [(0, 0), (0, 1)], constant_values=np.inf), axis=1).T[:2]
     return np.where(first <= CLEARLY * second, away.argmin(axis=1), -1)
@@ -245,7 +263,9 @@ def _left(taken: Container[int], states: _States) -> list[int]:
 
 
 def _told_apart(states: _States, part: Sequence[int]) -> dict[tuple[float, float | None], int]:
-    """Slots by the sign of det K, and those that share theirs by their side of the mirror; fewer where two are alike."""
+    """Slots by the sign of det K, and those that share theirs by their side of the mirror; fewer
+    where two are alike.
+    """
     signs = states.signs[part].tolist()
     keys = [
         (sign, states.sides[k] if signs.count(sign) > 1 else None)

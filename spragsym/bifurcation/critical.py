@@ -1,4 +1,6 @@
-"""The lowest end: the least value of a parameter at which, over a range of another one, a state that is followed ends."""
+"""The lowest end: the least value of a parameter at which, over a range of another one, a state
+that is followed ends.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +29,8 @@ from .paths import ModelEnd, first_end
 from .points import INFINITY, OVER_BORDER, escapes, isolated
 from .tubes import Tubes
 
-#: How far beside a cusp its folds are looked for, over the range, and beyond its value, over that if it is larger than 1.
+#: How far beside a cusp its folds are looked for, over the range, and beyond its value, over that
+#: if it is larger than 1.
 ASIDE, BEYOND = (1e-3, 1e-4, 1e-5), 0.05
 #: Of two values that differ by less than that times their bounds none is the lower one.
 SAME = 4.0
@@ -55,41 +58,47 @@ def critical_friction(
     between: Ranges | None = None,
     method: Method = "auto",
 ) -> LowestEnd:
-    """The least friction at which the followed state ends at any inclination, or the least ``vary`` for any value of ``over``.
+    """The least friction at which the followed state ends at any inclination, or the least ``vary``
+    for any value of ``over``.
 
-    Below it that state, followed from the lower end of ``vary`` at any ``over``, never ends. It may be lower than every cusp,
-    since a curve of folds that leaves its cusp upward may turn back below it; see :func:`cusp_friction`.
+    Below it that state, followed from the lower end of ``vary`` at any ``over``, never ends. It may
+    be lower than every cusp, since a curve of folds that leaves its cusp upward may turn back below
+    it; see :func:`cusp_friction`.
 
     Parameters
     ----------
     p : Parameters
         Of any model; the two that vary are not used. Scalars; of closed forms arrays too.
     vary, over : str, optional
-        Two parameters: the one along which the state is followed, mu0 unless told otherwise, and the one over whose range that is
-        done, theta0 unless told otherwise.
+        Two parameters: the one along which the state is followed, mu0 unless told otherwise, and
+        the one over whose range that is done, theta0 unless told otherwise.
     between, method
         Their ranges and the way to the answer, as for :func:`spragsym.folds`.
 
     Returns
     -------
     LowestEnd
-        To be used as the number or array ``mu0``, with its angle, kind and error; infinite where no fold ends that state.
+        To be used as the number or array ``mu0``, with its angle, kind and error; infinite where no
+        fold ends that state.
 
     Raises
     ------
     ParameterError
         For parameters that are missing.
     ConvergenceError
-        At parameters of the article's model so close to a coincidence that 6144 bits do not tell it from one.
+        At parameters of the article's model so close to a coincidence that 6144 bits do not tell it
+        from one.
 
     Notes
     -----
-    The state followed is the stable one of smallest first coordinate at the lower end of both ranges, and what it becomes along
-    ``over`` there, by a chain of boxes. Where it ends is on curves of folds, and on curves on which it leaves the contact. The
-    least value on a piece of them is at a cusp, at a turn, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0, where the piece
-    ends on the border, or at an end of ``over``: all of these are isolated. From the least on it is asked, by following the state
-    along ``vary`` there, whether it ends: below the first one at which it does, no piece has begun on which it could.
-    Of the article's model: :mod:`spragsym.kang_nam.lowest_fold`.
+    The state followed is the stable one of smallest first coordinate at the lower end of both
+    ranges, and what it becomes along ``over`` there, by a chain of boxes. Where it ends is on
+    curves of folds, and on curves on which it leaves the contact. The least value on a piece of
+    them is at a cusp, at a turn, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0, where the piece
+    ends on the border, or at an end of ``over``: all of these are isolated. From the least on it is
+    asked, by following the state along ``vary`` there, whether it ends: below the first one at
+    which it does, no piece has begun on which it could. Of the article's model:
+    :mod:`spragsym.kang_nam.lowest_fold`.
 
     Examples
     --------
@@ -135,9 +144,11 @@ def cusp_friction(
     between: Ranges | None = None,
     method: Method = "auto",
 ) -> float | FloatArray:
-    """The least friction at a cusp over friction and inclination, or over ``vary`` and ``over``; infinite without a cusp.
+    """The least friction at a cusp over friction and inclination, or over ``vary`` and ``over``;
+    infinite without a cusp.
 
-    What decides whether a state can end is :func:`critical_friction`: folds may lie below their cusps.
+    What decides whether a state can end is :func:`critical_friction`: folds may lie below their
+    cusps.
 
     Parameters
     ----------
@@ -160,7 +171,8 @@ def cusp_friction(
 
     Notes
     -----
-    Source: :func:`spragsym.cusps`; beyond the end of a range there may be others, but no lower ones.
+    Source: :func:`spragsym.cusps`; beyond the end of a range there may be others, but no lower
+    ones.
 
     Examples
     --------
@@ -188,13 +200,16 @@ def _lowest_cusp(p: ParameterSet, vary: str, over: str, between: Ranges | None) 
     ):
         where = f", the lowest of those at {vary} = {value:.12g}" if len(found) else ""
         raise ConvergenceError(
-            f"{len(found)} cusps were found{where}; whether there is a lower one: {'; '.join(found.remarks)}"
+            f"{len(found)} cusps were found{where}; whether there is a lower one: "
+            f"{'; '.join(found.remarks)}"
         )
     return value
 
 
 def _least_left(found: Points, vary: str) -> float:
-    """The least value of one of the two parameters that vary in the boxes that are undecided; infinite without any."""
+    """The least value of one of the two parameters that vary in the boxes that are undecided;
+    infinite without any.
+    """
     ends = found.undecided[:, found.vary.index(vary) - len(found.vary), 0]
     return float(ends.min(initial=math.inf))
 
@@ -235,7 +250,8 @@ def critical_value(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For a parameter that can't change, a bracket with the lowest end on one side, and parameters that are no scalars.
+        For a parameter that can't change, a bracket with the lowest end on one side, and parameters
+        that are no scalars.
     ConvergenceError
         Where the lowest end is undecided on the way.
 
@@ -255,7 +271,8 @@ def critical_value(
     if vary not in p.ranges or vary in (rising, over):
         others = ", ".join(name for name in p.ranges if name not in (rising, over))
         raise ParameterError(
-            f"vary = {vary!r} can't be what changes where {rising} rises over {over}; choose one of {others}"
+            f"vary = {vary!r} can't be what changes where {rising} rises over {over}; choose "
+            f"one of {others}"
         )
     (level,) = p.scalars(rising)
 
@@ -278,7 +295,8 @@ def critical_value(
             f"{_in_words(lowest(value))} at {vary} = {value:g}" for value in (low, high)
         )
         raise ParameterError(
-            f"bracket: the critical {rising} is {ends}, both on one side of {rising} = {level:g}; widen it"
+            f"bracket: the critical {rising} is {ends}, both on one side of {rising} = "
+            f"{level:g}; widen it"
         )
     root = float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=1000))
     if abs(excess(root)) > 1e-9:
@@ -287,7 +305,8 @@ def critical_value(
             for end in (-math.inf, math.inf)
         )
         raise ConvergenceError(
-            f"the critical {rising} jumps across {level:g} at {vary} = {root:.12g}, from {_in_words(below)} to "
+            f"the critical {rising} jumps across {level:g} at {vary} = {root:.12g}, from "
+            f"{_in_words(below)} to "
             f"{_in_words(above)}: there it has no value between; try a bracket on one side"
         )
     return root
@@ -298,7 +317,9 @@ def _in_words(value: float) -> str:
 
 
 def carried(balance: Balance, p: Any, name: str, values: FloatArray, q: FloatArray) -> FloatArray:
-    """The state at values of a parameter that go one way, shape (n, values), of the one that is ``q`` at the first."""
+    """The state at values of a parameter that go one way, shape (n, values), of the one that is
+    ``q`` at the first.
+    """
     tubes = Tubes.of_points(balance, name, given_column(p, balance.parameters, (name,)))
     here = tubes.place(np.append(q, values[0])[:, None])
     states = [q]
@@ -326,7 +347,9 @@ class _Search:
         self.open_from, self.remarks = math.inf, list[str]()
 
     def lowest(self) -> _Candidate:
-        """The candidate of least value at which the followed state ends; an infinite value where it ends at none."""
+        """The candidate of least value at which the followed state ends; an infinite value where it
+        ends at none.
+        """
         candidates = self.candidates()
         first, last = self.spans[0].tolist()
         places = {
@@ -383,7 +406,9 @@ class _Search:
             yield kind, points
 
         def families(room: float) -> Iterator[Family]:
-            """The family over the plane of both parameters, then one over ``vary`` at each end of ``over``."""
+            """The family over the plane of both parameters, then one over ``vary`` at each end of
+            ``over``.
+            """
             yield Family.of(self.p, both, between, room=room)
             for end in self.spans[0].tolist():
                 here = self.p.replace(**{self.over: end})
@@ -399,7 +424,9 @@ class _Search:
                 )
 
     def beside(self, one: _Candidate) -> list[list[float]]:
-        """Places at which it is asked whether the state ends at a candidate: of a cusp two on its sides, ever nearer to it."""
+        """Places at which it is asked whether the state ends at a candidate: of a cusp two on its
+        sides, ever nearer to it.
+        """
         length = float(np.ptp(self.spans[0]))
         return (
             [[one.where - far * length, one.where + far * length] for far in ASIDE]
@@ -427,9 +454,11 @@ class _Search:
         return first_end(here, self.vary, (self.low, limit), start=int(slot))
 
     def ends_at(self, one: _Candidate, above: float) -> bool | None:
-        """Whether the state ends at a candidate, below which it does nowhere; None where that is not decided.
+        """Whether the state ends at a candidate, below which it does nowhere; None where that is
+        not decided.
 
-        Beside a cusp, where its two folds are: no other piece begins between it and the next candidate.
+        Beside a cusp, where its two folds are: no other piece begins between it and the next
+        candidate.
         """
         limit = min(one.value + BEYOND * max(1.0, abs(one.value)), self.high)
         try:

@@ -1,12 +1,15 @@
-"""Defining systems of folds, cusps and onsets over a family of equilibria: coordinates and parameters are unknowns together.
+"""Defining systems of folds, cusps and onsets over a family of equilibria: coordinates and
+parameters are unknowns together.
 
-The forces vanish, and as many conditions hold as there are parameters: det K = 0 with one parameter is a fold; with two, and
-with no change of det K along the direction that K maps to 0, a cusp. Derivatives come from jets over intervals. Where two points
-lie so near to each other that float64 does not tell them apart, the same is evaluated in balls.
+The forces vanish, and as many conditions hold as there are parameters: det K = 0 with one parameter
+is a fold; with two, and with no change of det K along the direction that K maps to 0, a cusp.
+Derivatives come from jets over intervals. Where two points lie so near to each other that float64
+does not tell them apart, the same is evaluated in balls.
 
-K has no bound in a box around the anchor of a spring, and may be regular there. A spring of length l whose line has the direction
-n adds R/l to K, and R, −k r t t′ in its end with the undeformed length r and t across n, has rank one. So l det K = l det K∞ + Σ
-cofactors of K∞ × R, which is smooth at l = 0 for each direction.
+K has no bound in a box around the anchor of a spring, and may be regular there. A spring of length
+l whose line has the direction n adds R/l to K, and R, −k r t t′ in its end with the undeformed
+length r and t across n, has rank one. So l det K = l det K∞ + Σ cofactors of K∞ × R, which is
+smooth at l = 0 for each direction.
 """
 
 import math
@@ -59,7 +62,8 @@ FLAT = 1e-100
 MANY = 400
 #: Clusters of boxes that are looked at.
 CLUSTERS = 12
-#: Width and number of the arcs of directions looked at one by one: 32 are a full turn, one more covers what rounding leaves.
+#: Width and number of the arcs of directions looked at one by one: 32 are a full turn, one more
+#: covers what rounding leaves.
 ARC, ARCS = np.pi / 16, np.arange(33)
 #: Boxes that are looked at in one go, as NumPy takes hardly longer for them than for one.
 FEW = 64
@@ -69,8 +73,9 @@ FEW = 64
 class Family:
     """What is searched: parameters that vary over ranges, at one point of the others or at many.
 
-    ``given`` are all parameters, shape (parameters, points), NaN for those that vary; ``spans`` the ranges of these, shape
-    (number, 2), and ``endless`` those of them whose range was cut; ``asked`` is a region of the coordinates by hand.
+    ``given`` are all parameters, shape (parameters, points), NaN for those that vary; ``spans`` the
+    ranges of these, shape (number, 2), and ``endless`` those of them whose range was cut; ``asked``
+    is a region of the coordinates by hand.
     """
 
     p: Any
@@ -92,7 +97,9 @@ class Family:
         room: float = 0.0,
         given: FloatArray | None = None,
     ) -> Self:
-        """Of a set of parameters, or a column ``given``; ``room`` is how far beyond the border of contact states count, too."""
+        """Of a set of parameters, or a column ``given``; ``room`` is how far beyond the border of
+        contact states count, too.
+        """
         balance, between = Balance(p.model, room=room), between or {}
         spans, asked = ranges(p.model, vary, between), by_hand(balance.coordinates, within)
         given = given_column(p, balance.parameters, vary) if given is None else given
@@ -112,7 +119,9 @@ class Family:
         return out
 
     def named(self, z: FloatArray) -> dict[str, FloatArray]:
-        """What varies and the coordinates by name, from coordinates and parameters, shape (n + number, …)."""
+        """What varies and the coordinates by name, from coordinates and parameters, shape (n +
+        number, …).
+        """
         n = self.balance.n
         return dict(zip((*self.vary, *self.balance.coordinates), [*z[n:], *z[:n]], strict=True))
 
@@ -142,7 +151,8 @@ def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:
                 entry["domain"] for entry in model.about["parameters"] if entry["name"] == name
             )
             raise ParameterError(
-                f"between[{name!r}] = {between[name]} leaves the range of {name}, {domain}; stay within it"
+                f"between[{name!r}] = {between[name]} leaves the range of {name}, {domain}; "
+                "stay within it"
             )
         rows.append(ends)
     return np.array(rows, dtype=float).reshape(-1, 2)
@@ -159,7 +169,8 @@ def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArra
     for name in fixed:
         if getattr(p, name) is None:
             raise ParameterError(
-                f"{name} has no value while {' and '.join(vary)} varies; use p.replace({name}=...), or vary it"
+                f"{name} has no value while {' and '.join(vary)} varies; use "
+                f"p.replace({name}=...), or vary it"
             )
     values = dict(zip(fixed, p.scalars(*fixed), strict=True))
     return np.array([[values.get(name, np.nan)] for name in names])
@@ -169,9 +180,10 @@ def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArra
 class Condition:
     """What is asked of a state beside the balance.
 
-    ``equations`` are the values that must vanish, one for each unknown parameter; jets carry ``order`` more derivatives.
-    ``singular`` and ``touching``: one of them is det K = 0, or that the gap of the contact is 0. ``hopeless`` are boxes in which
-    an inequality that is asked for can't hold, ``given_up`` those that halving would never decide.
+    ``equations`` are the values that must vanish, one for each unknown parameter; jets carry
+    ``order`` more derivatives. ``singular`` and ``touching``: one of them is det K = 0, or that the
+    gap of the contact is 0. ``hopeless`` are boxes in which an inequality that is asked for can't
+    hold, ``given_up`` those that halving would never decide.
     """
 
     equations: Callable[[State], Sequence[Any]]
@@ -195,8 +207,9 @@ FOLD_ON_BORDER = Condition(
 def cusp(column: int) -> Condition:
     """det K = 0, and K v = 0 for a direction v along which det K does not change.
 
-    Where K has rank n − 1 the columns of its adjugate that are not 0 are multiples of v. One of them is taken: points where that
-    one is 0 are roots as well, which :func:`spragsym.bifurcation.singularities.told_apart` tells from cusps.
+    Where K has rank n − 1 the columns of its adjugate that are not 0 are multiples of v. One of
+    them is taken: points where that one is 0 are roots as well, which
+    :func:`spragsym.bifurcation.singularities.told_apart` tells from cusps.
     """
 
     def equations(at: State) -> Sequence[Any]:
@@ -221,7 +234,9 @@ TURN = Condition(_turns, order=1, singular=True)
 
 
 def _touch_turns(at: State) -> Sequence[Any]:
-    """The gap, and the determinant of the slopes of forces and gap by the coordinates and the first parameter."""
+    """The gap, and the determinant of the slopes of forces and gap by the coordinates and the first
+    parameter.
+    """
     gap = at.gap()
     rows, n = [*at.forces(), gap], len(at.q)
     return gap, determinant([[slope(row, k) for k in range(n + 1)] for row in rows])
@@ -242,15 +257,17 @@ def _discriminant(at: State) -> Sequence[Any]:
 
 #: Two roots κ = −λ² of det(K − κ M) meet: the discriminant of that polynomial is 0.
 FLUTTER = Condition(_discriminant)
-#: Two roots λ of det(λ² M + λ C + K) have the sum 0: the last but one of Hurwitz's determinants is 0.
+#: Two roots λ of det(λ² M + λ C + K) have the sum 0: the last but one of Hurwitz's determinants is
+#: 0.
 HOPF = Condition(lambda at: (hurwitz(_characteristic(None, at)),))
 
 
 def _characteristic(along: int | None, at: State) -> list[Any]:
     """Coefficients of det(λ² M + λ C + K), the lowest first.
 
-    Where C has one entry c, of the coordinate ``along``, the odd ones are c times what they are for c = 1, and the even ones do
-    not depend on it. Then 1 stands for c: else conditions on them hold where c is 0.
+    Where C has one entry c, of the coordinate ``along``, the odd ones are c times what they are for
+    c = 1, and the even ones do not depend on it. Then 1 stands for c: else conditions on them hold
+    where c is 0.
     """
     K = at.stiffness()
     places = range(len(K))
@@ -259,14 +276,17 @@ def _characteristic(along: int | None, at: State) -> list[Any]:
 
 
 def undamped_mode(along: int) -> Condition:
-    """:data:`HOPF` where only the coordinate ``along`` is damped, by any amount: a mode in which it does not move.
+    """:data:`HOPF` where only the coordinate ``along`` is damped, by any amount: a mode in which it
+    does not move.
 
-    Then det(λ² M + λ C + K) = A(λ²) + λ c B(λ²) with the only entry c of C, and B a minor of K + λ² M. A pair ± i ω is where A
-    and B have a common root, however small c is; it is divided out.
+    Then det(λ² M + λ C + K) = A(λ²) + λ c B(λ²) with the only entry c of C, and B a minor of K + λ²
+    M. A pair ± i ω is where A and B have a common root, however small c is; it is divided out.
     """
 
     def equations(at: State) -> Sequence[Any]:
-        """The resultant of B and A, less a multiple of B: it does not depend on the entry in row and column ``along``."""
+        """The resultant of B and A, less a multiple of B: it does not depend on the entry in row
+        and column ``along``.
+        """
         rows = pencil(at.stiffness(), at.mass())
         B = cofactor(rows, along, along)
         rows[along][along] = Polynomial([0])
@@ -276,17 +296,20 @@ def undamped_mode(along: int) -> Condition:
 
 
 def no_damping(along: int, on_fold: bool = False) -> Condition:
-    """The damping of the coordinate ``along`` is 0, at a fold too: if nothing else damps, every pair of the state crosses."""
+    """The damping of the coordinate ``along`` is 0, at a fold too: if nothing else damps, every
+    pair of the state crosses.
+    """
     return Condition(
         lambda at: (*(FOLD.equations(at) if on_fold else ()), at.damping()[along][along])
     )
 
 
-#: The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there. A slope with a sign, however
-#: small it is, has no root.
+#: The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there.
+#: A slope with a sign, however small it is, has no root.
 NO_SLOPE = Condition(lambda at: (at.slope(),), hopeless=lambda at: at.slope_has_a_sign())
-#: Kinds of points in the plane, as MatCont calls them, with what vanishes there of the coefficients, the lowest first. BT: two
-#: roots λ are 0. ZH: one is, and two others have the sum 0. HH: all four of two coordinates come in pairs with the sum 0.
+#: Kinds of points in the plane, as MatCont calls them, with what vanishes there of the
+#: coefficients, the lowest first. BT: two roots λ are 0. ZH: one is, and two others have the sum 0.
+#: HH: all four of two coordinates come in pairs with the sum 0.
 KINDS: Mapping[str, Callable[[Sequence[Any]], Sequence[Any]]] = {
     "BT": lambda a: a[:2],
     "ZH": lambda a: (a[0], hurwitz(a[1:])),
@@ -300,7 +323,9 @@ def of_kind(kind: str, along: int | None) -> Condition:
 
 
 def change(K: Matrix, column: int) -> Any:
-    """Change of det K along a column of the adjugate, from entries that are jets in the coordinates first."""
+    """Change of det K along a column of the adjugate, from entries that are jets in the coordinates
+    first.
+    """
     value = determinant(K)
     moved = [slope(value, i) * cofactor(K, column, i) for i in range(len(K))]
     return sum(moved)
@@ -328,7 +353,9 @@ class OfFamily(StateSystem):
     def parted(
         self, unknowns: Sequence[Any], fixed: Values, xp: Any
     ) -> tuple[list[Any], dict[str, Any]]:
-        """Coordinates, and arguments with those that vary in place of the fixed ones; of any number type."""
+        """Coordinates, and arguments with those that vary in place of the fixed ones; of any number
+        type.
+        """
         n = self.balance.n
         changed = dict(zip(self.family.vary, unknowns[n:], strict=True))
         return list(unknowns[:n]), {**fixed, **self.balance.with_angles(changed, xp)}
@@ -342,7 +369,9 @@ class Augmented(OfFamily):
         self.condition, self.order = condition, condition.order
 
     def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
-        """The evaluation at unknowns of any number type, from arguments of which those that vary are replaced."""
+        """The evaluation at unknowns of any number type, from arguments of which those that vary
+        are replaced.
+        """
         return State(self.balance, *self.parted(q, values, xp), shape, xp)
 
     def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
@@ -352,7 +381,8 @@ class Augmented(OfFamily):
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Their slopes by coordinates and parameters."""
         at = self.state(variables(list(unknowns), self.condition.order + 1), parameters)
-        # By the coordinates the stiffness itself, which is sharper, and finite where a law like Hertz's begins.
+        # By the coordinates the stiffness itself, which is sharper, and finite where a law like
+        # Hertz's begins.
         n = self.balance.n
         rows = [
             [constant(entry) for entry in row] + gradient(force, self.n)[n:]
@@ -387,7 +417,9 @@ class Augmented(OfFamily):
 
 
 def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
-    """What a search along one parameter in a region has left open, or knows to few digits only, again with many digits."""
+    """What a search along one parameter in a region has left open, or knows to few digits only,
+    again with many digits.
+    """
     if system.condition.order or found.left.shape[2] > MANY:
         return found
     with quiet():
@@ -399,7 +431,8 @@ def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
 def _regular(at: State, spring: int) -> BoolArray:
     """Boxes at the anchor of a spring in which det K is not 0, whatever its direction is.
 
-    Most of those in which it may be 0 show it in a direction along an axis already, a fourth of a turn apart.
+    Most of those in which it may be 0 show it in a direction along an axis already, a fourth of a
+    turn apart.
     """
     out = np.ones(at.shape, dtype=np.bool_)
     for arcs in (ARCS,) if out.size < FEW else (ARCS[::8], ARCS):

@@ -1,4 +1,6 @@
-"""Any number of digits of equilibria and cusps: isolated over boxes of floats, narrowed by Krawczyk's operator in balls."""
+"""Any number of digits of equilibria and cusps: isolated over boxes of floats, narrowed by
+Krawczyk's operator in balls.
+"""
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -45,7 +47,8 @@ def precise_equilibria(
 ) -> PreciseEquilibria:
     """All equilibria of a point, each number within 10^−digits max(1, |number|).
 
-    ``p`` is any set of the model, ``exact`` has every parameter: a rational number, or what gives an interval in an arithmetic.
+    ``p`` is any set of the model, ``exact`` has every parameter: a rational number, or what gives
+    an interval in an arithmetic.
     """
     balance = balance_of(p.model, contact)
     found, around, whole = _isolated(balance, exact)
@@ -56,7 +59,8 @@ def precise_equilibria(
             else ", or give only numbers that floats hold, as 0.5: these are searched more closely"
         )
         raise ConvergenceError(
-            f"equilibria: {found.left_point.size} boxes are not decided; change a parameter a little{closer}"
+            f"equilibria: {found.left_point.size} boxes are not decided; change a parameter a "
+            f"little{closer}"
         )
 
     def attempt(bits: int) -> list[PreciseEquilibrium]:
@@ -71,7 +75,9 @@ def precise_equilibria(
 
 
 def _each(found: Roots, tell: Callable[[FloatArray, FloatArray], T | None]) -> list[T]:
-    """What ``tell`` gives for each root, from its box and the one in which it is alone; no None among them."""
+    """What ``tell`` gives for each root, from its box and the one in which it is alone; no None
+    among them.
+    """
     told = map(tell, *(np.moveaxis(boxes, 2, 0) for boxes in (found.ends, found.alone)))
     return [one for one in told if one is not None]
 
@@ -97,7 +103,9 @@ def _held(ends: Mapping[str, tuple[Fraction, Fraction]]) -> bool:
 
 
 def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatArray, Any]:
-    """A box for each root of all parameters between the floats around the exact ones, what is left, and the region."""
+    """A box for each root of all parameters between the floats around the exact ones, what is left,
+    and the region.
+    """
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
     given = [ends[name] for name in balance.parameters]
@@ -150,13 +158,16 @@ def precise_cusps(
     between: Ranges | None = None,
     method: Method = "auto",
 ) -> CuspProof:
-    """Cusps in contact, each number within 10^−digits max(1, |number|), arguments as of :func:`.folds.cusps`.
+    """Cusps in contact, each number within 10^−digits max(1, |number|), arguments as of
+    :func:`.folds.cusps`.
 
-    Each is proved for the exact parameters; that there are no more, only where all of these are floats.
+    Each is proved for the exact parameters; that there are no more, only where all of these are
+    floats.
     """
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
-    # Not a set of parameters: the float next to an exact number may lie on an end of the range that excludes it.
+    # Not a set of parameters: the float next to an exact number may lie on an end of the range that
+    # excludes it.
     given = np.array(
         [[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in p.model.parameters]
     )
@@ -189,7 +200,9 @@ def _by_any_column(
     box: FloatArray,
     alone: FloatArray,
 ) -> PreciseCusp | None:
-    """The cusp by the first column of the adjugate that decides: none does by one that is 0 there."""
+    """The cusp by the first column of the adjugate that decides: none does by one that is 0
+    there.
+    """
     for column, system in enumerate(systems):
         try:
             return _cusp(names, system, column, box, alone, digits)
@@ -209,7 +222,8 @@ def _cusp(
 ) -> PreciseCusp | None:
     """The cusp in a box; None where it lies beyond the border of the contact.
 
-    At a regular root of F = det K = ∇(det K) · v = 0 with v ≠ 0 it is of third order, and the parameters unfold it.
+    At a regular root of F = det K = ∇(det K) · v = 0 with v ≠ 0 it is of third order, and the
+    parameters unfold it.
     """
     n = system.balance.n
     root = _narrowed(system, box, alone)
@@ -224,7 +238,9 @@ def _cusp(
 
 
 def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> list[Any]:
-    """The root in a box of floats. The box gets narrower as bits are added: an angle may be known worse than the coordinates."""
+    """The root in a box of floats. The box gets narrower as bits are added: an angle may be known
+    worse than the coordinates.
+    """
     root = narrowed(
         system, box, alone, Fraction(1, 2 ** max(2 * system.bits // 3, system.bits - ROOM))
     )

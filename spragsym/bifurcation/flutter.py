@@ -1,4 +1,6 @@
-"""Onsets of flutter of a model along one parameter, proved: with dampers and the slope of the friction law, or without."""
+"""Onsets of flutter of a model along one parameter, proved: with dampers and the slope of the
+friction law, or without.
+"""
 
 from __future__ import annotations
 
@@ -51,13 +53,15 @@ from .points import Found, arranged, matrices, nothing, of_ends, search
 
 #: Why an onset of (27) has no coefficient.
 NO_DAMPING = (
-    "without damping two frequencies meet there, and all eigenvalues stay on the imaginary axis up to it: no generic Hopf point; "
+    "without damping two frequencies meet there, and all eigenvalues stay on the imaginary "
+    "axis up to it: no generic Hopf point; "
     "ask for the onsets of the damped model, damping=True"
 )
 #: Why one has that is not told from 0, and one that is smaller than what its law can mean.
 NEAR_ZERO = "the first Lyapunov coefficient is not told from 0 by its bound"
 BELOW_THE_LAW = (
-    "the first Lyapunov coefficient is below the smoothing of the friction law: up to amplitudes at which sliding stops it "
+    "the first Lyapunov coefficient is below the smoothing of the friction law: up to "
+    "amplitudes at which sliding stops it "
     "changes the growth rate by less than {:.0e} ω; what happens there decides"
 )
 #: Change of the growth rate over ω below which a coefficient is the tail of a smoothed law.
@@ -68,9 +72,11 @@ VALUES = 61
 ROOM = 1e-6
 #: Imaginary part of a λ that oscillates, over its size.
 OSCILLATES = 1e-6
-#: Real part of a λ that grows or decays, over the largest one: eigenvalues are known to less than that.
+#: Real part of a λ that grows or decays, over the largest one: eigenvalues are known to less than
+#: that.
 GROWS = 1e-11
-#: Width of a box whose middle is as good as a root, and growth of a λ on the imaginary axis, over their sizes.
+#: Width of a box whose middle is as good as a root, and growth of a λ on the imaginary axis, over
+#: their sizes.
 SMALL = 1e-6
 #: Times that the range between two values is halved.
 HALVINGS = 40
@@ -90,7 +96,8 @@ def flutter_onsets(
     within: Ranges | None = None,
     method: Method = "auto",
 ) -> Onsets:
-    """Onsets of flutter in contact along one parameter, the others fixed; ``complete`` says whether these are all.
+    """Onsets of flutter in contact along one parameter, the others fixed; ``complete`` says whether
+    these are all.
 
     Parameters
     ----------
@@ -99,20 +106,23 @@ def flutter_onsets(
     vary : str, optional
         A parameter; without it ``theta0``, or the model's first one.
     damping : bool, optional
-        True for Hopf points of the full linearization, det(λ² M + λ C + K) = 0 with dampers and slope of the friction law; False
-        for (27), without C, as the article's flutter. Without it True, unless C is 0.
+        True for Hopf points of the full linearization, det(λ² M + λ C + K) = 0 with dampers and
+        slope of the friction law; False for (27), without C, as the article's flutter. Without it
+        True, unless C is 0.
     between, within, method
         As for :func:`spragsym.folds`; a closed form is there for (27) along θ₀.
 
     Returns
     -------
     Onsets
-        Of the kind ``"hopf"``, where a pair ± i ω crosses the imaginary axis, or ``"flutter"``, where two frequencies meet;
-        or ``"detected"``: floats see a pair cross there, where the search was not complete, and no proof succeeds;
-        ``omega`` is the frequency, ``criticality`` whether it is super- or subcritical. Where all damping changes its sign
-        at once, by a falling friction law against a damper, every pair of a state crosses, and each has a row. Closed forms add
-        ``branch``, which counts the equilibria from below in θ, from 0, ``count``, how many there are, and ``side``: 1 where
-        the state flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, 0 where the boundary is only touched.
+        Of the kind ``"hopf"``, where a pair ± i ω crosses the imaginary axis, or ``"flutter"``,
+        where two frequencies meet; or ``"detected"``: floats see a pair cross there, where the
+        search was not complete, and no proof succeeds; ``omega`` is the frequency, ``criticality``
+        whether it is super- or subcritical. Where all damping changes its sign at once, by a
+        falling friction law against a damper, every pair of a state crosses, and each has a row.
+        Closed forms add ``branch``, which counts the equilibria from below in θ, from 0, ``count``,
+        how many there are, and ``side``: 1 where the state flutters at slightly larger θ₀, −1 where
+        it does at slightly smaller θ₀, 0 where the boundary is only touched.
 
     Raises
     ------
@@ -123,10 +133,11 @@ def flutter_onsets(
 
     Notes
     -----
-    Source: F = 0 and Hurwitz's determinant of order 2 n − 1, or the discriminant of det(K − κ M) in κ. Where one coordinate
-    only is damped, that entry of C is a factor of Hurwitz's determinant and taken out: what is left, and the entry, or the
-    slope of the friction law where it is that, are searched for on their own. An end of the range at which C vanishes is no
-    onset. Points where a real pair ± λ has the sum 0, or two real λ meet, are roots as well and left out.
+    Source: F = 0 and Hurwitz's determinant of order 2 n − 1, or the discriminant of det(K − κ M) in
+    κ. Where one coordinate only is damped, that entry of C is a factor of Hurwitz's determinant and
+    taken out: what is left, and the entry, or the slope of the friction law where it is that, are
+    searched for on their own. An end of the range at which C vanishes is no onset. Points where a
+    real pair ± λ has the sum 0, or two real λ meet, are roots as well and left out.
 
     Examples
     --------
@@ -151,12 +162,14 @@ def flutter_onsets(
     conservative = is_conservative(balance, over)
     sought: list[tuple[Any, Frequencies]]
     if not damping:
-        # Where K is symmetric all κ are real and stay so as K changes: where two meet they pass each other.
+        # Where K is symmetric all κ are real and stay so as K changes: where two meet they pass
+        # each other.
         sought = [(None if conservative else FLUTTER, meeting)]
     elif only is None or balance.n == 1:
         sought = [(HOPF, crossing)]
     else:
-        # Where K is symmetric damping takes energy from all modes, or gives to all: no pair crosses.
+        # Where K is symmetric damping takes energy from all modes, or gives to all: no pair
+        # crosses.
         sought = [] if conservative else [(undamped_mode(only), partial(_without, only))]
         if slope is None:
             sought.append((no_damping(only), every))
@@ -176,7 +189,8 @@ def flutter_onsets(
     return Onsets(**vars(_joined(family, parts, flat=sought[-1][0] is NO_SLOPE)))
 
 
-# ------------------------------------------------------------------------------------------------------- frequencies
+# ------------------------------------------------------------------------------------------------
+# frequencies
 
 
 def _part(family: Family, found: Found, kind: str, frequencies: Frequencies) -> _Part:
@@ -194,7 +208,9 @@ def _part(family: Family, found: Found, kind: str, frequencies: Frequencies) -> 
 
 
 def crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
-    """ω of the two roots λ of det(λ² M + λ C + K) whose sum is the nearest to 0, unless they are real."""
+    """ω of the two roots λ of det(λ² M + λ C + K) whose sum is the nearest to 0, unless they are
+    real.
+    """
     roots = stability.roots(M, C, K)
     one = _nearest(roots, -roots)
     return [float(abs(one.imag))] if abs(one.imag) > abs(one.real) else []
@@ -213,13 +229,17 @@ def _omega(square: Any) -> list[float]:
 
 
 def meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
-    """ω of the two roots κ of det(K − κ M) that are the nearest to each other, unless they are negative."""
+    """ω of the two roots κ of det(K − κ M) that are the nearest to each other, unless they are
+    negative.
+    """
     squares = stability.squares(M, K)
     return _omega(_nearest(squares, squares))
 
 
 def _without(along: int, M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
-    """ω of a mode in which the coordinate ``along`` does not move: the root of its minor that is the nearest to one of all."""
+    """ω of a mode in which the coordinate ``along`` does not move: the root of its minor that is
+    the nearest to one of all.
+    """
     others = [i for i in range(len(K)) if i != along]
     squares = stability.squares(M[np.ix_(others, others)], K[np.ix_(others, others)])
     return _omega(
@@ -254,7 +274,10 @@ def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
     def symmetric(end: float, left: FloatArray) -> str:
         if not is_conservative(family.balance, Intervals.point(family.at(np.array([[end]])))):
             return ""
-        return ": K is symmetric there, so that no pair crosses, but whether one does beside it is not known"
+        return (
+            ": K is symmetric there, so that no pair crosses, but whether one does beside it is "
+            "not known"
+        )
 
     remarks = (
         *(_undamped(family, each[-1].roots.left) if flat else ()),
@@ -262,7 +285,8 @@ def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
     )
     if detected := int((kind == "detected").sum()):
         remarks += (
-            f"{detected} onsets are numerically detected between two of {VALUES} values, and not proved",
+            f"{detected} onsets are numerically detected between two of {VALUES} values, and "
+            "not proved",
         )
     elif roots.left.shape[2] and not flat:
         remarks += (
@@ -278,12 +302,17 @@ def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:
     size = slope_over(balance, over).magnitude
     flat = size <= FLAT
     most = f"{size[flat].max(initial=0.0):.0e}"
-    text = f"the slope of the friction law, and with it its damping, is at most {most}: too little for floats"
+    text = (
+        f"the slope of the friction law, and with it its damping, is at most {most}: too little "
+        "for floats"
+    )
     return (f"in {int(flat.sum())} of {flat.size} undecided boxes {text}",) if flat.any() else ()
 
 
 def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray]:
-    """What a search has found, with the onsets that floats see and that are proved; those that are not; and their frequencies."""
+    """What a search has found, with the onsets that floats see and that are proved; those that are
+    not; and their frequencies.
+    """
     fixed, sightings = system.family.begin, np.array(_sightings(system)).reshape(-1, system.n + 1).T
     candidates = sightings[:-1]
     room = ROOM * scale_of(candidates)
@@ -304,7 +333,9 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
 
 
 def _sightings(system: Augmented) -> list[FloatArray]:
-    """Onsets that floats see between values of the parameter: coordinates, parameter and ω, NaN where none was followed."""
+    """Onsets that floats see between values of the parameter: coordinates, parameter and ω, NaN
+    where none was followed.
+    """
     low, high = system.family.spans[0]
     values = low + (high - low) * (np.arange(VALUES) + 0.5) / VALUES
     q, point = _states(seen(system.balance, system.family.at(values[None]), system.family.asked))
@@ -325,7 +356,9 @@ def _sightings(system: Augmented) -> list[FloatArray]:
 
 
 def _states(found: Roots) -> tuple[FloatArray, IntArray]:
-    """Roots, and the middles of boxes so small that rounding alone leaves them open, each once; and their points."""
+    """Roots, and the middles of boxes so small that rounding alone leaves them open, each once; and
+    their points.
+    """
     ends, point = found.every
     boxes = Intervals(ends)
     small = np.asarray((boxes.width <= SMALL * scale_of(boxes.middle)).all(axis=0))
@@ -335,7 +368,9 @@ def _states(found: Roots) -> tuple[FloatArray, IntArray]:
 
 
 def _crossing_pairs(a: ComplexArray, b: ComplexArray) -> ComplexArray:
-    """Eigenvalues above the real axis whose real part changes sign to the next state; each is followed."""
+    """Eigenvalues above the real axis whose real part changes sign to the next state; each is
+    followed.
+    """
     i, j = linear_sum_assignment(np.abs(a[:, None] - b[None]))
     size = max(np.abs([*a, *b]), default=0.0)
     before, after = a[i], b[j]
@@ -351,7 +386,9 @@ def _bisected(
     high: tuple[FloatArray, ComplexArray],
     halvings: int,
 ) -> list[FloatArray]:
-    """The onsets between two states with their λ, of which some cross: those are followed anew to the middle and from there."""
+    """The onsets between two states with their λ, of which some cross: those are followed anew to
+    the middle and from there.
+    """
     state = _state(system, 0.5 * (low[0] + high[0]))
     (roots,) = _signals(system, state[:, None])
     middle = state, roots
@@ -412,24 +449,30 @@ def _column(name: str, missing: float) -> cached_property[FloatArray]:
 
 @dataclass(frozen=True, eq=False)
 class Onsets(Points):
-    """Onsets of flutter along one parameter, of the kind ``"hopf"`` or ``"flutter"``, with their normal forms.
+    """Onsets of flutter along one parameter, of the kind ``"hopf"`` or ``"flutter"``, with their
+    normal forms.
 
-    What follows is computed when it is first asked for; with all that :class:`Points` has, ``omega`` the frequency.
+    What follows is computed when it is first asked for; with all that :class:`Points` has,
+    ``omega`` the frequency.
 
     Attributes
     ----------
     criticality : ndarray of str
-        ``"gentle"`` where l₁ < 0 is proved (supercritical: the cycle that is born attracts within the plane of the pair, and
-        grows from nothing), ``"dangerous"`` where l₁ > 0 is (subcritical: an unstable cycle shrinks onto the state, and beyond
-        the onset motions go far), else ``"undecided"``, also where l₁ comes from the tail of a law smoothed at rest alone.
+        ``"gentle"`` where l₁ < 0 is proved (supercritical: the cycle that is born attracts within
+        the plane of the pair, and grows from nothing), ``"dangerous"`` where l₁ > 0 is
+        (subcritical: an unstable cycle shrinks onto the state, and beyond the onset motions go
+        far), else ``"undecided"``, also where l₁ comes from the tail of a law smoothed at rest
+        alone.
     lyapunov, lyapunov_error : ndarray
-        The first Lyapunov coefficient l₁ and a bound on its error that is proved; NaN and inf where ``why`` says that there is
-        none. The state is coordinates, then rates, in the model's units, and ⟨q, q⟩ = ⟨p, q⟩ = 1.
+        The first Lyapunov coefficient l₁ and a bound on its error that is proved; NaN and inf where
+        ``why`` says that there is none. The state is coordinates, then rates, in the model's units,
+        and ⟨q, q⟩ = ⟨p, q⟩ = 1.
     crossing, crossing_error : ndarray
-        d Re λ / d parameter of the pair: where it is positive, the state is unstable for larger values.
+        d Re λ / d parameter of the pair: where it is positive, the state is unstable for larger
+        values.
     when : ndarray of str
-        What the sign of that says, where its bound leaves it: as the parameter goes ``"up"`` or ``"down"``, this pair makes the
-        state unstable; else empty.
+        What the sign of that says, where its bound leaves it: as the parameter goes ``"up"`` or
+        ``"down"``, this pair makes the state unstable; else empty.
     why : tuple of str
         Why an onset is undecided; empty for the others.
     """
@@ -446,7 +489,9 @@ class Onsets(Points):
 
     @cached_property
     def normal_forms(self) -> tuple[Any, ...]:
-        """The :class:`~spragsym.bifurcation.normal_forms.NormalForm` of each, or why it has none."""
+        """The :class:`~spragsym.bifurcation.normal_forms.NormalForm` of each, or why it has
+        none.
+        """
         return tuple(self._normal_form(row) for row in range(len(self)))
 
     lyapunov = _column("lyapunov", np.nan)
@@ -456,7 +501,9 @@ class Onsets(Points):
 
     @cached_property
     def when(self) -> NDArray[np.str_]:
-        """Direction of the parameter, ``"up"`` or ``"down"``, in which the state loses its stability to this pair; else empty."""
+        """Direction of the parameter, ``"up"`` or ``"down"``, in which the state loses its
+        stability to this pair; else empty.
+        """
         known = np.abs(self.crossing) > self.crossing_error
         return np.where(known, np.where(self.crossing > 0, "up", "down"), "")
 
@@ -488,7 +535,9 @@ class Onsets(Points):
 
 
 def form_or_why(*point: Any) -> Any:
-    """The normal form of a point, arguments as of :func:`.normal_forms.normal_form`, or why it has none."""
+    """The normal form of a point, arguments as of :func:`.normal_forms.normal_form`, or why it has
+    none.
+    """
     from .normal_forms import normal_form  # many who ask for onsets never ask for this
 
     try:
@@ -498,7 +547,9 @@ def form_or_why(*point: Any) -> Any:
 
 
 def told(form: Any) -> tuple[str, str]:
-    """What the sign of the coefficient says, and why nothing where it does not; of a normal form, or of why there is none."""
+    """What the sign of the coefficient says, and why nothing where it does not; of a normal form,
+    or of why there is none.
+    """
     if isinstance(form, str):
         return "undecided", form
     if not abs(form.lyapunov) > form.lyapunov_error:

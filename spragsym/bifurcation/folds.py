@@ -1,4 +1,6 @@
-"""Folds of a model along one parameter, and cusps in the plane of two, each proved, and whether these are all."""
+"""Folds of a model along one parameter, and cusps in the plane of two, each proved, and whether
+these are all.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,8 @@ def folds(
     within: Ranges | None = None,
     method: Method = "auto",
 ) -> Points:
-    """Folds in contact along one parameter, the others fixed; ``complete`` of the result says whether these are all.
+    """Folds in contact along one parameter, the others fixed; ``complete`` of the result says
+    whether these are all.
 
     Parameters
     ----------
@@ -27,33 +30,37 @@ def folds(
     vary : str, optional
         A parameter; without it ``theta0``, or the model's first one.
     between : mapping, optional
-        Its range, as ``{"mu0": (0.0, 2.0)}``. Without it the parameter's own range; one without an end is searched to ten times
-        the base value, and to 10 at least, which the result says.
+        Its range, as ``{"mu0": (0.0, 2.0)}``. Without it the parameter's own range; one without an
+        end is searched to ten times the base value, and to 10 at least, which the result says.
     within : mapping, optional
         Ranges of coordinates, as for :func:`spragsym.equilibria`.
     method : {"auto", "closed", "search"}
-        A closed form if the model brings one for these arguments, the closed form only, or the search.
+        A closed form if the model brings one for these arguments, the closed form only, or the
+        search.
 
     Returns
     -------
     Points
-        Of the kind ``"fold"``: two equilibria meet and vanish there; or ``"pitchfork"``: three become one, all of them in one
-        point, in a model that is its own mirror image. Other degenerate points are no regular roots and stay among the undecided
-        boxes. Closed forms of the article's model know all folds with L > 0, y < 0 and the parameter in its range, to 1e-12.
+        Of the kind ``"fold"``: two equilibria meet and vanish there; or ``"pitchfork"``: three
+        become one, all of them in one point, in a model that is its own mirror image. Other
+        degenerate points are no regular roots and stay among the undecided boxes. Closed forms of
+        the article's model know all folds with L > 0, y < 0 and the parameter in its range, to
+        1e-12.
 
     Raises
     ------
     ParameterError
         For a ``vary`` that is not a parameter, or a parameter that is missing or an array.
     ConvergenceError
-        At parameters of the article's model so close to a coincidence that 6144 bits do not tell it from one.
+        At parameters of the article's model so close to a coincidence that 6144 bits do not tell it
+        from one.
 
     Notes
     -----
-    Source: F = 0 and det K = 0 in coordinates and parameter. At a regular root of them the parameter moves the state across the
-    fold and the fold is quadratic: otherwise their Jacobian would be singular. Pitchforks:
-    :mod:`spragsym.bifurcation.singularities`. Of the article's model: f = f′ = 0, see
-    :mod:`spragsym.kang_nam.folds`.
+    Source: F = 0 and det K = 0 in coordinates and parameter. At a regular root of them the
+    parameter moves the state across the fold and the fold is quadratic: otherwise their Jacobian
+    would be singular. Pitchforks: :mod:`spragsym.bifurcation.singularities`. Of the article's
+    model: f = f′ = 0, see :mod:`spragsym.kang_nam.folds`.
 
     Examples
     --------
@@ -81,7 +88,8 @@ def cusps(
     within: Ranges | None = None,
     method: Method = "auto",
 ) -> Points:
-    """Cusps in contact in the plane of two parameters, the others fixed; ``complete`` says whether these are all.
+    """Cusps in contact in the plane of two parameters, the others fixed; ``complete`` says whether
+    these are all.
 
     Parameters
     ----------
@@ -95,8 +103,8 @@ def cusps(
     Returns
     -------
     Points
-        Of the kind ``"cusp"``. Closed forms of the article's model, in the plane of θ₀ and μ₀, know all cusps with L > 0, θ₀ in
-        (−π, π] and μ₀ of either sign, sorted by ``mu0``.
+        Of the kind ``"cusp"``. Closed forms of the article's model, in the plane of θ₀ and μ₀, know
+        all cusps with L > 0, θ₀ in (−π, π] and μ₀ of either sign, sorted by ``mu0``.
 
     Raises
     ------
@@ -105,8 +113,9 @@ def cusps(
 
     Notes
     -----
-    Source: F = 0, det K = 0 and ∇(det K) · v = 0 with K v = 0, v a column of the adjugate of K. Of the article's model: f = f′ =
-    f″ = 0, one polynomial of degree 9 in sin θ, see :mod:`spragsym.kang_nam.cusps`.
+    Source: F = 0, det K = 0 and ∇(det K) · v = 0 with K v = 0, v a column of the adjugate of K. Of
+    the article's model: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ, see
+    :mod:`spragsym.kang_nam.cusps`.
 
     Examples
     --------

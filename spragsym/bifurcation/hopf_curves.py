@@ -1,4 +1,6 @@
-"""Curves of onsets of flutter in the plane of two parameters: Hopf points and where their kind changes, or modes that meet."""
+"""Curves of onsets of flutter in the plane of two parameters: Hopf points and where their kind
+changes, or modes that meet.
+"""
 
 from __future__ import annotations
 
@@ -40,13 +42,16 @@ UNPROVED = "no generic Hopf point is proved there"
 HALVINGS = 30
 #: C over K below which a state is as good as undamped.
 UNDAMPED = 1e-6
-#: What is said of slopes of the friction law that vanish, and of boxes in whose middle hardly anything damps.
+#: What is said of slopes of the friction law that vanish, and of boxes in whose middle hardly
+#: anything damps.
 NO_SLOPE_HERE = (
-    "where the slope of the friction law is 0 nothing damps and every pair crosses: flutter_onsets lists these onsets; "
+    "where the slope of the friction law is 0 nothing damps and every pair crosses: "
+    "flutter_onsets lists these onsets; "
     "the slope is between {:.3g} and {:.3g} here"
 )
 HARDLY = (
-    "on lines: in {} of {} undecided boxes C is at most {:g} times K: where it vanishes every pair crosses at once, "
+    "on lines: in {} of {} undecided boxes C is at most {:g} times K: where it vanishes every "
+    "pair crosses at once, "
     "and such onsets are not isolated"
 )
 
@@ -60,25 +65,30 @@ class OnsetCurves(Result):
     vary : tuple of str
         The two parameters.
     damping : bool
-        Whether with all damping, or by (27), without: then curves are where two modes meet, and have no ``lyapunov``.
+        Whether with all damping, or by (27), without: then curves are where two modes meet, and
+        have no ``lyapunov``.
     between : mapping
         Ranges of the two.
     curves : tuple of Curve
-        Hopf points in the order in which they follow each other. Each is proved; that they are joined in the right order is not.
-        Their columns: the parameters that vary, the coordinates, ``omega``, ``lyapunov`` with its bound ``lyapunov_error``, NaN
-        and inf where there is no coefficient, and ``criticality``, as of :class:`spragsym.Onsets`.
+        Hopf points in the order in which they follow each other. Each is proved; that they are
+        joined in the right order is not. Their columns: the parameters that vary, the coordinates,
+        ``omega``, ``lyapunov`` with its bound ``lyapunov_error``, NaN and inf where there is no
+        coefficient, and ``criticality``, as of :class:`spragsym.Onsets`.
     points : Points
-        All points of the kinds ``"BT"`` (Bogdanov–Takens: a curve ends on a fold), ``"ZH"`` (zero–Hopf: it meets a fold) and
-        ``"HH"`` (double Hopf: two curves meet; sought with two coordinates), proved.
+        All points of the kinds ``"BT"`` (Bogdanov–Takens: a curve ends on a fold), ``"ZH"``
+        (zero–Hopf: it meets a fold) and ``"HH"`` (double Hopf: two curves meet; sought with two
+        coordinates), proved.
     changes : mapping
-        Generalized Hopf points (GH), where l₁ changes its sign along a curve: columns of the two parameters, of the coordinates,
-        and ``error``, the distance of the two proved points with opposite signs between which it lies.
+        Generalized Hopf points (GH), where l₁ changes its sign along a curve: columns of the two
+        parameters, of the coordinates, and ``error``, the distance of the two proved points with
+        opposite signs between which it lies.
     lines : mapping
         For each parameter the values at which all Hopf points along the other one are known.
     complete : bool
         Whether all onsets on all lines, and all points, are decided.
     undecided : ndarray
-        Lower and upper ends of the boxes on lines that are not, shape (boxes, unknowns, 2): coordinates, then parameters.
+        Lower and upper ends of the boxes on lines that are not, shape (boxes, unknowns, 2):
+        coordinates, then parameters.
     remarks : tuple of str
         Why the result is not complete: what is known of these boxes, and what was not searched.
     """
@@ -106,7 +116,8 @@ def onset_curves(
     damping: bool | None = None,
     between: Ranges | None = None,
 ) -> OnsetCurves:
-    """Curves of Hopf points in the plane of two parameters, each point supercritical (gentle) or subcritical (dangerous).
+    """Curves of Hopf points in the plane of two parameters, each point supercritical (gentle) or
+    subcritical (dangerous).
 
     Parameters
     ----------
@@ -117,16 +128,16 @@ def onset_curves(
     n : int
         Lines of either parameter on which all Hopf points are found and proved.
     damping : bool, optional
-        With all damping, that of the friction law included; or by (27), without: curves on which two modes meet. Without it
-        True, unless C is 0.
+        With all damping, that of the friction law included; or by (27), without: curves on which
+        two modes meet. Without it True, unless C is 0.
     between : mapping, optional
         Ranges of the two, as ``{"mu0": (0, 1)}``.
 
     Returns
     -------
     OnsetCurves
-        ``curves``, each point with ``criticality``; ``points``, all those of the kinds BT, ZH and HH, proved; and ``changes``,
-        where l₁ passes 0 along a curve (GH).
+        ``curves``, each point with ``criticality``; ``points``, all those of the kinds BT, ZH and
+        HH, proved; and ``changes``, where l₁ passes 0 along a curve (GH).
 
     Raises
     ------
@@ -135,10 +146,11 @@ def onset_curves(
 
     Notes
     -----
-    Source: F = 0 and Hurwitz's determinant along 2 n lines, as for :func:`spragsym.bifurcation.flutter.flutter_onsets`;
-    two points are neighbours only if no line separates them. A curve that closes between two lines is not seen. Where the only
-    coordinate that is damped has no damping, by a falling friction law against a damper, every pair crosses, and each is a curve
-    without l₁.
+    Source: F = 0 and Hurwitz's determinant along 2 n lines, as for
+    :func:`spragsym.bifurcation.flutter.flutter_onsets`; two points are neighbours only if no line
+    separates them. A curve that closes between two lines is not seen. Where the only coordinate
+    that is damped has no damping, by a falling friction law against a damper, every pair crosses,
+    and each is a curve without l₁.
 
     Examples
     --------
@@ -160,7 +172,9 @@ def onset_curves(
 
 @dataclass(frozen=True)
 class _Plane(Family):
-    """The plane of two parameters, and what is asked of states there, shape (n + 2, N): coordinates, then both parameters."""
+    """The plane of two parameters, and what is asked of states there, shape (n + 2, N):
+    coordinates, then both parameters.
+    """
 
     def curves(self, n: int, damping: bool) -> OnsetCurves:
         """Curves of Hopf points, or without damping those on which two modes meet."""
@@ -224,7 +238,9 @@ class _Plane(Family):
     def sought(
         self, damping: bool
     ) -> tuple[Points, list[tuple[Condition, Frequencies, FloatArray]], tuple[str, ...]]:
-        """Points at which curves end or change; conditions on curves, what oscillates there, and ends; what is not searched."""
+        """Points at which curves end or change; conditions on curves, what oscillates there, and
+        ends; what is not searched.
+        """
         balance = self.balance
         if not damping:
             points = arranged(self, nothing(self), "")
@@ -283,7 +299,9 @@ class _Plane(Family):
         return np.abs(C).max(axis=(1, 2)) <= UNDAMPED * np.abs(K).max(axis=(1, 2))
 
     def forms(self, curves: FoldCurves, states: FloatArray) -> list[NormalForm | str]:
-        """The normal form at each point, over a box that is proved to hold one, or why there is none."""
+        """The normal form at each point, over a box that is proved to hold one, or why there is
+        none.
+        """
         ends, good = curves.enclosed(states, np.abs(curves.tangents(states)).argmax(axis=0))
         middle = Intervals(ends).middle
         radii = contractors.distance(ends, middle)
@@ -314,7 +332,9 @@ class _Plane(Family):
     def changes(
         self, curves: FoldCurves, states: FloatArray, kinds: Sequence[str]
     ) -> list[list[float]]:
-        """Points between neighbours whose coefficients have opposite signs, halved down; a row each."""
+        """Points between neighbours whose coefficients have opposite signs, halved down; a row
+        each.
+        """
         known = [k for k, kind in enumerate(kinds) if kind != "undecided"]
         # At a zero–Hopf point, where det K changes its sign, l₁ has a pole.
         side = np.prod(self.roots(states), axis=1).real > 0
@@ -342,7 +362,8 @@ class _Plane(Family):
 
 
 def _modes(modes: Frequencies, end: bool, *state: FloatArray) -> list[float]:
-    """ω of what oscillates at a state, 0 first at a Bogdanov–Takens point, which belongs to the curve.
+    """ω of what oscillates at a state, 0 first at a Bogdanov–Takens point, which belongs to the
+    curve.
 
     There two λ are 0, and rounding would say what they are.
     """
@@ -355,7 +376,9 @@ def _modes(modes: Frequencies, end: bool, *state: FloatArray) -> list[float]:
 def _pieces(
     chain: FloatArray, modes: Sequence[Sequence[float]]
 ) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """The parts of a chain of states that have as many frequencies, once for each of these, with that frequency."""
+    """The parts of a chain of states that have as many frequencies, once for each of these, with
+    that frequency.
+    """
     cuts = np.flatnonzero(np.diff([len(each) for each in modes])) + 1
     for part in np.split(np.arange(len(modes)), cuts):
         for mode in range(len(modes[part[0]]) if len(part) else 0):

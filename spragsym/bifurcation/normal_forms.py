@@ -1,14 +1,19 @@
-"""Normal form of a Hopf point: the first Lyapunov coefficient, with a bound on its error that is proved.
+"""Normal form of a Hopf point: the first Lyapunov coefficient, with a bound on its error that is
+proved.
 
-At a Hopf point of u′ = F(u), with A q = i ω q, Aᵀ p = −i ω p, ⟨q, q⟩ = ⟨p, q⟩ = 1, B and C the second and third derivatives of F,
+At a Hopf point of u′ = F(u), with A q = i ω q, Aᵀ p = −i ω p, ⟨q, q⟩ = ⟨p, q⟩ = 1, B and C the
+second and third derivatives of F,
 
-    l₁ = Re [⟨p, C(q, q, q̄)⟩ − 2 ⟨p, B(q, A⁻¹ B(q, q̄))⟩ + ⟨p, B(q̄, (2 i ω − A)⁻¹ B(q, q))⟩] / (2 ω)
+    l₁ = Re [⟨p, C(q, q, q̄)⟩ − 2 ⟨p, B(q, A⁻¹ B(q, q̄))⟩ + ⟨p, B(q̄, (2 i ω − A)⁻¹ B(q, q))⟩] / (2
+    ω)
 
-(Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, section 5.4). The state u is the coordinates, then their rates, in the
-model's units. Everything is computed in balls around the point, so that the exact coefficient lies in the result.
+(Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, section 5.4). The state u is the
+coordinates, then their rates, in the model's units. Everything is computed in balls around the
+point, so that the exact coefficient lies in the result.
 
-Derivatives come from Taylor polynomials: along u = z q + z̄ q̄ + ½ g z² + h z z̄ + ½ ḡ z̄², with g = (2 i ω − A)⁻¹ B(q, q) and
-h = −A⁻¹ B(q, q̄), the coefficient of z² z̄ in F is half of what stands in brackets.
+Derivatives come from Taylor polynomials: along u = z q + z̄ q̄ + ½ g z² + h z z̄ + ½ ḡ z̄², with g
+= (2 i ω − A)⁻¹ B(q, q) and h = −A⁻¹ B(q, q̄), the coefficient of z² z̄ in F is half of what stands
+in brackets.
 """
 
 from __future__ import annotations
@@ -39,7 +44,8 @@ ROOM = 2.0**-50
 
 @dataclass(frozen=True)
 class NormalForm:
-    """What is known of a Hopf point; every ``…_error`` bounds the absolute error of the number before it.
+    """What is known of a Hopf point; every ``…_error`` bounds the absolute error of the number
+    before it.
 
     Attributes
     ----------
@@ -48,7 +54,8 @@ class NormalForm:
     lyapunov, lyapunov_error : float
         l₁.
     crossing, crossing_error : float
-        d Re λ / d parameter of the pair, along the equilibrium: it crosses the imaginary axis if that is not 0.
+        d Re λ / d parameter of the pair, along the equilibrium: it crosses the imaginary axis if
+        that is not 0.
     q, p : ndarray of complex
         The eigenvector of i ω, of length 1, and that of Aᵀ for −i ω, with ⟨p, q⟩ = p̄ᵀ q = 1.
     reach : float
@@ -81,11 +88,13 @@ def normal_form(
 ) -> NormalForm:
     """The normal form at a Hopf point that is proved to lie in a box.
 
-    ``given`` are the parameters in the order of the model, ``state`` the coordinates, ``vary`` the parameter along which the
-    point was found, or several, of which the first tells the pair's crossing; ``radii`` are half-widths of the box, of the
-    coordinates and then of these. ``law`` is the friction of the equilibrium: ``"friction_at_rest"``, as statics takes it, or
-    ``"friction_at_speed"``, that at the belt's speed; the motion's law is shifted by a constant so that it passes through it.
-    Undecided, and the text says why, where this is no generic Hopf point, or is not shown to be one.
+    ``given`` are the parameters in the order of the model, ``state`` the coordinates, ``vary`` the
+    parameter along which the point was found, or several, of which the first tells the pair's
+    crossing; ``radii`` are half-widths of the box, of the coordinates and then of these. ``law`` is
+    the friction of the equilibrium: ``"friction_at_rest"``, as statics takes it, or
+    ``"friction_at_speed"``, that at the belt's speed; the motion's law is shifted by a constant so
+    that it passes through it. Undecided, and the text says why, where this is no generic Hopf
+    point, or is not shown to be one.
     """
     point = _Point(model, given, state, (vary,) if isinstance(vary, str) else vary, radii, law)
     point.require_smooth()
@@ -190,7 +199,9 @@ class _Point:
         self.mode = self.motion.exact(mode)
 
     def field(self, u: Sequence[Any], parameter: Any) -> list[Any]:
-        """F: the rates, then the accelerations, with the law of friction shifted to that of the equilibrium."""
+        """F: the rates, then the accelerations, with the law of friction shifted to that of the
+        equilibrium.
+        """
         values = self._values(parameter)
         accelerations = self.motion.acceleration(u, self._constants(values), self.mode, XP)
         return [
@@ -217,7 +228,9 @@ class _Point:
         return [row[:-1] for row in slopes], [row[-1] for row in slopes]
 
     def require_smooth(self) -> None:
-        """:class:`Undecided` where the field has no third derivatives at the state, or is not shown to have them."""
+        """:class:`Undecided` where the field has no third derivatives at the state, or is not shown
+        to have them.
+        """
         constants, about = self._constants(self.values), self.model.about
         gap, slip = undecorated(self.model.algebra.borders)(*self.state, *constants, xp=XP)
         if (
@@ -227,12 +240,14 @@ class _Point:
         ):
             line = about["contact"]["line"]
             raise Undecided(
-                f"the state lies on the border of contact, where the law of line {line} of the model page has a kink"
+                f"the state lies on the border of contact, where the law of line {line} of "
+                "the model page has a kink"
             )
         if about["friction"] is not None and not balls.sign(slip) > 0 and self._asks_for_the_side():
             line = about["friction"]["line"]
             raise Undecided(
-                f"the sliding speed is 0, where the law of friction, line {line} of the model page, has a kink"
+                f"the sliding speed is 0, where the law of friction, line {line} of the model "
+                "page, has a kink"
             )
         ways = self.mode[len(self.mode) - self.motion.ways :]
         if ways:
@@ -243,7 +258,9 @@ class _Point:
                 raise Undecided("a torsion spring is turned by π, where its torque jumps")
 
     def _asks_for_the_side(self) -> bool:
-        """Whether the law depends on the side of slip = 0 otherwise than by its square: algebra with it is then an error."""
+        """Whether the law depends on the side of slip = 0 otherwise than by its square: algebra
+        with it is then an error.
+        """
         try:
             self.motion.acceleration(
                 self.state,
@@ -263,7 +280,9 @@ class _Point:
         return [values[name] for name in self.model.about["arguments"]["motion"]]
 
     def _shift(self, q: Sequence[Any], values: Values) -> Sequence[Any]:
-        """Accelerations, linear in it, by what the friction of the equilibrium is larger than the law at the belt's speed."""
+        """Accelerations, linear in it, by what the friction of the equilibrium is larger than the
+        law at the belt's speed.
+        """
         balance = self.balance
         if self.model.about["friction"] is None or balance.law == "friction_at_speed":
             return [0] * self.n
@@ -278,10 +297,12 @@ class _Point:
 
 
 def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Complex]]:
-    """ω, the eigenvector of length 1 and the left one, of all matrices in A that have two eigenvalues with the sum 0.
+    """ω, the eigenvector of length 1 and the left one, of all matrices in A that have two
+    eigenvalues with the sum 0.
 
-    With the matrix X of approximate eigenvectors, X⁻¹ A X is nearly diagonal, and Gershgorin's discs hold the eigenvalues. Where
-    the disc of i ω meets no other, the eigenvector is X z with z = 1 in the place of the disc and less elsewhere.
+    With the matrix X of approximate eigenvectors, X⁻¹ A X is nearly diagonal, and Gershgorin's
+    discs hold the eigenvalues. Where the disc of i ω meets no other, the eigenvector is X z with z
+    = 1 in the place of the disc and less elsewhere.
     """
     _, vectors = np.linalg.eig(np.array([_floats(row).real for row in A]))
     X, size = [[_complex(entry) for entry in row] for row in vectors], range(len(A))

@@ -1,7 +1,9 @@
-"""A state of a model followed as one parameter moves slowly: where it goes, where it vanishes, and what it jumps to.
+"""A state of a model followed as one parameter moves slowly: where it goes, where it vanishes, and
+what it jumps to.
 
-All folds along the parameter are known and proved beforehand. Between two of them a step is taken from one value to the next
-only to the state that is proved to lie on the same branch: see :mod:`spragsym.bifurcation.branches`.
+All folds along the parameter are known and proved beforehand. Between two of them a step is taken
+from one value to the next only to the state that is proved to lie on the same branch: see
+:mod:`spragsym.bifurcation.branches`.
 """
 
 from __future__ import annotations
@@ -33,11 +35,14 @@ from .singularities import ended
 from .tubes import Place, Tubes
 from .turning_points import turned
 
-#: Distance from a fold, over its value if that is larger than 1, at which the states beside it are looked at.
+#: Distance from a fold, over its value if that is larger than 1, at which the states beside it are
+#: looked at.
 BESIDE = 1e-3
-#: An error of a fold that is no more than rounding: other floats than its own are on one side of it.
+#: An error of a fold that is no more than rounding: other floats than its own are on one side of
+#: it.
 ROUNDED = 2.0**-52
-#: How far beyond its ends a range is searched, over the larger of 1 and the end, where as much as that is not decided.
+#: How far beyond its ends a range is searched, over the larger of 1 and the end, where as much as
+#: that is not decided.
 AROUND = 1e-6
 #: How near to a fold the place lies at which a tube turns, over the size of its coordinates.
 MATCH = 1e-6
@@ -48,12 +53,15 @@ class ModelEnd(Result):
     """Where a state vanishes at a fold, leaves the contact or runs to infinity."""
 
     value: float  #: of the parameter, at the fold, on the border or in the limit
-    kind: str  #: ``"fold"``, ``"pitchfork"``, ``"border"`` where it leaves the contact, or ``"infinity"`` where it runs there
+    # ``"fold"``, ``"pitchfork"``, ``"border"`` where it leaves the contact, or ``"infinity"`` where
+    # it runs there
+    kind: str
     before: Mapping[str, float]  #: coordinates there
     error: float  #: bound on the error of ``value``
 
 
-#: Chooses among the slots of the equilibria behind a fold, given the coordinates of the fold: (eq, before) → slot.
+#: Chooses among the slots of the equilibria behind a fold, given the coordinates of the fold: (eq,
+#: before) → slot.
 Choice = Callable[[Equilibria, Mapping[str, float]], int]
 
 
@@ -67,7 +75,8 @@ def quasi_static_path(
     after_jump: Choice | None = None,
     method: Method = "auto",
 ) -> Path:
-    """Follow an equilibrium in contact as a parameter moves through ``values``, up or down, with its jumps.
+    """Follow an equilibrium in contact as a parameter moves through ``values``, up or down, with
+    its jumps.
 
     Parameters
     ----------
@@ -78,14 +87,17 @@ def quasi_static_path(
     values : array_like
         One axis, strictly increasing or strictly decreasing.
     start : "small", "large" or int
-        Where to begin, at the first value: the reference state, see :mod:`spragsym.statics.reference_state`, or the one
-        that ``p.following(…)`` chose; the stable equilibrium of largest first coordinate, by size; or a slot of
+        Where to begin, at the first value: the reference state, see
+        :mod:`spragsym.statics.reference_state`, or the one that ``p.following(…)`` chose; the
+        stable equilibrium of largest first coordinate, by size; or a slot of
         :func:`spragsym.equilibria`.
     after_jump : callable, optional
-        Which equilibrium the system goes to after a jump: ``(eq, before) -> slot``. Without it the stable one that is nearest, or
-        the only one that is left. Whether the motion settles there or on a limit cycle, :func:`spragsym.simulate` tells.
+        Which equilibrium the system goes to after a jump: ``(eq, before) -> slot``. Without it the
+        stable one that is nearest, or the only one that is left. Whether the motion settles there
+        or on a limit cycle, :func:`spragsym.simulate` tells.
     method : {"auto", "closed", "search"}
-        A closed form if the model brings one for these arguments, the closed form only, or the search.
+        A closed form if the model brings one for these arguments, the closed form only, or the
+        search.
 
     Returns
     -------
@@ -100,16 +112,18 @@ def quasi_static_path(
 
     Notes
     -----
-    Source: article, Figures 6 and 13; all folds along the parameter, see :func:`spragsym.folds`, and which states lie on one
-    branch, see :mod:`spragsym.bifurcation.branches`.
+    Source: article, Figures 6 and 13; all folds along the parameter, see :func:`spragsym.folds`,
+    and which states lie on one branch, see :mod:`spragsym.bifurcation.branches`.
 
-    A value that lies within the ``error`` of a fold of ``folds``, or is its float where that error is no more than rounding,
-    counts as the fold itself, not passed yet: the state on it is the one that arrives there, and the jump comes beyond it. If the
-    first value is a fold, "small" and "large" choose among the states there, the one in which two equilibria meet included; then
-    the path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria become one that is stable
-    each goes on as that one, and where one becomes three, two of them stable, the path goes on with the one of larger x, or of
-    whatever the mirror turns. Where it is the middle one of three that is stable it ends there, and the path jumps. Of states
-    that are equally small, or equally near, the one of larger coordinates is taken.
+    A value that lies within the ``error`` of a fold of ``folds``, or is its float where that error
+    is no more than rounding, counts as the fold itself, not passed yet: the state on it is the one
+    that arrives there, and the jump comes beyond it. If the first value is a fold, "small" and
+    "large" choose among the states there, the one in which two equilibria meet included; then the
+    path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria
+    become one that is stable each goes on as that one, and where one becomes three, two of them
+    stable, the path goes on with the one of larger x, or of whatever the mirror turns. Where it is
+    the middle one of three that is stable it ends there, and the path jumps. Of states that are
+    equally small, or equally near, the one of larger coordinates is taken.
 
     Examples
     --------
@@ -122,7 +136,8 @@ def quasi_static_path(
     steps = np.diff(along) if along.ndim == 1 else np.zeros(1)
     if not along.size or not ((steps > 0).all() or (steps < 0).all()):
         raise ParameterError(
-            "values do not go one way; give one axis of one or more, strictly increasing or strictly decreasing"
+            "values do not go one way; give one axis of one or more, strictly increasing or "
+            "strictly decreasing"
         )
     way = Way(p, vary, along)
     place = way.begin(start)
@@ -143,9 +158,11 @@ def quasi_static_path(
 
 
 def first_end(p: Any, vary: str, span: Span, *, start: int | str = "small") -> ModelEnd | None:
-    """Where a state that is followed from the first value of a span to the last one vanishes first; None if it does not.
+    """Where a state that is followed from the first value of a span to the last one vanishes first;
+    None if it does not.
 
-    Arguments and errors as for :func:`quasi_static_path`; whether there is another state behind it is not asked.
+    Arguments and errors as for :func:`quasi_static_path`; whether there is another state behind it
+    is not asked.
     """
     way = Way(p, vary, np.array(span))
     place = way.begin(start)
@@ -160,13 +177,16 @@ def first_end(p: Any, vary: str, span: Span, *, start: int | str = "small") -> M
 def open_ends(
     p: ParameterSet, vary: str, span: Span, turns: Points, *, method: Method = "auto"
 ) -> list[Points]:
-    """Where states leave the contact or come into it, and where they run to infinity, if they do, beside the folds ``turns``."""
+    """Where states leave the contact or come into it, and where they run to infinity, if they do,
+    beside the folds ``turns``.
+    """
     family, found = Family.of(p, (vary,), {vary: span}), list[Points]()
     if family.balance.opens:
         found = [isolated(Family.of(p, (vary,), {vary: span}, room=OVER_BORDER), TOUCH, "border")]
         if not found[0].decided:
             raise ConvergenceError(
-                f"whether equilibria leave the contact along {vary} is not decided; shorten the range"
+                f"whether equilibria leave the contact along {vary} is not decided; shorten "
+                "the range"
             )
     if not (
         turns.whole and np.isfinite(turns.region).all()
@@ -176,10 +196,12 @@ def open_ends(
 
 
 class Way:
-    """Values and the stops beside each fold, the equilibria at all of them, and which of two neighbours lie on one branch.
+    """Values and the stops beside each fold, the equilibria at all of them, and which of two
+    neighbours lie on one branch.
 
-    A place is a slot of the equilibria at a stop, or ``~number`` of the point at which a state has vanished: where that is a fold
-    and the stop itself, the path goes on from the state in which two meet.
+    A place is a slot of the equilibria at a stop, or ``~number`` of the point at which a state has
+    vanished: where that is a fold and the stop itself, the path goes on from the state in which two
+    meet.
     """
 
     def __init__(self, p: Any, vary: str, along: FloatArray) -> None:
@@ -209,10 +231,12 @@ class Way:
         self.joined = linked(p, vary, self.eq, self.turns, most=0)
 
     def _with_meetings(self, eq: Equilibria) -> Equilibria:
-        """States along the path with those at values where states meet and the digits do not decide.
+        """States along the path with those at values where states meet and the digits do not
+        decide.
 
-        Of a pitchfork it is the state in which three meet; the one in which two meet at a fold stands in no slot. That no other
-        is there is known once all states beside the value are joined to those on it.
+        Of a pitchfork it is the state in which three meet; the one in which two meet at a fold
+        stands in no slot. That no other is there is known once all states beside the value are
+        joined to those on it.
         """
         for stop in np.flatnonzero(~eq.decided).tolist():
             here = np.flatnonzero((self.at == self.stops[stop]) & ~self.far)
@@ -240,7 +264,9 @@ class Way:
         return eq
 
     def _ends(self, along: FloatArray, beyond: float) -> list[Points]:
-        """Where states vanish: folds, and where they leave the contact. Those on the ends are inside of what is searched."""
+        """Where states vanish: folds, and where they leave the contact. Those on the ends are
+        inside of what is searched.
+        """
         allowed, room = self.p.ranges[self.vary], beyond * scale_of(along)
         low, high = (
             max(float((along - room).min()), allowed.low),
@@ -249,13 +275,15 @@ class Way:
         found = folds(self.p, self.vary, between={self.vary: (low, high)})
         if not found.decided:
             raise ConvergenceError(
-                f"folds along {self.vary} between {low:.17g} and {high:.17g} are not all decided; ss.folds lists the boxes, "
+                f"folds along {self.vary} between {low:.17g} and {high:.17g} are not all "
+                "decided; ss.folds lists the boxes, "
                 "and a path needs a range without them"
             )
         return [found, *open_ends(self.p, self.vary, (low, high), found)]
 
     def _turns_within(self, along: FloatArray, ends: list[Points]) -> Points:
-        """Where states vanish on the way: one value for those that coincide within their errors, and the value asked for there.
+        """Where states vanish on the way: one value for those that coincide within their errors,
+        and the value asked for there.
 
         Twins by a mirror coincide, and each search rounds in its own way.
         """
@@ -288,7 +316,8 @@ class Way:
         """The values in their order, with a stop on each side of each fold."""
         known, size = np.concatenate([along, self.at]), scale_of(self.at)
         apart = np.abs(known - self.at[:, None])
-        # Between a fold and what is nearer than that no stop has room: those beside the fold are farther off than both.
+        # Between a fold and what is nearer than that no stop has room: those beside the fold are
+        # farther off than both.
         nearest = np.where(apart > 4 * ROUNDED * size[:, None], apart, np.inf).min(
             axis=1, initial=np.inf
         )
@@ -309,7 +338,8 @@ class Way:
                 or not 0 <= start < count
             ):
                 raise ParameterError(
-                    f"start = {start!r}: the first value has {count} equilibria, slots 0 to {count - 1}"
+                    f"start = {start!r}: the first value has {count} equilibria, slots 0 to "
+                    f"{count - 1}"
                 )
             return int(start)
         if start not in ("small", "large"):
@@ -333,7 +363,8 @@ class Way:
                 else f"the first value, {self.vary} = {first!r},"
             )
             raise ParameterError(
-                f"{at} has no equilibrium in contact; begin where there is one: at folds they begin and end"
+                f"{at} has no equilibrium in contact; begin where there is one: at folds they "
+                "begin and end"
             )
         table = np.array([self.state(0, slot) for slot in stable]).T
         states, error = table[:-2], np.full(len(stable), table[-1].max())
@@ -368,7 +399,9 @@ class Way:
         return ~(self._ending(stop - 1, place, stop) if number is None else number)
 
     def vanishing(self, stop: int, slot: int, goal: int) -> int:
-        """The number of the point at which a state vanishes on its way to the stop before or behind, if it does."""
+        """The number of the point at which a state vanishes on its way to the stop before or
+        behind, if it does.
+        """
         number = self._turned(stop, slot, goal)
         return self._ending(stop, slot, goal) if number is None else number
 
@@ -383,11 +416,15 @@ class Way:
         return (there.z - start.z)[:-1, 0]
 
     def ended(self, stop: int, place: int) -> bool:
-        """Whether a state has vanished on the way to a stop, or at a point there from which it does not go on."""
+        """Whether a state has vanished on the way to a stop, or at a point there from which it does
+        not go on.
+        """
         return place < 0 and ~place not in self._met(stop)
 
     def _begun(self, stop: int, place: int) -> int:
-        """The stable one of the two states that begin at a fold, at the stop behind it; the fold if they lie before it."""
+        """The stable one of the two states that begin at a fold, at the stop behind it; the fold if
+        they lie before it.
+        """
         links = self._links(stop - 1)
         begun = [slot for slot in range(int(self.eq.count[stop])) if slot not in links.values()]
         if len(self._met(stop - 1)) > 1:
@@ -402,7 +439,8 @@ class Way:
         return np.flatnonzero((self.at >= low - self.error) & (self.at <= high + self.error))
 
     def _turned(self, stop: int, slot: int, goal: int) -> int | None:
-        """The fold at which a state is proved to turn back on its way to another stop, of several points where it may end.
+        """The fold at which a state is proved to turn back on its way to another stop, of several
+        points where it may end.
 
         None if nothing is proved, or there are no two such points.
         """
@@ -412,7 +450,8 @@ class Way:
             return None
         tubes, start = self._standing(self.balance, stop, slot)
         if here.size > 1 and (self.at[here] == self.stops[stop]).all():
-            # The float of the folds is one at which two states are left, too near to each other for a tube.
+            # The float of the folds is one at which two states are left, too near to each other for
+            # a tube.
             near = clearly_nearest(start.z[: tubes.n], self.q[:, here])[0]
             return int(here[near]) if near >= 0 else None
         forward = 1 if self.stops[goal] > self.stops[stop] else -1
@@ -440,7 +479,9 @@ class Way:
         }
 
     def _ending(self, stop: int, place: int, goal: int) -> int:
-        """The number of the point at which a state vanishes on its way from a stop to the next one."""
+        """The number of the point at which a state vanishes on its way from a stop to the next
+        one.
+        """
         here = self._candidates(stop, goal)
         if here.size == 1:
             return int(here[0])
@@ -466,7 +507,8 @@ class Way:
             return int(others[0])
         ends = f"{self.vary} = {float(self.stops[stop]):.17g} and {float(self.stops[goal]):.17g}"
         raise ConvergenceError(
-            f"where the state ends between {ends} is not told apart from {here.size} folds and borders there"
+            f"where the state ends between {ends} is not told apart from {here.size} folds "
+            "and borders there"
         )
 
     def state(self, stop: int, slot: int) -> list[float]:
@@ -496,13 +538,15 @@ class Way:
             )
         if choose is None and end.kind == INFINITY:
             raise ConvergenceError(
-                f"{ends}, from where no state is the nearest: say in Python by after_jump where it goes"
+                f"{ends}, from where no state is the nearest: say in Python by after_jump "
+                "where it goes"
             )
         if choose is None:
             stable = (eq.stability == Stability.STABLE) | (count == 1 and eq.whole)
             if not stable.any():
                 raise ConvergenceError(
-                    f"{ends}, and nothing stable in contact is left there: end the path before it, or say in Python by "
+                    f"{ends}, and nothing stable in contact is left there: end the path "
+                    "before it, or say in Python by "
                     "after_jump where it goes"
                 )
             slot = int(nearest_state(eq, before, stable, eq.error + end.error))
@@ -510,7 +554,8 @@ class Way:
             slot = choose(eq, before)
             if not 0 <= slot < count:
                 raise ParameterError(
-                    f"after_jump returned {slot!r}; there are {count} equilibria, slots 0 to {count - 1}"
+                    f"after_jump returned {slot!r}; there are {count} equilibria, slots 0 to "
+                    f"{count - 1}"
                 )
         behind = {name: float(eq.coordinates[name][slot]) for name in before}
         at_end = equilibria(self.p.replace(**{self.vary: end.value}))

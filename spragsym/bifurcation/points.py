@@ -1,14 +1,17 @@
-"""Search for points at which equilibria change, along one or two parameters of a model: one driver for all kinds, one result.
+"""Search for points at which equilibria change, along one or two parameters of a model: one driver
+for all kinds, one result.
 
-An end of a range is left undecided where all states are degenerate there, or a law has no value. Without the inclined spring,
-σ = 0, the two directions of the article's model do not feel each other, and the one across the belt is not damped. So all states
-at that end are on the border of stability, and none of them is an onset that a parameter passes. In a box that reaches down to
-such an end at 0 no search decides anything: in the logarithm of a parameter that is larger than 0 all of its sizes are alike, and
-each is decided on its own, down to :data:`LEAST`.
+An end of a range is left undecided where all states are degenerate there, or a law has no value.
+Without the inclined spring, σ = 0, the two directions of the article's model do not feel each
+other, and the one across the belt is not damped. So all states at that end are on the border of
+stability, and none of them is an onset that a parameter passes. In a box that reaches down to such
+an end at 0 no search decides anything: in the logarithm of a parameter that is larger than 0 all of
+its sizes are alike, and each is decided on its own, down to :data:`LEAST`.
 
-A state runs to infinity at a root of the balance at infinity. With q = u/w and |u| = 1, the rows of the balance are G(u, w, λ)
-but for powers of w, see :mod:`spragsym.statics.namespaces`. At a regular root of G = 0, |u|² = 1 with w = 0 in u and λ one curve
-of states begins, λ = λ* + λ' w + …: for w → 0 its state runs to infinity along u, on the side of λ* that λ' says.
+A state runs to infinity at a root of the balance at infinity. With q = u/w and |u| = 1, the rows of
+the balance are G(u, w, λ) but for powers of w, see :mod:`spragsym.statics.namespaces`. At a regular
+root of G = 0, |u|² = 1 with w = 0 in u and λ one curve of states begins, λ = λ* + λ' w + …: for w →
+0 its state runs to infinity along u, on the side of λ* that λ' says.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -49,21 +52,25 @@ from ..statics.regions import region
 from ..statics.search import kinds_of, of_ranges, of_region, summed
 from .defining_systems import Augmented, Condition, Family, OfFamily, settled, slope
 
-#: Boxes looked at for one search of up to three unknowns, of four, and of more, where each costs many times as much.
+#: Boxes looked at for one search of up to three unknowns, of four, and of more, where each costs
+#: many times as much.
 BUDGET, LARGE_BUDGET, COSTLY_BUDGET = 200_000, 1_000_000, 6_000
 #: Boxes left that are listed one by one.
 MANY = 200
 #: How far beyond the border of the contact states on it are looked for.
 OVER_BORDER = 1e-3
-#: How much wider than a box the one is in which a root is proved to be the only one, relatively and absolutely.
+#: How much wider than a box the one is in which a root is proved to be the only one, relatively and
+#: absolutely.
 WIDER, ROOM = 0.25, 1e-11
 #: Where the range of a parameter begins that is larger than 0.
 LEAST = 2.0**-300
-#: Up to which value the logarithm is taken, and from which on the parameter itself; between them both are.
+#: Up to which value the logarithm is taken, and from which on the parameter itself; between them
+#: both are.
 HIGH, LOW = 2.0**-9, 2.0**-10
 #: Boxes looked at there.
 LOGARITHMIC_BUDGET = 100_000
-#: Half-width of the box in which directions at infinity are searched, which holds the unit sphere; boxes looked at there.
+#: Half-width of the box in which directions at infinity are searched, which holds the unit sphere;
+#: boxes looked at there.
 BESIDE, FAR_BUDGET = 1.0 + 2.0**-6, 16_000
 #: Component of a unit direction at infinity below which its coordinate stays finite.
 FINITE = 1e-6
@@ -88,7 +95,9 @@ def isolated(family: Family, condition: Condition, kind: str) -> Points:
 
 
 def search(family: Family, condition: Condition, budget: int | None = None) -> Found:
-    """All points of a kind; ``budget`` is how many boxes are looked at for one point of the parameters that do not vary."""
+    """All points of a kind; ``budget`` is how many boxes are looked at for one point of the
+    parameters that do not vary.
+    """
     balance, alone = family.balance, family.given.shape[1] == len(family.vary) == 1
     if condition.singular and is_affine(family):
         everywhere = with_sides(
@@ -145,7 +154,9 @@ def _between(around: FloatArray, low: float, high: float) -> FloatArray:
 
 
 def is_affine(family: Family) -> bool:
-    """Whether the forces are affine in the coordinates, by structure: there is one state, none, or a line, and no two meet."""
+    """Whether the forces are affine in the coordinates, by structure: there is one state, none, or
+    a line, and no two meet.
+    """
     balance = family.balance
     if balance.springs:
         return False
@@ -162,7 +173,9 @@ def is_affine(family: Family) -> bool:
 
 
 def matrices(family: Family, z: FloatArray) -> tuple[FloatArray, ...]:
-    """M, C and K, each of shape (N, n, n), at coordinates and the parameters that vary, z of shape (n + number, N)."""
+    """M, C and K, each of shape (N, n, n), at coordinates and the parameters that vary, z of shape
+    (n + number, N).
+    """
     n = family.balance.n
     return stability.linearization(family.balance, z[:n], family.at(z[n:]))
 
@@ -174,7 +187,9 @@ def arranged(
     more: Mapping[str, FloatArray] | None = None,
     remarks: tuple[str, ...] = (),
 ) -> Points:
-    """The points, all of one kind or each of its own, as a result, sorted by the parameters that vary."""
+    """The points, all of one kind or each of its own, as a result, sorted by the parameters that
+    vary.
+    """
     balance, vary = family.balance, family.vary
     n, middle, left = balance.n, found.roots.middle, found.roots.left
     order = in_order(np.concatenate([middle[n:], middle[:n]]), found.roots.error, found.roots.point)
@@ -198,7 +213,9 @@ def arranged(
 
 
 def listed(family: Family, left: FloatArray) -> tuple[FloatArray, tuple[str, ...]]:
-    """Boxes that are left, shape (2, unknowns, boxes), as lower and upper ends, and how many are of each kind."""
+    """Boxes that are left, shape (2, unknowns, boxes), as lower and upper ends, and how many are of
+    each kind.
+    """
     balance, vary = family.balance, family.vary
     varied = dict(zip(vary, Intervals(left[:, balance.n :]), strict=True))
     kinds = summed(kinds_of(balance, np.repeat(family.given, left.shape[2], axis=1), left, varied))
@@ -207,7 +224,9 @@ def listed(family: Family, left: FloatArray) -> tuple[FloatArray, tuple[str, ...
 
 
 def _merged(left: FloatArray) -> FloatArray:
-    """Many boxes that are left as hulls of those with touching ranges of the parameter: thousands cover a line of equilibria."""
+    """Many boxes that are left as hulls of those with touching ranges of the parameter: thousands
+    cover a line of equilibria.
+    """
     if left.shape[2] <= MANY:
         return left
     left = left[:, :, np.argsort(-left[0, -1])]
@@ -220,20 +239,27 @@ def _merged(left: FloatArray) -> FloatArray:
 def of_ends(
     family: Family, found: Found, known: Callable[[float, FloatArray], str | None]
 ) -> tuple[str, ...]:
-    """Remarks on undecided boxes at an end of the range of one parameter: what is ``known`` of them, none if that is None."""
+    """Remarks on undecided boxes at an end of the range of one parameter: what is ``known`` of
+    them, none if that is None.
+    """
     left, remarks = found.roots.left, []
     for end in (-float(found.region[0, -1, 0]), float(found.region[1, -1, 0])):
         here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
         if here.shape[2] and (why := known(end, here)) is not None:
-            text = f"{here.shape[2]} of {left.shape[2]} undecided boxes hold the end {{}} of the range{why}"
+            text = (
+                f"{here.shape[2]} of {left.shape[2]} undecided boxes hold the end {{}} of the "
+                f"range{why}"
+            )
             remarks.append(Remark(text, At(family.vary[0], (end,), "g")))
     return tuple(remarks)
 
 
 def shared(system: Augmented, left: FloatArray) -> BoolArray:
-    """Boxes of coordinates and parameter whose only root is proved to be at an end of the range where all states are roots.
+    """Boxes of coordinates and parameter whose only root is proved to be at an end of the range
+    where all states are roots.
 
-    ``system`` is along one parameter, with a condition of order 0; ``left`` has the shape (2, n + 1, N).
+    ``system`` is along one parameter, with a condition of order 0; ``left`` has the shape (2, n +
+    1, N).
     """
     out = np.zeros(left.shape[2], dtype=np.bool_)
     if system.condition.order or not out.size:
@@ -282,7 +308,9 @@ class Logarithmic(Augmented):
 
 
 def begins(system: Augmented, around: FloatArray) -> bool:
-    """Whether the range of the parameter in the region ``around`` begins at 0, which it never is, and nothing is known there."""
+    """Whether the range of the parameter in the region ``around`` begins at 0, which it never is,
+    and nothing is known there.
+    """
     (vary,) = system.family.vary
     allowed = system.balance.model.Parameters.ranges[vary]
     if (
@@ -302,7 +330,9 @@ def begins(system: Augmented, around: FloatArray) -> bool:
 
 
 def _by_logarithm(system: Augmented, around: FloatArray) -> Roots:
-    """All roots with a parameter from :data:`LEAST` to :data:`HIGH`, as boxes of the parameter itself."""
+    """All roots with a parameter from :data:`LEAST` to :data:`HIGH`, as boxes of the parameter
+    itself.
+    """
     by_logarithm, given = Logarithmic(system.family, system.condition), system.family.begin
     ends = _between(around, np.log(LEAST), np.log(HIGH))
     found = certified_roots.search(by_logarithm, ends, given, given, budget=LOGARITHMIC_BUDGET)
@@ -328,10 +358,12 @@ def _raised(ends: FloatArray) -> FloatArray:
 
 
 def escapes(family: Family) -> Points:
-    """Values of a parameter at which a state in contact runs to infinity; of two, those at which they are extreme in the second.
+    """Values of a parameter at which a state in contact runs to infinity; of two, those at which
+    they are extreme in the second.
 
-    The kind is ``"infinity up"`` where the state is there above the value, else ``"infinity down"``; coordinates are infinite,
-    NaN those that stay. What is not proved is missing: a state runs to infinity there, others may elsewhere.
+    The kind is ``"infinity up"`` where the state is there above the value, else
+    ``"infinity down"``; coordinates are infinite, NaN those that stay. What is not proved is
+    missing: a state runs to infinity there, others may elsewhere.
     """
     balance, system, fixed = family.balance, _AtInfinity(family), family.begin
     n, sides = balance.n, np.full((2, balance.n, 1), BESIDE)
@@ -364,7 +396,8 @@ def escapes(family: Family) -> Points:
 class _AtInfinity(OfFamily):
     """G at w = 0 and |u| = 1; unknowns are u, angles that come around, and one parameter or two.
 
-    With two the curve of values at infinity turns back in the last one: the Jacobian of G, |u|² by u and the first is singular.
+    With two the curve of values at infinity turns back in the last one: the Jacobian of G, |u|² by
+    u and the first is singular.
     """
 
     def __init__(self, family: Family) -> None:
@@ -400,7 +433,9 @@ class _AtInfinity(OfFamily):
         return self.balance.sides(as_intervals(constant(gap), unknowns.shape[1:]))[1]
 
     def side(self, unknowns: Intervals, parameters: Intervals) -> IntArray:
-        """On which side of the value of one parameter the state is, 1 or −1; 0 where that is not known, and of two parameters."""
+        """On which side of the value of one parameter the state is, 1 or −1; 0 where that is not
+        known, and of two parameters.
+        """
         if self.order:
             return np.zeros(unknowns.shape[1], dtype=np.int64)
         slopes = [

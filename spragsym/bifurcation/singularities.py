@@ -1,21 +1,24 @@
 """Folds, pitchforks and cusps of any model, proved and told apart, and what ends at a fold.
 
-At a pitchfork of a model that is its own mirror image three equilibria become one, all of them in one point. Without friction and
-without a spring along the belt the article's model is one, and its equilibria meet at pitchforks. There the forces and det K have
-no regular root, so that a search over boxes stays undecided around it. The mirror decides it:
+At a pitchfork of a model that is its own mirror image three equilibria become one, all of them in
+one point. Without friction and without a spring along the belt the article's model is one, and its
+equilibria meet at pitchforks. There the forces and det K have no regular root, so that a search
+over boxes stays undecided around it. The mirror decides it:
 
-- a state on the mirror has K in two blocks, since turned rows are odd and the others even in the turned coordinates. The
-  pitchfork is a regular root of the even rows of the balance and of the determinant of the turned block, in the even coordinates
-  and the parameter;
-- near it the balance comes down to one function g of one coordinate u, odd about the mirror, whose third derivative is not 0 all
-  over a box that is its own image. Then the box holds no other fold: g would have a double root on either side and one on the
-  mirror, five in all, and so its third derivative two;
-- over two parameters pitchforks form curves, on which the equations of a cusp hold as well. Of one turned coordinate the change
-  of det K along that column of the adjugate is odd in it: where its slope is not 0 in a box and its image, that holds no cusp.
+- a state on the mirror has K in two blocks, since turned rows are odd and the others even in the
+  turned coordinates. The pitchfork is a regular root of the even rows of the balance and of the
+  determinant of the turned block, in the even coordinates and the parameter;
+- near it the balance comes down to one function g of one coordinate u, odd about the mirror, whose
+  third derivative is not 0 all over a box that is its own image. Then the box holds no other fold:
+  g would have a double root on either side and one on the mirror, five in all, and so its third
+  derivative two;
+- over two parameters pitchforks form curves, on which the equations of a cusp hold as well. Of one
+  turned coordinate the change of det K along that column of the adjugate is odd in it: where its
+  slope is not 0 in a box and its image, that holds no cusp.
 
-What ends at a fold follows from its normal form: with K v = 0 and w K = 0 the states near it are q + s v, where
-w · ∂F/∂λ δλ + ½ w · D²F(v, v) s² = 0 up to higher order, and det K changes by s ∇(det K) · v. At a regular fold none of these
-numbers is 0, and each is enclosed over the fold's box.
+What ends at a fold follows from its normal form: with K v = 0 and w K = 0 the states near it are q
++ s v, where w · ∂F/∂λ δλ + ½ w · D²F(v, v) s² = 0 up to higher order, and det K changes by s ∇(det
+K) · v. At a regular fold none of these numbers is 0, and each is enclosed over the fold's box.
 """
 
 import itertools
@@ -63,7 +66,8 @@ from .points import Found, arranged, of_ends, search, vanishes
 MANY = 500
 #: Bits of the forces around a pitchfork.
 BITS = 120
-#: Relative width of boxes on a mirror in which a pitchfork may be degenerate: halving decides what is beside it too slowly.
+#: Relative width of boxes on a mirror in which a pitchfork may be degenerate: halving decides what
+#: is beside it too slowly.
 NEAR = 2.0**-12
 #: Where two states meet and nothing more is known.
 UNDECIDED = "undecided"
@@ -97,7 +101,9 @@ def cusps_of(p: Any, vary: Sequence[str], between: Ranges | None, within: Ranges
 
 @dataclass(frozen=True)
 class _Mirror:
-    """Coordinates that a mirror turns, the image of a state, and lines that are upright on the mirror."""
+    """Coordinates that a mirror turns, the image of a state, and lines that are upright on the
+    mirror.
+    """
 
     odd: list[int]
     image: Callable[[Sequence[Any], Mapping[str, Any]], Sequence[Any]]
@@ -105,7 +111,8 @@ class _Mirror:
 
 
 def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
-    """What a search for folds has found, with the pitchforks behind it in place of the boxes that are undecided around them.
+    """What a search for folds has found, with the pitchforks behind it in place of the boxes that
+    are undecided around them.
 
     Also their number.
     """
@@ -134,7 +141,9 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
 
 
 def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
-    """Whether a box of coordinates and parameter around one pitchfork, shape (2, n + 1), is proved to hold no other fold."""
+    """Whether a box of coordinates and parameter around one pitchfork, shape (2, n + 1), is proved
+    to hold no other fold.
+    """
     balance, (vary,), low, high = family.balance, family.vary, -box[0], box[1]
     with quiet():
         parameters = balance.prepared(
@@ -158,14 +167,18 @@ def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
 
 
 class _OnMirror(OfFamily):
-    """States on the mirror at which the block of K that belongs to the turned coordinates is singular."""
+    """States on the mirror at which the block of K that belongs to the turned coordinates is
+    singular.
+    """
 
     def __init__(self, family: Family, mirror: _Mirror) -> None:
         super().__init__(family)
         self.mirror = mirror
 
     def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
-        """The state on the mirror with these even coordinates and this parameter, whatever the odd ones are."""
+        """The state on the mirror with these even coordinates and this parameter, whatever the odd
+        ones are.
+        """
         there, values = self.parted(q, values, xp)
         for i in self.mirror.odd:
             there[i] = 0
@@ -175,14 +188,18 @@ class _OnMirror(OfFamily):
         return State(self.balance, there, values, shape, xp, self.mirror.upright)
 
     def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """Even rows of the balance, the odd coordinates less those on the mirror, and the determinant of the turned block."""
+        """Even rows of the balance, the odd coordinates less those on the mirror, and the
+        determinant of the turned block.
+        """
         K, odd = at.slopes, self.mirror.odd
         rows = [unknowns[i] - at.q[i] if i in odd else force for i, force in enumerate(at.forces())]
         return [*rows, determinant([[K[i][j] for j in odd] for i in odd])]
 
 
 def _mirrors(family: Family) -> list[_Mirror]:
-    """The page's mirror, and those that change signs of coordinates only, as of two springs that do not feel each other."""
+    """The page's mirror, and those that change signs of coordinates only, as of two springs that do
+    not feel each other.
+    """
     balance, over = family.balance, family.over
     odd = turned(balance, over)
     found = (
@@ -205,7 +222,9 @@ def _mirrors(family: Family) -> list[_Mirror]:
 
 
 def turned(balance: Balance, over: Intervals) -> list[int]:
-    """Numbers of the coordinates that the mirror turns, if the model is its own image for these parameters, shape (P, 1)."""
+    """Numbers of the coordinates that the mirror turns, if the model is its own image for these
+    parameters, shape (P, 1).
+    """
     about = balance.model.about["mirror"]
     with quiet():
         mu = stacked([balance.at((), balance.over(over)).friction], (1,)).magnitude.max()
@@ -227,7 +246,8 @@ def isolated(family: Family) -> Found:
     balance, found = family.balance, search(family, cusp_off_mirrors(family))
     roots = told_apart(family, found, 0)
     for column in range(1, balance.n):
-        # A cusp at which a column of the adjugate is 0, as on a mirror, is a double root with it, and regular with another one.
+        # A cusp at which a column of the adjugate is 0, as on a mirror, is a double root with it,
+        # and regular with another one.
         hulls = (
             clusters(roots.left, roots.left_point)[0]
             if roots.left_point.size <= MANY
@@ -246,7 +266,8 @@ def isolated(family: Family) -> Found:
 def told_apart(family: Family, found: Found, column: int) -> Roots:
     """The roots that are cusps, and those of which that is not known among what is left.
 
-    A root is a cusp if the column in use is not 0 there, and none if det K changes along another column.
+    A root is a cusp if the column in use is not 0 there, and none if det K changes along another
+    column.
     """
     ends, n = found.roots.ends, family.balance.n
     shape = ends.shape[2:]
@@ -265,7 +286,9 @@ def told_apart(family: Family, found: Found, column: int) -> Roots:
 
 
 def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
-    """What is asked of a cusp: beside a mirror that turns one coordinate there are none but where pitchforks are degenerate."""
+    """What is asked of a cusp: beside a mirror that turns one coordinate there are none but where
+    pitchforks are degenerate.
+    """
     mirrors, n = [mirror for mirror in _mirrors(family) if len(mirror.odd) == 1], family.balance.n
 
     def images(at: State) -> list[Intervals]:
@@ -294,7 +317,9 @@ def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
 
 
 def ended(points: Points) -> Ended:
-    """Columns ``ends``, ``when`` and ``after`` of points: empty for all but folds along one parameter."""
+    """Columns ``ends``, ``when`` and ``after`` of points: empty for all but folds along one
+    parameter.
+    """
     found = replace(nothing_ends(points), after=_afterwards)
     for row in np.flatnonzero(points.kind == "fold") if len(points.vary) == 1 else ():
         try:
@@ -305,7 +330,9 @@ def ended(points: Points) -> Ended:
 
 
 def _at(points: Points, row: int) -> tuple[str, str]:
-    """Outcome of one fold: which of the two states is stable, and in which direction they vanish."""
+    """Outcome of one fold: which of the two states is stable, and in which direction they
+    vanish.
+    """
     family = Family.of(points.parameters.of(points.parameters.model.search), points.vary)
     z = np.array(
         [float(getattr(points, name)[row]) for name in (*family.balance.coordinates, *family.vary)]
@@ -319,7 +346,9 @@ def _at(points: Points, row: int) -> tuple[str, str]:
 
 
 def _normal_form(family: Family, box: Intervals) -> tuple[int, bool]:
-    """On which side of a fold its two states are, 1 or −1 as the parameter goes, and whether det K > 0 in the lower one."""
+    """On which side of a fold its two states are, 1 or −1 as the parameter goes, and whether det K
+    > 0 in the lower one.
+    """
     system, balance = Augmented(family, FOLD), family.balance
     with quiet():
         at = system.state(variables(list(box), 1), system.fixed(1))
@@ -348,7 +377,8 @@ def _sign(value: Any) -> int:
 def _afterwards(points: Points) -> dict[str, FloatArray]:
     """Column ``after``, a search at each fold at which a stable state ends.
 
-    It is the nearest equilibrium that is stable beyond the fold, as near to it as the two that meet are gone for certain.
+    It is the nearest equilibrium that is stable beyond the fold, as near to it as the two that meet
+    are gone for certain.
     """
     found, vary = nowhere(points), points.vary[0]
     allowed = points.parameters.ranges[vary]

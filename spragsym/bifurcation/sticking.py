@@ -1,9 +1,11 @@
-"""States in which friction holds a mass where nothing moves: curves of equilibria, whose ends and turns are proved.
+"""States in which friction holds a mass where nothing moves: curves of equilibria, whose ends and
+turns are proved.
 
-With the friction coefficient h μ_s, where h in [−1, 1] is the share of the static one that is used, a state of sticking is an
-equilibrium at one h, and the other way round. So these states form curves, which begin and end at h = ±1 or where the contact
-opens, and may turn back in h at folds. On a curve a coordinate is least and largest at its ends, or where it turns back itself:
-there the slopes of the forces by the other coordinates and h are singular.
+With the friction coefficient h μ_s, where h in [−1, 1] is the share of the static one that is used,
+a state of sticking is an equilibrium at one h, and the other way round. So these states form
+curves, which begin and end at h = ±1 or where the contact opens, and may turn back in h at folds.
+On a curve a coordinate is least and largest at its ends, or where it turns back itself: there the
+slopes of the forces by the other coordinates and h are singular.
 """
 
 from __future__ import annotations
@@ -36,7 +38,8 @@ SMALL = -0.5 - 2.0**-20, -0.5
 
 @question
 def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStates:
-    """All states in which friction holds the mass where the belt stands still, V = 0: intervals of each coordinate.
+    """All states in which friction holds the mass where the belt stands still, V = 0: intervals of
+    each coordinate.
 
     Parameters
     ----------
@@ -48,7 +51,8 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     Returns
     -------
     StickingStates
-        A row for each connected set of states, with the least and the largest value of each coordinate in it.
+        A row for each connected set of states, with the least and the largest value of each
+        coordinate in it.
 
     Raises
     ------
@@ -57,11 +61,13 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     ParameterError
         Where the belt moves, or a parameter is missing or an array.
     ConvergenceError
-        Where folds, or states at a limit of the force, are not all decided, as where they only just touch that limit.
+        Where folds, or states at a limit of the force, are not all decided, as where they only just
+        touch that limit.
 
     Notes
     -----
-    Source: |F| ≤ μ_s N with the force of friction F and the normal force N, see :mod:`spragsym.bifurcation.sticking`.
+    Source: |F| ≤ μ_s N with the force of friction F and the normal force N, see
+    :mod:`spragsym.bifurcation.sticking`.
 
     Examples
     --------
@@ -74,7 +80,8 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     model = p.model
     if not hasattr(model.algebra, "friction_held"):
         raise ModelError(
-            f"in {model.name} friction holds nothing; a page says what it holds by page.friction(…, holds=…)"
+            f"in {model.name} friction holds nothing; a page says what it holds by "
+            "page.friction(…, holds=…)"
         )
     speed = model.algebra.borders(
         *np.zeros(2 * len(model.coordinates)), *model.arguments(p, "motion")
@@ -82,7 +89,8 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     if np.any(speed):
         belt = model.about["friction"]["belt"]
         raise ParameterError(
-            f"the belt moves at {belt} = {speed}, and what sticks rides with it; take parameters with {belt} = 0"
+            f"the belt moves at {belt} = {speed}, and what sticks rides with it; take "
+            f"parameters with {belt} = 0"
         )
     own = _held(model)(**{name: getattr(p, name) for name in p.ranges})
     turns = [_turns(own, place) for place in range(len(model.coordinates))]
@@ -95,13 +103,17 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
         return _sets(p, way, turns)
     except ConvergenceError as error:
         raise ConvergenceError(
-            "not all states of sticking are told apart over the share of the static coefficient of friction that is used, from "
-            "-1 to 1: some may only just touch the limit of friction, or nearly; change a parameter by some thousandths"
+            "not all states of sticking are told apart over the share of the static "
+            "coefficient of friction that is used, from "
+            "-1 to 1: some may only just touch the limit of friction, or nearly; change a "
+            "parameter by some thousandths"
         ) from error
 
 
 def _held(model: Model) -> Any:
-    """The class of parameters of a model whose friction coefficient is a parameter: the share of the static one that is used."""
+    """The class of parameters of a model whose friction coefficient is a parameter: the share of
+    the static one that is used.
+    """
     algebra, about, arguments = model.algebra, dict(model.about), model.about["arguments"]
 
     def slopes(*given: Any) -> tuple[Any, ...]:
@@ -148,7 +160,9 @@ def _turns(own: Any, place: int) -> Points:
 
 
 def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
-    """Connected sets of states that are followed from stop to stop, with the folds and borders at which they end."""
+    """Connected sets of states that are followed from stop to stop, with the folds and borders at
+    which they end.
+    """
     eq, balance = way.eq, way.balance
     first = np.concatenate(
         [[0], np.cumsum(eq.count)]
@@ -159,7 +173,9 @@ def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
     labels, comes_around = np.arange(q.shape[1]), np.zeros(q.shape, dtype=np.bool_)
 
     def link(stop: int, slot: int, goal: int, place: int) -> None:
-        """Join the sets of a state and of another one on its curve, or of the point at which it vanishes; angles go on there."""
+        """Join the sets of a state and of another one on its curve, or of the point at which it
+        vanishes; angles go on there.
+        """
         one, other = (
             int(first[at] + there if there >= 0 else first[-1] + ~there)
             for at, there in ((stop, slot), (goal, place))

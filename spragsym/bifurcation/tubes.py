@@ -1,16 +1,20 @@
-"""Tubes around curves of states, proved: boxes that hold one state for each value of what moves, for whole boxes of parameters.
+"""Tubes around curves of states, proved: boxes that hold one state for each value of what moves,
+for whole boxes of parameters.
 
-A point of a curve is z = (q, v): the coordinates, and the parameter that moves. One of these is the pivot s, which the others
-follow: v itself, or a coordinate where a fold is to be passed. About a middle m, with the parameters p about their middle c,
+A point of a curve is z = (q, v): the coordinates, and the parameter that moves. One of these is the
+pivot s, which the others follow: v itself, or a coordinate where a fold is to be passed. About a
+middle m, with the parameters p about their middle c,
 
     z = m + d s + D (p − c) + u,   F(m, c) + (F_z d) s + (F_z D + F_p) (p − c) + F_z u = 0,
 
-by the mean value theorem with slopes over the whole box. Where d and D are near the curve's own slopes, little is left of the
-two terms in the middle, and interval Newton in u proves that each s and each p have one state in the box, and only one.
-Segments hold together where the set of states at the end of one lies in the box of the next.
+by the mean value theorem with slopes over the whole box. Where d and D are near the curve's own
+slopes, little is left of the two terms in the middle, and interval Newton in u proves that each s
+and each p have one state in the box, and only one. Segments hold together where the set of states
+at the end of one lies in the box of the next.
 
-The state moves with the parameters, and slopes depend on both. Affine arithmetic keeps that to first order, so that over a box
-little more is left than slopes really vary by; intervals would take each entry of the matrix for its own.
+The state moves with the parameters, and slopes depend on both. Affine arithmetic keeps that to
+first order, so that over a box little more is left than slopes really vary by; intervals would take
+each entry of the matrix for its own.
 """
 
 from __future__ import annotations
@@ -42,7 +46,8 @@ from ..statics.precise_balance import on_side
 
 #: The first step over the whole way, the least one, and most steps.
 FIRST, LEAST, MOST = 2.0**-5, 2.0**-14, 400
-#: Half-width of a box at least, over its size; how often it is made wider, and by how much of its width.
+#: Half-width of a box at least, over its size; how often it is made wider, and by how much of its
+#: width.
 NARROW, INFLATIONS, ROOM = 1e-9, 6, 0.1
 #: Steps of Newton's method at the end of a step.
 STEPS = 6
@@ -71,12 +76,14 @@ def halves(
 
 @dataclass(frozen=True)
 class Place(ByColumn):
-    """Where tubes stand: the middle z of the states there, how far the states of a box lie from it at most, and slopes D.
+    """Where tubes stand: the middle z of the states there, how far the states of a box lie from it
+    at most, and slopes D.
 
-    Within ``room`` of z + D (p − c) each point p of the box has one state and no other, which lies within ``off`` of it, and
-    within ``held`` of the middle. A tube has its states about z + a s + D (p − c) for all |s| ≤ moved: ``along`` are its slopes
-    a by the pivot; of a place ``moved`` is 0. ``z``, ``along``, ``held``, ``off`` and ``room`` have the shape (n + 1, N),
-    ``moved`` (N,), ``by_p`` (n + 1, free, N); ``sure`` where it is proved.
+    Within ``room`` of z + D (p − c) each point p of the box has one state and no other, which lies
+    within ``off`` of it, and within ``held`` of the middle. A tube has its states about z + a s + D
+    (p − c) for all |s| ≤ moved: ``along`` are its slopes a by the pivot; of a place ``moved`` is 0.
+    ``z``, ``along``, ``held``, ``off`` and ``room`` have the shape (n + 1, N), ``moved`` (N,),
+    ``by_p`` (n + 1, free, N); ``sure`` where it is proved.
     """
 
     z: FloatArray
@@ -99,10 +106,11 @@ class Place(ByColumn):
         return Intervals(ends_around(self.z, wide))
 
     def lies_in(self, other: Place, shift: Any = 0.0, turned: Any = 0.0) -> BoolArray:
-        """Whether its states are those of another place, which holds for all its parameters: by their coordinates.
+        """Whether its states are those of another place, which holds for all its parameters: by
+        their coordinates.
 
-        ``shift`` is how far the states of the other move from its middle to this one's, ``turned`` how much the slopes of the
-        two differ by over the box.
+        ``shift`` is how far the states of the other move from its middle to this one's, ``turned``
+        how much the slopes of the two differ by over the box.
         """
         apart = np.abs(self.z - other.z - shift) + turned
         within = (
@@ -113,7 +121,9 @@ class Place(ByColumn):
         return self.sure & other.sure & (within[:-1] <= other.room[:-1]).all(axis=0)
 
     def numbers(self, apart: FloatArray) -> list[Affine]:
-        """The coordinates and what moves, with s, then each p over its half-width, then each u for the sides."""
+        """The coordinates and what moves, with s, then each p over its half-width, then each u for
+        the sides.
+        """
         size, free, count = self.by_p.shape
         found = []
         for i in range(size):
@@ -129,9 +139,11 @@ class Place(ByColumn):
 
 @dataclass(frozen=True)
 class Slopes:
-    """Rows of slopes by q, v and the free parameters: intervals, or affine numbers that ``Y`` has multiplied.
+    """Rows of slopes by q, v and the free parameters: intervals, or affine numbers that ``Y`` has
+    multiplied.
 
-    ``zero`` is the 0 of their type; what belongs to the rows beside slopes ``Y`` multiplies as well.
+    ``zero`` is the 0 of their type; what belongs to the rows beside slopes ``Y`` multiplies as
+    well.
     """
 
     rows: Matrix
@@ -143,7 +155,9 @@ class Slopes:
         return value if self.Y is None else value.interval()
 
     def left(self, forces: Intervals, tube: Place, apart: FloatArray) -> list[Intervals]:
-        """F(m, c) and what is left of the changes along a tube and across the box of its parameters, by row."""
+        """F(m, c) and what is left of the changes along a tube and across the box of its
+        parameters, by row.
+        """
         if self.Y is not None:
             forces = Intervals(contractors.product(self.Y, forces.ends[:, :, None])[:, :, 0])
         moved, strayed = (Intervals(np.stack([part, part])) for part in (tube.moved, apart))
@@ -164,7 +178,9 @@ class Slopes:
     def newton(
         self, left: Sequence[Intervals], others: Sequence[int], reach: FloatArray
     ) -> FloatArray:
-        """Ends of a step of interval Newton for the unknowns ``others`` from what is left of the forces."""
+        """Ends of a step of interval Newton for the unknowns ``others`` from what is left of the
+        forces.
+        """
         shape = reach.shape[1:]
         entries = matrix([[self.taken(row[j]) for j in others] for row in self.rows], shape)
         given = stacked(left, shape), entries, np.zeros_like(reach), reach
@@ -173,11 +189,12 @@ class Slopes:
 
 @dataclass(frozen=True)
 class Tubes(ByColumn):
-    """Curves of states of a model in contact as ``vary`` moves, for boxes of parameters, one a column.
+    """Curves of states of a model in contact as ``vary`` moves, for boxes of parameters, one a
+    column.
 
-    ``fixed`` are all parameters, shape (parameters, N); ``centre`` and ``half`` are middle and half-width of those that are
-    ``free`` to have a width, shape (free, N). The ``pivot`` is the number of what the others follow among the coordinates and,
-    last, what moves.
+    ``fixed`` are all parameters, shape (parameters, N); ``centre`` and ``half`` are middle and
+    half-width of those that are ``free`` to have a width, shape (free, N). The ``pivot`` is the
+    number of what the others follow among the coordinates and, last, what moves.
     """
 
     balance: Balance
@@ -192,7 +209,9 @@ class Tubes(ByColumn):
     def of_points(
         cls, balance: Balance, vary: str, fixed: FloatArray, free: tuple[str, ...] = ()
     ) -> Self:
-        """At points of the parameters, boxes of zero width; the pivot is the parameter that varies."""
+        """At points of the parameters, boxes of zero width; the pivot is the parameter that
+        varies.
+        """
         centre = fixed[[balance.parameters.index(name) for name in free]]
         return cls(balance, vary, free, balance.n, fixed, centre, np.zeros_like(centre))
 
@@ -211,7 +230,8 @@ class Tubes(ByColumn):
         """Indices of the unknowns that are functions of the pivot."""
         return [each for each in range(self.n + 1) if each != self.pivot]
 
-    # --------------------------------------------------------------------------------------------------- evaluation
+    # ---------------------------------------------------------------------------------------------
+    # evaluation
 
     def _bounds(self, v: Intervals) -> Intervals:
         ends = Intervals.point(self.fixed).ends
@@ -223,7 +243,9 @@ class Tubes(ByColumn):
         return Intervals(ends_around(self.centre, wide))
 
     def slopes(self, z: Intervals) -> Intervals:
-        """Slopes of the forces by q, v and the free parameters over boxes, shape (n, n + 1 + free, N)."""
+        """Slopes of the forces by q, v and the free parameters over boxes, shape (n, n + 1 + free,
+        N).
+        """
         at = self.balance.state(z[:-1], self._bounds(z[-1]))
         with quiet():
             return matrix(self._rows(at), at.shape)
@@ -231,7 +253,8 @@ class Tubes(ByColumn):
     def over(self, tube: Place) -> Slopes:
         """Slopes over places or tubes, affine where parameters have a width.
 
-        Those are multiplied by the inverse of their midpoints for all unknowns but the pivot, before they become intervals.
+        Those are multiplied by the inverse of their midpoints for all unknowns but the pivot,
+        before they become intervals.
         """
         shape = self.half.shape[1:]
         if not self.half.any():
@@ -280,7 +303,9 @@ class Tubes(ByColumn):
         return list(map(Affine.between, found[3 * self.balance.springs :]))
 
     def _rows(self, at: State) -> list[list[Any]]:
-        """Derivatives of the forces by row; by the free parameters only where some box has a width."""
+        """Derivatives of the forces by row; by the free parameters only where some box has a
+        width.
+        """
         names, none = ([*self.free], []) if self.half.any() else ([], [0] * len(self.free))
         moved = self.balance.by_parameters(at, [self.vary, *names])
         return [[*row, *more, *none] for row, more in zip(at.stiffness(), moved, strict=True)]
@@ -307,7 +332,9 @@ class Tubes(ByColumn):
         return np.maximum(wide.high - self.centre, self.centre - wide.low) * UP
 
     def corrected(self, z: FloatArray) -> FloatArray:
-        """Newton's method in the middle of the boxes with a given pivot, the slopes renewed every other step."""
+        """Newton's method in the middle of the boxes with a given pivot, the slopes renewed every
+        other step.
+        """
         others, z, inverse = self.others, z.copy(), np.zeros(0)
         for number in range(STEPS):
             forces, slopes = self.floats(z, slopes=number % 2 == 0)
@@ -334,10 +361,12 @@ class Tubes(ByColumn):
         """dz/dp in the middle of the boxes, where they have a width at all."""
         return self.tangents(z)[1] if self.half.any() else np.zeros((self.n + 1, *self.half.shape))
 
-    # ------------------------------------------------------------------------------------------------------- proofs
+    # ---------------------------------------------------------------------------------------------
+    # proofs
 
     def place(self, z: FloatArray, like: Place | None = None) -> Place:
-        """The states of whole boxes at one value of the pivot, one for each point of a box; z is about those in the middle.
+        """The states of whole boxes at one value of the pivot, one for each point of a box; z is
+        about those in the middle.
 
         ``like`` is a place near by, which tells how far from the middle states may lie.
         """
@@ -347,7 +376,9 @@ class Tubes(ByColumn):
         return self._one_state(z, zero, self._across(z), zero[0], beside)
 
     def segment(self, start: Place, z: FloatArray) -> tuple[BoolArray, Place, Place]:
-        """From a place to another value of the pivot, about which z is: where that is proved, the place there, and the tube."""
+        """From a place to another value of the pivot, about which z is: where that is proved, the
+        place there, and the tube.
+        """
         end = self.place(z, start)
         z = end.z
         pivot, held = self.pivot, start.held[self.pivot]
@@ -366,7 +397,9 @@ class Tubes(ByColumn):
     def _beside(
         self, place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray
     ) -> FloatArray:
-        """How far the states of a place lie from where a tube's middle moves to with the pivot and the parameters."""
+        """How far the states of a place lie from where a tube's middle moves to with the pivot and
+        the parameters.
+        """
         off, turned, pivot = place.z - middle, place.by_p - by_p, self.pivot
         swing = (np.abs(turned - along[:, None] * turned[pivot]) * self.apart()).sum(axis=1)
         size = np.abs(place.z) + np.abs(middle) + place.held
@@ -385,9 +418,11 @@ class Tubes(ByColumn):
         half: FloatArray,
         beside: FloatArray,
     ) -> Place:
-        """Boxes that hold one state, in contact, for each value of the pivot and of the parameters, where that is proved.
+        """Boxes that hold one state, in contact, for each value of the pivot and of the parameters,
+        where that is proved.
 
-        They hold what lies within ``beside`` of where their middles move; ``half`` is how far the pivot does.
+        They hold what lies within ``beside`` of where their middles move; ``half`` is how far the
+        pivot does.
         """
         others, forces = self.others, self._forces(z)
         moved = np.where(
@@ -435,7 +470,9 @@ class Tubes(ByColumn):
         return out
 
     def rises(self, tube: Place, by_s: FloatArray) -> FloatArray:
-        """Sign of dv/ds for all states in places or tubes, 0 where it is not known; ``by_s`` is about dz/ds."""
+        """Sign of dv/ds for all states in places or tubes, 0 where it is not known; ``by_s`` is
+        about dz/ds.
+        """
         slopes, size, direction = self.over(tube), np.abs(by_s[-1]), by_s.copy()
         direction[self.pivot] = 0.0
         known, reach = np.zeros(size.shape, dtype=np.bool_), np.tile(0.1 * size + TINY, (self.n, 1))
@@ -445,17 +482,21 @@ class Tubes(ByColumn):
                 for i, row in enumerate(slopes.rows)
             ]
             for _ in range(INFLATIONS):
-                # Of what dz/ds differs by from the slope in the middle; v is the last of what follows a coordinate.
+                # Of what dz/ds differs by from the slope in the middle; v is the last of what
+                # follows a coordinate.
                 step = slopes.newton(left, self.others, reach)
                 most = np.maximum(*step)
                 known |= contractors.inside(step, reach) & (most[-1] * UP < size)
                 reach = (1 + ROOM) * np.maximum(reach, most)
         return np.where(known, np.sign(by_s[-1]), 0.0)
 
-    # ------------------------------------------------------------------------------------------------------ the way
+    # ---------------------------------------------------------------------------------------------
+    # the way
 
     def followed(self, start: Place, goal: FloatArray, least: float = LEAST) -> Place:
-        """The state as ``vary`` moves to a goal: the last places that are proved, at the goal where all of the way is."""
+        """The state as ``vary`` moves to a goal: the last places that are proved, at the goal where
+        all of the way is.
+        """
         here = start[np.arange(goal.size)]
         way = goal - here.v
         step = FIRST * way

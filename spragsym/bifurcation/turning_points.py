@@ -1,4 +1,6 @@
-"""Folds at the end of tubes: where states that are followed along a parameter turn back, proved, for many points at once."""
+"""Folds at the end of tubes: where states that are followed along a parameter turn back, proved,
+for many points at once.
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -9,28 +11,36 @@ from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, quiet
 from .tubes import LEAST, Place, Tubes
 
-#: First step towards the fold, over the size of the coordinate, and how much farther the next one may go.
+#: First step towards the fold, over the size of the coordinate, and how much farther the next one
+#: may go.
 PROBE, FARTHER = 1e-4, 8.0
-#: Steps of the secant method, and how near to one another the last two are, over the size of the coordinate.
+#: Steps of the secant method, and how near to one another the last two are, over the size of the
+#: coordinate.
 SECANTS, MET = 40, 1e-9
-#: Half the width of the last segment, over the size of the coordinate: v differs by its square there.
+#: Half the width of the last segment, over the size of the coordinate: v differs by its square
+#: there.
 LAST = 1e-6
 #: Share of the way to the fold of a segment, the smallest one that is tried, and segments at most.
 SHARE, LEAST_SHARE, SEGMENTS = 0.65, 1e-4, 400
-#: The first step where the curve is steep, over the way there if it stayed as steep, and over the size of the coordinate at
-#: most; the least one over the first, and steps at most.
+#: The first step where the curve is steep, over the way there if it stayed as steep, and over the
+#: size of the coordinate at most; the least one over the first, and steps at most.
 STEEP, WIDE, SMALLEST, STEPS = 0.25, 0.1, 1e-4, 100
-#: Steps through a fold, the first one as a share of the straight way, and what counts as no size of a coordinate.
+#: Steps through a fold, the first one as a share of the straight way, and what counts as no size of
+#: a coordinate.
 TURNS, TURN, SMALL = 60, 0.25, 1e-3
-#: A step towards a fold that is this share of what is left to the goal is near enough to go over it.
+#: A step towards a fold that is this share of what is left to the goal is near enough to go over
+#: it.
 NEAR = 0.1
-#: For a sharp answer: a step that is this share of how far apart the folds of a part lie, and this one of the whole.
+#: For a sharp answer: a step that is this share of how far apart the folds of a part lie, and this
+#: one of the whole.
 CLOSE, SHARP = 0.05, 2.0**-12
 
 
 @dataclass(frozen=True)
 class Turned(ByColumn):
-    """Folds z = (q, v), shape (n + 1, N), and between which values v lies there: proved where ``sure``, else without meaning."""
+    """Folds z = (q, v), shape (n + 1, N), and between which values v lies there: proved where
+    ``sure``, else without meaning.
+    """
 
     z: FloatArray
     low: FloatArray
@@ -39,11 +49,13 @@ class Turned(ByColumn):
 
 
 def turned(tubes: Tubes, start: Place, forward: int, segments: int = SEGMENTS) -> Turned:
-    """The first folds of states at a place as v moves on, up or down, where it turns back; points without width.
+    """The first folds of states at a place as v moves on, up or down, where it turns back; points
+    without width.
 
-    The pivot is the coordinate that moves most. Newton's method along the curve, with secants, gives the fold in floats. Then
-    segments that shrink towards it are proved to hold the curve, v moving on in all of them, and a last one across the fold,
-    beyond which v goes back: the fold is in that one, and its ends bound v.
+    The pivot is the coordinate that moves most. Newton's method along the curve, with secants,
+    gives the fold in floats. Then segments that shrink towards it are proved to hold the curve, v
+    moving on in all of them, and a last one across the fold, beyond which v goes back: the fold is
+    in that one, and its ends bound v.
     """
     low, high = np.full((2, start.sure.size), np.nan)
     out = Turned(start.z.copy(), low, high, np.zeros(low.size, dtype=np.bool_))
@@ -57,7 +69,9 @@ def turned(tubes: Tubes, start: Place, forward: int, segments: int = SEGMENTS) -
 
 
 def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
-    """States carried on where they are steep, until v has moved on by so much, or as far as that is proved, if at all."""
+    """States carried on where they are steep, until v has moved on by so much, or as far as that is
+    proved, if at all.
+    """
     out = start[np.arange(start.sure.size)]
     out.sure[:] = False
     for some, here, rows, by_v in pivots(tubes, start):
@@ -80,12 +94,14 @@ def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
 def passed(
     tubes: Tubes, start: Place, goal: FloatArray, sharp: bool = False
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """How far all states of a place are proved to go on as ``vary`` rises, and above which value to have ended.
+    """How far all states of a place are proved to go on as ``vary`` rises, and above which value to
+    have ended.
 
-    The pivot is a coordinate, and the tube goes on through a fold, where v, which has risen before, falls. The first is
-    ``start.z`` or more, and at least the goal where all come to it; the second is below the goal, else infinite. Beside
-    them how far each free parameter moves v, shape (free, N). A ``sharp`` answer is as near to the fold as the width of
-    the parts allows; else it only tells the two apart from the goal.
+    The pivot is a coordinate, and the tube goes on through a fold, where v, which has risen before,
+    falls. The first is ``start.z`` or more, and at least the goal where all come to it; the second
+    is below the goal, else infinite. Beside them how far each free parameter moves v, shape (free,
+    N). A ``sharp`` answer is as near to the fold as the width of the parts allows; else it only
+    tells the two apart from the goal.
     """
     safe, top, moves = start.v.copy(), np.full(goal.size, np.inf), np.zeros(tubes.half.shape)
     for some, here, rows, by_v in pivots(tubes, start):
@@ -108,7 +124,9 @@ def _passed(
     sharp: bool = False,
     over: bool = True,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """:func:`passed` for one pivot; ``over`` says whether the tube goes over the fold, or up to it only."""
+    """:func:`passed` for one pivot; ``over`` says whether the tube goes over the fold, or up to it
+    only.
+    """
     way, towards = goal - start.v, np.sign(by_v)
     straight = np.abs(by_v * way)
     by_s, by_p = tubes.tangents(start.z)
@@ -158,7 +176,9 @@ def _passed(
 
 
 def pivots(tubes: Tubes, start: Place) -> Iterator[tuple[Tubes, Place, IntArray, FloatArray]]:
-    """Tubes about the coordinate that moves most, over its size, where it does; their places, numbers, and its slope by v."""
+    """Tubes about the coordinate that moves most, over its size, where it does; their places,
+    numbers, and its slope by v.
+    """
     by_v, _ = tubes.tangents(start.z)
     with quiet():
         pivots = np.argmax(np.abs(by_v[:-1]) / size_of(start.z[:-1]), axis=0)
@@ -169,7 +189,9 @@ def pivots(tubes: Tubes, start: Place) -> Iterator[tuple[Tubes, Place, IntArray,
 
 
 def secants(tubes: Tubes, z: FloatArray, towards: FloatArray) -> tuple[FloatArray, BoolArray]:
-    """Where dv/ds = 0, from states on the curve, of which it is the first slope, to one that is a step ``towards`` it, and on."""
+    """Where dv/ds = 0, from states on the curve, of which it is the first slope, to one that is a
+    step ``towards`` it, and on.
+    """
     size = size_of(z[tubes.pivot])
     step = towards * PROBE * size
     by_s = tubes.tangents(z)[0]
@@ -217,7 +239,9 @@ def _moved_on(
     step: FloatArray,
     moving: FloatArray,
 ) -> BoolArray:
-    """One segment of some rows: where it is proved that v moves on in it ``here`` and dz/ds become those at its end."""
+    """One segment of some rows: where it is proved that v moves on in it ``here`` and dz/ds become
+    those at its end.
+    """
     some, slope = tubes[rows], by_s[:, rows]
     good, end, tube = some.segment(here[rows], here.z[:, rows] + slope * step[rows])
     then = some.tangents(end.z)[0]

@@ -1,6 +1,7 @@
 """The command line: data on stdout, everything else on stderr.
 
-Exit codes: 0 done; 1 a check did not hold or a computation failed; 2 usage, bad values included; 130 interrupted.
+Exit codes: 0 done; 1 a check did not hold or a computation failed; 2 usage, bad values included;
+130 interrupted.
 """
 
 import codecs
@@ -27,7 +28,8 @@ from ..interrupts import ending
 
 __all__ = ["COMMANDS", "cli", "main"]
 
-#: Command → (module that holds it, one line of help). Modules are loaded when their command is called.
+#: Command → (module that holds it, one line of help). Modules are loaded when their command is
+#: called.
 COMMANDS = {
     "report": ("pages", "A verdict on the brake of a file, with units."),
     "check": ("article", "Hold the article against the derivation."),
@@ -99,8 +101,8 @@ class LazyGroup(click.Group):
 def cli(debug: bool) -> None:
     """Sprag-slip oscillation: equilibria, catastrophe, motion.
 
-    Angles are degrees here and radians in Python. Parameters that are left out have the article's base values.
-    Results go to stdout, everything else to stderr. NO_COLOR=1 turns colours off.
+    Angles are degrees here and radians in Python. Parameters that are left out have the article's
+    base values. Results go to stdout, everything else to stderr. NO_COLOR=1 turns colours off.
 
     \b
     Examples:
@@ -118,7 +120,9 @@ def cli(debug: bool) -> None:
 
 
 def main(arguments: list[str] | None = None) -> NoReturn:
-    """Entry point: one line for every error, and with ``--debug``, anywhere on the line, the traceback before it."""
+    """Entry point: one line for every error, and with ``--debug``, anywhere on the line, the
+    traceback before it.
+    """
     arguments = sys.argv[1:] if arguments is None else arguments
     debug = "--debug" in arguments
     codecs.register_error("spragsym.latin", _in_latin)
@@ -131,14 +135,17 @@ def main(arguments: list[str] | None = None) -> NoReturn:
             if stream is not None:
                 stream.flush()
         except (OSError, ValueError):
-            # Let go of what can't be written; otherwise the interpreter tries again when it ends, and exits with code 120.
+            # Let go of what can't be written; otherwise the interpreter tries again when it ends,
+            # and exits with code 120.
             with suppress(OSError, ValueError):
                 os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
     sys.exit(code)
 
 
 def _in_latin(error: UnicodeError) -> tuple[str, int]:
-    """Replaces characters that a stream can't write: Greek letters by their names, others by an escape."""
+    """Replaces characters that a stream can't write: Greek letters by their names, others by an
+    escape.
+    """
     if not isinstance(error, UnicodeEncodeError):
         raise error
     text = (
@@ -217,7 +224,9 @@ def _told(error: BaseException, arguments: list[str]) -> tuple[str, int]:
 
 
 def _message(error: click.ClickException, arguments: list[str]) -> str:
-    """The message of click; for an unknown option, with the one that was probably meant, for a missing one with what to give."""
+    """The message of click; for an unknown option, with the one that was probably meant, for a
+    missing one with what to give.
+    """
     if (
         isinstance(error, click.MissingParameter)
         and isinstance(error.param, click.Option)

@@ -1,4 +1,6 @@
-"""``spragsym check`` and ``figures``: the ledgers of equations and of claims, as committed or computed again, and the figures."""
+"""``spragsym check`` and ``figures``: the ledgers of equations and of claims, as committed or
+computed again, and the figures.
+"""
 
 import difflib
 import inspect
@@ -71,9 +73,11 @@ def check(
     model_name: str | None,
     force: bool,
 ) -> None:
-    """Show how every printed equation of the article compares with the derivation, or every statement with computation.
+    """Show how every printed equation of the article compares with the derivation, or every
+    statement with computation.
 
-    Rows come from the committed ledger at once; with --again each is derived or computed anew, and compared with it.
+    Rows come from the committed ledger at once; with --again each is derived or computed anew, and
+    compared with it.
 
     \b
     Examples:
@@ -90,11 +94,13 @@ def check(
     """
     if again and (model_name is not None or report is not None):
         raise click.UsageError(
-            f"--again is about rows of the article; leave it or {'--report' if report else '--model'} out"
+            "--again is about rows of the article; leave it or "
+            f"{'--report' if report else '--model'} out"
         )
     if model_name is not None and (claims or report is not None):
         raise click.UsageError(
-            f"{'--claims' if claims else '--report'} is about the article's own model; leave --model out"
+            f"{'--claims' if claims else '--report'} is about the article's own model; leave "
+            "--model out"
         )
     if model_name is not None:
         _check_model(model_name, json_output, only)
@@ -125,14 +131,17 @@ _Rows = tuple[list[dict[str, Any]], list[str]]
 
 
 def _chosen(only: tuple[str, ...], known: Mapping[str, T], what: str) -> list[T]:
-    """The rows asked for, by name or by how names begin, in the order of the record; all of them if none is asked for."""
+    """The rows asked for, by name or by how names begin, in the order of the record; all of them if
+    none is asked for.
+    """
     chosen = set() if only else set(known)
     for name in only:
         found = {name} & set(known) or {row for row in known if row.startswith(name)}
         if not found:
             near = ", ".join(difflib.get_close_matches(name, known, n=3, cutoff=0.3)) or "none"
             raise ParameterError(
-                f"--row {name}: no row of {what} has this name or begins with it; names like it: {near}"
+                f"--row {name}: no row of {what} has this name or begins with it; names like "
+                f"it: {near}"
             )
         chosen |= found
     return [row for name, row in known.items() if name in chosen]
@@ -204,7 +213,9 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
 def _print_rows(
     last: str, rows: Sequence[tuple[str, str, str, str]], styles: Mapping[str, Style] = _STYLES
 ) -> None:
-    """Rows with their status; the last column, of which a cell may be long, is wrapped on a terminal."""
+    """Rows with their status; the last column, of which a cell may be long, is wrapped on a
+    terminal.
+    """
     table = [("row", "where", "status", last), *rows]
     lines = aligned([row[:3] for row in table])
     begin = max(map(len, lines)) + 2
@@ -264,9 +275,11 @@ def figures(
 ) -> None:
     """Draw the article's Figures 3 to 14, and some that it lacks: all, or NAMES.
 
-    Those are cusp-friction, false-double-root, rms-map and sensitivity. NAMES are separated by blanks or commas.
+    Those are cusp-friction, false-double-root, rms-map and sensitivity. NAMES are separated by
+    blanks or commas.
 
-    Beside each figure go its caption (.txt) and the data of its panels (.csv). The same bytes every time.
+    Beside each figure go its caption (.txt) and the data of its panels (.csv). The same bytes every
+    time.
 
     \b
     Examples:

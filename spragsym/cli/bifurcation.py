@@ -1,4 +1,6 @@
-"""``spragsym bifurcation``, ``folds`` and ``onsets``: where states meet, and where oscillation sets in."""
+"""``spragsym bifurcation``, ``folds`` and ``onsets``: where states meet, and where oscillation sets
+in.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +25,8 @@ from .output import drawn, print_rows
 
 @o.of_model(statics=True)
 @o.vary(
-    "What varies: a parameter, with --data a quantity of the file too; with a range as mu0=0:1. Default: {last}."
+    "What varies: a parameter, with --data a quantity of the file too; with a range as "
+    "mu0=0:1. Default: {last}."
 )
 @o.within
 @o.method
@@ -49,7 +52,8 @@ def folds(case: Case) -> Any:
 
 @o.of_model(statics=True)
 @o.vary(
-    "A parameter, with a range as theta0=5:175. Of two, folds and onsets are looked for along the first, cusps in the plane of "
+    "A parameter, with a range as theta0=5:175. Of two, folds and onsets are looked for along "
+    "the first, cusps in the plane of "
     "both; of one, no cusps. Default: {axes}.",
     several=True,
 )
@@ -122,7 +126,8 @@ def _draw(
 ) -> None:
     """The bifurcation set; by closed forms where the model has them for all of this plane.
 
-    Curves of onsets where they are asked for, or were found along the first parameter, or where there are no folds to show.
+    Curves of onsets where they are asked for, or were found along the first parameter, or where
+    there are no folds to show.
     """
     from ..figures.style import window
 
@@ -139,7 +144,8 @@ def _draw(
             )
     else:
         click.echo(
-            "the picture shows folds and cusps; spragsym onsets --plot shows where oscillation sets in",
+            "the picture shows folds and cusps; spragsym onsets --plot shows where "
+            "oscillation sets in",
             err=True,
         )
     drawing = f"drawing folds{', onsets' if onsets else ''} and cusps in the plane of {plane}"
@@ -155,16 +161,18 @@ def _draw(
 @o.force
 @o.as_json
 def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
-    """Where oscillation sets in over the plane of two parameters, supercritical or subcritical: a map of stability.
+    """Where oscillation sets in over the plane of two parameters, supercritical or subcritical: a
+    map of stability.
 
-    Onsets are Hopf points with all damping, that of the friction law included; on curves of them those points too at which their
-    kind changes (GH) and at which they meet folds (BT, ZH) and each other (HH).
+    Onsets are Hopf points with all damping, that of the friction law included; on curves of them
+    those points too at which their kind changes (GH) and at which they meet folds (BT, ZH) and each
+    other (HH).
 
     \b
     Examples:
-      spragsym onsets --vary theta0=20:60 --vary mu0=0:1
-      spragsym onsets --model stick_slip --vary V=0:1 --vary zeta=0:2 --plot map.pdf
-      spragsym onsets --model mode_coupling --vary sigma=0.1:2 --vary mu0=0:2 --undamped --plot map.pdf
+      spragsym onsets --vary theta0=20:60 --vary mu0=0:1 spragsym onsets --model stick_slip --vary
+      V=0:1 --vary zeta=0:2 --plot map.pdf spragsym onsets --model mode_coupling --vary sigma=0.1:2
+      --vary mu0=0:2 --undamped --plot map.pdf
     """
     names = case.model.two(case.names)
     plane, coordinates = f"in the plane of {' and '.join(names)}", case.model.coordinates
@@ -223,7 +231,8 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
         )
         print_open("Onsets", told)
         click.echo(
-            f"Onsets: sought on {n} lines of either parameter; a curve that closes between two of them is not seen"
+            f"Onsets: sought on {n} lines of either parameter; a curve that closes between "
+            "two of them is not seen"
         )
 
     return {"parameters": case.told(), **told}, tables
@@ -234,7 +243,9 @@ BESIDE = ("lyapunov", "lyapunov_error", "crossing", "why")
 
 
 def points_of(case: Case, found: Any, after: bool = False) -> Row:
-    """A row for each point, whether these are all, what was searched, and the undecided boxes; ``after`` at any cost."""
+    """A row for each point, whether these are all, what was searched, and the undecided boxes;
+    ``after`` at any cost.
+    """
     names, following = [*found.vary, "kind", *found.columns], {}
     if hasattr(found, "criticality"):
         names += ["omega", "criticality", "when", *BESIDE]
@@ -279,7 +290,8 @@ def print_points(title: str, told: Mapping[str, Any], where: Sequence[str]) -> N
         known = "is left" if told["complete"] and everywhere else "was found"
         nowhere = ", ".join(f"{row[where[0]]:.6g}" for row in lost)
         click.echo(
-            f"{title}: nothing stable in contact {known} to jump to at {' and '.join(where)} = {nowhere}"
+            f"{title}: nothing stable in contact {known} to jump to at {' and '.join(where)} "
+            f"= {nowhere}"
         )
     print_open(title, told)
 
@@ -295,7 +307,9 @@ def print_open(title: str, told: Mapping[str, Any]) -> None:
 
 
 def lengths(columns: Sequence[str] | Mapping[str, Any]) -> list[str]:
-    """Columns that a table without room for them leaves out: lengths of springs, which follow from coordinates."""
+    """Columns that a table without room for them leaves out: lengths of springs, which follow from
+    coordinates.
+    """
     return [name for name in columns if name == "L" or name.startswith("L_")]
 
 
@@ -303,7 +317,8 @@ def summed(boxes: Sequence[Row]) -> str:
     """How many boxes are undecided, and what holds them all; ``--json`` lists each."""
     titles = [title for title, ends in boxes[0].items() if isinstance(ends, list)]
     hull = ", ".join(
-        f"{title} in [{min(box[title][0] for box in boxes):.8g}, {max(box[title][1] for box in boxes):.8g}]"
+        f"{title} in [{min(box[title][0] for box in boxes):.8g}, "
+        f"{max(box[title][1] for box in boxes):.8g}]"
         for title in titles
     )
     return (

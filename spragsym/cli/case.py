@@ -1,4 +1,6 @@
-"""What a command about a model is about: parameters, what varies, and the units of the answer, degrees or those of a file."""
+"""What a command about a model is about: parameters, what varies, and the units of the answer,
+degrees or those of a file.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +25,8 @@ from ..results import Stability
 if TYPE_CHECKING:
     from ..report import Study
 
-#: What JSON and a table say of one thing, by its columns; a title, and what one of the model's own units is there.
+#: What JSON and a table say of one thing, by its columns; a title, and what one of the model's own
+#: units is there.
 Row: TypeAlias = dict[str, Any]
 Titled: TypeAlias = tuple[str, float]
 #: What is measured of a motion in the unit of its first component; forces; and rates.
@@ -32,13 +35,15 @@ FORCES, RATES = (
     ("spring_force", "contact_force"),
     ("growth", "omega", "eigenvalues", "damped_eigenvalues"),
 )
-#: Values from one end of a range to the other, unless told otherwise; and how far an end may be, in the model's units.
+#: Values from one end of a range to the other, unless told otherwise; and how far an end may be, in
+#: the model's units.
 COUNT, LARGEST = 11, 1e6
 
 
 @dataclass(frozen=True)
 class Span:
-    """What varies, as it was typed; of a case a parameter, with what one of it is in the answer, and what it is called there.
+    """What varies, as it was typed; of a case a parameter, with what one of it is in the answer,
+    and what it is called there.
 
     Its ends, if given, are as typed, and of a case the model's own.
     """
@@ -62,9 +67,9 @@ class Span:
 class Case:
     """What a command is about, and in what units it answers.
 
-    ``values`` of its parameters are radians, None for those that were not given and have no base value; ``start`` is the initial
-    state, ``x0`` and the like, as the model takes it; ``ask`` goes with every question to the model; ``spans`` vary;
-    ``force`` overwrites files.
+    ``values`` of its parameters are radians, None for those that were not given and have no base
+    value; ``start`` is the initial state, ``x0`` and the like, as the model takes it; ``ask`` goes
+    with every question to the model; ``spans`` vary; ``force`` overwrites files.
     """
 
     model: Model
@@ -84,7 +89,9 @@ class Case:
         )
 
     def require(self, values: Mapping[str, Any], spanned: Sequence[str] = ()) -> None:
-        """An error that names the option of a parameter that has no value, and is not one of those that vary."""
+        """An error that names the option of a parameter that has no value, and is not one of those
+        that vary.
+        """
         for name in (
             name for name, value in values.items() if value is None and name not in spanned
         ):
@@ -94,7 +101,8 @@ class Case:
             )
             varying = f" while {' and '.join(self.names)} varies" if self.spans else ""
             raise click.UsageError(
-                f"{flag} has no value{varying}, and {self.model.name} no usual one; give {flag} {number}"
+                f"{flag} has no value{varying}, and {self.model.name} no usual one; give "
+                f"{flag} {number}"
             )
 
     @property
@@ -103,7 +111,9 @@ class Case:
         return {span.name: (min(span.ends), max(span.ends)) for span in self.spans if span.ends}
 
     def searching(self, *names: str) -> dict[str, Any]:
-        """How points are asked for: the method, and ranges of what varies and of coordinates where they were given."""
+        """How points are asked for: the method, and ranges of what varies and of coordinates where
+        they were given.
+        """
         return {
             **self.ask,
             "between": {name: ends for name, ends in self.between.items() if name in names} or None,
@@ -137,7 +147,9 @@ class Case:
         return self._titled(name, "rad" if self.model.is_angle(name) else "1")
 
     def boxes(self, boxes: Iterable[Any], names: Sequence[str], **about: Any) -> list[Row]:
-        """Boxes that are not decided, each with the ends of what it says, in the units of the answer."""
+        """Boxes that are not decided, each with the ends of what it says, in the units of the
+        answer.
+        """
         return [{**about, **self.row(dict(zip(names, box, strict=True)))} for box in boxes]
 
     def following(self, p: ParameterSet, near: Sequence[str]) -> ParameterSet:
@@ -165,14 +177,16 @@ class Case:
         if alone and is_typed(name):
             flag = options_of(self.model.about, name)[0]
             raise ParameterError(
-                f"{flag} gives {name} a value, and --vary {span.typed} varies it; leave one of the two out"
+                f"{flag} gives {name} a value, and --vary {span.typed} varies it; leave one "
+                "of the two out"
             )
         allowed, angle = self.model.Parameters.ranges[name], self.model.is_angle(name)
         for end in span.ends:
             value = end / unit
             if abs(value) > LARGEST and allowed.low <= value <= allowed.high:
                 raise ParameterError(
-                    f"--vary {span.typed}: {title} = {end:g} is too far; give at most {LARGEST * unit:g} in size"
+                    f"--vary {span.typed}: {title} = {end:g} is too far; give at most "
+                    f"{LARGEST * unit:g} in size"
                 )
             if not (allowed.contains(value) if values else allowed.low <= value <= allowed.high):
                 own = "" if angle or unit == 1 else f" is {name} = {value:g}, which"
@@ -220,7 +234,8 @@ class Case:
         return 1.0 if self.study is None else self.study.scales.time
 
     def of(self, name: str, end: str = "") -> Titled:
-        """The title of a column of states or of a measure of motions, and what one of the model's own units is, printed or typed.
+        """The title of a column of states or of a measure of motions, and what one of the model's
+        own units is, printed or typed.
 
         Angles are degrees, their rates are not.
         """
@@ -233,7 +248,9 @@ class Case:
         return self._titled(name + end, self.si.get(name, of_spring))
 
     def row(self, values: Mapping[str, Any], end: str = "") -> Row:
-        """Columns of a state, or what is measured of a motion, each under the name that says its unit."""
+        """Columns of a state, or what is measured of a motion, each under the name that says its
+        unit.
+        """
         if "stability" in values:
             values = {
                 **values,
@@ -248,7 +265,9 @@ class Case:
         return [dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True)]
 
     def varied(self, name: str) -> tuple[str, str, float]:
-        """A parameter, or with a file its quantity: the parameter, its title, and what one of it is there."""
+        """A parameter, or with a file its quantity: the parameter, its title, and what one of it is
+        there.
+        """
         kind = self.kind
         if name in self.model.parameters and (
             self.study is None or kind.parameters.get(name) != name
@@ -256,12 +275,16 @@ class Case:
             return name, *self.parameter(name)
         if name in kind.parameters:
             if self.study is None:
-                cure = f"without --data the parameters have no units; give --vary {kind.parameters[name]}"
+                cure = (
+                    "without --data the parameters have no units; give --vary "
+                    f"{kind.parameters[name]}"
+                )
                 raise ParameterError(f"--vary {name}: {cure}")
             return kind.parameters[name], *self._titled(name, kind.units[name], name)
         if name in kind.bases:
             raise ParameterError(
-                f"--vary {name}: it is a unit of the model, and several parameters change with it; write a file for each value"
+                f"--vary {name}: it is a unit of the model, and several parameters change "
+                "with it; write a file for each value"
             )
         known = list(
             dict.fromkeys([*self.model.parameters, *(kind.parameters if self.study else ())])
@@ -271,7 +294,8 @@ class Case:
         )
 
     def axis(self, name: str, before: str = "", after: str = "") -> Titled | None:
-        """What an axis of a figure says of a parameter or a coordinate, and what one of the model's own is there.
+        """What an axis of a figure says of a parameter or a coordinate, and what one of the model's
+        own is there.
 
         None without a file, and of angles, which figures show in degrees.
         """
@@ -328,7 +352,9 @@ def in_degrees(allowed: Range, remedy: str = "") -> Range:
 
 
 def study_of(path: str | Path, model: str | None, trust: bool, *, warn: bool = True) -> Study:
-    """The data of a brake, for the model that the command names if it names one; with warnings of what numbers may mean."""
+    """The data of a brake, for the model that the command names if it names one; with warnings of
+    what numbers may mean.
+    """
     from ..report import Study
     from ..report.brake_files import read_brake
 

@@ -1,4 +1,6 @@
-"""``spragsym equilibria``, ``path`` and ``critical``: all equilibria of points, and states followed as one parameter moves."""
+"""``spragsym equilibria``, ``path`` and ``critical``: all equilibria of points, and states followed
+as one parameter moves.
+"""
 
 import itertools
 import math
@@ -29,7 +31,8 @@ MOST = 10_000
 
 @o.of_model(kind=o.Numbers, statics=True, values=True)
 @o.vary(
-    "What varies, with its ends: a parameter, or with --data a quantity of the file, as k_x=5:20 or mu0=0:1:11 for 11 values."
+    "What varies, with its ends: a parameter, or with --data a quantity of the file, as "
+    "k_x=5:20 or mu0=0:1:11 for 11 values."
 )
 @o.within
 @o.method
@@ -39,7 +42,8 @@ MOST = 10_000
 def equilibria(case: Case, plot: Path | None) -> Any:
     """All equilibria at one point, in contact and in lift-off, stable and unstable; or at many.
 
-    Every parameter may be a number, numbers a,b,c, or start:stop:count; of several, all combinations.
+    Every parameter may be a number, numbers a,b,c, or start:stop:count; of several, all
+    combinations.
 
     \b
     Examples:
@@ -68,7 +72,8 @@ def equilibria(case: Case, plot: Path | None) -> Any:
     size = math.prod(map(len, lists))
     if size > MOST:
         raise click.UsageError(
-            f"{size} points are more than the {MOST} of a table; in Python ss.equilibria takes any number"
+            f"{size} points are more than the {MOST} of a table; in Python ss.equilibria "
+            "takes any number"
         )
     with show_progress(
         f"searching for equilibria of {size} points" if many else "searching for equilibria"
@@ -115,7 +120,8 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
     """Eigenvalues over what varies, in the units of the answer."""
     if not case.spans or many != [case.span.name]:
         raise click.UsageError(
-            "--plot shows eigenvalues over one parameter: give it as --vary NAME=FROM:TO, and numbers for others"
+            "--plot shows eigenvalues over one parameter: give it as --vary NAME=FROM:TO, and "
+            "numbers for others"
         )
     name, (low, high) = case.span.name, case.between[case.span.name]
     words = (
@@ -134,7 +140,8 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
 def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[Row]:
     """A row for each equilibrium of every point, whether these are all, and what is not known.
 
-    All points are asked in one call, and one by one where that does not answer completely; of one alone an error is the answer.
+    All points are asked in one call, and one by one where that does not answer completely; of one
+    alone an error is the answer.
     """
     p = case.model.Parameters(
         **{name: np.array([point[name] for point in points]) for name in points[0]}
@@ -168,9 +175,11 @@ def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[Row]:
 
 
 def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[Row]:
-    """Rows of a point: words, directions and lengths of springs, coordinates, and the quality of each state.
+    """Rows of a point: words, directions and lengths of springs, coordinates, and the quality of
+    each state.
 
-    ``stability`` and ``eigenvalues`` are those of (27); ``damped`` is with dampers and the slope of the friction law.
+    ``stability`` and ``eigenvalues`` are those of (27); ``damped`` is with dampers and the slope of
+    the friction law.
     """
     count = int(eq.count[point])
     names = (
@@ -190,7 +199,8 @@ def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[Row]:
 
 @o.of_model(statics=True, values=True)
 @o.vary(
-    "What moves, and from where to where, as mu0=0:0.9, or mu0=0.9:0:19 for 19 values; with --data a quantity of the file too."
+    "What moves, and from where to where, as mu0=0:0.9, or mu0=0.9:0:19 for 19 values; with "
+    "--data a quantity of the file too."
 )
 @o.followed
 @o.method
@@ -242,16 +252,18 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
 
 @o.of_model(statics=True)
 @o.vary(
-    "What moves: a parameter, with --data a quantity of the file too; with a range, from its first end on. Default: {last}."
+    "What moves: a parameter, with --data a quantity of the file too; with a range, from its "
+    "first end on. Default: {last}."
 )
 @o.followed
 @o.method
 @o.as_json
 def critical(case: Case, near: tuple[str, ...]) -> Any:
-    """Where the reference state jumps first as one parameter moves, and the frictions that decide whether it can.
+    """Where the reference state jumps first as one parameter moves, and the frictions that decide
+    whether it can.
 
-    Friction and inclination rise from their lower end; the others move up and down from their value, at a friction at which
-    nothing has jumped.
+    Friction and inclination rise from their lower end; the others move up and down from their
+    value, at a friction at which nothing has jumped.
 
     \b
     Examples:
@@ -308,7 +320,9 @@ def _or(value: float | None, word: str) -> float | str:
 
 
 def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> Row:
-    """Where the state ends first; ``searched`` says from where to where, infinite if that is everywhere."""
+    """Where the state ends first; ``searched`` says from where to where, infinite if that is
+    everywhere.
+    """
     name, ends, searched, at, error = (
         along.name,
         along.ends,
@@ -393,7 +407,8 @@ def _meanings(case: Case, frictions: Row, vary: str) -> dict[str, str]:
     """What each friction is, of those that the model has."""
     kind, known = frictions["kind_lowest"], {"theta0", "mu0"} & set(case.model.parameters)
     place = (
-        f" ({'to' if kind == 'infinity' else 'a'} {kind}, at {frictions['theta0_lowest_deg']:.6g} deg)"
+        f" ({'to' if kind == 'infinity' else 'a'} {kind}, at "
+        f"{frictions['theta0_lowest_deg']:.6g} deg)"
         if kind
         else ""
     )

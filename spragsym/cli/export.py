@@ -1,4 +1,6 @@
-"""``spragsym export`` and ``derive``: the solver in another language, and a model page carried through to a folder."""
+"""``spragsym export`` and ``derive``: the solver in another language, and a model page carried
+through to a folder.
+"""
 
 from pathlib import Path
 
@@ -37,8 +39,8 @@ def export(
 ) -> None:
     """Write the solver in another language, with an example that runs.
 
-    The article's solver, generated algebra and a step in time; of another model, and as an FMU, its forces and motion with
-    their derivatives, derived anew from its model page (extra derive).
+    The article's solver, generated algebra and a step in time; of another model, and as an FMU, its
+    forces and motion with their derivatives, derived anew from its model page (extra derive).
 
     \b
     Examples:
@@ -78,8 +80,8 @@ def export(
 def derive(page: Path, out: Path, force: bool) -> None:
     """Derive a model from its model page, and write it to a folder.
 
-    A model page is a Python file that says quantities, coordinates, energies, springs, contact and friction; it is run. The
-    folder is what --model of other commands takes, and spragsym.load.
+    A model page is a Python file that says quantities, coordinates, energies, springs, contact and
+    friction; it is run. The folder is what --model of other commands takes, and spragsym.load.
 
     \b
     Examples:

@@ -1,4 +1,6 @@
-"""``spragsym simulate``, ``sweep``, ``fates`` and ``cycles``: motion in time, over a grid, what it comes to, and its cycles."""
+"""``spragsym simulate``, ``sweep``, ``fates`` and ``cycles``: motion in time, over a grid, what it
+comes to, and its cycles.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,8 @@ from .output import drawn, print_rows, refuse, resumed
 if TYPE_CHECKING:
     from ..orbits import Cycle
 
-#: Longest motion that a command follows, in the model's unit of time: one is kept whole, those of a sweep followed to the end.
+#: Longest motion that a command follows, in the model's unit of time: one is kept whole, those of a
+#: sweep followed to the end.
 LONGEST = 2e6
 
 #: What a phase of a cycle is called by the sign of its sliding speed.
@@ -53,8 +56,9 @@ def simulate(
 ) -> Any:
     """Integrate the motion from an initial state, by default from rest where all coordinates are 0.
 
-    The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
-    assumption. With --data, --t-end and --transient are in seconds, and the initial state in the file's units.
+    The article states neither the belt speed V nor the steepness d of the friction law: the
+    defaults are an assumption. With --data, --t-end and --transient are in seconds, and the initial
+    state in the file's units.
 
     \b
     Examples:
@@ -101,14 +105,17 @@ def simulate(
 
 
 def _times(case: Case, t_end: float, transient: float | None, why: str) -> tuple[float, float]:
-    """Until when, and from when on it is measured, in the model's unit of time; with a file they are typed in seconds."""
+    """Until when, and from when on it is measured, in the model's unit of time; with a file they
+    are typed in seconds.
+    """
     second, of_file = case.time, case.study is not None
     t_end = t_end / second if is_typed("t_end") else t_end
     transient = 0.75 * t_end if transient is None else transient / second
     if transient >= t_end:
         begins, ends = (f"{value * second:.9g}{' s' * of_file}" for value in (transient, t_end))
         raise ParameterError(
-            f"--transient = {begins} is not below --t-end = {ends}; nothing would be left to measure"
+            f"--transient = {begins} is not below --t-end = {ends}; nothing would be left to "
+            "measure"
         )
     unit = case.model.about["scales"]["time"].replace("**", "^")
     if t_end > LONGEST:
@@ -131,9 +138,9 @@ def sweep(
 ) -> None:
     """Simulate over a grid of parameters, to a file.
 
-    Every option that takes numbers is an axis: a single number, a,b,c, or start:stop:count. The grid is all
-    combinations. Killed or interrupted, the same command goes on where it stopped; finished, it reads the
-    file. The file holds theta0 in radians, and in degrees as theta0_deg.
+    Every option that takes numbers is an axis: a single number, a,b,c, or start:stop:count. The
+    grid is all combinations. Killed or interrupted, the same command goes on where it stopped;
+    finished, it reads the file. The file holds theta0 in radians, and in degrees as theta0_deg.
 
     \b
     Examples:
@@ -171,7 +178,9 @@ def sweep(
 
 
 def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
-    """The parameters and the initial state, each axis of more than one number along a dimension of its own."""
+    """The parameters and the initial state, each axis of more than one number along a dimension of
+    its own.
+    """
     axes = {**case.values, **case.start}
     long = [name for name, axis in axes.items() if np.size(axis) > 1]
     axes |= dict(zip(long, np.ix_(*(axes[name] for name in long)), strict=True))
@@ -191,8 +200,9 @@ def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
 def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: Any) -> None:
     """What motions come to: rest, a cycle, chaos, lift-off, or undecided, and why.
 
-    Every parameter is an axis: a single number, a,b,c, or start:stop:count; a picture is of two that vary. Killed or interrupted,
-    the same command goes on where it stopped; finished, it reads the file.
+    Every parameter is an axis: a single number, a,b,c, or start:stop:count; a picture is of two
+    that vary. Killed or interrupted, the same command goes on where it stopped; finished, it reads
+    the file.
 
     \b
     Examples:
@@ -203,7 +213,8 @@ def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: A
     case.require(case.values)
     if plot is not None and sum(np.size(values) > 1 for values in case.values.values()) != 2:
         raise ParameterError(
-            f"--plot {plot}: it draws a map over two parameters that vary; give two of them several values"
+            f"--plot {plot}: it draws a map over two parameters that vary; give two of them "
+            "several values"
         )
     p, start = _grid(case)
     begin = [float(value) for value in start.values()]
@@ -223,7 +234,8 @@ def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: A
     help="A state near the cycle, angles in degrees. Default: the motion from rest at 0.",
 )
 @o.vary(
-    "Follow the cycle as this varies, with a range as theta0=38:60; with --data a quantity of the file too."
+    "Follow the cycle as this varies, with a range as theta0=38:60; with --data a quantity of "
+    "the file too."
 )
 @click.option("--points", type=click.IntRange(1), default=200, help="Most points each way.")
 @click.option(
@@ -250,18 +262,19 @@ def cycles(
     digits: int | None,
     plot: Path | None,
 ) -> Any:
-    """A cycle of the motion with its multipliers; with --vary, a branch of cycles with its bifurcations.
+    """A cycle of the motion with its multipliers; with --vary, a branch of cycles with its
+    bifurcations.
 
-    The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
-    assumption. A parameter that varies begins at the first end of its range, where it has no value of its own.
+    The article states neither the belt speed V nor the steepness d of the friction law: the
+    defaults are an assumption. A parameter that varies begins at the first end of its range, where
+    it has no value of its own.
 
     \b
     Examples:
-      spragsym cycles --theta0 42
-      spragsym cycles --data brake.toml
-      spragsym cycles --theta0 42 --vary theta0=38:60 --plot branch.pdf
-      spragsym cycles --theta0 42 --near 2.54,3.36,0,0.36 --vary theta0=30:80 --diagram --plot all.pdf
-      spragsym cycles --model stick_slip -V 0.2 --vary V=0.08:0.3
+      spragsym cycles --theta0 42 spragsym cycles --data brake.toml spragsym cycles --theta0 42
+      --vary theta0=38:60 --plot branch.pdf spragsym cycles --theta0 42 --near 2.54,3.36,0,0.36
+      --vary theta0=30:80 --diagram --plot all.pdf spragsym cycles --model stick_slip -V 0.2 --vary
+      V=0.08:0.3
     """
     along = case.span if case.spans else None
     if plot is not None and along is None:
@@ -414,14 +427,17 @@ def _state(text: str, names: Sequence[str]) -> FloatArray:
 
 
 def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
-    """The branch of a cycle within a range, which must hold the cycle itself, and what happens on it."""
+    """The branch of a cycle within a range, which must hold the cycle itself, and what happens on
+    it.
+    """
     from ..orbits import cycle_branch
 
     along = case.span
     unit, (low, high), value = along.unit, case.between[along.name], found.parameters[along.name]
     if not low <= value <= high:
         raise ParameterError(
-            f"--vary {along.title}: the range from {unit * low:.10g} to {unit * high:.10g} does not hold the cycle's own "
+            f"--vary {along.title}: the range from {unit * low:.10g} to {unit * high:.10g} "
+            "does not hold the cycle's own "
             f"{unit * value:.10g}; give one that does"
         )
     with show_progress(f"following cycles along {along.name}"):

@@ -1,4 +1,6 @@
-"""Options of commands: one name, one meaning and one range everywhere; of commands about a model one for each parameter too."""
+"""Options of commands: one name, one meaning and one range everywhere; of commands about a model
+one for each parameter too.
+"""
 
 from __future__ import annotations
 
@@ -41,7 +43,9 @@ MOST = 1_000_000
 
 
 class Command(click.Command):
-    """A command that refuses what is empty or given twice, of which click takes the last, and whose help ends in exit codes."""
+    """A command that refuses what is empty or given twice, of which click takes the last, and whose
+    help ends in exit codes.
+    """
 
     def __init__(self, *args: Any, **more: Any) -> None:
         super().__init__(*args, **more)
@@ -89,7 +93,8 @@ TEXT = "Another model: the name of a shipped one, or a folder that `spragsym der
 TRUST = "Run the code of the folder that the file of --data names as its model."
 
 
-class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
+# generic in some versions of click
+class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]
     """A number in a range; an error names the option as it is typed."""
 
     name = "float"
@@ -106,7 +111,9 @@ class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generi
 
 
 class Numbers(Number):
-    """A number, numbers ``a,b,c``, or ``start:stop:count`` for equal steps, ends included; each in a range."""
+    """A number, numbers ``a,b,c``, or ``start:stop:count`` for equal steps, ends included; each in
+    a range.
+    """
 
     name = "numbers"
 
@@ -124,7 +131,8 @@ class Numbers(Number):
                 start, stop, count = text.split(":")
                 if not 1 < int(count) <= MOST:
                     self.fail(
-                        f"{value!r}: equal steps with both ends are 2 to {MOST} numbers; for one give it alone"
+                        f"{value!r}: equal steps with both ends are 2 to {MOST} numbers; for "
+                        "one give it alone"
                     )
                 with np.errstate(all="ignore"):  # an infinite end, which the range refuses
                     numbers = np.linspace(float(start), float(stop), int(count))
@@ -169,19 +177,22 @@ within: Decorator = click.option(
     type=_span,
     multiple=True,
     metavar="NAME=FROM:TO",
-    help="Range of a coordinate to search, as {coordinate}=-5:5, in place of the model's own; angles in degrees. Repeatable.",
+    help="Range of a coordinate to search, as {coordinate}=-5:5, in place of the model's own; "
+    "angles in degrees. Repeatable.",
 )
 followed: Decorator = click.option(
     "--state",
     "near",
     metavar="NAME=VALUE",
     multiple=True,
-    help="Follow the stable state nearest to this coordinate, as x=1.6, in place of the reference state; may be repeated.",
+    help="Follow the stable state nearest to this coordinate, as x=1.6, in place of the reference "
+    "state; may be repeated.",
 )
 method: Decorator = click.option(
     "--method",
     type=click.Choice(["closed", "search"]),
-    help="Closed forms that a model brings, or the search that serves every model. Default: what is faster.",
+    help="Closed forms that a model brings, or the search that serves every model. Default: what "
+    "is faster.",
 )
 undamped: Decorator = click.option(
     "--undamped",
@@ -198,7 +209,8 @@ t_end: Decorator = click.option(
 transient: Decorator = click.option(
     "--transient",
     type=Number(NOT_NEGATIVE),
-    help="What to leave out of RMS, largest displacement and period. Default: three quarters of --t-end.",
+    help="What to leave out of RMS, largest displacement and period. Default: three quarters of "
+    "--t-end.",
 )
 quiet: Decorator = click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
 trust: Decorator = click.option("--trust", is_flag=True, help=TRUST)
@@ -259,22 +271,27 @@ ABOUT = [
         ["--data"],
         metavar="FILE",
         expose_value=False,
-        help="Take the parameters, and the model, from the data of a brake, and answer in the units of that file.",
+        help="Take the parameters, and the model, from the data of a brake, and answer in the "
+        "units of that file.",
     ),
     click.Option(["--trust"], is_flag=True, help=TRUST, expose_value=False),
 ]
 
 
 class OfModel(Command):
-    """A command whose options are its own and one for each parameter of a model; its work is given a :class:`Case`.
+    """A command whose options are its own and one for each parameter of a model; its work is given
+    a :class:`Case`.
 
-    Parameters are of the type ``kind``. With ``start`` each number of the initial state has an option too. ``statics`` of a brake
-    takes the friction that works at the speed of its belt. ``--vary``, ``--within`` and ``--method`` come with the case; where
-    ``values`` are asked for, the ends of a range are values themselves; the first ``spanned`` ranges have no value besides. Files
-    of ``--plot`` are looked at before anything is computed. The work gives what JSON says, and what prints the table.
+    Parameters are of the type ``kind``. With ``start`` each number of the initial state has an
+    option too. ``statics`` of a brake takes the friction that works at the speed of its belt.
+    ``--vary``, ``--within`` and ``--method`` come with the case; where ``values`` are asked for,
+    the ends of a range are values themselves; the first ``spanned`` ranges have no value besides.
+    Files of ``--plot`` are looked at before anything is computed. The work gives what JSON says,
+    and what prints the table.
 
-    Texts of help may name ``{time}``, the unit of time, ``{axes}``, what varies unless told otherwise, ``{last}`` of them,
-    ``{coordinate}``, the first, and ``{state}``, all of the initial state. What ``--vary`` names there is its default.
+    Texts of help may name ``{time}``, the unit of time, ``{axes}``, what varies unless told
+    otherwise, ``{last}`` of them, ``{coordinate}``, the first, and ``{state}``, all of the initial
+    state. What ``--vary`` names there is its default.
     """
 
     def __init__(
@@ -360,7 +377,8 @@ class OfModel(Command):
             if value is not None and self.model.is_angle(name):
                 value = np.radians(value)
             elif ctx.obj and name == entry["quantity"] and is_typed(name):
-                # A quantity of the file that is typed by its own name is in the file's unit, as that of --vary is.
+                # A quantity of the file that is typed by its own name is in the file's unit, as
+                # that of --vary is.
                 value = value / units.varied(name)[2]
             values[name] = value
         start = {
@@ -420,7 +438,8 @@ class OfModel(Command):
         kind, p = study.kind, study.at_work if self.statics and study.moves else study.dimensionless
         if not self.statics and not study.moves:
             raise ParameterError(
-                f'--data {study.source}: there is no motion without belt speed and creep; add V = "1.2 m/s" and d = "10 s/m"'
+                f"--data {study.source}: there is no motion without belt speed and creep; add "
+                'V = "1.2 m/s" and d = "10 s/m"'
             )
         values = {
             name: float(getattr(p, name))

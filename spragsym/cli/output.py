@@ -1,4 +1,6 @@
-"""Output of commands: tables, styled on a terminal, plain in a pipe, never cut; JSON; and files, none overwritten unasked."""
+"""Output of commands: tables, styled on a terminal, plain in a pipe, never cut; JSON; and files,
+none overwritten unasked.
+"""
 
 from __future__ import annotations
 
@@ -40,16 +42,19 @@ def line_width() -> int:
 
 
 def wrapped(text: str, indent: int = 0) -> str:
-    """A text for a line of the terminal, of which the first characters are taken; further lines begin below its first word."""
+    """A text for a line of the terminal, of which the first characters are taken; further lines
+    begin below its first word.
+    """
     room = max(line_width() - indent, LEAST_WIDTH)
     return f"\n{' ' * indent}".join(textwrap.wrap(text, room)) if line_width() else text
 
 
 def print_rows(title: str, rows: Sequence[Mapping[str, Any]], optional: Sequence[str] = ()) -> None:
-    """Print a table of rows that have the same columns under a title; without rows, the title and ``none``.
+    """Print a table of rows that have the same columns under a title; without rows, the title and
+    ``none``.
 
-    Floats get as many digits as the line has room for, up to twelve; columns that are ``optional`` are left out, the first of
-    them first, while it has none. ``--json`` gives all.
+    Floats get as many digits as the line has room for, up to twelve; columns that are ``optional``
+    are left out, the first of them first, while it has none. ``--json`` gives all.
     """
     if title:
         click.echo(click.style(title, bold=True) if rows else f"{title}: none")
@@ -105,20 +110,25 @@ def _plain(thing: Any) -> Any:
 
 
 def refuse(paths: Iterable[Path | None], force: bool, *, made: bool = False) -> None:
-    """Raise, before any work, if one of the files exists, unless it is to be overwritten, or if it can't be written."""
+    """Raise, before any work, if one of the files exists, unless it is to be overwritten, or if it
+    can't be written.
+    """
     targets = [path for path in paths if path is not None]
     found = [str(path) for path in targets if path.exists()]
     if found and not force:
         exist = "exists" if len(found) == 1 else "exist"
         raise TargetError(
-            f"{', '.join(found)} {exist}; nothing was written; use --force to overwrite, or give another path"
+            f"{', '.join(found)} {exist}; nothing was written; use --force to overwrite, or "
+            "give another path"
         )
     for path in targets:
         probe(path, made=made)
 
 
 def write(files: Mapping[Path, Any], force: bool, *, made: bool = False) -> bool:
-    """Write texts or bytes to files, but where they are; whether there were others. Refused if a file is in the way."""
+    """Write texts or bytes to files, but where they are; whether there were others. Refused if a
+    file is in the way.
+    """
     data = {path: held.encode() if isinstance(held, str) else held for path, held in files.items()}
     changed = {
         path: held
@@ -133,7 +143,9 @@ def write(files: Mapping[Path, Any], force: bool, *, made: bool = False) -> bool
 
 @contextmanager
 def resumed(force: bool) -> Iterator[None]:
-    """Work that goes on in its file where it stopped; with ``force`` whatever is there, which stays until that is done."""
+    """Work that goes on in its file where it stopped; with ``force`` whatever is there, which stays
+    until that is done.
+    """
     token = OVERWRITING.set(force)
     try:
         yield
@@ -149,7 +161,9 @@ def drawn(
     make: Callable[[], Any],
     axes: Callable[[], Iterable[Sequence[Shown | None]]] = tuple,
 ) -> None:
-    """Draw a figure if its file is asked for; ``axes`` says of each panel what its two axes show, None as it is."""
+    """Draw a figure if its file is asked for; ``axes`` says of each panel what its two axes show,
+    None as it is.
+    """
     if path is None:
         return
     from ..figures.style import house_style, in_units, picture

@@ -1,4 +1,6 @@
-"""``spragsym report`` and ``explore``: the data of a brake in, a verdict out; and the explorer as a page."""
+"""``spragsym report`` and ``explore``: the data of a brake in, a verdict out; and the explorer as a
+page.
+"""
 
 from __future__ import annotations
 
@@ -152,13 +154,14 @@ def explore(
 ) -> None:
     """Write the explorer, one page that computes in the browser and needs no network, and open it.
 
-    It shows the mechanism, how many states there are over a plane of two parameters, the states along one of them and at a
-    point, and the motion in time. A state carried along a path follows its branch, and jumps where that ends.
-    With --data, states, forces and motion are shown in the units of the file too.
+    It shows the mechanism, how many states there are over a plane of two parameters, the states
+    along one of them and at a point, and the motion in time. A state carried along a path follows
+    its branch, and jumps where that ends. With --data, states, forces and motion are shown in the
+    units of the file too.
 
-    Of the article's model the states are proved where double precision vouches for them, and its folds, cusps and the
-    surface of all equilibria are drawn. Of another model they are searched by Newton's method, and the page says so; making
-    it takes the extra derive.
+    Of the article's model the states are proved where double precision vouches for them, and its
+    folds, cusps and the surface of all equilibria are drawn. Of another model they are searched by
+    Newton's method, and the page says so; making it takes the extra derive.
 
     \b
     Examples:

@@ -1,9 +1,11 @@
-"""Certificates of claims about every point of a box of parameters: proved, refuted by a point, or undecided, by halving parts.
+"""Certificates of claims about every point of a box of parameters: proved, refuted by a point, or
+undecided, by halving parts.
 
-Claims about all states in contact, of any model: a box of parameters is searched for equilibria as one point is, see
-:mod:`spragsym.numerics.boxes`: a box of coordinates in which interval Newton proves one root holds one for every point of it.
-What a claim asks is decided over these boxes, and over those that are left. A part of the box that stays open is halved across
-the parameter that moves the states most; its states lie where those of the whole do.
+Claims about all states in contact, of any model: a box of parameters is searched for equilibria as
+one point is, see :mod:`spragsym.numerics.boxes`: a box of coordinates in which interval Newton
+proves one root holds one for every point of it. What a claim asks is decided over these boxes, and
+over those that are left. A part of the box that stays open is halved across the parameter that
+moves the states most; its states lie where those of the whole do.
 """
 
 from __future__ import annotations
@@ -59,7 +61,8 @@ class Certificate(Result):
     outcome : str
         ``"proved"``, ``"refuted"`` or ``"undecided"``.
     counterexample : Parameters, mapping of str to float, or None
-        A point of the box at which the claim is false, if it is refuted; of a :class:`spragsym.Study` its quantities in SI.
+        A point of the box at which the claim is false, if it is refuted; of a
+        :class:`spragsym.Study` its quantities in SI.
     undecided : float
         Share of the volume of the box that is neither proved nor known to hold a counterexample.
     boxes : int
@@ -116,7 +119,9 @@ class Boxes(ByColumn, ABC):
         return np.nextafter(self.low, np.inf) < self.high
 
     def divided(self, weight: FloatArray, most: int) -> Self:
-        """Each cut across the side that matters most, and few of them again and again, as often as one step takes them all."""
+        """Each cut across the side that matters most, and few of them again and again, as often as
+        one step takes them all.
+        """
         parts, weight = self._halved(weight)
         while (
             0 < len(parts) < self.few
@@ -148,9 +153,12 @@ class Held(Boxes):
 
 
 class Claim(ABC):
-    """A claim about a box of parameters: what is proved of parts of it, and at which points it is false."""
+    """A claim about a box of parameters: what is proved of parts of it, and at which points it is
+    false.
+    """
 
-    #: Parts at a time, all parts unless told otherwise, and corners at which the claim may be refuted.
+    #: Parts at a time, all parts unless told otherwise, and corners at which the claim may be
+    #: refuted.
     batch, most, corners = 64, 2000, 64
     #: Whether a counterexample is looked for in parts that are halved, too.
     early = True
@@ -171,7 +179,9 @@ class Claim(ABC):
         """Points of the box, shape (sides, N), at which the claim is proved to be false."""
 
     def refuted(self, points: FloatArray) -> ParameterSet | None:
-        """The parameters at the first of some points at which the claim is proved to be false; None without one."""
+        """The parameters at the first of some points at which the claim is proved to be false; None
+        without one.
+        """
         fails = np.flatnonzero(self.fails(points))
         return self.point(points[:, fails[0]]) if fails.size else None
 
@@ -181,10 +191,12 @@ class Claim(ABC):
         most: int,
         kept: Callable[[Any], Any] = lambda parts: parts,
     ) -> Iterator[tuple[Any, BoolArray, int]]:
-        """Parts in turn, those of which most is open first: which of them are not halved any more, and how many were looked at.
+        """Parts in turn, those of which most is open first: which of them are not halved any more,
+        and how many were looked at.
 
-        ``share`` is how much of a part is open, ``kept`` what of parts matters. What is open is halved, unless it is as thin as
-        floats are or ``most`` parts were looked at: those that are left then come last.
+        ``share`` is how much of a part is open, ``kept`` what of parts matters. What is open is
+        halved, unless it is as thin as floats are or ``most`` parts were looked at: those that are
+        left then come last.
         """
         pending, seen = self.whole, 0
         while len(pending) and seen < most:
@@ -205,7 +217,9 @@ class Claim(ABC):
             yield pending, np.ones(len(pending), dtype=np.bool_), 0
 
     def at_corners(self) -> FloatArray:
-        """Points at which a counterexample is looked for first: the middle and corners of the box, shape (sides, N)."""
+        """Points at which a counterexample is looked for first: the middle and corners of the box,
+        shape (sides, N).
+        """
         low, high = self.whole.low[:, 0], self.whole.high[:, 0]
         ends = [
             (one,) if one == other else (one, other) for one, other in zip(low, high, strict=True)
@@ -268,8 +282,9 @@ NARROW = 2.0**-20
 ROOM = 1e-6
 
 
-#: Of some parts their bounds, and as roots, with the parts as points, the states that are in contact all over a part, and as what
-#: is left the boxes of which that, or whether they hold a state, is not known.
+#: Of some parts their bounds, and as roots, with the parts as points, the states that are in
+#: contact all over a part, and as what is left the boxes of which that, or whether they hold a
+#: state, is not known.
 Test: TypeAlias = Callable[[Balance, Intervals, Roots], BoolArray]
 
 
@@ -288,7 +303,8 @@ def _none_flutters(balance: Balance, bounds: Intervals, roots: Roots) -> BoolArr
     return np.asarray(np.bincount(point[~real], minlength=bounds.shape[-1]) == 0)
 
 
-#: For each claim where it holds, and at which points it is refuted: several states, or proved to be none; one proved to flutter.
+#: For each claim where it holds, and at which points it is refuted: several states, or proved to be
+#: none; one proved to flutter.
 STATES: dict[str, tuple[Test, Callable[[Equilibria], BoolArray]]] = {
     "one equilibrium": (
         _one,
@@ -303,7 +319,9 @@ STATES: dict[str, tuple[Test, Callable[[Equilibria], BoolArray]]] = {
 
 @dataclass(frozen=True)
 class Parts(Held):
-    """Parts, and where their states are: ``around``, shape (2, n, N), is infinite where nothing is known of that."""
+    """Parts, and where their states are: ``around``, shape (2, n, N), is infinite where nothing is
+    known of that.
+    """
 
     around: FloatArray
 

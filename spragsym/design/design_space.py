@@ -1,10 +1,13 @@
-"""Designs as vectors in units of their tolerances, the border at which a followed state ends, and the nearest design of a set.
+"""Designs as vectors in units of their tolerances, the border at which a followed state ends, and
+the nearest design of a set.
 
-:func:`nearest` only asks which designs are members, of many at once. A point of the set's border that is the nearest one of its
-neighbours comes first. Rays from the origin, evenly spread and the same in every run, then ask for members that are nearer, and
-from these the next such point is sought, until no ray meets one. Where there is no point to begin with, rays are walked outward
-to their first member; the best of them is turned and shortened. That finds a set that a ray meets, and proves nothing about one
-that all rays miss. The border is one of floats: predictions for searches that verify what they find.
+:func:`nearest` only asks which designs are members, of many at once. A point of the set's border
+that is the nearest one of its neighbours comes first. Rays from the origin, evenly spread and the
+same in every run, then ask for members that are nearer, and from these the next such point is
+sought, until no ray meets one. Where there is no point to begin with, rays are walked outward to
+their first member; the best of them is turned and shortened. That finds a set that a ray meets, and
+proves nothing about one that all rays miss. The border is one of floats: predictions for searches
+that verify what they find.
 """
 
 from __future__ import annotations
@@ -35,11 +38,13 @@ _CLEAR = 1e-9
 
 @dataclass(frozen=True)
 class Design:
-    """One design, whatever its quantities are: ``given`` by name with their ``ranges``, and what they are for the model.
+    """One design, whatever its quantities are: ``given`` by name with their ``ranges``, and what
+    they are for the model.
 
-    ``parameters`` gives the model's own from the quantities, of any number type; ``made`` another design, of the caller's kind,
-    from those that changed; ``of_model`` is the class of the model's sets. ``begins``, from the quantities, is where what rises
-    begins in the model's units, if that differs among designs; ``rises`` names parameters that are told as a quantity.
+    ``parameters`` gives the model's own from the quantities, of any number type; ``made`` another
+    design, of the caller's kind, from those that changed; ``of_model`` is the class of the model's
+    sets. ``begins``, from the quantities, is where what rises begins in the model's units, if that
+    differs among designs; ``rises`` names parameters that are told as a quantity.
     """
 
     given: Mapping[str, Any]
@@ -66,7 +71,9 @@ class Space:
     scale: FloatArray
 
     def quantities(self, z: FloatArray) -> dict[str, Any]:
-        """All quantities of designs z, of shape (…, number of names); those that don't change as they are."""
+        """All quantities of designs z, of shape (…, number of names); those that don't change as
+        they are.
+        """
         values = self.origin + z * self.scale
         if not np.iscomplexobj(values):  # z at a limit, rounded
             values = np.where(z <= self.limits()[0], self.ends[0], np.clip(values, *self.ends))
@@ -84,7 +91,9 @@ class Space:
         return set_of(self.design.of_model.model_of_class(), values, self.design.followed)
 
     def at(self, name: str, value: float) -> Space:
-        """The same designs with a parameter at a value, that of its quantity where it is told as one."""
+        """The same designs with a parameter at a value, that of its quantity where it is told as
+        one.
+        """
         design, quantity = self.design, self.design.rises.get(name)
         if quantity is not None:
             return replace(self, design=replace(design, given={**design.given, quantity: value}))
@@ -136,7 +145,9 @@ def space(
     change: Iterable[str] | None,
     what: str = "scale",
 ) -> Space:
-    """The quantities named in ``change``, or all that have a scale; without a scale each is measured by its own value."""
+    """The quantities named in ``change``, or all that have a scale; without a scale each is
+    measured by its own value.
+    """
     design = base if isinstance(base, Design) else _design(base)
     tolerances = dict(scale or {})
     names = tuple(
@@ -146,11 +157,13 @@ def space(
         if name not in design.given:
             place = "scale" if name in tolerances else what
             raise ParameterError(
-                f"{name!r} in {place} is not a quantity here; the quantities are {', '.join(design.given)}"
+                f"{name!r} in {place} is not a quantity here; the quantities are "
+                f"{', '.join(design.given)}"
             )
     if not names:
         raise ParameterError(
-            f"{what} names no quantity that may change; name at least one of {', '.join(design.given)}"
+            f"{what} names no quantity that may change; name at least one of "
+            f"{', '.join(design.given)}"
         )
     origin = np.array([as_number(name, design.given[name]) for name in names])
     if scale is None:
@@ -170,7 +183,9 @@ def space(
 
 
 def _design(base: ParameterSet | PhysicalParameters) -> Design:
-    """Design variables: the parameters of a set; of a brake all on which the jump depends where friction works fully."""
+    """Design variables: the parameters of a set; of a brake all on which the jump depends where
+    friction works fully.
+    """
     if isinstance(base, PhysicalParameters):
         kind = base.kind
         return Design(
@@ -192,19 +207,22 @@ def _design(base: ParameterSet | PhysicalParameters) -> Design:
     )
 
 
-#: Steps at most, the last of them over the size, and how much shorter the next one is where they don't get smaller.
+#: Steps at most, the last of them over the size, and how much shorter the next one is where they
+#: don't get smaller.
 STEPS, LAST, SHORTER = 40, 1e-10, 0.3
 #: How near to its own value a jump value is on the border, over the slopes by z.
 ON = 1e-9
 
 
 class Border:
-    """Where the followed state ends, as one parameter rises from where it begins to its own value in each design.
+    """Where the followed state ends, as one parameter rises from where it begins to its own value
+    in each design.
 
-    Jump value and gradient of one design after the other are found near the last: the first fold is the one of
-    :func:`spragsym.jump_gradient`, by tubes from where ``vary`` begins. The next one is found from the last by secants along the
-    curve of states of the new design, in milliseconds; that the followed state ends there is not known then. Where secants end
-    nowhere it is found by tubes again.
+    Jump value and gradient of one design after the other are found near the last: the first fold is
+    the one of :func:`spragsym.jump_gradient`, by tubes from where ``vary`` begins. The next one is
+    found from the last by secants along the curve of states of the new design, in milliseconds;
+    that the followed state ends there is not known then. Where secants end nowhere it is found by
+    tubes again.
     """
 
     def __init__(self, designs: Space, vary: str, begin: float) -> None:
@@ -212,7 +230,9 @@ class Border:
         self.last: FloatArray | None = None
 
     def ended(self, z: FloatArray) -> FloatArray:
-        """1 where the state has ended, 0 where not, NaN where that is not known; below where the parameter begins it has not."""
+        """1 where the state has ended, 0 where not, NaN where that is not known; below where the
+        parameter begins it has not.
+        """
         begins = self.designs.design.begins
         begin = self.begin if begins is None else begins(self.designs.quantities(z))
         return have_jumped(self.designs.sets(z), self.vary, begin)
@@ -240,7 +260,8 @@ class Border:
             return None
         asked, z = Followed(p, self.vary, "up", self.begin, None), self.last[:, None]
         n, tubes = asked.balance.n, Tubes.of_points(asked.balance, self.vary, asked.fixed)
-        # At a fold the null vector of K is the direction of the curve: nothing else of z changes there.
+        # At a fold the null vector of K is the direction of the curve: nothing else of z changes
+        # there.
         along = np.linalg.svd(tubes.floats(z)[1][:, :n, 0])[2][-1]
         tubes = replace(tubes, pivot=int(np.argmax(np.abs(along) / size_of(self.last[:n]))))
         z, met = secants(tubes, tubes.corrected(z), np.ones(1))
@@ -249,10 +270,12 @@ class Border:
         return Ends(z[n, 0], np.zeros(()), z[:n, 0], {}, asked.until)
 
     def near(self, z: FloatArray) -> FloatArray | None:
-        """The z of smallest size near a given one where the state ends at the design's own value, if there is one.
+        """The z of smallest size near a given one where the state ends at the design's own value,
+        if there is one.
 
-        Source: g(z) = 0, how far beyond that the state ends. Each step goes to the point of smallest size of the plane
-        g + ∇g · (z′ − z) = 0, by jump values and their gradients, or a part of the way where steps don't get smaller.
+        Source: g(z) = 0, how far beyond that the state ends. Each step goes to the point of
+        smallest size of the plane g + ∇g · (z′ − z) = 0, by jump values and their gradients, or a
+        part of the way where steps don't get smaller.
         """
         share, best = 1.0, np.inf
         try:
@@ -273,7 +296,9 @@ class Border:
 
 
 def _smallest(slopes: FloatArray, level: float, low: FloatArray, high: FloatArray) -> FloatArray:
-    """The z of smallest size within limits, about 0, with slopes · z = level: one limit after the other is kept to."""
+    """The z of smallest size within limits, about 0, with slopes · z = level: one limit after the
+    other is kept to.
+    """
     z, free = np.zeros_like(slopes), slopes != 0
     while free.any():
         z[free] = (level - slopes[~free] @ z[~free]) * slopes[free] / (slopes[free] @ slopes[free])
@@ -286,24 +311,28 @@ def _smallest(slopes: FloatArray, level: float, low: FloatArray, high: FloatArra
 
 
 Member = Callable[[FloatArray], BoolArray]
-#: From a point near the border, or from 0, to the nearest point of the border about there, a member, if it is found.
+#: From a point near the border, or from 0, to the nearest point of the border about there, a
+#: member, if it is found.
 Improved = Callable[[FloatArray], FloatArray | None]
 
-#: Rays for each dimension squared, since a point may take milliseconds; radii at which each is asked, the last the farthest.
+#: Rays for each dimension squared, since a point may take milliseconds; radii at which each is
+#: asked, the last the farthest.
 RAYS, _RADII = 8, np.concatenate([[1e-6], 2.0 ** np.arange(-8, 8.01, 0.25)])
 #: Points to ask for at once, where there is a choice, outward and inward.
 _OUTWARD, _INWARD = 512, 4096
 #: Halvings of a radius while rays are compared, and at the end, to 1e-11 of it.
 _COARSE, _FINE = 9, 36
-#: Shares of the distance of a member at which rays ask for nearer ones, and how often the nearest of these is improved at most.
+#: Shares of the distance of a member at which rays ask for nearer ones, and how often the nearest
+#: of these is improved at most.
 _SHARES, _ROUNDS = np.array([0.999, 0.7, 0.4]), 20
 
 
 def nearest(member: Member, limits: Limits, improved: Improved) -> FloatArray | None:
     """A member about as near to 0 as rays find it, of the shape (dimensions,), or none.
 
-    ``member`` tells of points, of shape (n, dimensions), which are members; ``limits`` are the smallest and the largest value of
-    each coordinate; ``improved`` gives the nearest member on the border about a point, if it finds one.
+    ``member`` tells of points, of shape (n, dimensions), which are members; ``limits`` are the
+    smallest and the largest value of each coordinate; ``improved`` gives the nearest member on the
+    border about a point, if it finds one.
     """
     size = limits[0].size
     if member(np.zeros((1, size)))[0]:
@@ -340,7 +369,9 @@ def _better(member: Member, point: FloatArray, improved: Improved) -> FloatArray
 def _on_rays(
     member: Member, rays: FloatArray, limits: Limits, radii: FloatArray
 ) -> FloatArray | None:
-    """The nearest of the members that rays meet at some radii, or where they end before, brought to the border, if any does."""
+    """The nearest of the members that rays meet at some radii, or where they end before, brought to
+    the border, if any does.
+    """
     lengths = np.minimum(radii[:, None], _reach(rays, limits))
     with doing("designs up to {:.4g} tolerances away", lengths.max()):
         inside = member((lengths[..., None] * rays).reshape(-1, rays.shape[1])).reshape(
@@ -375,7 +406,9 @@ def _reach(rays: FloatArray, limits: Limits) -> FloatArray:
 
 
 def _shortened(member: Member, rays: FloatArray, radius: FloatArray, halvings: int) -> FloatArray:
-    """Radii of borders on the rays; several parts of each are asked for at once, where rays are few."""
+    """Radii of borders on the rays; several parts of each are asked for at once, where rays are
+    few.
+    """
     parts = min(16, max(2, _INWARD // len(rays)))
     low, high = np.zeros_like(radius), radius.copy()
     for _ in range(-(-halvings // int(np.log2(parts)))):

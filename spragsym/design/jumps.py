@@ -1,4 +1,6 @@
-"""Jump values of any model: where the followed state ends as a parameter moves, and their gradients; many points at once."""
+"""Jump values of any model: where the followed state ends as a parameter moves, and their
+gradients; many points at once.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +28,8 @@ from ..statics.reference_state import reference_state
 
 #: Points at a time.
 BLOCK = 4096
-#: How often a state that is steep and does not turn back is carried past there, and how far, over the whole way.
+#: How often a state that is steep and does not turn back is carried past there, and how far, over
+#: the whole way.
 ROUNDS, PAST = 4, 2.0**-8
 #: Segments towards a fold where an answer in haste is asked for: beside a cusp more are needed.
 HASTY = 60
@@ -42,7 +45,9 @@ def first_ends(
     until: float | None = None,
     method: Method = "auto",
 ) -> Ends:
-    """Where the followed state of each point ends first, and the state there; arguments as of :func:`jump_value`."""
+    """Where the followed state of each point ends first, and the state there; arguments as of
+    :func:`jump_value`.
+    """
     return Followed(p, p.model.rising(vary, 0.0)[0], direction, begin, until).ends()
 
 
@@ -60,23 +65,25 @@ def jump_value(
     Parameters
     ----------
     p : Parameters
-        Of any model and shape. Of ``theta0`` and ``mu0`` the one that varies is not used, and may be left out.
+        Of any model and shape. Of ``theta0`` and ``mu0`` the one that varies is not used, and may
+        be left out.
     vary : str, optional
-        What moves, ``mu0`` unless told otherwise: ``mu0`` and ``theta0`` from the lower end of their range, others from the value
-        in ``p``.
+        What moves, ``mu0`` unless told otherwise: ``mu0`` and ``theta0`` from the lower end of
+        their range, others from the value in ``p``.
     direction : {"up", "down"}
         Which way; ``mu0`` and ``theta0`` rise.
     begin, until : float, optional
-        From where to where instead. Without ``until`` to the end of the range; where that has no end up to 10 times the base
-        value, 10 at least, of the article's model without end.
+        From where to where instead. Without ``until`` to the end of the range; where that has no
+        end up to 10 times the base value, 10 at least, of the article's model without end.
     method : {"auto", "closed", "search"}
-        A closed form if the model brings one for these arguments, the closed form only, or tubes around curves of states.
+        A closed form if the model brings one for these arguments, the closed form only, or tubes
+        around curves of states.
 
     Returns
     -------
     float or ndarray
-        Of the shape of the parameters that are used; NaN where the state is proved to go on, up to a fold that lies within its
-        error of ``until``, if there is one.
+        Of the shape of the parameters that are used; NaN where the state is proved to go on, up to
+        a fold that lies within its error of ``until``, if there is one.
 
     Raises
     ------
@@ -88,10 +95,11 @@ def jump_value(
 
     Notes
     -----
-    Source: tubes around curves of states up to the fold, and through it, see :mod:`spragsym.bifurcation.turning_points`,
-    from the reference state at the first value, see :mod:`spragsym.statics.reference_state`. What tubes don't decide is
-    followed between all folds that are found by search, see :func:`spragsym.bifurcation.paths.first_end`; an end there
-    may also be where the state leaves the contact. Of the article's model: f = f′ = 0, see
+    Source: tubes around curves of states up to the fold, and through it, see
+    :mod:`spragsym.bifurcation.turning_points`, from the reference state at the first value, see
+    :mod:`spragsym.statics.reference_state`. What tubes don't decide is followed between all folds
+    that are found by search, see :func:`spragsym.bifurcation.paths.first_end`; an end there may
+    also be where the state leaves the contact. Of the article's model: f = f′ = 0, see
     :mod:`spragsym.kang_nam.jump_values`.
 
     Examples
@@ -139,8 +147,8 @@ def jump_gradient(
 
     Notes
     -----
-    Source: F = 0, w K = 0 at the fold, differentiated: since w ∂F/∂q = 0, dv/dp = −(w · ∂F/∂p)/(w · ∂F/∂v). At a cusp digits are
-    lost, and beyond it there is no jump.
+    Source: F = 0, w K = 0 at the fold, differentiated: since w ∂F/∂q = 0, dv/dp = −(w · ∂F/∂p)/(w ·
+    ∂F/∂v). At a cusp digits are lost, and beyond it there is no jump.
 
     Examples
     --------
@@ -163,10 +171,11 @@ def have_jumped(
     hasty: bool = False,
     method: Method = "auto",
 ) -> FloatArray:
-    """1 where the state has ended as ``vary`` rises to its value in ``p``, 0 where not, NaN where that is not known.
+    """1 where the state has ended as ``vary`` rises to its value in ``p``, 0 where not, NaN where
+    that is not known.
 
-    It rises from ``begin``, one value for all points or one for each; the lower end of its range where left out. A ``hasty``
-    answer is NaN beside cusps too, which take longest.
+    It rises from ``begin``, one value for all points or one for each; the lower end of its range
+    where left out. A ``hasty`` answer is NaN beside cusps too, which take longest.
 
     Examples
     --------
@@ -209,7 +218,9 @@ def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
 
 
 class Followed:
-    """States of many points, followed as one parameter moves, up or down, from where to where: see :func:`jump_value`."""
+    """States of many points, followed as one parameter moves, up or down, from where to where: see
+    :func:`jump_value`.
+    """
 
     def __init__(
         self,
@@ -229,12 +240,14 @@ class Followed:
         if begin is None and vary in FROM_LOWER_END:
             if self.forward < 0:
                 raise ParameterError(
-                    f"direction = 'down': {vary} rises from its lower end; give begin, or direction = 'up'"
+                    f"direction = 'down': {vary} rises from its lower end; give begin, or "
+                    "direction = 'up'"
                 )
             begin = allowed.reached(allowed.low)
         if begin is not None:
             p = p.replace(**{vary: as_numbers("begin", begin, allowed)})
-        # Where the parameter that moves is the only one of several values, its ends alone say of how many points it is.
+        # Where the parameter that moves is the only one of several values, its ends alone say of
+        # how many points it is.
         self.shape = np.broadcast_shapes(p.shape, () if until is None else np.shape(until))
         self.balance = Balance(model)
         columns = p.broadcast(*self.balance.parameters)
@@ -251,14 +264,16 @@ class Followed:
         if ((self.until - self.begin) * self.forward < 0).any():
             way = "below" if self.forward > 0 else "above"
             raise ParameterError(
-                f"until = {self.until.min():g} is {way} where {vary} begins; give one beyond it, or another direction"
+                f"until = {self.until.min():g} is {way} where {vary} begins; give one beyond "
+                "it, or another direction"
             )
 
     def have_ended(self, *, hasty: bool = False) -> FloatArray:
-        """1 where the state of a point has ended, 0 where it has not, NaN where tubes don't decide it, in haste beside cusps too.
+        """1 where the state of a point has ended, 0 where it has not, NaN where tubes don't decide
+        it, in haste beside cusps too.
 
-        Tubes over a coordinate pass a fold without coming near to it. Where they decide nothing and a state is left, the fold
-        itself is asked for.
+        Tubes over a coordinate pass a fold without coming near to it. Where they decide nothing and
+        a state is left, the fold itself is asked for.
         """
         found = np.empty(self.begin.size)
         for rows in self._blocks():
@@ -266,7 +281,8 @@ class Followed:
             safe, top, _ = passed(tubes, start, goal)
             ended = np.where(start.sure & (safe >= goal), 0.0, np.where(top <= goal, 1.0, np.nan))
             left = np.flatnonzero(np.isnan(ended) & start.sure)
-            # Where no state is left at the end of the way, proved, the one that is followed may have run to infinity.
+            # Where no state is left at the end of the way, proved, the one that is followed may
+            # have run to infinity.
             eq = equilibria(self._points(rows[left]).replace(**{self.vary: goal[left]}))
             ended[left[eq.decided & eq.whole & (eq.count == 0)]] = 1.0
             left = np.flatnonzero(np.isnan(ended))
@@ -314,7 +330,9 @@ class Followed:
         )
 
     def _start(self, rows: Any) -> tuple[Tubes, Place, FloatArray]:
-        """Some points, the reference states from which they are followed, where these are known, and up to where."""
+        """Some points, the reference states from which they are followed, where these are known,
+        and up to where.
+        """
         eq = equilibria(self._points(rows))
         slot = reference_state(eq, self.near)
         states = [
@@ -331,7 +349,9 @@ class Followed:
     def _folds(
         self, tubes: Tubes, start: Place, goal: FloatArray, *, hasty: bool = False
     ) -> tuple[BoolArray, FloatArray, FloatArray]:
-        """Points at which tubes tell whether there is a fold before the goal, the folds, shape (n + 1, N) or NaN, and errors."""
+        """Points at which tubes tell whether there is a fold before the goal, the folds, shape (n +
+        1, N) or NaN, and errors.
+        """
         forward = self.forward
         rounds, segments = (1, HASTY) if hasty else (ROUNDS, SEGMENTS)
         left, at = np.arange(goal.size), start
@@ -364,10 +384,11 @@ class Followed:
 
 @dataclass(frozen=True, eq=False)
 class JumpGradient(Named):
-    """A jump value and its derivatives by the parameters, each of the shape of the points; NaN where nothing jumps.
+    """A jump value and its derivatives by the parameters, each of the shape of the points; NaN
+    where nothing jumps.
 
-    The derivative by the parameter that varies is 0: where it jumps does not depend on where it started. Each derivative is an
-    attribute under the name of its parameter.
+    The derivative by the parameter that varies is 0: where it jumps does not depend on where it
+    started. Each derivative is an attribute under the name of its parameter.
     """
 
     held_in = "slopes"
@@ -396,11 +417,13 @@ FROM_LOWER_END = {"theta0": FIRST_ANGLE, "mu0": 0.0}
 
 @dataclass(frozen=True)
 class Ends:
-    """Where the states of many points end: the value, NaN where they don't, a bound on its error, and the coordinates at a fold.
+    """Where the states of many points end: the value, NaN where they don't, a bound on its error,
+    and the coordinates at a fold.
 
-    ``value`` and ``error`` have the shape of the points, ``state`` has (n, …); ``reasons`` says of which points, by their
-    position in ``value.flat``, nothing is known, and why; ``until`` how far ends were looked for, infinite if everywhere;
-    ``others`` has the ends that are no folds, by position.
+    ``value`` and ``error`` have the shape of the points, ``state`` has (n, …); ``reasons`` says of
+    which points, by their position in ``value.flat``, nothing is known, and why; ``until`` how far
+    ends were looked for, infinite if everywhere; ``others`` has the ends that are no folds, by
+    position.
     """
 
     value: FloatArray
@@ -412,7 +435,9 @@ class Ends:
 
 
 def told(found: Ends) -> Ends:
-    """The values themselves; an error if nothing is known of a single point, a warning if nothing is known of some of many."""
+    """The values themselves; an error if nothing is known of a single point, a warning if nothing
+    is known of some of many.
+    """
     for reason in found.reasons.values():
         if not found.value.shape:
             raise ConvergenceError(reason)

@@ -19,7 +19,8 @@ from .design_space import Border, Design, Space, nearest, space
 from .jumps import jump_value
 from .tube_certificates import claims
 
-#: Shares of the distance within which a proof that nothing jumps is tried, and of the parts of a box that it may take.
+#: Shares of the distance within which a proof that nothing jumps is tried, and of the parts of a
+#: box that it may take.
 _SHARES, _PARTS = (0.95, 0.8, 0.5, 0.2), 0.15
 
 
@@ -30,7 +31,8 @@ class JumpMargin(Result):
     Attributes
     ----------
     distance : float
-        Root of the sum of squares of the changes over their tolerances; 0 if it jumps as it is, ``inf`` if nothing near jumps.
+        Root of the sum of squares of the changes over their tolerances; 0 if it jumps as it is,
+        ``inf`` if nothing near jumps.
     proved : float
         Within this distance nothing jumps, proved; NaN where it was not asked for.
     change : dict of str to float
@@ -55,7 +57,8 @@ def jump_margin(
     prove: bool = False,
     method: Method = "auto",
 ) -> JumpMargin:
-    """The nearest parameters at which the followed state ends as ``vary`` rises to its value, in the metric of the tolerances.
+    """The nearest parameters at which the followed state ends as ``vary`` rises to its value, in
+    the metric of the tolerances.
 
     Parameters
     ----------
@@ -64,9 +67,11 @@ def jump_margin(
     scale : mapping of str to float
         A tolerance for each quantity that may be off; the others stay.
     vary, begin : str and float, optional
-        The parameter that rises, mu0 unless told otherwise, and from where, the lower end of its range.
+        The parameter that rises, mu0 unless told otherwise, and from where, the lower end of its
+        range.
     prove : bool
-        Also prove that nothing jumps within a part of the distance, as large as can be shown in some seconds.
+        Also prove that nothing jumps within a part of the distance, as large as can be shown in
+        some seconds.
     method : {"auto", "closed", "search"}
         Whether what is asked on the way may be answered by closed forms.
 
@@ -77,13 +82,15 @@ def jump_margin(
     Raises
     ------
     ParameterError
-        For quantities that ``p`` does not have, tolerances that are not positive, and a proof with physical quantities.
+        For quantities that ``p`` does not have, tolerances that are not positive, and a proof with
+        physical quantities.
 
     Notes
     -----
-    Source: F = 0, det K = 0 at the least change. That the point found is on a fold at which that state jumps is certain; that
-    there is no nearer one is known within ``proved`` only: the search follows the fold that ends the state, and asks along rays
-    for nearer ones; where the state has no end, it goes out along them, up to 256 tolerances away.
+    Source: F = 0, det K = 0 at the least change. That the point found is on a fold at which that
+    state jumps is certain; that there is no nearer one is known within ``proved`` only: the search
+    follows the fold that ends the state, and asks along rays for nearer ones; where the state has
+    no end, it goes out along them, up to 256 tolerances away.
 
     Examples
     --------
@@ -100,7 +107,8 @@ def jump_margin(
     designs = space(p, scale, None)
     if prove and not isinstance(p, ParameterSet):
         raise ParameterError(
-            "prove = True is for dimensionless Parameters; call .dimensionless() and give their tolerances"
+            "prove = True is for dimensionless Parameters; call .dimensionless() and give "
+            "their tolerances"
         )
 
     border = Border(designs, name, first)
@@ -110,7 +118,8 @@ def jump_margin(
 
     def on_fold(z: FloatArray) -> FloatArray | None:
         better = border.near(z)
-        # On the fold to rounding: a hair beyond it the state jumps, if it is the one that ends there.
+        # On the fold to rounding: a hair beyond it the state jumps, if it is the one that ends
+        # there.
         beyond = (1 + 1e-9 * np.array([1.0, 10.0, 100.0]))[:, None]
         return better if better is not None and jumped(better * beyond).any() else None
 
@@ -128,7 +137,8 @@ def jump_margin(
 
 
 def safe_within(designs: Space, radius: float, vary: str, begin: float) -> bool:
-    """Whether it is proved that no state ends within a ball: over parts of the box around it, as far as they are in the ball.
+    """Whether it is proved that no state ends within a ball: over parts of the box around it, as
+    far as they are in the ball.
 
     Of what rises only the largest value matters that the ball has over a part of the others.
     """
@@ -166,13 +176,15 @@ class Redesign(Result):
     Attributes
     ----------
     distance : float
-        Root of the sum of squares of the changes over their scales; 0 if nothing need change, ``inf`` if nothing was found.
+        Root of the sum of squares of the changes over their scales; 0 if nothing need change,
+        ``inf`` if nothing was found.
     change : dict of str to float
         What to change, by how much.
     parameters : Parameters or PhysicalParameters or None
         The new design.
     jump : dict of str to float
-        Where the reference state jumps in the new design, solved for again, exactly; NaN where it never does.
+        Where the reference state jumps in the new design, solved for again, exactly; NaN where it
+        never does.
     """
 
     distance: float
@@ -202,10 +214,11 @@ def redesign(
     target : mapping of str to float
         For parameters that rise, as ``mu0`` or ``theta0``, below what value the state may not end.
     scale : mapping of str to float, optional
-        A tolerance for each quantity that may change, in which changes are measured; by default its own value.
+        A tolerance for each quantity that may change, in which changes are measured; by default its
+        own value.
     begin : float, optional
-        From where they rise instead of the lower end of their range: from its value in ``p`` a design whose state has ended
-        below that looks like one whose state goes on.
+        From where they rise instead of the lower end of their range: from its value in ``p`` a
+        design whose state has ended below that looks like one whose state goes on.
     method : {"auto", "closed", "search"}
         Whether what is asked on the way may be answered by closed forms.
 
@@ -216,13 +229,14 @@ def redesign(
     Raises
     ------
     ParameterError
-        For quantities that ``p`` does not have, a target that is no parameter, or one that is to change itself.
+        For quantities that ``p`` does not have, a target that is no parameter, or one that is to
+        change itself.
 
     Notes
     -----
-    Source: F = 0, det K = 0 at the target. That the new design keeps it is verified; that there is no smaller change is not
-    proved: the search follows the fold, and asks along rays for nearer ones, or goes out along them, up to 256 scales away, if it
-    knows none.
+    Source: F = 0, det K = 0 at the target. That the new design keeps it is verified; that there is
+    no smaller change is not proved: the search follows the fold, and asks along rays for nearer
+    ones, or goes out along them, up to 256 scales away, if it knows none.
 
     Examples
     --------
@@ -238,7 +252,8 @@ def redesign(
     ranges = model.Parameters.ranges
     if not target or not set(target) <= set(ranges):
         raise ParameterError(
-            f"target = {dict(target)!r}; give parameters of {model.name} below whose values nothing may end"
+            f"target = {dict(target)!r}; give parameters of {model.name} below whose values "
+            "nothing may end"
         )
     designs = space(p, scale, change, "change")
     borders = list[Border]()

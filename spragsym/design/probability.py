@@ -1,4 +1,6 @@
-"""Probability that the followed state ends within tolerances, for any model: by sampling, and between proved bounds."""
+"""Probability that the followed state ends within tolerances, for any model: by sampling, and
+between proved bounds.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +29,8 @@ from .jumps import have_jumped
 from .sampling import Chunk, Correlation, Dependence, chunks, dependence, sums
 from .tube_certificates import Pieces, Splitting
 
-#: Variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or corners of a box.
+#: Variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or
+#: corners of a box.
 Distribution: TypeAlias = (
     Mapping[str, Any]
     | tuple[Parameters, Parameters]
@@ -45,7 +48,8 @@ POINTS = 1 << 16
 
 @dataclass(frozen=True)
 class JumpProbability(Result):
-    """The probability that the reference state jumps as the friction, or another parameter, rises to its value.
+    """The probability that the reference state jumps as the friction, or another parameter, rises
+    to its value.
 
     Attributes
     ----------
@@ -58,14 +62,16 @@ class JumpProbability(Result):
     undecided : float
         Share of the points without an answer, which the interval takes in.
     first, total : dict of str to float
-        Sobol' indices of every quantity that varies, or of several that are correlated, together: the share of the variance of
-        "it jumps" that goes with it alone, and with it and all that it does together with others. NaN where everything jumps,
-        or nothing, and empty if not asked for.
+        Sobol' indices of every quantity that varies, or of several that are correlated, together:
+        the share of the variance of "it jumps" that goes with it alone, and with it and all that it
+        does together with others. NaN where everything jumps, or nothing, and empty if not asked
+        for.
     first_error, total_error : dict of str to float
         Half-widths of their intervals.
     proved : tuple of float
-        Bracket of the probability by proof, not by samples: the probability of what is proved to jump, and one minus that of what
-        is proved not to; (0, 1) where nothing was asked to be proved.
+        Bracket of the probability by proof, not by samples: the probability of what is proved to
+        jump, and one minus that of what is proved not to; (0, 1) where nothing was asked to be
+        proved.
     """
 
     probability: float
@@ -82,7 +88,9 @@ class JumpProbability(Result):
 
     @property
     def sobol(self) -> dict[str, tuple[float, float, float]]:
-        """Of each quantity the index of first order, the total one and its half-width; that with the largest total first."""
+        """Of each quantity the index of first order, the total one and its half-width; that with
+        the largest total first.
+        """
         names = sorted(self.total, key=lambda name: -np.nan_to_num(self.total[name]))
         return {
             name: (self.first[name], self.total[name], self.total_error[name]) for name in names
@@ -120,7 +128,8 @@ def estimated(
     varied = tuple(name for name, one in variables.items() if not isinstance(one, float))
     if not varied:
         raise ParameterError(
-            "no quantity of distribution varies; give a range or a distribution for one, or use jump_value"
+            "no quantity of distribution varies; give a range or a distribution for one, or "
+            "use jump_value"
         )
     together = dependence(varied, correlation)
     as_count("n", n, 2)
@@ -131,7 +140,8 @@ def estimated(
         )
     if isinstance(rng, int | np.integer) and (rng < 0 or isinstance(rng, bool)):
         raise ParameterError(
-            f"rng = {rng!r} is no seed; give an integer of 0 or more, a numpy.random.Generator, or leave it out"
+            f"rng = {rng!r} is no seed; give an integer of 0 or more, a "
+            "numpy.random.Generator, or leave it out"
         )
     seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
     tasks = chunks(n, seeds)
@@ -154,10 +164,12 @@ def estimate(
     confidence: float,
     titles: Sequence[str],
 ) -> JumpProbability:
-    """From the sums of all chunks, of a function that is 0 or 1; ``titles`` are what indices are of.
+    """From the sums of all chunks, of a function that is 0 or 1; ``titles`` are what indices are
+    of.
 
-    Source: the replicates are independent means of one distribution, from whose spread the interval follows (Student); indices of
-    first order by Saltelli et al. (2010), total ones by Jansen (1999).
+    Source: the replicates are independent means of one distribution, from whose spread the interval
+    follows (Student); indices of first order by Saltelli et al. (2010), total ones by Jansen
+    (1999).
     """
     from scipy.stats import binomtest
     from scipy.stats import t as student
@@ -170,7 +182,8 @@ def estimate(
     mean, n = float(added.sum() / count.sum()), float(count.sum())
     quantile = float(student.ppf(0.5 + confidence / 2, number - 1))
     half = quantile * float(means.std(ddof=1)) / number**0.5
-    # Replicates of one variable differ by one hit at most and may all agree: what a count without an event leaves possible.
+    # Replicates of one variable differ by one hit at most and may all agree: what a count without
+    # an event leaves possible.
     half = math.hypot(half, math.log(2 / (1 - confidence)) / n)
     low, high = mean - half, mean + half
     hits, missing = float(added.sum()), float(unknown.sum() / n)
@@ -194,7 +207,9 @@ def estimate(
 def _index(
     values: FloatArray, variances: FloatArray, quantile: float
 ) -> tuple[FloatArray, FloatArray]:
-    """A ratio to the variance, and the half-width of its interval from the spread over the replicates (linearized)."""
+    """A ratio to the variance, and the half-width of its interval from the spread over the
+    replicates (linearized).
+    """
     with np.errstate(invalid="ignore", divide="ignore"):
         variance = variances.mean()
         ratio = values.mean(axis=0) / variance
@@ -202,17 +217,21 @@ def _index(
     return ratio, quantile * spread / len(values) ** 0.5
 
 
-# ------------------------------------------------------------------------------------------------------ variables
+# ------------------------------------------------------------------------------------------------
+# variables
 
 
 def variable(name: str, given: Any, allowed: Range) -> Any:
-    """A quantity as a float, or as something with a quantile function ``ppf``, within what is allowed."""
+    """A quantity as a float, or as something with a quantile function ``ppf``, within what is
+    allowed.
+    """
     if hasattr(given, "ppf"):
         low, high = float(given.ppf(0.0)), float(given.ppf(1.0))
         if low < allowed.low or not high <= allowed.high:
             reached = f"the distribution of {name} reaches {low if low < allowed.low else high:g}"
             raise ParameterError(
-                f"{reached}, and {name} must be in {allowed}; truncate it, as by scipy.stats.truncnorm"
+                f"{reached}, and {name} must be in {allowed}; truncate it, as by "
+                "scipy.stats.truncnorm"
             )
         return given
     if isinstance(given, Sequence) and not isinstance(given, str):
@@ -250,7 +269,8 @@ def _told(chunk: Chunk) -> str:
 
 #: The share of a distribution up to some values.
 Shares: TypeAlias = Callable[[FloatArray], Any]
-#: Share of a distribution without an end that is left out of the proof on either side, and counts as not decided.
+#: Share of a distribution without an end that is left out of the proof on either side, and counts
+#: as not decided.
 TAIL = 1e-9
 #: What sums of shares are rounded outward by.
 ROUNDING = 1e-12
@@ -273,37 +293,45 @@ def jump_probability(
     progress: bool = False,
     method: Method = "auto",
 ) -> JumpProbability:
-    """The probability that the followed state ends, by quasi-Monte Carlo, with an interval and Sobol' indices, and proved bounds.
+    """The probability that the followed state ends, by quasi-Monte Carlo, with an interval and
+    Sobol' indices, and proved bounds.
 
     Parameters
     ----------
     distribution : mapping, or two corners of a box
-        For each parameter by name, or for each of the quantities of a brake on which its states depend, as k, k_c and L_0: a
-        number, a range ``(low, high)`` in which all values are as probable, or a frozen distribution of ``scipy.stats``;
-        parameters that are left out have their base values. With those of the friction law too, as V and d beside the quantities
-        of the article's model, the friction is that at the speed of the belt. Two :class:`~spragsym.Parameters` or
-        :class:`~spragsym.PhysicalParameters` are the corners of a box.
+        For each parameter by name, or for each of the quantities of a brake on which its states
+        depend, as k, k_c and L_0: a number, a range ``(low, high)`` in which all values are as
+        probable, or a frozen distribution of ``scipy.stats``; parameters that are left out have
+        their base values. With those of the friction law too, as V and d beside the quantities of
+        the article's model, the friction is that at the speed of the belt. Two
+        :class:`~spragsym.Parameters` or :class:`~spragsym.PhysicalParameters` are the corners of a
+        box.
     model : Model or str, optional
         Whose parameters a mapping is of; the article's unless told otherwise.
     vary, begin : str and float, optional
-        The parameter that rises to its value, mu0 unless told otherwise, and from where, the lower end of its range.
+        The parameter that rises to its value, mu0 unless told otherwise, and from where, the lower
+        end of its range.
     max_boxes : int
         Parts of the box to look at for ``proved``, which is (0, 1) without.
     correlation : mapping of pairs of names to float, optional
-        Of the normal scores behind the distributions (a Gaussian copula), which are the quantities' own where they are normal;
-        1 where one decides the other. Those that are not named are independent.
+        Of the normal scores behind the distributions (a Gaussian copula), which are the quantities'
+        own where they are normal; 1 where one decides the other. Those that are not named are
+        independent.
     n : int
-        Points, rounded up to a power of two for each replicate; without closed forms one takes up to a millisecond.
+        Points, rounded up to a power of two for each replicate; without closed forms one takes up
+        to a millisecond.
     rng : int or numpy.random.Generator, optional
         An int gives the same points each time.
     confidence : float
         Of the intervals.
     sobol : bool
-        Also estimate the indices, which costs half as many evaluations more for each quantity that varies.
+        Also estimate the indices, which costs half as many evaluations more for each quantity that
+        varies.
     replicates : int
         Independent scramblings, from whose spread the intervals follow.
     workers : int or map-like callable
-        Processes, −1 for one a core; or ``map(function, chunks)`` of an engine, such as a dask client's. The result is the same.
+        Processes, −1 for one a core; or ``map(function, chunks)`` of an engine, such as a dask
+        client's. The result is the same.
     progress : bool
         Show a bar on stderr.
     method : {"auto", "closed", "search"}
@@ -320,9 +348,10 @@ def jump_probability(
 
     Notes
     -----
-    Source: an event is an end of the state up to the value of the loading parameter; interval by Student's distribution over the
-    replicates, or by Clopper and Pearson where fewer than 50 points jump, or don't. Proved bounds: tubes around curves of states
-    about parts of the box, whose probability is the product of that of their sides, see :mod:`spragsym.bifurcation.tubes`.
+    Source: an event is an end of the state up to the value of the loading parameter; interval by
+    Student's distribution over the replicates, or by Clopper and Pearson where fewer than 50 points
+    jump, or don't. Proved bounds: tubes around curves of states about parts of the box, whose
+    probability is the product of that of their sides, see :mod:`spragsym.bifurcation.tubes`.
 
     Examples
     --------
@@ -354,7 +383,8 @@ def jump_probability(
     if max_boxes and (correlation or kind):
         said = "quantities in SI" if kind else "correlation"
         raise ParameterError(
-            f"{said}: a bracket is proved for independent parameters of the model only; leave max_boxes out"
+            f"{said}: a bracket is proved for independent parameters of the model only; leave "
+            "max_boxes out"
         )
     found = estimated(
         variables,
@@ -393,7 +423,9 @@ def bracket(
 def measured(
     box: Splitting, laws: Mapping[str, Shares], up_to: tuple[Shares, Shares], max_boxes: int
 ) -> Span:
-    """The bracket over a box; ``laws`` are shares up to a value of each side, and ``up_to`` bounds of those of what moves."""
+    """The bracket over a box; ``laws`` are shares up to a value of each side, and ``up_to`` bounds
+    of those of what moves.
+    """
 
     def of_free(pieces: Pieces) -> FloatArray:
         sides = zip(box.free, pieces.low[:-1], pieces.high[:-1], strict=True)
@@ -418,7 +450,9 @@ def _end(law: Any, share: float) -> float:
 
 
 def _variables(model: Model, kind: Quantities | None, distribution: Distribution) -> dict[str, Any]:
-    """Each parameter, or quantity of a kind, as a float, or as something with a quantile function ``ppf``."""
+    """Each parameter, or quantity of a kind, as a float, or as something with a quantile function
+    ``ppf``.
+    """
     names: Sequence[str] = kind.of_statics if kind else model.parameters
     given: dict[str, Any]
     if isinstance(distribution, tuple):

@@ -1,8 +1,10 @@
-"""Points at which a function of quantities that vary is looked at, by quasi-Monte Carlo, what of them is kept, and dependence.
+"""Points at which a function of quantities that vary is looked at, by quasi-Monte Carlo, what of
+them is kept, and dependence.
 
-They are several independent scramblings of one Sobol' sequence; one more set of points, and mixtures of both, are for Sobol'
-indices. Of a chunk only sums are kept. Quantities depend on each other by a Gaussian copula: the correlations of normal scores
-behind whatever distributions they have.
+They are several independent scramblings of one Sobol' sequence; one more set of points, and
+mixtures of both, are for Sobol' indices. Of a chunk only sums are kept. Quantities depend on each
+other by a Gaussian copula: the correlations of normal scores behind whatever distributions they
+have.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -15,7 +17,8 @@ import numpy as np
 from ..errors import ParameterError
 from ..models.parameters import FloatArray, Range, as_number
 
-#: Values of a function at points of the unit cube, of shape (points, variables); NaN where it has none.
+#: Values of a function at points of the unit cube, of shape (points, variables); NaN where it has
+#: none.
 Function = Callable[[FloatArray], FloatArray]
 
 
@@ -42,7 +45,9 @@ def chunks(n: int, seeds: Sequence[int]) -> list[Chunk]:
 def sums(
     function: Function, groups: Sequence[Sequence[int]], indices: bool, chunk: Chunk
 ) -> list[float]:
-    """What a chunk adds: number, undecided, Σf and Σf² over both sets; then for each group of variables two for its indices."""
+    """What a chunk adds: number, undecided, Σf and Σf² over both sets; then for each group of
+    variables two for its indices.
+    """
     from scipy.stats import qmc
 
     variables = sum(map(len, groups))
@@ -89,13 +94,17 @@ _LEAST = 2.0**-40
 
 @dataclass(frozen=True)
 class Dependence:
-    """For each group of positions in ``names`` that are correlated among each other a factor F: scores are F g."""
+    """For each group of positions in ``names`` that are correlated among each other a factor F:
+    scores are F g.
+    """
 
     names: tuple[str, ...]
     factors: Mapping[tuple[int, ...], FloatArray]
 
     def shares(self, points: FloatArray) -> FloatArray:
-        """Points of the unit cube, of shape (n, names), as shares of distributions that are correlated so."""
+        """Points of the unit cube, of shape (n, names), as shares of distributions that are
+        correlated so.
+        """
         from scipy.special import ndtr, ndtri
 
         result = np.array(points)
@@ -106,7 +115,9 @@ class Dependence:
         return result
 
     def corners(self) -> FloatArray:
-        """Shares of 0 and 1 that may occur together: all of them, but where some quantities decide others."""
+        """Shares of 0 and 1 that may occur together: all of them, but where some quantities decide
+        others.
+        """
         parts = []
         for group, factor in self.factors.items():
             kept = factor[:, np.abs(factor).max(axis=0) > _SINGULAR**0.5]
@@ -145,7 +156,8 @@ def dependence(names: Sequence[str], correlation: Correlation | None) -> Depende
             and set(pair) <= set(names)
         ):
             raise ParameterError(
-                f"correlation of {pair!r}: give two of the quantities that vary, {', '.join(names) or 'of which there are none'}"
+                f"correlation of {pair!r}: give two of the quantities that vary, "
+                f"{', '.join(names) or 'of which there are none'}"
             )
         i, j = (names.index(name) for name in pair)
         if matrix[i, j]:
@@ -161,7 +173,8 @@ def dependence(names: Sequence[str], correlation: Correlation | None) -> Depende
         if values[0] < -_SINGULAR:
             together = ", ".join(names[i] for i in group)
             raise ParameterError(
-                f"the correlations of {together} can't all be true at once (their matrix has the eigenvalue {values[0]:.3g}); "
+                f"the correlations of {together} can't all be true at once (their matrix has "
+                f"the eigenvalue {values[0]:.3g}); "
                 "give smaller ones, or those of all pairs"
             )
         factors[group] = vectors * np.sqrt(np.where(values > _SINGULAR, values, 0.0))

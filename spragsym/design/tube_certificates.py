@@ -1,4 +1,6 @@
-"""Certificates over boxes of parameters of any model: parts on which the followed state is proved to go on, or proved to end."""
+"""Certificates over boxes of parameters of any model: parts on which the followed state is proved
+to go on, or proved to end.
+"""
 
 from __future__ import annotations
 
@@ -29,17 +31,19 @@ from .certificates import (
     corner_values,
 )
 
-#: The least step of a tube over a wide part, over the whole way. One that needs smaller ones is halved instead.
+#: The least step of a tube over a wide part, over the whole way. One that needs smaller ones is
+#: halved instead.
 WIDE = 2.0**-6
 
 
 @dataclass(frozen=True)
 class Pieces(Boxes):
-    """Parts of a box with the place at which the followed state begins, here or in what holds these.
+    """Parts of a box with the place at which the followed state begins, here or in what holds
+    these.
 
-    The parameter that moves is the last side; ``of``, (2, free, N), are the ends of the parameters for which ``base`` is proved.
-    Up to ``safe`` of what moves the state is proved to go on, and above ``top`` to have ended, for all of the piece; −inf and
-    inf where nothing is known.
+    The parameter that moves is the last side; ``of``, (2, free, N), are the ends of the parameters
+    for which ``base`` is proved. Up to ``safe`` of what moves the state is proved to go on, and
+    above ``top`` to have ended, for all of the piece; −inf and inf where nothing is known.
     """
 
     few = 256
@@ -51,7 +55,9 @@ class Pieces(Boxes):
 
     @property
     def outcome(self) -> IntArray:
-        """Whether the state goes on to the upper end, or has ended below the lower one, of what moves."""
+        """Whether the state goes on to the upper end, or has ended below the lower one, of what
+        moves.
+        """
         return np.where(
             self.safe >= self.high[-1], SAFE, np.where(self.top < self.low[-1], ENDS, OPEN)
         )
@@ -62,11 +68,13 @@ class Pieces(Boxes):
 
 
 class Splitting(Claim):
-    """A state followed over a box of parameters, from one value of the parameter that moves to those in the box."""
+    """A state followed over a box of parameters, from one value of the parameter that moves to
+    those in the box.
+    """
 
     batch, early = 1024, False
-    #: Whether ``safe`` and ``top`` are to be as near to each other as can be; else they only say on which side of a piece's ends
-    #: the state ends.
+    #: Whether ``safe`` and ``top`` are to be as near to each other as can be; else they only say on
+    #: which side of a piece's ends the state ends.
     sharp = False
     whole: Pieces
 
@@ -109,14 +117,18 @@ class Splitting(Claim):
         return replace(self.tubes[np.zeros(low.shape[1], dtype=np.int64)], centre=centre, half=half)
 
     def _beginning(self, free: FloatArray) -> Place:
-        """The reference state at one point of the free parameters, as in the middle of the box, where what moves begins."""
+        """The reference state at one point of the free parameters, as in the middle of the box,
+        where what moves begins.
+        """
         at = np.append(free, self.begin)
         where = f"in the middle of the box is known to be stable at {self.vary} = {self.begin:g}"
         z = np.append(taken_up(self.point(at), self.near, where), self.begin)
         return self._over(at[:, None], at[:, None]).place(z[:, None])
 
     def begins_alike(self, one: FloatArray, other: FloatArray) -> bool:
-        """Whether the state that is taken up at one point becomes, while all moves to another, the one that is taken up there."""
+        """Whether the state that is taken up at one point becomes, while all moves to another, the
+        one that is taken up there.
+        """
         return bool(
             self._linked(
                 one[:, None], self._beginning(one), other[:, None], self._beginning(other)
@@ -136,10 +148,13 @@ class Splitting(Claim):
             self.whole[np.zeros(values.shape[1], dtype=np.int64)], low=values, high=values
         )
 
-    # ---------------------------------------------------------------------------------------------------- decisions
+    # ---------------------------------------------------------------------------------------------
+    # decisions
 
     def settled(self, pieces: Pieces) -> tuple[Pieces, FloatArray]:
-        """The pieces with what is proved of them and with their own beginnings, and how much each free side matters."""
+        """The pieces with what is proved of them and with their own beginnings, and how much each
+        free side matters.
+        """
         tubes, start = self._begun(pieces)
         goal = pieces.high[-1]
         reached = tubes.followed(start, goal, LEAST if (pieces.low == pieces.high).all() else WIDE)
@@ -163,7 +178,9 @@ class Splitting(Claim):
         return replace(pieces, base=base, of=of, safe=safe, top=top), weight
 
     def _begun(self, pieces: Pieces) -> tuple[Tubes, Place]:
-        """Where pieces begin: the state of what they are pieces of, proved; not sure where it can't be."""
+        """Where pieces begin: the state of what they are pieces of, proved; not sure where it can't
+        be.
+        """
         tubes, middle = self._over(pieces.low, pieces.high), 0.5 * (pieces.of[0] + pieces.of[1])
         shift = np.einsum("ikN,kN->iN", pieces.base.by_p, tubes.centre - middle)
         here = tubes.place(pieces.base.z + shift)
@@ -177,7 +194,9 @@ class Splitting(Claim):
         return tubes, replace(here, sure=same)
 
     def _linked(self, one: FloatArray, before: Place, other: FloatArray, after: Place) -> BoolArray:
-        """Whether the states of a place become those of another, as one parameter after the other moves between their middles."""
+        """Whether the states of a place become those of another, as one parameter after the other
+        moves between their middles.
+        """
         last, at = before, np.repeat(self.tubes.fixed, one.shape[1], axis=1)
         at[self.rows[:-1]], at[self.rows[-1]] = one, self.begin
         out = np.ones(one.shape[1], dtype=np.bool_)
@@ -210,11 +229,13 @@ def claims(
     if claim in STATES:
         if vary is not None:
             raise ParameterError(
-                f"vary = {vary!r}: {claim!r} is about all states of the box, and nothing rises; leave vary out"
+                f"vary = {vary!r}: {claim!r} is about all states of the box, and nothing "
+                "rises; leave vary out"
             )
         if units:
             raise ParameterError(
-                f"units: a search takes them for 'no jump' only; for {claim!r} give corners that hold them"
+                f"units: a search takes them for 'no jump' only; for {claim!r} give corners "
+                "that hold them"
             )
         return ClaimOfStates(low, high, claim)
     if claim != "no jump":
@@ -249,24 +270,28 @@ def certify(
     low, high : Parameters
         Two corners, scalars, of one model; a parameter may have the same value in both.
     claim : {"no jump", "one equilibrium", "no flutter"}
-        ``"no jump"``: the state that is stable and of smallest first coordinate in the middle of the box where ``vary`` begins,
-        and what it becomes over the box, goes on as ``vary`` rises from ``begin`` to its value in the box: it stays in contact,
-        and meets no other state. ``"one equilibrium"``: there is one in contact. ``"no flutter"``: of no equilibrium in contact
-        does any λ of det(λ² M + K) = 0 have both a real and an imaginary part, as in (27): without dampers and the slope of the
-        friction law, with which a state may grow all the same, see :func:`spragsym.flutter_onsets`.
+        ``"no jump"``: the state that is stable and of smallest first coordinate in the middle of
+        the box where ``vary`` begins, and what it becomes over the box, goes on as ``vary`` rises
+        from ``begin`` to its value in the box: it stays in contact, and meets no other state.
+        ``"one equilibrium"``: there is one in contact. ``"no flutter"``: of no equilibrium in
+        contact does any λ of det(λ² M + K) = 0 have both a real and an imaginary part, as in (27):
+        without dampers and the slope of the friction law, with which a state may grow all the same,
+        see :func:`spragsym.flutter_onsets`.
     vary : str, optional
         The parameter that rises, mu0 unless told otherwise, for ``"no jump"`` only.
     begin : float, optional
         Its value where the state is taken up, the lower end of its range unless told otherwise.
     max_boxes : int, optional
-        Parts of the box to look at before what is left is given back as undecided: 20 000 of closed forms, else 2000.
+        Parts of the box to look at before what is left is given back as undecided: 20 000 of closed
+        forms, else 2000.
     refute : bool
         Also look for a point where the claim is false.
     units : mapping of str to Unit, optional
-        Units of measure that have tolerances too, as :class:`spragsym.design.certificates.Unit`: the corners are those at their
-        base values. The search takes them for ``"no jump"`` only.
+        Units of measure that have tolerances too, as :class:`spragsym.design.certificates.Unit`:
+        the corners are those at their base values. The search takes them for ``"no jump"`` only.
     method : {"auto", "closed", "search"}
-        A closed form if the model brings one for these arguments, the closed form only, or tubes and boxes of states.
+        A closed form if the model brings one for these arguments, the closed form only, or tubes
+        and boxes of states.
 
     Returns
     -------
@@ -280,11 +305,12 @@ def certify(
 
     Notes
     -----
-    Source: tubes around curves of states, see :mod:`spragsym.bifurcation.tubes`. A part is proved where the tube of all its
-    points comes to the upper end of ``vary``; at a counterexample the tube of the point passes a fold below. A part that a fold
-    crosses is halved; a box that touches the border of the claim can't be decided there. The other claims:
-    :mod:`spragsym.design.certificates`. Of the article's model: f, f′ and the eigenvalues of K over boxes, in affine
-    arithmetic, see :mod:`spragsym.kang_nam.certificates`.
+    Source: tubes around curves of states, see :mod:`spragsym.bifurcation.tubes`. A part is proved
+    where the tube of all its points comes to the upper end of ``vary``; at a counterexample the
+    tube of the point passes a fold below. A part that a fold crosses is halved; a box that touches
+    the border of the claim can't be decided there. The other claims:
+    :mod:`spragsym.design.certificates`. Of the article's model: f, f′ and the eigenvalues of K over
+    boxes, in affine arithmetic, see :mod:`spragsym.kang_nam.certificates`.
 
     Examples
     --------

@@ -1,4 +1,6 @@
-"""The page of a model: template, bundled libraries and drawings, exported modules, and what it starts from."""
+"""The page of a model: template, bundled libraries and drawings, exported modules, and what it
+starts from.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +26,8 @@ _ASSETS = resources.files("spragsym.explorer") / "assets"
 
 _LINES = ("solid", "dashed", "dotted", "dash-dotted")
 
-#: How far a slider reaches: times the base value, where there is none or it is 0, and times the largest value of a preset.
+#: How far a slider reaches: times the base value, where there is none or it is 0, and times the
+#: largest value of a preset.
 _REACH, _PLAIN, _ROOM = 2.0, 3.0, 1.2
 
 #: Share of a range that a slider keeps from ends that are not allowed.
@@ -38,11 +41,15 @@ class Page:
     text: str = field(repr=False)
 
     def _repr_html_(self) -> str:
-        return f'<iframe srcdoc="{html.escape(self.text)}" style="width:100%;height:48em;border:0"></iframe>'
+        return (
+            f'<iframe srcdoc="{html.escape(self.text)}" '
+            'style="width:100%;height:48em;border:0"></iframe>'
+        )
 
 
 def explore(p: ParameterSet) -> Page:
-    """The explorer, beginning at ``p``: the mechanism, its states and its motion; as a file, ``spragsym explore``.
+    """The explorer, beginning at ``p``: the mechanism, its states and its motion; as a file,
+    ``spragsym explore``.
 
     Parameters
     ----------
@@ -77,19 +84,23 @@ def explorer_page(
     source: str = "",
     onsets: tuple[str, str] = ("", ""),
 ) -> str:
-    """The explorer as one HTML page that needs no network: mechanism, plane, states, and the motion in time.
+    """The explorer as one HTML page that needs no network: mechanism, plane, states, and the motion
+    in time.
 
-    States are proved where the model brings a solver in JavaScript, else they are searched, and the page says so.
+    States are proved where the model brings a solver in JavaScript, else they are searched, and the
+    page says so.
 
     Parameters
     ----------
     model : Model, optional
         As :func:`spragsym.load` gives it; the article's by default.
     presets : sequence of (str, Parameters)
-        Points of the user's own, each with what the page's list says. The page begins at the first; the model's follow.
+        Points of the user's own, each with what the page's list says. The page begins at the first;
+        the model's follow.
     units : mapping of str to tuple, optional
-        Units of the user's own, in which states, forces and motion are shown: of ``length``, ``time`` and ``force`` what 1 is,
-        and the unit; and ``parameters``, of each that has a quantity with a unit the name of that, what 1 is, and the unit.
+        Units of the user's own, in which states, forces and motion are shown: of ``length``,
+        ``time`` and ``force`` what 1 is, and the unit; and ``parameters``, of each that has a
+        quantity with a unit the name of that, what 1 is, and the unit.
     source : str
         Where these are from, in words that the page shows.
     onsets : pair of str
@@ -103,7 +114,8 @@ def explorer_page(
     Raises
     ------
     MissingExtraError
-        Without the extra ``derive``, for a model whose functions the package does not hold in JavaScript.
+        Without the extra ``derive``, for a model whose functions the package does not hold in
+        JavaScript.
 
     Examples
     --------
@@ -151,7 +163,9 @@ def explorer_page(
 
 
 def _solver(model: Model) -> dict[str, str]:
-    """The parts of a page that depend on how states are found: by search, or by the exported solver of closed forms."""
+    """The parts of a page that depend on how states are found: by search, or by the exported solver
+    of closed forms.
+    """
     folder, bundle = _ASSETS / model.name, _in_a_script(_asset("explorer.js"))
     words = {"TITLE": _escaped(model.name), "SUMMARY": _escaped(model.about["summary"])}
     parts = {
@@ -178,7 +192,9 @@ def _asset(name: str) -> str:
 
 
 def _filled(template: str, parts: Mapping[str, str]) -> str:
-    """A template with its parts in the places of ``@NAME@``; what stands in a part is not looked at again."""
+    """A template with its parts in the places of ``@NAME@``; what stands in a part is not looked at
+    again.
+    """
     return re.sub(r"@([A-Z]+)@", lambda found: parts[found[1]].strip(), _asset(template))
 
 
@@ -205,7 +221,9 @@ def _words(blocks: Sequence[str]) -> str:
 
 
 def _derived(model: Model) -> tuple[str, str]:
-    """The module and the drawing, as SVG: those that come with the package, or derived now (extra ``derive``)."""
+    """The module and the drawing, as SVG: those that come with the package, or derived now (extra
+    ``derive``).
+    """
     folder = resources.files("spragsym.generated") / "models" / model.name
     module, drawing = (folder / f"{model.name}.{ending}" for ending in ("mjs", "svg"))
     if model.where == model.name and module.is_file():
@@ -260,7 +278,9 @@ def described(model: Model, points: Sequence[Mapping[str, float]]) -> dict[str, 
 
 
 def _slider(entry: Mapping[str, Any], values: Sequence[float]) -> dict[str, float]:
-    """What a slider spans, angles in degrees: the allowed range where it ends, else what holds base value and points."""
+    """What a slider spans, angles in degrees: the allowed range where it ends, else what holds base
+    value and points.
+    """
     low, high, base = entry["low"], entry["high"], entry["base"]
     reach = max([_REACH * abs(base) if base else _PLAIN, *(_ROOM * abs(value) for value in values)])
     first = -reach if low is None else low

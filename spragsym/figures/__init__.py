@@ -1,8 +1,9 @@
-"""Figures: the article's 3 to 14, some that it lacks, and the functions that draw them (extra ``plot``).
+"""Figures: the article's 3 to 14, some that it lacks, and the functions that draw them (extra
+``plot``).
 
 Drawing functions take ``ax=None``, draw, and return the artists; figure functions return a
-:class:`~spragsym.figures.style.Sheet`, a matplotlib figure that carries its caption and the data of its panels.
-Nothing here shows a window or changes matplotlib's settings.
+:class:`~spragsym.figures.style.Sheet`, a matplotlib figure that carries its caption and the data of
+its panels. Nothing here shows a window or changes matplotlib's settings.
 
 Examples
 --------
@@ -139,13 +140,15 @@ _MARKS = {Stability.STABLE: "o", Stability.DIVERGENT: "x", Stability.FLUTTER: "^
 
 @styled
 def plot(result: Any, ax: Axes | None = None, **options: Any) -> Any:
-    """Draw a result as its kind is drawn elsewhere; of others the first column over the first that varies.
+    """Draw a result as its kind is drawn elsewhere; of others the first column over the first that
+    varies.
 
     Parameters
     ----------
     result : a result of this package
     ax : matplotlib.axes.Axes, optional
-        Where to draw; by default pyplot's current axes. Diagrams, branches and maps are figures of their own and take none.
+        Where to draw; by default pyplot's current axes. Diagrams, branches and maps are figures of
+        their own and take none.
     **options
         For the drawing function.
 
@@ -184,7 +187,9 @@ def _points(points: Any, ax: Axes | None, quantity: str | None = None, **options
 
 
 def _equilibria(eq: Any, ax: Axes | None, quantity: str | None = None, **options: Any) -> Any:
-    """States over the first parameter that varies, or by their number, marked by their stability."""
+    """States over the first parameter that varies, or by their number, marked by their
+    stability.
+    """
     ax, model, rows = own_axes(ax), eq.parameters.model, eq.data()
     up = quantity or model.coordinates[0]
     across = next((name for name in rows if name in model.parameters), None)
@@ -221,7 +226,8 @@ def _columns(result: Any, ax: Axes | None, **options: Any) -> Any:
     ]
     if not columns:
         raise ParameterError(
-            f"{type(result).__name__} has no columns of numbers, so that there is nothing to draw; print it"
+            f"{type(result).__name__} has no columns of numbers, so that there is nothing to "
+            "draw; print it"
         )
     if len(columns) == 1:
         columns.insert(0, ("row", np.arange(columns[0][1].size)))

@@ -1,4 +1,6 @@
-"""The article's Figures 11, 12 and 14, surface and bifurcation set; friction of the lowest fold; double roots but no folds."""
+"""The article's Figures 11, 12 and 14, surface and bifurcation set; friction of the lowest fold;
+double roots but no folds.
+"""
 
 from __future__ import annotations
 
@@ -73,10 +75,10 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
             ax.text(*place, f"$\\mathit{{{name}}}${mark}", color=color, zorder=6)
         figure.tables[f"a_path_{name}"] = table_of_path(up)
     return figure.describe(
-        f"""Figure 11. Surface of equilibria in contact over inclination and friction, {BASE_TEXT}. Blue
-        sheets are stable, orange ones divergent; orange lines are the folds, the dot is the cusp. Lines with a
-        dotted jump are the paths a–a′ (θ₀ = 60°, black) and b–b′ (θ₀ = 40°, violet) with μ₀ rising.
-        {HIDDEN_TEXT} x over L₀. {RANGE_TEXT}""",
+        f"""Figure 11. Surface of equilibria in contact over inclination and friction, {BASE_TEXT}.
+        Blue sheets are stable, orange ones divergent; orange lines are the folds, the dot is the
+        cusp. Lines with a dotted jump are the paths a–a′ (θ₀ = 60°, black) and b–b′ (θ₀ = 40°,
+        violet) with μ₀ rising. {HIDDEN_TEXT} x over L₀. {RANGE_TEXT}""",
         a=draw_surface(ax, p, lines, detail),
     )
 
@@ -91,10 +93,9 @@ def figure_12() -> Sheet:
             ax, f"$\\mathit{{{name}}}$–$\\mathit{{{name}}}$′", angle + 1.5, 0.93, color=GREY
         )
     return figure.describe(
-        f"""Figure 12. Bifurcation set over inclination and friction, {BASE_TEXT}: three equilibria in
-        contact
-        in the shaded regions, one elsewhere; the dot is the cusp. Dotted: the paths of Figure 13.
-        {RANGE_TEXT}""",
+        f"""Figure 12. Bifurcation set over inclination and friction, {BASE_TEXT}: three equilibria
+        in contact in the shaded regions, one elsewhere; the dot is the cusp. Dotted: the paths of
+        Figure 13. {RANGE_TEXT}""",
         a=_regions(ax, Parameters.article(), {(20, 0.3): "3", (155, 0.25): "3", (98, 0.6): "1"}),
     )
 
@@ -136,17 +137,19 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     figure.text(0.02, 0.95, "(a)", va="center")
     plane.set_title("(b)", loc="left")
     return figure.describe(
-        f"""Figure 14. Equilibria in contact at σ = 1, κ = 0.007, α = 0.007, β = 0. (a) Surface over
-        inclination and friction: blue sheets are stable, orange divergent, green flutter; orange lines are folds,
-        green ones onsets of flutter, the dot is the cusp. {HIDDEN_TEXT} (b) Bifurcation set: three equilibria in the
-        shaded regions, one elsewhere; dash-dotted, onsets of flutter on the sheet of largest θ. x over
-        L₀. {RANGE_TEXT}""",
+        f"""Figure 14. Equilibria in contact at σ = 1, κ = 0.007, α = 0.007, β = 0. (a) Surface
+        over inclination and friction: blue sheets are stable, orange divergent, green flutter;
+        orange lines are folds, green ones onsets of flutter, the dot is the cusp. {HIDDEN_TEXT}
+        (b) Bifurcation set: three equilibria in the shaded regions, one elsewhere; dash-dotted,
+        onsets of flutter on the sheet of largest θ. x over L₀. {RANGE_TEXT}""",
         **tables,
     )
 
 
 def _regions(ax: Axes, p: Parameters, counts: Mapping[tuple[float, float], str]) -> Table:
-    """The bifurcation set, with the number of equilibria at places in the regions and the cusp's coordinates beside it."""
+    """The bifurcation set, with the number of equilibria at places in the regions and the cusp's
+    coordinates beside it.
+    """
     found, _ = draw_plane(ax, p, {"mu0": MU0_RANGE})
     for place, text in counts.items():
         write_along(ax, text, *place, ha="center", fontsize=10)
@@ -163,7 +166,8 @@ _SHEET_COLORS = {
     Stability.DIVERGENT: "#f7b78f",
     Stability.FLUTTER: "#96dcc0",
 }
-#: Proportions of the box, what its sides go over in θ₀ in degrees, μ₀ and x, and the angles under which it is seen.
+#: Proportions of the box, what its sides go over in θ₀ in degrees, μ₀ and x, and the angles under
+#: which it is seen.
 _ASPECT, _RANGE, _ELEVATION, _AZIMUTH = (1.25, 1.1, 0.9), (180.0, 1.0, 4.0), 24.0, -118.0
 #: Columns of points.
 POINT = ("theta0_deg", "mu0", "x")
@@ -172,9 +176,11 @@ _LIFT, _HALF = 0.08, 0.0036
 
 
 def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, Int8Array]:
-    """Quadrilaterals of (θ₀ in degrees, μ₀, x), shape (cells, 4, 3): the surface as it is shown; and their stability.
+    """Quadrilaterals of (θ₀ in degrees, μ₀, x), shape (cells, 4, 3): the surface as it is shown;
+    and their stability.
 
-    Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is infinite: the mesh has no hole.
+    Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is
+    infinite: the mesh has no hole.
     """
     theta0 = np.radians(theta0_deg)
     found = ss.surface(p, _directions(p, theta0, n), theta0[:, None])
@@ -248,7 +254,9 @@ def space_axes(figure: Sheet, place: Any, zoom: float) -> Any:
 def draw_surface(
     ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]], detail: float
 ) -> Table:
-    """Sheets by stability, fold curves, cusps and more ``lines``, (n, 3) and a colour; behind a sheet thin dashes."""
+    """Sheets by stability, fold curves, cusps and more ``lines``, (n, 3) and a colour; behind a
+    sheet thin dashes.
+    """
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     cells, kinds = sheets(p, np.linspace(0.5, 179.5, round(160 * detail)), round(160 * detail))
@@ -297,7 +305,9 @@ def table_of_lines(lines: Iterable[FloatArray]) -> Table:
 
 
 def on_surface(mu0: FloatArray, theta0: FloatArray, x: FloatArray) -> FloatArray:
-    """Points of a line on the surface, θ₀ in radians; NaN where ``mu0`` leaves its range, so that the line breaks there."""
+    """Points of a line on the surface, θ₀ in radians; NaN where ``mu0`` leaves its range, so that
+    the line breaks there.
+    """
     return np.stack(
         [
             np.degrees(theta0),
@@ -308,7 +318,8 @@ def on_surface(mu0: FloatArray, theta0: FloatArray, x: FloatArray) -> FloatArray
     )
 
 
-#: Parameter → (range shown, the article's samples, an interval that holds the critical value, frictions on a logarithmic axis).
+#: Parameter → (range shown, the article's samples, an interval that holds the critical value,
+#: frictions on a logarithmic axis).
 _SAMPLES: dict[str, tuple[Span, tuple[float, ...], Span, tuple[float, ...]]] = {
     "beta": ((0.0, 3.0), (0.0, 1.0, 2.0), (1.0, 2.0), ()),
     "alpha": ((1e-3, 1.0), (0.007, 0.07, 0.7), (0.007, 0.07), (0.1, 1.0, 10.0)),
@@ -324,11 +335,11 @@ def figure_cusp_friction(*, n: int = 41) -> Sheet:
     for letter, ax, name in zip("abcd", axes.flat, _SAMPLES, strict=True):
         figure.tables[letter] = _draw_cusp_friction(ax, name, n)
     return figure.describe(
-        f"""Friction of the lowest fold over all inclinations, μ_lowest, over (a) β, (b) α, (c) σ, (d) κ, the other
-        parameters
-        at {BASE_TEXT}. From small deformation a curve at μ₀ = 0.5 (dotted) jumps where μ_lowest lies below
-        it. Dots are the article's samples, of its Figures 8 to 10 in (a) to (c); filled: jumps, open: does
-        not. The number is the critical value. Where the curve of (d) ends there is no fold beyond."""
+        f"""Friction of the lowest fold over all inclinations, μ_lowest, over (a) β, (b) α, (c) σ,
+        (d) κ, the other parameters at {BASE_TEXT}. From small deformation a curve at μ₀ = 0.5
+        (dotted) jumps where μ_lowest lies below it. Dots are the article's samples, of its Figures
+        8 to 10 in (a) to (c); filled: jumps, open: does not. The number is the critical value.
+        Where the curve of (d) ends there is no fold beyond."""
     )
 
 
@@ -379,7 +390,9 @@ def _given(p: Parameters, theta0: FloatArray) -> tuple[Any, ...]:
 
 
 def _gap(coefficients: tuple[FloatArray, ...]) -> FloatArray:
-    """Smallest distance of two roots, relative to their size, of each polynomial, lowest power first."""
+    """Smallest distance of two roots, relative to their size, of each polynomial, lowest power
+    first.
+    """
     table = np.stack(np.broadcast_arrays(*coefficients), axis=-1).astype(float)
     roots = eigenvalues(table)
     one, other = (roots[..., which] for which in np.triu_indices(roots.shape[-1], 1))
@@ -396,7 +409,8 @@ def root_gaps(p: Parameters, theta0: FloatArray) -> tuple[FloatArray, FloatArray
 
 def false_double_roots(p: Parameters) -> FloatArray:
     """θ₀ at which the quartic in L has a double root that is no fold: f(θ) = f(π − θ) = 0."""
-    # There a sin θ + b = 0 and d sin θ = m sin² θ: a d + m b = 0, with cos θ₀ and sin θ₀ of the first degree.
+    # There a sin θ + b = 0 and d sin θ = m sin² θ: a d + m b = 0, with cos θ₀ and sin θ₀ of the
+    # first degree.
     a, b, d, m = _equilibrium.f_coefficients(*_given(p, np.array([0, np.pi / 2, np.pi])))
     right, up, left = a * d + m * b
     t = np.roots([left, 2 * up - left - right, right])  # of tan(θ₀/2)
@@ -429,10 +443,10 @@ def figure_false_double_root() -> Sheet:
         write_along(axes[0], f"no fold\n{angle:.2f}°", angle - 2, 2e-5, color=BLUE, ha="right")
     axes[0].set(ylabel="smallest relative\ndistance of two roots", ylim=(1e-6, 3))
     return figure.describe(
-        f"""Smallest distance of two roots, relative to their size, at μ₀ = 0.5, {BASE_TEXT}, of (a) the
-        quartic in L, the article's Equation (21), (b) the quartic in t = tan(θ/2). Both have a double
-        root at the two folds; that in L has another where two different equilibria share the length
-        σ/(σ + α), and where x and y can't be recovered from it.""",
+        f"""Smallest distance of two roots, relative to their size, at μ₀ = 0.5, {BASE_TEXT}, of
+        (a) the quartic in L, the article's Equation (21), (b) the quartic in t = tan(θ/2). Both
+        have a double root at the two folds; that in L has another where two different equilibria
+        share the length σ/(σ + α), and where x and y can't be recovered from it.""",
         a={"theta0_deg": angles, "gap_L": gaps[0]},
         b={"theta0_deg": angles, "gap_t": gaps[1]},
     )

@@ -1,4 +1,6 @@
-"""Curves of equilibria, computed branch by branch, drawn by stability; paths along them; eigenvalues over a parameter."""
+"""Curves of equilibria, computed branch by branch, drawn by stability; paths along them;
+eigenvalues over a parameter.
+"""
 
 from __future__ import annotations
 
@@ -58,7 +60,8 @@ States: TypeAlias = tuple[IntArray, ...]
 class Branch(Named):
     """A piece of an equilibrium curve of one stability, from end to end; angles in radians.
 
-    ``states`` are the columns of :class:`spragsym.Equilibria` that say where a state is, by name, each an attribute too.
+    ``states`` are the columns of :class:`spragsym.Equilibria` that say where a state is, by name,
+    each an attribute too.
     """
 
     held_in = "states"
@@ -91,7 +94,8 @@ def branches(
     damping: bool = False,
     n: int = 200,
 ) -> list[Branch]:
-    """All equilibrium curves of any model as one parameter varies, cut at folds, and where their stability changes.
+    """All equilibrium curves of any model as one parameter varies, cut at folds, and where their
+    stability changes.
 
     Parameters
     ----------
@@ -100,7 +104,8 @@ def branches(
     vary : str, optional
         Its name; theta0 where there is one.
     low, high : float, optional
-        Its range; by default its own, and for one without an end up to 1, or twice the base value if that is more.
+        Its range; by default its own, and for one without an end up to 1, or twice the base value
+        if that is more.
     contact : bool
         Steady sliding, or lift-off.
     damping : bool
@@ -110,9 +115,9 @@ def branches(
 
     Notes
     -----
-    Folds and onsets are solved for; between them equilibria are solved for at each point, and belong together where a tube joins
-    them, see :func:`spragsym.bifurcation.branches.linked`. Where a curve leaves the contact it ends at the last of these
-    points.
+    Folds and onsets are solved for; between them equilibria are solved for at each point, and
+    belong together where a tube joins them, see :func:`spragsym.bifurcation.branches.linked`. Where
+    a curve leaves the contact it ends at the last of these points.
     """
     return list(curves_between(p, *_range(p, vary, low, high, contact), damping, n))
 
@@ -120,7 +125,8 @@ def branches(
 def curves_between(
     p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
 ) -> Iterator[Branch]:
-    """The curves of :func:`branches` where the folds, at least those between the ends, are known; in lift-off without folds.
+    """The curves of :func:`branches` where the folds, at least those between the ends, are known;
+    in lift-off without folds.
 
     A curve between two cuts is split by stability; at a fold it is extended to the exact point.
     """
@@ -160,7 +166,9 @@ def curves_between(
 def chains_between(
     p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
 ) -> Iterator[tuple[Equilibria, States, Span]]:
-    """Equilibria between two cuts, those of one curve by their indices into the columns, and the two cuts."""
+    """Equilibria between two cuts, those of one curve by their indices into the columns, and the
+    two cuts.
+    """
     inner: list[float] = []  # folds and onsets of flutter, as far as these are known
     if turns is not None:
         inner += getattr(turns, vary).tolist()
@@ -190,7 +198,9 @@ def chains_between(
 def _range(
     p: ParameterSet, vary: str | None, low: float | None, high: float | None, contact: bool
 ) -> tuple[str, Span, Points | None]:
-    """The parameter that varies, its ends that are given, or those that are shown, and the folds between them, in contact."""
+    """The parameter that varies, its ends that are given, or those that are shown, and the folds
+    between them, in contact.
+    """
     model = model_of(p)
     vary = model.one(vary)
     model.require_parameter(vary)
@@ -200,7 +210,8 @@ def _range(
     low, high = ends[0] + inset if low is None else low, ends[1] - inset if high is None else high
     if not allowed.low <= low < high <= allowed.high:
         raise ParameterError(
-            f"low = {low:g}, high = {high:g}: {vary} is in {allowed}; give a range in it, the smaller end first"
+            f"low = {low:g}, high = {high:g}: {vary} is in {allowed}; give a range in it, the "
+            "smaller end first"
         )
     return vary, (low, high), ss.folds(p, vary, between={vary: (low, high)}) if contact else None
 
@@ -233,7 +244,9 @@ def mark_folds(
     high: float = np.inf,
     **options: Any,
 ) -> list[Line2D]:
-    """Mark folds at their exact positions between ``low`` and ``high`` of the parameter that varies."""
+    """Mark folds at their exact positions between ``low`` and ``high`` of the parameter that
+    varies.
+    """
     require_kind("turns", turns, Points, "an answer of ss.folds(...)")
     along = getattr(turns, turns.vary[0])
     inside = (low <= along) & (along <= high)
@@ -267,39 +280,18 @@ def plot_equilibria(
     n: int = 200,
     **options: Any,
 ) -> list[Line2D]:
-    """All equilibrium curves of any model as a parameter varies, folds marked.
-
-    Parameters
-    ----------
-    p : Parameters
-        Scalars; the parameter that varies is not used.
-    quantity : str, optional
-        What to show, a column of :class:`spragsym.Equilibria` that says where a state is, as x or theta; angles in degrees. By
-        default the first coordinate.
-    vary, low, high, contact, damping, n
-        As for :func:`branches`: the parameter along the horizontal axis.
-    ax : matplotlib.axes.Axes, optional
-        Where to draw; by default pyplot's current axes.
-    color : str
-        Of lines and folds.
-    **options
-        For :meth:`matplotlib.axes.Axes.plot`.
-
-    Returns
-    -------
-    list of matplotlib.lines.Line2D
-        One for each piece of one stability, and the folds.
-
-    Examples
-    --------
-    >>> import spragsym as ss
-    >>> from spragsym.figures import plot_equilibria
-    >>> from matplotlib.figure import Figure
-    >>> len(plot_equilibria(ss.Parameters.article(), ax=Figure().add_subplot()))
-    8
-    >>> len(plot_equilibria(ss.load("cubic_contact").Parameters(), "theta", ax=Figure().add_subplot(), n=20))
-    8
-    """
+    """All equilibrium curves of any model as a parameter varies, folds marked. Parameters
+    ---------- p : Parameters Scalars; the parameter that varies is not used. quantity : str,
+    optional What to show, a column of :class:`spragsym.Equilibria` that says where a state is, as x
+    or theta; angles in degrees. By default the first coordinate. vary, low, high, contact, damping,
+    n As for :func:`branches`: the parameter along the horizontal axis. ax : matplotlib.axes.Axes,
+    optional Where to draw; by default pyplot's current axes. color : str Of lines and folds.
+    **options For :meth:`matplotlib.axes.Axes.plot`. Returns ------- list of matplotlib.lines.Line2D
+    One for each piece of one stability, and the folds. Examples -------- >>> import spragsym as ss
+    >>> from spragsym.figures import plot_equilibria >>> from matplotlib.figure import Figure >>>
+    len(plot_equilibria(ss.Parameters.article(), ax=Figure().add_subplot())) 8 >>>
+    len(plot_equilibria(ss.load("cubic_contact").Parameters(), "theta", ax=Figure().add_subplot(),
+    n=20)) 8"""
     vary, ends, turns = _range(p, vary, low, high, contact)
     ax, model = own_axes(ax), p.model
     quantity = quantity or model.coordinates[0]
@@ -329,11 +321,14 @@ def first_fold(p: ParameterSet) -> float:
     return float(np.degrees(ss.folds(p).theta0[0]))
 
 
-# ------------------------------------------------------------------------------------------------- paths
+# ------------------------------------------------------------------------------------------------
+# paths
 
 
 def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArray]]:
-    """The pieces of a quasi-static path between its jumps, from where it landed to the exact fold, as axes show them."""
+    """The pieces of a quasi-static path between its jumps, from where it landed to the exact fold,
+    as axes show them.
+    """
     values, model = path.values, path.parameters.model
     forward = -1.0 if values[0] > values[-1] else 1.0
     ends = [(jump.value, end[quantity]) for jump in path.jumps for end in (jump.before, jump.after)]
@@ -357,7 +352,9 @@ def draw_path(
     arrows: Sequence[float] = (0.5,),
     **options: Any,
 ) -> list[Any]:
-    """Draw a quasi-static path, its jumps dotted; arrow heads at some shares of every piece, and on jumps."""
+    """Draw a quasi-static path, its jumps dotted; arrow heads at some shares of every piece, and on
+    jumps.
+    """
     require_kind("path", path, Path, "one of ss.quasi_static_path(...)")
     ax, quantity = own_axes(ax), quantity or path.parameters.model.coordinates[0]
     name_axes(ax, path.parameters.model, path.vary, quantity)
@@ -400,10 +397,11 @@ def plot_eigenvalues(
     axes: tuple[Axes, Axes] | None = None,
     n: int = 200,
 ) -> list[Line2D]:
-    """Imaginary and real parts of the eigenvalues λ of all equilibria of any model as a parameter varies.
+    """Imaginary and real parts of the eigenvalues λ of all equilibria of any model as a parameter
+    varies.
 
-    Black by the full linearization, det(λ² M + λ C + K) = 0, and red where that λ grows by more than 1e-4 of its size; grey by
-    (27), without dampers and the slope of the friction law.
+    Black by the full linearization, det(λ² M + λ C + K) = 0, and red where that λ grows by more
+    than 1e-4 of its size; grey by (27), without dampers and the slope of the friction law.
 
     Parameters
     ----------
@@ -456,9 +454,9 @@ def eigenvalue_figure(
     vary = model_of(p).one(vary)
     _, frequencies, rates = _drawn([*axes[:, 0]], p, vary, low, high, contact, n)
     return figure.describe(
-        f"""Eigenvalues λ of {p.model.name} at its equilibria over {vary}: (a) frequencies, (b) growth rates. Black with all
-        damping, red where λ grows by more than 1e-4 of its size; grey by (27), without dampers and the slope of the friction
-        law.""",
+        f"""Eigenvalues λ of {p.model.name} at its equilibria over {vary}: (a) frequencies, (b)
+        growth rates. Black with all damping, red where λ grows by more than 1e-4 of its size; grey
+        by (27), without dampers and the slope of the friction law.""",
         a=frequencies,
         b=rates,
     )
@@ -488,7 +486,9 @@ def _drawn(
     contact: bool,
     n: int,
 ) -> tuple[list[Line2D], Table, Table]:
-    """The lines, and tables of frequencies and of growth rates: of each λ with damping, then of each without."""
+    """The lines, and tables of frequencies and of growth rates: of each λ with damping, then of
+    each without.
+    """
     vary, ends, turns = _range(p, vary, low, high, contact)
     model, lines, courses = p.model, list[Line2D](), list[Any]()
     nowhere = complex(np.nan, np.nan)
@@ -508,7 +508,10 @@ def _drawn(
                 lines += ax.plot(as_drawn(model, vary, values), part, color=color, linewidth=width)
         courses.append((values, {"damped": damped, "undamped": undamped}))
     if not lines:
-        where = f"in {'contact' if contact else 'lift-off'} was found with {vary} from {ends[0]:g} to {ends[1]:g}"
+        where = (
+            f"in {'contact' if contact else 'lift-off'} was found with {vary} from {ends[0]:g} to "
+            f"{ends[1]:g}"
+        )
         raise ConvergenceError(f"no equilibrium {where}: nothing to draw")
     rate = in_letters(model.about["scales"]["rate"])
     for ax, text in zip(axes, (r"frequency Im $\lambda$", r"growth Re $\lambda$"), strict=True):

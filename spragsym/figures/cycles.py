@@ -1,4 +1,6 @@
-"""The oscillation: cycles beside equilibria, their branches, diagrams and events, and maps of what motions come to."""
+"""The oscillation: cycles beside equilibria, their branches, diagrams and events, and maps of what
+motions come to.
+"""
 
 from __future__ import annotations
 
@@ -57,7 +59,8 @@ from .style import (
     write_along,
 )
 
-#: Of branches, in the order in which they were found; doubled ones have the colour of those that they come from.
+#: Of branches, in the order in which they were found; doubled ones have the colour of those that
+#: they come from.
 COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
 
 #: Unstable cycles beyond this are left to the table.
@@ -80,7 +83,9 @@ def _sliding() -> Parameters:
 
 @styled
 def figure_cycles() -> Sheet:
-    """Root mean square of x over θ₀, of equilibria and of cycles: what Figure 7b samples by one motion."""
+    """Root mean square of x over θ₀, of equilibria and of cycles: what Figure 7b samples by one
+    motion.
+    """
     figure, ax = single(DOUBLE, 4.2)
     rest = branches(_sliding(), "theta0", np.radians(1.0), np.radians(179.0))
     # The branches that ``python -m validation.cycle_search`` found, with how they were looked for.
@@ -139,15 +144,17 @@ def figure_cycles() -> Sheet:
         line_at(ax, line_place, colour, 0.8, style=style, zorder=0.5)
     angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, HIGHEST))
     return figure.describe(
-        f"""Dynamic bifurcation diagram that Figure 7b samples, μ₀ = 0.5, {BASE_TEXT}, belt speed V = {V}, steepness
-        d = {D:g} (our assumption). Black: equilibria at the friction μ(V), |x|; colours: cycles, root mean square of x about
-        zero over one period; full where stable, equilibria by (27), dashed where not; thin: cycles that period doublings
-        begin. Circles: period doublings; squares: folds of cycles; triangles: tori. Dashed vertical line: where the motion from
-        rest changes its fate, {places[0]:.4f}°; dotted: the fold of the statics at μ₀, {places[1]:.4f}°; full: at μ(V),
-        {places[2]:.4f}°.
-        Cycles were looked for from {found["starts"]} starts at each of {len(found["inclinations_deg"])} inclinations, along
-        their branches, and from stable doublings; they are not proved to be all, and branches that end in the open were not
-        followed farther. Numbers: a period on the stable part. Some unstable cycles lie above the frame.""",
+        f"""Dynamic bifurcation diagram that Figure 7b samples, μ₀ = 0.5, {BASE_TEXT}, belt speed V
+        = {V}, steepness d = {D:g} (our assumption). Black: equilibria at the friction μ(V), |x|;
+        colours: cycles, root mean square of x about zero over one period; full where stable,
+        equilibria by (27), dashed where not; thin: cycles that period doublings begin. Circles:
+        period doublings; squares: folds of cycles; triangles: tori. Dashed vertical line: where
+        the motion from rest changes its fate, {places[0]:.4f}°; dotted: the fold of the statics at
+        μ₀, {places[1]:.4f}°; full: at μ(V), {places[2]:.4f}°. Cycles were looked for from
+        {found["starts"]} starts at each of {len(found["inclinations_deg"])} inclinations, along
+        their branches, and from stable doublings; they are not proved to be all, and branches that
+        end in the open were not followed farther. Numbers: a period on the stable part. Some
+        unstable cycles lie above the frame.""",
         a_equilibria=table_of(rest),
         a_branches=stacked(columns),
         a_events=dict(zip(names, zip(*events, strict=True), strict=True)),
@@ -172,7 +179,8 @@ def draw_cycles(
     height_of: Callable[[Cycle], float],
     colour: str,
 ) -> None:
-    """A branch of cycles by one of its columns, of which ``height_of`` is one cycle's: full as far as it is stable.
+    """A branch of cycles by one of its columns, of which ``height_of`` is one cycle's: full as far
+    as it is stable.
 
     ``units`` is what one of the parameter and of the column is on the axes.
     """
@@ -210,7 +218,8 @@ def branch_figure(branch: CycleBranch) -> Sheet:
                 place = unit * event.value, size * height_of(event.cycle)
                 ax.plot(*place, marker, color=BLACK, markersize=4, markerfacecolor="white")
     return figure.describe(
-        "A branch of cycles: full where stable, dashed where not; circles are period doublings, squares folds, bars grazings.",
+        "A branch of cycles: full where stable, dashed where not; circles are period "
+        "doublings, squares folds, bars grazings.",
         a={
             branch.vary: branch.values,
             f"rms_{field.coordinates[0]}": branch.rms,
@@ -220,8 +229,9 @@ def branch_figure(branch: CycleBranch) -> Sheet:
     )
 
 
-#: Events of the cycle of period 34, from its branches at 42 degrees over the friction and at friction 0.5 over the angle: the one
-#: nearest to a value, how far its curve is followed, and what stands beside it where.
+#: Events of the cycle of period 34, from its branches at 42 degrees over the friction and at
+#: friction 0.5 over the angle: the one nearest to a value, how far its curve is followed, and what
+#: stands beside it where.
 CURVES: dict[str, tuple[str, str, float, int, str, tuple[float, float]]] = {
     "doubling": ("mu0", "period_doubling", 0.49, 22, "period doubling", (5.0, 0.455)),
     "lower_doubling": ("mu0", "period_doubling", 0.32, 25, "period doubling", (96.0, 0.43)),
@@ -244,7 +254,9 @@ def _along(vary: str) -> CycleBranch:
 def figure_cycles_plane(
     *, frictions: tuple[float, ...] = FRICTIONS, curves: tuple[str, ...] = tuple(CURVES)
 ) -> Sheet:
-    """Events of the cycle of period 34, folds of the statics and fates of rest in the plane of θ₀ and μ₀."""
+    """Events of the cycle of period 34, folds of the statics and fates of rest in the plane of θ₀
+    and μ₀.
+    """
     figure, ax = single(DOUBLE, 3.6)
     followed = functools.cache(_along)
     for name in curves:
@@ -279,10 +291,12 @@ def figure_cycles_plane(
     ax.plot(*fates.values(), "o", color=BLACK, markersize=3)
     angle_axis(ax, ylabel=r"$\mu_0$", ylim=(0, 1))
     return figure.describe(
-        f"""Events in the plane of inclination and friction, {BASE_TEXT}, V = {V}, d = {D:g} (our assumption). Grey: folds of the
-        equilibria, at μ₀. Blue: period doublings of the cycle of period 34; orange: its folds; each as far as it was followed.
-        At 42° this cycle is stable for 0.096 < μ₀ < 0.320 and above 0.491. Dots: where the motion from rest at x = y = 0
-        changes its fate, about 3° before the fold of the equilibria at every friction. Other cycles have curves of their own.""",
+        f"""Events in the plane of inclination and friction, {BASE_TEXT}, V = {V}, d = {D:g} (our
+        assumption). Grey: folds of the equilibria, at μ₀. Blue: period doublings of the cycle of
+        period 34; orange: its folds; each as far as it was followed. At 42° this cycle is stable
+        for 0.096 < μ₀ < 0.320 and above 0.491. Dots: where the motion from rest at x = y = 0
+        changes its fate, about 3° before the fold of the equilibria at every friction. Other
+        cycles have curves of their own.""",
         a_statics=stacked(still),
         a_fates=fates,
     )
@@ -299,13 +313,16 @@ PLAIN = {
 
 @styled
 def fate_map_figure(found: FateMap) -> Sheet:
-    """What motions come to over two parameters: rest, cycles coloured by their period, chaos, undecided ones with a cross."""
+    """What motions come to over two parameters: rest, cycles coloured by their period, chaos,
+    undecided ones with a cross.
+    """
     require_kind("found", found, FateMap, "one of ss.fate_map(...)")
     shape, model = found.kind.shape, found.model
     varied = [name for name, values in found.inputs.items() if values.size > 1]
     if len(varied) != 2 or found.kind.size != math.prod(found.inputs[name].size for name in varied):
         raise ParameterError(
-            f"a map over {', '.join(varied) or 'nothing'}, of the shape {shape}, is not one over two parameters"
+            f"a map over {', '.join(varied) or 'nothing'}, of the shape {shape}, is not one "
+            "over two parameters"
         )
     every = {
         name: as_drawn(model, name, np.broadcast_to(found.inputs[name], shape).ravel())
@@ -344,10 +361,11 @@ def fate_map_figure(found: FateMap) -> Sheet:
     ax.set(xlabel=label(model, varied[0]), ylabel=label(model, varied[1]))
     counts = ", ".join(f"{count} {name}" for name, count in found.count().items() if count)
     return figure.describe(
-        f"""What the motion comes to by τ = {found.t_end:g}, over {" and ".join(varied)}: {counts}. Cycles, by their colour the
-        period, and rest are found by Newton's method and attract by their multipliers or eigenvalues; chaos is told by the 95 %
-        intervals of Lyapunov exponents, as far as the motion was followed; crosses are undecided, upright
-        ones in colour with an exponent above its 95 % interval: irregular so far.""",
+        f"""What the motion comes to by τ = {found.t_end:g}, over {" and ".join(varied)}: {counts}.
+        Cycles, by their colour the period, and rest are found by Newton's method and attract by
+        their multipliers or eigenvalues; chaos is told by the 95 % intervals of Lyapunov
+        exponents, as far as the motion was followed; crosses are undecided, upright ones in colour
+        with an exponent above its 95 % interval: irregular so far.""",
         a={titled(model, name): values for name, values in every.items()}
         | {"kind": found.kind.ravel(), "period": found.period.ravel()},
     )
@@ -361,7 +379,9 @@ CLOSE = 0.04
 
 
 def diagram_figure(found: Diagram) -> Sheet:
-    """First coordinate over the parameter: equilibria black, lift-off grey; of cycles, in colours, the largest and the least."""
+    """First coordinate over the parameter: equilibria black, lift-off grey; of cycles, in colours,
+    the largest and the least.
+    """
     require_kind("found", found, Diagram, "one of ss.diagram(...)")
     figure, ax = single(DOUBLE, 3.6)
     (title, height), units = zip(
@@ -419,10 +439,11 @@ def diagram_figure(found: Diagram) -> Sheet:
         say(ax, "no equilibria and no cycles found here")
     columns = {"label": "label", found.vary: "value", found.name: "height"}
     return figure.describe(
-        f"""Equilibria (black; grey without contact) and cycles (colours, least and largest {found.name}) over {found.vary}: full
-        where stable, dashed where not. LP folds and H Hopf points of equilibria; of cycles LPC folds, PD period doublings, NS
-        tori, BPC crossings, HC homoclinic ends. Cycles are those that were followed from Hopf points, starts and doublings: there
-        may be others.""",
+        f"""Equilibria (black; grey without contact) and cycles (colours, least and largest
+        {found.name}) over {found.vary}: full where stable, dashed where not. LP folds and H Hopf
+        points of equilibria; of cycles LPC folds, PD period doublings, NS tori, BPC crossings, HC
+        homoclinic ends. Cycles are those that were followed from Hopf points, starts and
+        doublings: there may be others.""",
         labels={
             title: np.array([getattr(one, name) for one in found.labels])
             for title, name in columns.items()

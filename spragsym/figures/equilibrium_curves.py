@@ -1,4 +1,6 @@
-"""The article's Figures 4 to 6, 8 to 10 and 13: curves of equilibria over the inclination, and paths along them."""
+"""The article's Figures 4 to 6, 8 to 10 and 13: curves of equilibria over the inclination, and
+paths along them.
+"""
 
 from __future__ import annotations
 
@@ -71,14 +73,16 @@ def figure_4() -> Sheet:
     write_along(axes[0, 1], "divergent", 27, -0.055)
     write_along(axes[1, 0], "divergent", 98, 0.5)
     return figure.describe(
-        f"""Figure 4. Equilibria over the inclination at μ₀ = 0.5, {BASE_TEXT}: in contact (a) x, (b) y, and
-        in lift-off (c) x, (d) y. {LINES_TEXT} Displacements over L₀. {RANGE_TEXT}"""
+        f"""Figure 4. Equilibria over the inclination at μ₀ = 0.5, {BASE_TEXT}: in contact (a) x,
+        (b) y, and in lift-off (c) x, (d) y. {LINES_TEXT} Displacements over L₀. {RANGE_TEXT}"""
     )
 
 
 @styled
 def figure_5() -> Sheet:
-    """The linear model against the nonlinear one, below and above the linear model's critical friction."""
+    """The linear model against the nonlinear one, below and above the linear model's critical
+    friction.
+    """
     figure, axes = panels(2, 2, DOUBLE, 4.4)
     for row, (mu0, lowest) in enumerate(((0.5, (-0.1, 0.01)), (0.7, (-0.23, 0.08)))):
         p = Parameters.article(mu0=mu0)
@@ -96,16 +100,17 @@ def figure_5() -> Sheet:
         write_along(ax, "nonlinear", 30, 1.85)
         write_along(ax, "linear", place, 2.3, color=BLUE)
     return figure.describe(
-        f"""Figure 5. Equilibria in contact (black) and those of the linear sprag model, whose spring keeps
-        its
-        angle (blue), over the inclination: (a) x and (b) y at μ₀ = 0.5, (c) x and (d) y at μ₀ = 0.7;
-        {BASE_TEXT}. Dotted lines are the poles of the linear model. {LINES_TEXT} Displacements over L₀;
-        {RANGE_TEXT.lower()}"""
+        f"""Figure 5. Equilibria in contact (black) and those of the linear sprag model, whose
+        spring keeps its angle (blue), over the inclination: (a) x and (b) y at μ₀ = 0.5, (c) x and
+        (d) y at μ₀ = 0.7; {BASE_TEXT}. Dotted lines are the poles of the linear model. {LINES_TEXT}
+        Displacements over L₀; {RANGE_TEXT.lower()}"""
     )
 
 
 def draw_linear(ax: Axes, p: Parameters, name: str) -> tuple[Table, FloatArray]:
-    """Curves of the linear model, broken at its poles, which are marked; a table of them, and the poles in degrees."""
+    """Curves of the linear model, broken at its poles, which are marked; a table of them, and the
+    poles in degrees.
+    """
     poles = np.degrees(ss.linear_sprag(p.replace(theta0=1.0)).poles)
     poles = np.sort(poles[np.isfinite(poles)])
     share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(2e-3, 1 - 2e-3, 400))
@@ -167,7 +172,8 @@ def figure_9() -> Sheet:
     ):
         write_along(inset, rf"$\alpha = {value:g}$", *place, color=color, fontsize=7)
     figure.caption += (
-        f" The inset magnifies small deformation. At α = 0.7 the state flutters between the onsets, {low:.1f}° and {high:.1f}°, "
+        " The inset magnifies small deformation. At α = 0.7 the state flutters between the "
+        f"onsets, {low:.1f}° and {high:.1f}°, "
         "which the brackets mark: at the scale of the outer axes the three curves coincide there."
     )
     return figure
@@ -186,7 +192,9 @@ def figure_10() -> Sheet:
 def _family(
     number: int, name: str, values: tuple[float, ...], labels: Sequence[_Label]
 ) -> tuple[Sheet, Axes]:
-    """Equilibrium curves in contact for three values of a parameter, labelled at the given places."""
+    """Equilibrium curves in contact for three values of a parameter, labelled at the given
+    places.
+    """
     figure, ax = single(SINGLE, 2.9)
     tables = []
     for value, color, (place, target) in zip(values, _FAMILY_COLORS, labels, strict=True):
@@ -210,13 +218,17 @@ def _family(
 def _point_at(
     ax: Axes, text: str, target: tuple[float, float], place: tuple[float, float], color: str = BLACK
 ) -> None:
-    """A label with a thin line from it to a point of a curve; the line starts beside the text or above it."""
+    """A label with a thin line from it to a point of a curve; the line starts beside the text or
+    above it.
+    """
     leader = {"arrowstyle": "-", "linewidth": 0.5, "color": color, "shrinkA": 1, "shrinkB": 2}
     ax.annotate(text, target, place, color=color, fontsize=8, va="center", arrowprops=leader)
 
 
 def _magnified(ax: Axes, name: str, values: tuple[float, ...]) -> Axes:
-    """Axes within others that show small deformation only, where the curves of the outer ones coincide."""
+    """Axes within others that show small deformation only, where the curves of the outer ones
+    coincide.
+    """
     inset = ax.inset_axes((0.2, 0.13, 0.5, 0.26))
     for value, color in zip(values, _FAMILY_COLORS, strict=True):
         draw_branches(
@@ -270,11 +282,11 @@ def figure_6() -> Sheet:
     angle_axis(right, ylabel=LABELS["x"], ylim=(-6, 6))
     _point_at(right, "no steady sliding", ((low + high) / 2, 4.4), (102, 4.9))
     return figure.describe(
-        f"""Figure 6. Trajectory of the equilibrium over the inclination at μ₀ = 0.7, {BASE_TEXT}. (a)
-        Nonlinear model: from small deformation the state jumps where θ₀ rises through the fold, and
-        from where that ends it returns without a jump. Thin line: rising, broad line: falling. (b) Linear
-        model: between its poles, shaded, there is no steady sliding in contact. {LINES_TEXT}
-        {RANGE_TEXT}""",
+        f"""Figure 6. Trajectory of the equilibrium over the inclination at μ₀ = 0.7, {BASE_TEXT}.
+        (a) Nonlinear model: from small deformation the state jumps where θ₀ rises through the
+        fold, and from where that ends it returns without a jump. Thin line: rising, broad line:
+        falling. (b) Linear model: between its poles, shaded, there is no steady sliding in
+        contact. {LINES_TEXT} {RANGE_TEXT}""",
         a=table_of(curves),
         b=linear,
         a_rising=rising,
@@ -301,9 +313,9 @@ def figure_13() -> Sheet:
             f"{letter}_falling": falling,
         }
     return figure.describe(
-        f"""Figure 13. Trajectories of the equilibrium as the friction rises and falls, (a) a–a′ at θ₀ = 60°: a
-        jump either way, hysteresis; (b) b–b′ at θ₀ = 40°: one jump, and no return. Here {BASE_TEXT}.
-        Thin line: rising, broad line: falling. {LINES_TEXT} {RANGE_TEXT}"""
+        f"""Figure 13. Trajectories of the equilibrium as the friction rises and falls, (a) a–a′ at
+        θ₀ = 60°: a jump either way, hysteresis; (b) b–b′ at θ₀ = 40°: one jump, and no return. Here
+        {BASE_TEXT}. Thin line: rising, broad line: falling. {LINES_TEXT} {RANGE_TEXT}"""
     )
 
 
@@ -315,7 +327,8 @@ def _both_ways(
     arrows: Sequence[tuple[float, ...]],
     places: Sequence[tuple[float, float]],
 ) -> list[Table]:
-    """All equilibria, and the reference state followed up, and where that ends back; tables of both ways.
+    """All equilibria, and the reference state followed up, and where that ends back; tables of both
+    ways.
 
     The way back is a broad line and the way up a thin one on it: both are seen where they coincide.
     """

@@ -1,4 +1,6 @@
-"""Motions: over time, against their rate, and their spectra; the article's Figures 3 and 7, and what 7 rests on."""
+"""Motions: over time, against their rate, and their spectra; the article's Figures 3 and 7, and
+what 7 rests on.
+"""
 
 from __future__ import annotations
 
@@ -85,9 +87,9 @@ def figure_3() -> Sheet:
         xticks=np.arange(-0.1, 0.11, 0.05),
     )
     return figure.describe(
-        f"""Figure 3. (a) Regularized friction coefficient (10) over the speed of the mass, for a belt speed
-        V = {V} and a steepness d = {D:g}, which are our assumption: the article states neither. (b) Contact
-        force (11). All quantities are dimensionless.""",
+        f"""Figure 3. (a) Regularized friction coefficient (10) over the speed of the mass, for a
+        belt speed V = {V} and a steepness d = {D:g}, which are our assumption: the article states
+        neither. (b) Contact force (11). All quantities are dimensionless.""",
         a={"vx": speed, "mu_over_mu0": friction},
         b={"y": y, "n": contact},
     )
@@ -112,11 +114,11 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
     write_along(right, f"fold, {fold:.2f}°", fold + 3, 0.12, color=VERMILION)
     angle_axis(right, ylabel=r"RMS of $x$", ylim=(0, None))
     return figure.describe(
-        f"""Figure 7. Motion from rest at x = y = 0, μ₀ = 0.5, {BASE_TEXT}. (a) x over dimensionless time at
-        θ₀ = 49°. (b) Root mean square of x, about zero, over 1500 < τ < 2000. Belt speed V = {V},
-        steepness d = {D:g}, the rest at the start and the window in time are our assumption: the article
-        states none of them. The dotted line is the fold. Beyond it a large and a small motion compete; near
-        54° rounding decides which of them is reached.""",
+        f"""Figure 7. Motion from rest at x = y = 0, μ₀ = 0.5, {BASE_TEXT}. (a) x over
+        dimensionless time at θ₀ = 49°. (b) Root mean square of x, about zero, over 1500 < τ <
+        2000. Belt speed V = {V}, steepness d = {D:g}, the rest at the start and the window in time
+        are our assumption: the article states none of them. The dotted line is the fold. Beyond it
+        a large and a small motion compete; near 54° rounding decides which of them is reached.""",
         a={"tau": t, "x": x},
         b={"theta0_deg": angles, "rms_x": sweep.rms, "regime": sweep.regime},
     )
@@ -137,8 +139,8 @@ def draw_motion(
     ----------
     motion : Trajectory
     of : str, optional
-        One of its components, by default the first: ``"x"``, ``"y"``, ``"vx"`` or ``"vy"``, or a coordinate of the model or
-        its rate.
+        One of its components, by default the first: ``"x"``, ``"y"``, ``"vx"`` or ``"vy"``, or a
+        coordinate of the model or its rate.
     ax : Axes, optional
     length, time : float
         What one unit of the component and of time is in the units of the axes.
@@ -164,7 +166,9 @@ def draw_phase(
     speed: float = 1.0,
     labels: tuple[str, str] | None = None,
 ) -> Any:
-    """x′ over x, the first coordinate or another, and the speed of the belt along it as a line; returns the curve."""
+    """x′ over x, the first coordinate or another, and the speed of the belt along it as a line;
+    returns the curve.
+    """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     ax, names = own_axes(ax), motion.model.coordinates
     place, states = row_of(of, names), motion(np.linspace(motion.t[0], motion.t[-1], 6000))
@@ -215,7 +219,8 @@ def draw_spectrum(
 
 @styled
 def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | None = None) -> Sheet:
-    """Each coordinate over time; what follows the transient in the plane of it and its rate, and its spectrum.
+    """Each coordinate over time; what follows the transient in the plane of it and its rate, and
+    its spectrum.
 
     Parameters
     ----------
@@ -224,8 +229,9 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
     transient : float
         Time that the planes and spectra leave out.
     units : Scales, optional
-        What the units of the model are in metres and seconds, as of :class:`spragsym.PhysicalParameters`: axes are then in mm,
-        degrees and s, and dimensionless without.
+        What the units of the model are in metres and seconds, as of
+        :class:`spragsym.PhysicalParameters`: axes are then in mm, degrees and s, and dimensionless
+        without.
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     model, late = motion.model, motion.after(transient)
@@ -259,8 +265,9 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
             for each in entries
         )
     return figure.describe(
-        f"""A motion of {model.name}, {moved}. Left: each coordinate over time; middle and right, after the time
-        {after}: its rate over it, with the speed of the belt dotted, and its spectrum."""
+        f"""A motion of {model.name}, {moved}. Left: each coordinate over time; middle and right,
+        after the time {after}: its rate over it, with the speed of the belt dotted, and its
+        spectrum."""
     )
 
 
@@ -274,7 +281,8 @@ def figure_rms_map(
 ) -> Sheet:
     """Root mean square of x over (θ₀, μ₀), as in Figure 7b, upon the bifurcation set.
 
-    Cells are divided into four ``levels`` times, each time where the RMS steps from a cell to its neighbour.
+    Cells are divided into four ``levels`` times, each time where the RMS steps from a cell to its
+    neighbour.
     """
     figure, ax = single(SINGLE * 1.3, 3.2)
     p = Parameters.article()
@@ -288,14 +296,17 @@ def figure_rms_map(
     figure.colorbar(image, ax=ax, label=r"RMS of $x$", pad=0.02)
     share = 2**levels
     return figure.describe(
-        f"""Root mean square of x, about zero, over 1500 < τ < 2000, of the motion from rest at x = y = 0, over
-        inclination and friction; orange: the bifurcation set, the dot is the cusp. Here {BASE_TEXT}; V = {V} and d =
-        {D:g} are our assumption. One motion for each cell, at its centre: cells of {step_deg:g}° by {step_mu0:g}, divided
-        down to {step_deg / share:g}° by {step_mu0 / share:g} where the RMS steps. In both bright regions the motion ends in a
-        large cycle, in which it is above the belt most of the time. Region I begins before the fold: the motion overshoots the
-        divergent state. Region II has nothing to do with folds: the only equilibrium there is stable, a large cycle lives
-        beside it, at θ₀ = 132° from μ₀ = 0.3 upwards at least, and the motion from rest, which bounces on the belt, grows into
-        that cycle where friction is above about 0.83. Its ragged edge depends on the start, and on rounding.""",
+        f"""Root mean square of x, about zero, over 1500 < τ < 2000, of the motion from rest at x =
+        y = 0, over inclination and friction; orange: the bifurcation set, the dot is the cusp.
+        Here {BASE_TEXT}; V = {V} and d = {D:g} are our assumption. One motion for each cell, at
+        its centre: cells of {step_deg:g}° by {step_mu0:g}, divided down to {step_deg / share:g}°
+        by {step_mu0 / share:g} where the RMS steps. In both bright regions the motion ends in a
+        large cycle, in which it is above the belt most of the time. Region I begins before the
+        fold: the motion overshoots the divergent state. Region II has nothing to do with folds:
+        the only equilibrium there is stable, a large cycle lives beside it, at θ₀ = 132° from μ₀ =
+        0.3 upwards at least, and the motion from rest, which bounces on the belt, grows into that
+        cycle where friction is above about 0.83. Its ragged edge depends on the start, and on
+        rounding.""",
         a=table,
     )
 
@@ -303,7 +314,9 @@ def figure_rms_map(
 def _divided(
     p: Parameters, step_deg: float, step_mu0: float, levels: int, workers: Workers
 ) -> tuple[FloatArray, FloatArray, FloatArray, Table]:
-    """A map over cells of unequal size: angles, frictions and RMS on the finest grid, and a table of what was computed."""
+    """A map over cells of unequal size: angles, frictions and RMS on the finest grid, and a table
+    of what was computed.
+    """
     tables: list[Table] = []
     for level in range(levels + 1):
         ends = (180.0, step_deg / 2**level), (MU0_RANGE[1], step_mu0 / 2**level)
@@ -392,9 +405,9 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
         "theta0_deg": places.ravel(),
     }
     return figure.describe(
-        f"""Sensitivity of Figure 7b to belt speed and steepness, μ₀ = 0.5, {BASE_TEXT}. Root mean square of x
-        over 1500 < τ < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V =
-        {V}; (c) the θ₀ at which it steps most, to {np.degrees(jumps.width):.2g}°, over V for three
-        d. Dotted: the fold, which does not depend on them. V = {V} and d = {D:g} are our assumption of what
-        the article does not state."""
+        f"""Sensitivity of Figure 7b to belt speed and steepness, μ₀ = 0.5, {BASE_TEXT}. Root mean
+        square of x over 1500 < τ < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b)
+        for three d at V = {V}; (c) the θ₀ at which it steps most, to
+        {np.degrees(jumps.width):.2g}°, over V for three d. Dotted: the fold, which does not depend
+        on them. V = {V} and d = {D:g} are our assumption of what the article does not state."""
     )

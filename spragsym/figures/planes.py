@@ -1,4 +1,6 @@
-"""Planes of two parameters of any model: where the number of equilibria changes, and where oscillation begins."""
+"""Planes of two parameters of any model: where the number of equilibria changes, and where
+oscillation begins.
+"""
 
 from __future__ import annotations
 
@@ -53,7 +55,8 @@ def _places(model: Model, vary: Sequence[str], of: Any) -> list[Any]:
 def draw_bifurcation_set(
     found: BifurcationSet, ax: Axes | None = None, *, color: str = BLACK
 ) -> list[Any]:
-    """Curves of folds and cusps in the plane of two parameters, undecided stretches of lines shaded; returns the artists.
+    """Curves of folds and cusps in the plane of two parameters, undecided stretches of lines
+    shaded; returns the artists.
 
     Parameters
     ----------
@@ -75,12 +78,14 @@ def draw_bifurcation_set(
 
 
 def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
-    """Curves of Hopf points in the plane of two parameters, as maps of stability are printed; returns the artists.
+    """Curves of Hopf points in the plane of two parameters, as maps of stability are printed;
+    returns the artists.
 
-    Full where the onset is supercritical (gentle), dashed where it is subcritical (dangerous), dotted where that is undecided;
-    dots where l₁ changes its sign (generalized Hopf, GH),
-    squares for points of two conditions (Bogdanov–Takens, BT; zero–Hopf, ZH; double Hopf, HH). Without damping two modes meet on
-    grey lines. The axes span the ranges that were searched, and undecided stretches of lines are shaded.
+    Full where the onset is supercritical (gentle), dashed where it is subcritical (dangerous),
+    dotted where that is undecided; dots where l₁ changes its sign (generalized Hopf, GH), squares
+    for points of two conditions (Bogdanov–Takens, BT; zero–Hopf, ZH; double Hopf, HH). Without
+    damping two modes meet on grey lines. The axes span the ranges that were searched, and undecided
+    stretches of lines are shaded.
 
     Parameters
     ----------
@@ -114,7 +119,9 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
 
 
 def _plane(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[Any]:
-    """Names of the axes, and stretches of the lines that were searched of which it is not known what they hold."""
+    """Names of the axes, and stretches of the lines that were searched of which it is not known
+    what they hold.
+    """
     across, up = found.vary
     ax.set(xlabel=label(model, across), ylabel=label(model, up))
     ends = zip(
@@ -135,7 +142,8 @@ def _span(ax: Axes, model: Model, vary: Sequence[str], between: Ranges) -> None:
 
 @styled
 def stability_figure(found: OnsetCurves) -> Sheet:
-    """The map of stability in the plane of two parameters: supercritical and subcritical onsets, as a figure.
+    """The map of stability in the plane of two parameters: supercritical and subcritical onsets, as
+    a figure.
 
     Parameters
     ----------
@@ -150,7 +158,8 @@ def stability_figure(found: OnsetCurves) -> Sheet:
     lines = """, supercritical (gentle) on full lines, subcritical (dangerous) on dashed, undecided on dotted ones. Dots: GH;
         squares: curves end on folds (BT, ZH) or cross (HH)."""
     return figure.describe(
-        f"Onsets of oscillation of {model.name}{lines if found.damping else ' without damping: two modes meet.'}{_open(found)}",
+        "Onsets of oscillation of "
+        f"{model.name}{lines if found.damping else ' without damping: two modes meet.'}{_open(found)}",
         a=_table(found, *model.coordinates, "omega", "lyapunov", "lyapunov_error"),
     )
 
@@ -172,7 +181,9 @@ def draw_plane(
     vary: Sequence[str] | None = None,
     n: int | None = None,
 ) -> tuple[BifurcationSet, bool]:
-    """The bifurcation set, on ``n`` lines if by search, and whether regions are shaded: by a model that counts in closed form."""
+    """The bifurcation set, on ``n`` lines if by search, and whether regions are shaded: by a model
+    that counts in closed form.
+    """
     model = model_of(p)
     vary = tuple(model.two(vary))
     between = window(model, vary, between, lambda: ss.cusps(p, vary))
@@ -215,7 +226,8 @@ def bifurcation_figure(
     between : mapping, optional
         Their ranges, as for :func:`spragsym.folds`.
     n : int
-        Lines of either parameter on which a search looks for folds: a closed curve between two of them is not seen.
+        Lines of either parameter on which a search looks for folds: a closed curve between two of
+        them is not seen.
     onsets : OnsetCurves, optional
         Of :func:`spragsym.onset_curves` in this plane, drawn as well.
     """

@@ -1,4 +1,6 @@
-"""A report as one page of HTML that needs no other file, and its pictures, SVG within it; the same bytes every time."""
+"""A report as one page of HTML that needs no other file, and its pictures, SVG within it; the same
+bytes every time.
+"""
 
 from __future__ import annotations
 
@@ -115,7 +117,9 @@ def pictures(report: Report) -> Rows:
 
 
 def _planes(report: Report) -> Rows:
-    """The brake in the plane of angle and friction, where there is an angle, and its states over the loading parameter."""
+    """The brake in the plane of angle and friction, where there is an angle, and its states over
+    the loading parameter.
+    """
     study, jump = report.study, report.mu_jump
     (low, _, high), p, first = study.working, study.at_work, study.kind.about["coordinates"][0]
     if "theta0" in p.model.parameters and study.of_friction:
@@ -155,13 +159,16 @@ def _planes(report: Report) -> Rows:
     meaning = first["meaning"].partition(",")[0]
     yield (
         picture(partial(draw_rising, p, (low, high), **options)),
-        f"{meaning[:1].upper()}{meaning[1:]} as {rises} rises (red, with its jumps); grey: all states, full where stable. "
+        f"{meaning[:1].upper()}{meaning[1:]} as {rises} rises (red, with its jumps); grey: "
+        "all states, full where stable. "
         f"Dots: folds, where two states meet and end. Shaded: {rises} within its tolerances.",
     )
 
 
 def _stability_map(report: Report) -> Rows:
-    """Where oscillation sets in, over angle and friction; nothing where the belt or its law is not known."""
+    """Where oscillation sets in, over angle and friction; nothing where the belt or its law is not
+    known.
+    """
     study, p = report.study, report.study.at_work
     if "theta0" not in p.model.parameters or not study.moves:
         return
@@ -183,8 +190,10 @@ def _stability_map(report: Report) -> Rows:
 
         yield (
             picture(draw),
-            "The map of stability, with the brake (dot) and its tolerances (box). On the lines oscillation sets in: "
-            "supercritical (gentle) where full, subcritical (dangerous) where dashed, undecided where dotted. Dots: that changes "
+            "The map of stability, with the brake (dot) and its tolerances (box). On the "
+            "lines oscillation sets in: "
+            "supercritical (gentle) where full, subcritical (dangerous) where dashed, "
+            "undecided where dotted. Dots: that changes "
             "(GH). Squares: lines end on a fold (BT, ZH), or cross (HH).",
         )
 
@@ -202,7 +211,10 @@ def _of_motion(report: Report, lives: Any) -> Rows:
         else (f"rate of {name} in deg/s", size / time)
     )
     phase = partial(draw_phase, motion, length=size, speed=speed, labels=(f"{name} in {unit}", up))
-    caption = f"The oscillation: {up.partition(' in ')[0]} over {name}, one closed curve a cycle. Dotted: the speed of the belt."
+    caption = (
+        f"The oscillation: {up.partition(' in ')[0]} over {name}, one closed curve a cycle. "
+        "Dotted: the speed of the belt."
+    )
     yield picture(phase), caption
     labels = "frequency in Hz", f"amplitude of {name} in {unit}"
     spectrum = partial(draw_spectrum, motion, name, length=size, frequency=1 / time, labels=labels)
@@ -210,7 +222,9 @@ def _of_motion(report: Report, lives: Any) -> Rows:
 
 
 def picture(draw: Callable[[Any], Any]) -> str:
-    """A picture of one panel, without the head of a file; its ids are made from itself, so that no other has them."""
+    """A picture of one panel, without the head of a file; its ids are made from itself, so that no
+    other has them.
+    """
     with house_style(), rc_context(_AS_TEXT):
         figure, ax = single(4.6, 3.3)
         draw(ax)
@@ -222,7 +236,8 @@ def picture(draw: Callable[[Any], Any]) -> str:
     return re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
 
 
-#: Friction up to which pictures go, at least, and up to which folds are looked for; of another quantity times its value.
+#: Friction up to which pictures go, at least, and up to which folds are looked for; of another
+#: quantity times its value.
 _TOP, _FAR = 1.0, 3.0
 #: By how much they go beyond what they show.
 _MORE = 0.15
@@ -237,7 +252,8 @@ def draw_operating_point(
     *,
     n: int = 60,
 ) -> Any:
-    """The bifurcation set of any model over inclination and friction, the point where a brake works, its tolerances and its jump.
+    """The bifurcation set of any model over inclination and friction, the point where a brake
+    works, its tolerances and its jump.
 
     Parameters
     ----------
@@ -246,7 +262,8 @@ def draw_operating_point(
     theta0, mu0 : (float, float)
         Ends of the tolerances, radians.
     jump : float
-        Friction at which the followed state jumps at θ₀, NaN if it never does, or is not to be shown.
+        Friction at which the followed state jumps at θ₀, NaN if it never does, or is not to be
+        shown.
     ax : Axes, optional
     n : int
         Lines of either parameter on which a search looks for folds.
@@ -264,7 +281,9 @@ def draw_operating_point(
 def mark_brake(
     ax: Axes, p: ParameterSet, theta0: Span, mu0: Span, jump: float = float("nan")
 ) -> Any:
-    """A brake in the plane of θ₀ in degrees and μ₀: its point, the box of its tolerances, and where it jumps, if it does."""
+    """A brake in the plane of θ₀ in degrees and μ₀: its point, the box of its tolerances, and where
+    it jumps, if it does.
+    """
     radians, friction = p.scalars("theta0", "mu0")
     angle = np.degrees(radians)
     low, high = np.degrees(theta0)
@@ -302,7 +321,8 @@ def draw_rising(
     across: str = r"friction $\mu$",
     n: int = 200,
 ) -> Any:
-    """The states of any model over the loading parameter, the one followed as it does, and the range of its tolerance shaded.
+    """The states of any model over the loading parameter, the one followed as it does, and the
+    range of its tolerance shaded.
 
     Parameters
     ----------
@@ -316,8 +336,8 @@ def draw_rising(
     begin : float
         From where.
     length, size : float
-        What one of the first coordinate, and of the loading parameter, is in the unit that the axis shows; of an angle, what a
-        degree is.
+        What one of the first coordinate, and of the loading parameter, is in the unit that the axis
+        shows; of an angle, what a degree is.
     label, across : str, optional
         Of these axes.
     n : int
@@ -365,7 +385,8 @@ def draw_rising(
 
 
 def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes | None = None) -> Any:
-    """Sobol' indices as bars: the total effect of every quantity, its own share within, and the interval of the total.
+    """Sobol' indices as bars: the total effect of every quantity, its own share within, and the
+    interval of the total.
 
     Parameters
     ----------

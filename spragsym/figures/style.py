@@ -1,4 +1,6 @@
-"""House style: sheets, lines, colours, labels with units, common parts of captions, and a figure as files."""
+"""House style: sheets, lines, colours, labels with units, common parts of captions, and a figure as
+files.
+"""
 
 from __future__ import annotations
 
@@ -93,7 +95,9 @@ class Sheet(Figure):
         self.tables: dict[str, Table] = {}
 
     def describe(self, caption: str, **tables: Table) -> Sheet:
-        """Set the caption, and the data of panels ``a``, ``b``, …, as far as they are not there yet."""
+        """Set the caption, and the data of panels ``a``, ``b``, …, as far as they are not there
+        yet.
+        """
         self.caption = " ".join(caption.split())
         self.tables |= tables
         return self
@@ -138,7 +142,8 @@ def single(width: float, height: float) -> tuple[Sheet, Any]:
 
 
 def stacked(tables: Sequence[Table], number: str = "", names: Iterable[str] = ()) -> Table:
-    """Tables of equal columns, one below the other, and under ``number`` which is which; without tables columns of ``names``.
+    """Tables of equal columns, one below the other, and under ``number`` which is which; without
+    tables columns of ``names``.
 
     What stands in place of a column is in every row.
     """
@@ -258,7 +263,9 @@ GREEK = {
 
 
 def symbol(name: str) -> str:
-    """A name as mathematics writes it, without the dollars: ``\\kappa``, ``k_{\\rm c}``, ``\\theta_0``."""
+    """A name as mathematics writes it, without the dollars: ``\\kappa``, ``k_{\\rm c}``,
+    ``\\theta_0``.
+    """
     base, _, index = name.partition("_")
     if numbered := re.fullmatch(r"([^\W\d]+)(\d)", base):
         return (
@@ -270,7 +277,9 @@ def symbol(name: str) -> str:
 
 
 def axis_label(model: Model, name: str) -> str:
-    """What an axis says of a coordinate, of its rate, or of the time ``t``: the symbol over its unit."""
+    """What an axis says of a coordinate, of its rate, or of the time ``t``: the symbol over its
+    unit.
+    """
     unit = model.quantities[name][0]
     written = (
         rf"{symbol(model.coordinates[model.rates.index(name)])}'"
@@ -301,7 +310,9 @@ def label(model: Model, name: str) -> str:
 
 
 def shown(known: Model | Field, name: str) -> Shown:
-    """What an axis calls a parameter or a coordinate of a motion, and what one of it is there: angles are degrees."""
+    """What an axis calls a parameter or a coordinate of a motion, and what one of it is there:
+    angles are degrees.
+    """
     return (
         (f"${symbol(name)}$ (deg)", math.degrees(1.0))
         if known.is_angle(name)
@@ -310,7 +321,9 @@ def shown(known: Model | Field, name: str) -> Shown:
 
 
 def as_drawn(model: Model, name: str, values: Any) -> Any:
-    """Values of a parameter or a column in the unit of its axis: angles in degrees, all else as it is."""
+    """Values of a parameter or a column in the unit of its axis: angles in degrees, all else as it
+    is.
+    """
     return np.degrees(values) if model.is_angle(name) else values
 
 
@@ -328,7 +341,10 @@ def with_unit(model: Model, name: str) -> str:
         if name in model.parameters
         else model.quantities.get(name, (model.about["scales"]["length"],))[0]
     )
-    return f"{label(model, name)} ({'dimensionless' if scale == '1' else f'units of ${in_letters(scale)}$'})"
+    return (
+        f"{label(model, name)} "
+        f"({'dimensionless' if scale == '1' else f'units of ${in_letters(scale)}$'})"
+    )
 
 
 #: What an axis says, and what one of what is drawn is there.
@@ -359,7 +375,9 @@ def in_units(axis: Axis, shown: Shown | None) -> None:
 def window(
     model: Model, vary: Sequence[str], between: Ranges, cusps: Callable[[], Points] | None = None
 ) -> Ranges:
-    """Ranges to show: those given, the parameter's own, or of one without end as far as its base value, 1 and all cusps need."""
+    """Ranges to show: those given, the parameter's own, or of one without end as far as its base
+    value, 1 and all cusps need.
+    """
     out = dict(between)
     for name in vary:
         if name not in between:
@@ -383,7 +401,8 @@ FORMATS: dict[str, dict[str, Any]] = {
 
 @styled
 def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf",)) -> list[Path]:
-    """Write ``stem.pdf`` and the like, its caption to ``stem.txt``, its data to ``stem_a.csv`` …; returns the paths.
+    """Write ``stem.pdf`` and the like, its caption to ``stem.txt``, its data to ``stem_a.csv`` …;
+    returns the paths.
 
     Parts that are not drawn as lines have 300 dots per inch.
     """

@@ -1,7 +1,8 @@
-"""The journal of a sweep: finished points, a line each, in a file beside the result until that is written.
+"""The journal of a sweep: finished points, a line each, in a file beside the result until that is
+written.
 
-A line is a checksum and JSON. The checksum of a point takes in the fingerprint of its sweep, so that a line that
-is cut, changed, or that belongs to another sweep, is never taken for a result.
+A line is a checksum and JSON. The checksum of a point takes in the fingerprint of its sweep, so
+that a line that is cut, changed, or that belongs to another sweep, is never taken for a result.
 """
 
 import errno
@@ -40,9 +41,10 @@ def journal(
 ) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
     """Finished points of an earlier run to ``target``, and a function that stores one more.
 
-    Every line is out of this process before the next task is asked for. The journal is removed when the body ends well, which
-    must have written the target; whatever else ends the body says how many points are kept. A line that a kill cut short is
-    dropped, a damaged one with a :class:`~spragsym.errors.DamageWarning`. Another process at it, a file that can't be read or
+    Every line is out of this process before the next task is asked for. The journal is removed when
+    the body ends well, which must have written the target; whatever else ends the body says how
+    many points are kept. A line that a kill cut short is dropped, a damaged one with a
+    :class:`~spragsym.errors.DamageWarning`. Another process at it, a file that can't be read or
     written, or that is no journal, is a StoreError; points of another sweep are a ParameterError.
     """
     path = path_of(target)
@@ -66,12 +68,16 @@ def journal(
     if os.name != "posix":
         with suppress(
             OSError
-        ):  # an open file can't be removed there; the process that has it open sees that the work is done
+            # an open file can't be removed there; the process that has it open sees that the work
+            # is done
+        ):
             path.unlink()
 
 
 def clear(target: Path, fingerprint: str, total: int) -> None:
-    """Remove the journal that a killed process left beside its finished result, if no other process has it."""
+    """Remove the journal that a killed process left beside its finished result, if no other process
+    has it.
+    """
     if path_of(target).exists():
         with suppress(SpragsymError, OSError), journal(target, fingerprint, total):
             pass
@@ -80,8 +86,9 @@ def clear(target: Path, fingerprint: str, total: int) -> None:
 def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
     """The journal, for this process alone until the stack is left, and what it holds.
 
-    The file itself is locked, so that no other one is left beside it. The system lets go of the lock when the process ends,
-    whatever ends it; on a network file system it holds between machines as far as the file system's own locks do.
+    The file itself is locked, so that no other one is left beside it. The system lets go of the
+    lock when the process ends, whatever ends it; on a network file system it holds between machines
+    as far as the file system's own locks do.
     """
     try:
         while True:
@@ -102,17 +109,21 @@ def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
 
 
 def _locked(file: FileIO, path: Path) -> bool:
-    """Lock the file, and return whether the file system supports locks; where it does not, a warning says so."""
+    """Lock the file, and return whether the file system supports locks; where it does not, a
+    warning says so.
+    """
     try:
         if not lock_descriptor(file.fileno(), blocking=False):
             raise StoreError(
-                f"{path} is being written by {_holder(path)}; wait for it to end, or give another path"
+                f"{path} is being written by {_holder(path)}; wait for it to end, or give "
+                "another path"
             )
     except OSError as error:
         if error.errno not in _NO_LOCKS:
             raise
         warnings.warn(
-            f"{path} lies on a file system without locks ({error.strerror}): nothing keeps a second process from "
+            f"{path} lies on a file system without locks ({error.strerror}): nothing keeps a "
+            "second process from "
             "writing there; start one only, or give a path on a local disk",
             stacklevel=2,
         )
@@ -120,7 +131,8 @@ def _locked(file: FileIO, path: Path) -> bool:
     return True
 
 
-# ---------------------------------------------------------------------------------------------------- its lines
+# ------------------------------------------------------------------------------------------------
+# its lines
 
 
 def _line(key: str, content: Any) -> bytes:
@@ -139,7 +151,9 @@ def _content(key: str, line: bytes) -> Any:
 
 
 def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int, Record]:
-    """Undamaged points of this sweep; the file is made ready to append to, and damage is warned of."""
+    """Undamaged points of this sweep; the file is made ready to append to, and damage is warned
+    of.
+    """
     *lines, cut = data.split(b"\n")
     points, damaged, owner = dict[int, Record](), list[int](), None
     for number, line in enumerate(lines, 1):
@@ -156,20 +170,24 @@ def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int,
     if not ours and owner is not None and damaged:
         # The lines of another sweep have checksums that only its fingerprint can tell from damage.
         raise ParameterError(
-            f"{path} belongs to another sweep, or to other code; remove it to start anew, or give another path"
+            f"{path} belongs to another sweep, or to other code; remove it to start anew, or "
+            "give another path"
         )
     if (
         not ours and owner is None and not head.startswith(data)
     ):  # else a kill or a full disk has left a part of the first line
         raise StoreError(
-            f"{path} is damaged, no journal, or one of an older version: its first line is not as it is written, and no "
+            f"{path} is damaged, no journal, or one of an older version: its first line is "
+            "not as it is written, and no "
             "other line is a point of this sweep; remove it to start anew, or give another path"
         )
     if damaged:
         shown = ", ".join(map(str, damaged[:10])) + (", …" if len(damaged) > 10 else "")
         warnings.warn(
-            f"{path}: {len(damaged)} damaged line{'s' * (len(damaged) > 1)} ({shown}): not as written, by their "
-            f"checksums; the {len(points)} points of the other lines are good, and what is lost is computed again",
+            f"{path}: {len(damaged)} damaged line{'s' * (len(damaged) > 1)} ({shown}): not as "
+            "written, by their "
+            f"checksums; the {len(points)} points of the other lines are good, and what is "
+            "lost is computed again",
             DamageWarning,
             stacklevel=2,
         )
@@ -199,7 +217,8 @@ def _append(file: FileIO, path: Path, line: bytes) -> None:
         ) from error
 
 
-# -------------------------------------------------------------------------------------------------- who has it
+# ------------------------------------------------------------------------------------------------
+# who has it
 
 
 def _holder(path: Path) -> str:

@@ -1,12 +1,13 @@
 """Files of results: units, provenance, and a checksum, whole or not there at all.
 
-Every file, netCDF or CSV, ends in a line with the SHA-256 of all bytes before it. HDF5 ignores that line, because its superblock
-says where the data end. The checksum is verified before anything else is read: HDF5 accepts many damaged files, and crashes the
-process on others.
+Every file, netCDF or CSV, ends in a line with the SHA-256 of all bytes before it. HDF5 ignores that
+line, because its superblock says where the data end. The checksum is verified before anything else
+is read: HDF5 accepts many damaged files, and crashes the process on others.
 
-Any file is written to a temporary one beside it, flushed to the disk, then renamed. Whatever ends a write, a full disk or a kill,
-what stood there before stays, and nothing half-written stands under a name that was asked for. What a killed process leaves,
-``.spragsym-`` with its number, is removed by the next write to the same folder.
+Any file is written to a temporary one beside it, flushed to the disk, then renamed. Whatever ends a
+write, a full disk or a kill, what stood there before stays, and nothing half-written stands under a
+name that was asked for. What a killed process leaves, ``.spragsym-`` with its number, is removed by
+the next write to the same folder.
 """
 
 import csv
@@ -60,7 +61,9 @@ def dataset(
     explained: Explained,
     codes: Mapping[str, type[IntEnum]],
 ) -> Any:
-    """An ``xarray.Dataset``, with unit and meaning of every quantity, and the words of ``codes``."""
+    """An ``xarray.Dataset``, with unit and meaning of every quantity, and the words of
+    ``codes``.
+    """
     made = xarray().Dataset(data, coords=coords, attrs=attributes)
     for name in made.variables:
         told = zip(("units", "long_name"), explained.get(name, ("", "")), strict=True)
@@ -75,7 +78,9 @@ def dataset(
 
 
 def provenance() -> dict[str, str]:
-    """What produced a file: the version and the hash of the derivation behind the generated code."""
+    """What produced a file: the version and the hash of the derivation behind the generated
+    code.
+    """
     return {"source": f"spragsym {__version__}", "generated_from": SOURCE_HASH}
 
 
@@ -88,9 +93,11 @@ def fingerprint(arrays: Mapping[str, Any], settings: Mapping[str, Any]) -> str:
     return digest.hexdigest()
 
 
-# ----------------------------------------------------------------------------------------------- before the work
+# -----------------------------------------------------------------------------------------------
+# before the work
 
-#: Whether a file that is there is computed anew; it stays as it is until the new one takes its place.
+#: Whether a file that is there is computed anew; it stays as it is until the new one takes its
+#: place.
 OVERWRITING: ContextVar[bool] = ContextVar("overwriting", default=False)
 
 
@@ -106,7 +113,8 @@ def check_target(path: FilePath, bytes_needed: int) -> Path:
     return probe(target, bytes_needed)
 
 
-# ----------------------------------------------------------------------------------------------------- to write
+# ------------------------------------------------------------------------------------------------
+# to write
 
 
 def write(
@@ -129,7 +137,8 @@ def write(
 
 
 def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Explained) -> bytes:
-    """Names of the columns, then attributes and units in comment lines, then the numbers to the last digit.
+    """Names of the columns, then attributes and units in comment lines, then the numbers to the
+    last digit.
 
     The names come first because NumPy takes them from the first line, comment or not.
     """
@@ -150,18 +159,23 @@ def _sealed(data: bytes) -> bytes:
 
 
 def plain(text: str) -> str:
-    """Text that is one cell to every reader of CSV, NumPy too, which knows no quotes: no comma, quote, # or line end."""
+    """Text that is one cell to every reader of CSV, NumPy too, which knows no quotes: no comma,
+    quote, # or line end.
+    """
     return " ".join(text.replace(",", ";").replace('"', "'").replace("#", "no. ").split())
 
 
-# ------------------------------------------------------------------------------------------------------ to read
+# ------------------------------------------------------------------------------------------------
+# to read
 
 #: The last line of a file.
 _TRAILER = b"# sha256: "
 
 
 def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Columns, flat, and attributes of a file that :func:`write` wrote; a StoreError if a bit of it has changed."""
+    """Columns, flat, and attributes of a file that :func:`write` wrote; a StoreError if a bit of it
+    has changed.
+    """
     content = _verified(path)
     if path.suffix != ".nc":
         return _read_csv(content)
@@ -172,7 +186,9 @@ def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def read_own(path: Path, key: str) -> dict[str, Any]:
-    """Columns of the file that a call of this fingerprint wrote; a TargetError for any other one."""
+    """Columns of the file that a call of this fingerprint wrote; a TargetError for any other
+    one.
+    """
     columns, attributes = read(path)
     if attributes.get("fingerprint") != key:
         model, source = (
@@ -180,7 +196,8 @@ def read_own(path: Path, key: str) -> dict[str, Any]:
             attributes.get("source", "another program"),
         )
         raise TargetError(
-            f"{path} exists, a result of {model} by {source}, for other parameters or settings or of other code; remove it, "
+            f"{path} exists, a result of {model} by {source}, for other parameters or "
+            "settings or of other code; remove it, "
             "or give another path"
         )
     return columns
@@ -195,7 +212,8 @@ def _verified(path: Path) -> bytes:
     covered, mark, _ = data.rpartition(_TRAILER)
     if not mark:
         raise DamagedError(
-            f"{path} has no checksum at its end: it was cut, changed, or written by something else; "
+            f"{path} has no checksum at its end: it was cut, changed, or written by something "
+            "else; "
             "remove it to compute it again, or give another path"
         )
     if data != _sealed(covered):
@@ -219,10 +237,12 @@ def _read_csv(data: bytes) -> tuple[dict[str, Any], dict[str, Any]]:
     return {name: np.array(values) for name, values in columns.items()}, attrs
 
 
-# ------------------------------------------------------------------------------------- whole or not at all
+# ----------------------------------------------------------------------------------- whole or not
+# at all
 
 _LEFT = re.compile(r"\.spragsym-(\d{1,9})-[0-9a-f]{16}")
-#: Of a temporary file, with the number of its process; and seconds after which a write has ended, wherever its process runs.
+#: Of a temporary file, with the number of its process; and seconds after which a write has ended,
+#: wherever its process runs.
 _AGE = 3600.0
 
 
@@ -247,7 +267,8 @@ def resolved(path: FilePath) -> Path:
 
 
 def probe(path: FilePath, bytes_needed: int = 0, *, made: bool = False) -> Path:
-    """Where a path leads, found out before any work: a ParameterError if no file can be written there.
+    """Where a path leads, found out before any work: a ParameterError if no file can be written
+    there.
 
     ``made`` is for folders that are made on writing: the nearest one that exists is tried.
     """
@@ -264,18 +285,21 @@ def probe(path: FilePath, bytes_needed: int = 0, *, made: bool = False) -> Path:
         free = shutil.disk_usage(folder).free
     except OSError as error:
         raise ParameterError(
-            f"{target} cannot be written ({error.strerror}); give another path, or the right to write there"
+            f"{target} cannot be written ({error.strerror}); give another path, or the right "
+            "to write there"
         ) from error
     if free < bytes_needed:
         needed, there = (f"{math.ceil(size / 1e6)} MB" for size in (bytes_needed, free))
         raise ParameterError(
-            f"{target}: about {needed} are needed and {there} are free; make room, or write to another disk"
+            f"{target}: about {needed} are needed and {there} are free; make room, or write "
+            "to another disk"
         )
     return target
 
 
 def put(path: FilePath, data: bytes | str, *, made: bool = False) -> None:
-    """Write a file, whole or not at all, or raise a StoreError that names it; a file that was there keeps its mode.
+    """Write a file, whole or not at all, or raise a StoreError that names it; a file that was there
+    keeps its mode.
 
     ``made`` is for a folder that is made if missing.
     """
@@ -290,7 +314,8 @@ def put(path: FilePath, data: bytes | str, *, made: bool = False) -> None:
         PermissionError
     ) as error:  # on Windows also while a spreadsheet shows the file that was there
         raise StoreError(
-            f"{target} cannot be written: {error.strerror}; close what has it open, or give a path where you may write"
+            f"{target} cannot be written: {error.strerror}; close what has it open, or give a "
+            "path where you may write"
         ) from error
     except OSError as error:
         raise StoreError(
@@ -315,7 +340,9 @@ def _replace(target: Path, data: bytes) -> None:
 
 
 def write_all(file: FileIO, data: bytes) -> None:
-    """Write everything or raise: an almost full disk accepts a part, and fails only at the next write."""
+    """Write everything or raise: an almost full disk accepts a part, and fails only at the next
+    write.
+    """
     view = memoryview(data)
     while view:
         view = view[file.write(view) :]

@@ -1,4 +1,6 @@
-"""Texts: of users' files, read on any system and up to a bound, and of templates that come with the package."""
+"""Texts: of users' files, read on any system and up to a bound, and of templates that come with the
+package.
+"""
 
 import codecs
 import os
@@ -14,7 +16,8 @@ BY_HAND, MEASURED = 1 << 20, 8 << 20
 
 
 def contents(path: FilePath, largest: int = BY_HAND, what: str = "another file") -> bytes:
-    """The bytes of a file, or of a pipe; a device without end, and a pipe that nobody writes to, end too.
+    """The bytes of a file, or of a pipe; a device without end, and a pipe that nobody writes to,
+    end too.
 
     If there is no such file, or it holds more than ``largest`` bytes, that is a ParameterError.
     """
@@ -23,7 +26,8 @@ def contents(path: FilePath, largest: int = BY_HAND, what: str = "another file")
     if os.path.isdir(path):
         raise ParameterError(f"{shown} is a folder; give {what}")
     try:
-        # A pipe that nobody writes to is at its end at once, if it is not waited for when it is opened.
+        # A pipe that nobody writes to is at its end at once, if it is not waited for when it is
+        # opened.
         number = os.open(
             path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
         )
@@ -45,7 +49,8 @@ def contents(path: FilePath, largest: int = BY_HAND, what: str = "another file")
 def text_of(
     path: FilePath, largest: int = BY_HAND, what: str = "another file", remedy: str = ""
 ) -> str:
-    """The text of a file in UTF-8, with a mark at its beginning or without, or in UTF-16 with one, as PowerShell writes it.
+    """The text of a file in UTF-8, with a mark at its beginning or without, or in UTF-16 with one,
+    as PowerShell writes it.
 
     Errors are those of :func:`contents`, and one for bytes that are no text.
     """
@@ -66,7 +71,9 @@ def shipped_text(package: str, name: str) -> str:
 
 
 def filled(package: str, name: str, what: str, **values: Any) -> str:
-    """The template of this name with values in it, text escaped in HTML; ``what`` it is needs the extra ``plot``."""
+    """The template of this name with values in it, text escaped in HTML; ``what`` it is needs the
+    extra ``plot``.
+    """
     try:
         from jinja2 import Environment, StrictUndefined
     except ModuleNotFoundError as error:

@@ -1,4 +1,6 @@
-"""The article's model: what only it has, and its closed forms, each by the name of the public function that it answers."""
+"""The article's model: what only it has, and its closed forms, each by the name of the public
+function that it answers.
+"""
 
 import lazy_loader as _lazy
 

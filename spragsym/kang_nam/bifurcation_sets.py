@@ -1,13 +1,14 @@
 """Every fold curve in the plane of θ₀ and μ₀ with the cusps on them.
 
-At a given direction θ friction is eliminated from the conditions of a fold, or of an onset of flutter, and what is left is a
-polynomial in tan(θ₀/2), whose positive roots are all points of the curves there. Between two neighbouring θ with the same number
-of roots the k-th belongs to the k-th. Where their number changes, or one enters at θ₀ = 0 or π, more θ are put in between until
-the place is known to rounding. Directions are t = tan(θ/2), which is precise at both ends.
+At a given direction θ friction is eliminated from the conditions of a fold, or of an onset of
+flutter, and what is left is a polynomial in tan(θ₀/2), whose positive roots are all points of the
+curves there. Between two neighbouring θ with the same number of roots the k-th belongs to the k-th.
+Where their number changes, or one enters at θ₀ = 0 or π, more θ are put in between until the place
+is known to rounding. Directions are t = tan(θ/2), which is precise at both ends.
 
-The number of folds changes, or the friction of one is 0, at roots of polynomials in sin θ (derived: ``fold_events``), hence in
-t, which Descartes' rule isolates exactly in 0 < θ < π/2. Between two of them the number is that at one rational t, where it is
-counted exactly.
+The number of folds changes, or the friction of one is 0, at roots of polynomials in sin θ (derived:
+``fold_events``), hence in t, which Descartes' rule isolates exactly in 0 < θ < π/2. Between two of
+them the number is that at one rational t, where it is counted exactly.
 """
 
 from __future__ import annotations
@@ -48,7 +49,8 @@ from .cusps import cusps
 from .folds import folds
 from .kernel import FIXED, Fixed
 
-#: Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are compared with proved folds.
+#: Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are compared
+#: with proved folds.
 _LIGHT = 1e-4
 #: Where it is below this, float64 does lose them, and they are refused.
 _TOO_LIGHT = 1e-8
@@ -73,9 +75,10 @@ def bifurcation_set(
 
     Notes
     -----
-    Source: f = f′ = 0, two lines in μ₀ at a given direction θ; without it a conic in (cos θ₀, sin θ₀). Where curves begin, end,
-    turn back in θ and reach μ₀ = 0 is isolated exactly, and how many folds there are in between is counted exactly, so that none
-    is missed that holds a float; their points are float64, and satisfy the condition to rounding.
+    Source: f = f′ = 0, two lines in μ₀ at a given direction θ; without it a conic in (cos θ₀, sin
+    θ₀). Where curves begin, end, turn back in θ and reach μ₀ = 0 is isolated exactly, and how many
+    folds there are in between is counted exactly, so that none is missed that holds a float; their
+    points are float64, and satisfy the condition to rounding.
     """
     if vary is not None and tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
@@ -96,7 +99,8 @@ def bifurcation_set(
     )
     for points in curves(Condition(fold_polynomial, _friction, begin.folds_at), fixed, t, 3 / n):
         curve = _curve(points, fixed)
-        # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point tells for the whole curve.
+        # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point
+        # tells for the whole curve.
         if curve.y[len(curve) // 2] < 0:
             found.append(curve)
     if preload < _LIGHT:
@@ -152,7 +156,8 @@ def _compare(curves: list[Curve], p: Parameters) -> None:
 
 def _indistinct(kappa: float, reason: str) -> ConvergenceError:
     return ConvergenceError(
-        f"kappa = {kappa:g} is too small beside sigma and 1 + beta for curves of folds in float64: {reason}; "
+        f"kappa = {kappa:g} is too small beside sigma and 1 + beta for curves of folds in "
+        f"float64: {reason}; "
         "folds(p) proves those at one friction"
     )
 
@@ -194,16 +199,19 @@ def _curve(points: FloatArray, fixed: Fixed) -> Curve:
 _STEP = 0.05
 #: Relative width of a cell of t that is not halved any more.
 _FINEST = 1e-10
-#: Largest residual of a root that rounding alone can leave, over the polynomial with every term made positive.
+#: Largest residual of a root that rounding alone can leave, over the polynomial with every term
+#: made positive.
 _RESIDUAL = 1e-13
 #: Friction that is taken for 0, and tan(θ₀/2) that is.
 _NONE, _NEAR = 1e-11, 1e-12
 
 
 class Condition(NamedTuple):
-    """What holds on a curve: coefficients in tan(θ₀/2), lowest power first, at cos θ, sin θ, and friction at θ₀ there.
+    """What holds on a curve: coefficients in tan(θ₀/2), lowest power first, at cos θ, sin θ, and
+    friction at θ₀ there.
 
-    ``number`` is how many positive roots there are at tan(θ/2), where that is known; else those count that are real to rounding.
+    ``number`` is how many positive roots there are at tan(θ/2), where that is known; else those
+    count that are real to rounding.
     """
 
     polynomial: Callable[[FloatArray, FloatArray, Fixed], tuple[FloatArray, ...]]
@@ -230,21 +238,26 @@ class _Columns(ByColumn):
         return cls(t, theta0, condition.friction(c, s, theta0, fixed))
 
     def goes_on(self, other: _Columns, step: float) -> BoolArray:
-        """Whether there are as many points, and with μ₀ ≥ 0 none is farther than a step in θ₀/π or μ₀/(1 + μ₀)."""
+        """Whether there are as many points, and with μ₀ ≥ 0 none is farther than a step in θ₀/π or
+        μ₀/(1 + μ₀).
+        """
         one, two = (np.stack([it.theta0 / np.pi, 1 / (1 + np.abs(it.mu0))]) for it in (self, other))
         far = (np.abs(one - two) > step).any(axis=0) & ((self.mu0 >= 0) | (other.mu0 >= 0))
         return (np.isnan(self.theta0) == np.isnan(other.theta0)).all(axis=0) & ~far.any(axis=0)
 
 
 def _positive_roots(coefficients: FloatArray, number: IntArray | None) -> FloatArray:
-    """Positive roots of each polynomial, ascending, to rounding, as many as there are; NaN behind them."""
+    """Positive roots of each polynomial, ascending, to rounding, as many as there are; NaN behind
+    them.
+    """
     roots = eigenvalues(coefficients)
     if number is None:
         # LAPACK gives the complex ones in pairs, and those that are real with the imaginary part 0.
         inside = (roots.imag == 0) & (roots.real > _NEAR) & (roots.real < 1 / _NEAR)
     else:
-        # Rounding moves roots off the real axis, and below 0: those that lie closest to where they must are the ones. It also
-        # moves two that are all but one onto it: of those that lie there the ones that are farthest from others are.
+        # Rounding moves roots off the real axis, and below 0: those that lie closest to where they
+        # must are the ones. It also moves two that are all but one onto it: of those that lie there
+        # the ones that are farthest from others are.
         off = np.hypot(roots.imag, np.minimum(roots.real, 0.0)) / (1e-300 + np.abs(roots))
         gap = np.partition(np.abs(roots[..., None] - roots[:, None]), 1, axis=-1)[..., 1]
         inside = np.lexsort((-gap, off)).argsort(axis=-1) < number[:, None]
@@ -258,7 +271,8 @@ def _positive_roots(coefficients: FloatArray, number: IntArray | None) -> FloatA
 
 
 def curves(condition: Condition, fixed: Fixed, t: FloatArray, step: float) -> Iterator[FloatArray]:
-    """Curves with μ₀ ≥ 0, each of shape (3, points): t, θ₀ and μ₀ in order along it; no step is longer than ``step``.
+    """Curves with μ₀ ≥ 0, each of shape (3, points): t, θ₀ and μ₀ in order along it; no step is
+    longer than ``step``.
 
     Those out of contact are included, and what is sought at ``t`` first.
     """
@@ -301,10 +315,11 @@ def _links(columns: _Columns, number: IntArray, step: float) -> list[set[int]]:
 
 
 def _pairs(theta0: FloatArray, side: IntArray) -> Iterator[tuple[int, int]]:
-    """Pairs of roots that lie on one curve, where the number of roots changes between two neighbouring directions.
+    """Pairs of roots that lie on one curve, where the number of roots changes between two
+    neighbouring directions.
 
-    Roots of one ``side`` go on as those of the other, the nearest first; of those that are left, neighbours of one side that are
-    near meet in between, and others end at θ₀ = 0 or π.
+    Roots of one ``side`` go on as those of the other, the nearest first; of those that are left,
+    neighbours of one side that are near meet in between, and others end at θ₀ = 0 or π.
     """
     free, every = set(range(side.size)), itertools.combinations(range(side.size), 2)
     for _, far, *pair in sorted(
@@ -322,9 +337,11 @@ _BITS, _BESIDE = 64, 4e-14
 
 
 class Directions(NamedTuple):
-    """t = tan(θ/2) in 0 < θ < π on both sides of each event, of θ = π/2, and between two neighbours.
+    """t = tan(θ/2) in 0 < θ < π on both sides of each event, of θ = π/2, and between two
+    neighbours.
 
-    ``number`` is how many folds there are with 0 < θ₀ < π, of either sign of μ₀, before, between and after the ``events``.
+    ``number`` is how many folds there are with 0 < θ₀ < π, of either sign of μ₀, before, between
+    and after the ``events``.
     """
 
     t: FloatArray
@@ -337,14 +354,19 @@ class Directions(NamedTuple):
 
 
 def fold_polynomial(c: Any, s: Any, fixed: Any) -> tuple[Any, ...]:
-    """The condition for a fold at (cos θ, sin θ), a quartic in tan(θ₀/2) > 0, lowest power first."""
+    """The condition for a fold at (cos θ, sin θ), a quartic in tan(θ₀/2) > 0, lowest power
+    first.
+    """
     e0, e1, e2, ec = _catastrophe.fold_conic(c, s, *fixed)
     return e0 + ec, 2 * e1, 4 * e2 + 2 * e0, 2 * e1, e0 - ec
 
 
 def directions(fixed: Fixed) -> Directions:
-    """Those in which folds are looked for first. (θ, θ₀, μ) → (π − θ, π − θ₀, −μ) gives the events beyond π/2."""
-    exact = Fixed(*map(Fraction, fixed))  # type: ignore[arg-type]  # floats taken as the rationals that they are
+    """Those in which folds are looked for first. (θ, θ₀, μ) → (π − θ, π − θ₀, −μ) gives the events
+    beyond π/2.
+    """
+    # floats taken as the rationals that they are
+    exact = Fixed(*map(Fraction, fixed))  # type: ignore[arg-type]
     found = _events(exact)
     ends = [Fraction(0), *itertools.chain(*found), Fraction(1)]
     inside = [(low + high) / 2 for low, high in zip(ends[::2], ends[1::2], strict=True)]
@@ -378,7 +400,9 @@ def _events(exact: Fixed) -> list[Root]:
 
 
 def _conditions(exact: Fixed) -> list[Polynomial]:
-    """Polynomials in t that are 0 at the events, and not at t = 0 and 1; each root once, and of one of them only."""
+    """Polynomials in t that are 0 at the events, and not at t = 0 and 1; each root once, and of one
+    of them only.
+    """
 
     @cache  # the three have nodes in common
     def values(s: Fraction) -> tuple[Fraction, ...]:

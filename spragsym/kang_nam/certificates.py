@@ -1,7 +1,8 @@
-"""Claims about every point of a box of parameters, and of units of measure that have tolerances too, by closed forms.
+"""Claims about every point of a box of parameters, and of units of measure that have tolerances
+too, by closed forms.
 
-For each claim there is a proof for many boxes, over every direction of the spring, which are cut into cells until decided; and a
-search for counterexamples.
+For each claim there is a proof for many boxes, over every direction of the spring, which are cut
+into cells until decided; and a search for counterexamples.
 """
 
 from __future__ import annotations
@@ -42,8 +43,9 @@ def claims(
 
     Notes
     -----
-    Source: f, f′ and the eigenvalues of K over boxes, in affine arithmetic with every rounding bounded. A box that touches the
-    border of the claim, a fold or an onset of flutter, can't be decided there.
+    Source: f, f′ and the eigenvalues of K over boxes, in affine arithmetic with every rounding
+    bounded. A box that touches the border of the claim, a fold or an onset of flutter, can't be
+    decided there.
     """
     require_usual(low, "mu0", begin)
     measures = checked_units(units, tuple(Parameters.ranges), ("theta0",))
@@ -98,19 +100,22 @@ class _Closed(Claim):
 _MU0 = NAMES.index("mu0")
 #: A little more than π, beyond which no direction is in contact.
 _ALL = math.pi + 1e-15
-#: How far a trial direction lies from the state it stands for, in units of how far that state moves within the box: the wide one
-#: leaves room for terms of second order, the narrow one is for boxes near a fold.
+#: How far a trial direction lies from the state it stands for, in units of how far that state moves
+#: within the box: the wide one leaves room for terms of second order, the narrow one is for boxes
+#: near a fold.
 _MARGINS = (0.7, 0.25)
 
 
-# ----------------------------------------------------------------------------------------------- all states in contact
+# -----------------------------------------------------------------------------------------------
+# all states in contact
 
 
 def _at_all_states(boxes: Boxes, slope_sign: int) -> Proved:
-    """Every equilibrium in contact has f′ of a sign, or, where that is negative, a positive discriminant of K in λ².
+    """Every equilibrium in contact has f′ of a sign, or, where that is negative, a positive
+    discriminant of K in λ².
 
-    All have f′ > 0: of three the middle one has not, and of two that meet neither has, so there is one. All have f′ < 0, which is
-    divergence, or a positive discriminant: there is no flutter.
+    All have f′ > 0: of three the middle one has not, and of two that meet neither has, so there is
+    one. All have f′ < 0, which is divergence, or a positive discriminant: there is no flutter.
     """
 
     def test(ground: Ground) -> Verdict:
@@ -125,14 +130,16 @@ def _at_all_states(boxes: Boxes, slope_sign: int) -> Proved:
     return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
 
 
-# ------------------------------------------------------------------------------------------------------------ no jump
+# ------------------------------------------------------------------------------------------------
+# no jump
 
 
 def _no_jump(boxes: Boxes) -> Proved:
-    """On the surface μ₀(θ) rises from below 0 at one direction to above the largest friction at another, and is 0 once between,
-    at the reference state: so that is followed without a fold.
+    """On the surface μ₀(θ) rises from below 0 at one direction to above the largest friction at
+    another, and is 0 once between, at the reference state: so that is followed without a fold.
 
-    Candidates for the two directions come from the middle of a box, and the proof does not depend on how.
+    Candidates for the two directions come from the middle of a box, and the proof does not depend
+    on how.
     """
     result, weight = np.zeros(len(boxes), dtype=np.bool_), np.zeros_like(boxes.low)
     for margin in _MARGINS:
@@ -146,7 +153,8 @@ def _followed_with(boxes: Boxes, margin: float) -> Proved:
     with quiet():
         middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
         *_, first, later, result = with_and_without_friction(middle)
-        # A direction below the state at μ₀ = 0, one above it, and one above the state at the largest friction.
+        # A direction below the state at μ₀ = 0, one above it, and one above the state at the
+        # largest friction.
         lowest, start = (
             _moved(boxes, middle | {"mu0": np.zeros_like(later)}, first[:, 0], side * margin)
             for side in (-1, 1)
@@ -164,7 +172,9 @@ def _followed_with(boxes: Boxes, margin: float) -> Proved:
 
 
 def _moved(boxes: Boxes, values: dict[str, FloatArray], theta: FloatArray, margin: float) -> Line:
-    """How an equilibrium of the middle moves over the box, to first order, and a little to one side of that."""
+    """How an equilibrium of the middle moves over the box, to first order, and a little to one side
+    of that.
+    """
     slopes = _change(boxes, values, theta)
     line = Line(theta, slopes)
     return Line(theta + margin * line.reach() + np.copysign(1e-9, margin), slopes)
@@ -176,7 +186,8 @@ def _change(
     theta: FloatArray,
     term: Callable[[FloatArray], FloatArray] = np.positive,
 ) -> FloatArray:
-    """What half of each side but μ₀ moves an equilibrium, to first order: a unit changes all parameters that depend on it.
+    """What half of each side but μ₀ moves an equilibrium, to first order: a unit changes all
+    parameters that depend on it.
 
     With ``np.abs`` for a ``term`` the value if nothing cancelled.
     """
@@ -198,14 +209,17 @@ def _change(
 
 
 def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved:
-    """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest; both in contact."""
+    """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest;
+    both in contact.
+    """
     result, weight = np.ones(len(boxes), dtype=np.bool_), np.zeros_like(boxes.low)
     for line, friction, wanted in ((lowest, 0.0, -1), (highest, boxes.high[_MU0], 1)):
         ground = at(boxes, line).with_friction(friction)
         value, inside = ground.balance()[0], ground.pressed()
         holds, presses = value.sign() == wanted, inside.sign() > 0
         result &= holds & presses
-        # A direction that follows the state leaves what is of second order, in each of the parameters that a side changes.
+        # A direction that follows the state leaves what is of second order, in each of the
+        # parameters that a side changes.
         second = _change(boxes, boxes.middle() | {"mu0": friction}, line.value, np.abs)
         first = np.abs(inside.terms[:-1])
         straight = holds & ~presses & (first.sum(axis=0) > inside.error)
@@ -229,9 +243,9 @@ def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved:
 def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved:
     """The state at μ₀ = 0 between ``lowest`` and ``start`` has the smallest \\|x\\|.
 
-    Without friction at most one equilibrium has cos θ of the sign of cos θ₀, and any other has \\|x\\| ≥ \\|cos θ₀\\|: see
-    ``smallest_without_friction`` in derive/kang_nam/theorem.py. So L \\|cos θ\\| < 2 \\|cos θ₀\\| is enough, or that there is no
-    other.
+    Without friction at most one equilibrium has cos θ of the sign of cos θ₀, and any other has
+    \\|x\\| ≥ \\|cos θ₀\\|: see ``smallest_without_friction`` in derive/kang_nam/theorem.py. So L
+    \\|cos θ\\| < 2 \\|cos θ₀\\| is enough, or that there is no other.
     """
     ground = at(boxes, start).with_friction(0.0)
     above, side = ground.balance()[0].sign() > 0, ground.c0.sign()
@@ -281,13 +295,16 @@ CLAIMS: dict[str, tuple[Callable[[Boxes], Proved], Callable[[Parameters], BoolAr
 _CELLS, _ALWAYS, _HALVINGS = 4, 4, 40
 #: Open cells with which a box is given up.
 _OPEN = 64
-#: A box is given up where the spread of an open quantity comes from its own sides: the direction adds less than this share.
+#: A box is given up where the spread of an open quantity comes from its own sides: the direction
+#: adds less than this share.
 _SHARE = 0.25
 
 
 @dataclass(frozen=True)
 class Boxes(Held):
-    """Parts of a box of parameters, in the order of ``NAMES``, and then of units of measure over their base values."""
+    """Parts of a box of parameters, in the order of ``NAMES``, and then of units of measure over
+    their base values.
+    """
 
     units: Mapping[str, Unit]
 
@@ -307,7 +324,9 @@ class Boxes(Held):
 
 
 class Ground(NamedTuple):
-    """What a claim is tested with: cos θ, sin θ, cos θ₀, sin θ₀ and the parameters, over cells or at one θ of each box."""
+    """What a claim is tested with: cos θ, sin θ, cos θ₀, sin θ₀ and the parameters, over cells or
+    at one θ of each box.
+    """
 
     c: Affine
     s: Affine
@@ -338,7 +357,9 @@ class Ground(NamedTuple):
 
 @dataclass(frozen=True)
 class Line(ByColumn):
-    """A direction of the spring for each box that changes linearly over it: ``value`` in its middle, ``slopes`` to its sides."""
+    """A direction of the spring for each box that changes linearly over it: ``value`` in its
+    middle, ``slopes`` to its sides.
+    """
 
     value: FloatArray
     slopes: FloatArray
@@ -375,12 +396,15 @@ def over(boxes: Boxes, low: Line, high: Line, begin: FloatArray, end: FloatArray
     return Ground(*cosine_and_sine(theta), *cosine_and_sine(own[0]), boxes.parameters(own))
 
 
-#: Which cells are decided, and the quantities whose terms say which side of a box to cut where one is not.
+#: Which cells are decided, and the quantities whose terms say which side of a box to cut where one
+#: is not.
 Verdict: TypeAlias = tuple[BoolArray, tuple[Affine, ...]]
 
 
 def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdict]) -> Proved:
-    """The boxes for which all directions between two pass a test, and how much each side matters for the others."""
+    """The boxes for which all directions between two pass a test, and how much each side matters
+    for the others.
+    """
     size = len(boxes)
     weight = np.zeros_like(boxes.low)
     box = np.tile(np.arange(size), _CELLS)
@@ -402,7 +426,8 @@ def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdic
                 weight.T, box[hopeless], (sizes / np.maximum(sizes.sum(axis=0), 1e-300)).T
             )
         result[box[hopeless]] = False
-        # A box with many open cells fails on a stretch of directions, and not at one: no cut of it helps.
+        # A box with many open cells fails on a stretch of directions, and not at one: no cut of it
+        # helps.
         result[np.bincount(box, minlength=size) > _OPEN] = False
         keep = result[box]
         box, begin, end = box[keep], begin[keep], end[keep]

@@ -29,8 +29,8 @@ def cusps(
 
     Notes
     -----
-    Source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ (a cubic for α = 0); its roots are isolated exactly. Parameters
-    are taken as the exact rationals that the floats are.
+    Source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ (a cubic for α = 0); its roots are
+    isolated exactly. Parameters are taken as the exact rationals that the floats are.
     """
     if vary is not None and tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
@@ -46,7 +46,9 @@ def cusps(
 def precise_cusps(
     _p: Parameters, given: Mapping[str, Any], vary: Sequence[str], digits: int
 ) -> CuspProof:
-    """All cusps in the plane of θ₀ and μ₀; source: f = f′ = f″ = 0, one rational polynomial of degree 9 in sin θ."""
+    """All cusps in the plane of θ₀ and μ₀; source: f = f′ = f″ = 0, one rational polynomial of
+    degree 9 in sin θ.
+    """
     if tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
     exact = tuple(given[name] for name in FIXED)
@@ -92,7 +94,9 @@ def cusp_sines(
 
 
 def proved_cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
-    """Every cusp in contact with L > 0, for exact κ, α, σ, β; both mirror images, θ₀ in (−π, π], μ₀ of either sign."""
+    """Every cusp in contact with L > 0, for exact κ, α, σ, β; both mirror images, θ₀ in (−π, π], μ₀
+    of either sign.
+    """
     _, alpha, _, beta = exact
     if alpha == 1 + beta:
         yield from _cusps_without_a(tuple(map(balls.exact, exact)), bits)
@@ -101,13 +105,15 @@ def proved_cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
     for root in roots:
         yield from _cusps_at(exact, RootOf(polynomial, *root))
     if not alpha:
-        # The second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = π/2. At −π/2 sin θ₀ would be
-        # −1 − κ/(1 + β).
+        # The second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ =
+        # π/2. At −π/2 sin θ₀ would be −1 − κ/(1 + β).
         yield from _cusps_at(exact, RootOf((-1, 1), Fraction(1), Fraction(1)))
 
 
 def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[Point]:
-    """The cusps of one sin θ. What is 0 exactly, as cos θ₀ or y may be at a coincidence of parameters, is known to be."""
+    """The cusps of one sin θ. What is 0 exactly, as cos θ₀ or y may be at a coincidence of
+    parameters, is known to be.
+    """
     alpha = exact[1]
     values = tuple(map(balls.exact, exact))
     s, zero = sine.interval(), balls.exact(Fraction(0))
@@ -156,7 +162,9 @@ def _angle_or_level(cosine: Interval, sine: Interval, level: bool) -> Interval:
 
 
 def _cusp_length(s: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any) -> Any:
-    """L on a cusp: (σ s + B s₀ + κ)/(q s) with −b/p for B s₀ + κ, which is a s³ + m s² c over p there."""
+    """L on a cusp: (σ s + B s₀ + κ)/(q s) with −b/p for B s₀ + κ, which is a s³ + m s² c over p
+    there.
+    """
     p, B = alpha + sigma, 1 + beta
     return sigma * (1 + (B - alpha) * s * s / (p * (3 * s * s - 2))) / (B + sigma)
 
@@ -176,9 +184,11 @@ def _cusps_without_a(values: tuple[Interval, ...], bits: int) -> Iterator[Point]
 
 
 def is_versal(point: Point) -> bool:
-    """Whether (θ₀, μ₀) unfold f fully there: then the cusp is one in the sense of catastrophe theory.
+    """Whether (θ₀, μ₀) unfold f fully there: then the cusp is one in the sense of catastrophe
+    theory.
 
-    f‴ ≠ 0 on every cusp: of the four roots of f in t, whose product is −1, three are equal, and the other has the other sign.
+    f‴ ≠ 0 on every cusp: of the four roots of f in t, whose product is −1, three are equal, and the
+    other has the other sign.
     """
     theta0, *values = point.parameters
     return sign(unfolded(Angles(*balls.cos_sin(point.theta), *balls.cos_sin(theta0)), *values)) != 0

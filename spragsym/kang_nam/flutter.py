@@ -1,14 +1,17 @@
-"""Onsets of flutter: all onsets at one friction, proved complete, and the curves of onsets in the plane of θ₀ and μ₀.
+"""Onsets of flutter: all onsets at one friction, proved complete, and the curves of onsets in the
+plane of θ₀ and μ₀.
 
-At given θ and μ₀ the two balances give sin θ₀ and α cos θ₀ as lines in the spring length L, and the discriminant of (27) times
-L² is a quadratic in L. So is cos² θ₀ + sin² θ₀ = 1, and the resultant of the two (derived: ``flutter_elimination``) is a
-polynomial of degree 16 in v = tan((θ − π/2)/2). A discriminant of 0 needs K₁₂ K₂₁ ≤ 0, hence π/2 ≤ θ < π where μ₀ > 0: all onsets
-are among its roots 0 ≤ v < 1, which Descartes' rule isolates exactly. α = 0 leaves cos θ₀ free, and a polynomial of degree 8
-(``flutter_without_alpha``). What decides whether a root is an onset is a sign; one that an interval leaves open is 0 only where
-exact algebra says so.
+At given θ and μ₀ the two balances give sin θ₀ and α cos θ₀ as lines in the spring length L, and the
+discriminant of (27) times L² is a quadratic in L. So is cos² θ₀ + sin² θ₀ = 1, and the resultant of
+the two (derived: ``flutter_elimination``) is a polynomial of degree 16 in v = tan((θ − π/2)/2). A
+discriminant of 0 needs K₁₂ K₂₁ ≤ 0, hence π/2 ≤ θ < π where μ₀ > 0: all onsets are among its roots
+0 ≤ v < 1, which Descartes' rule isolates exactly. α = 0 leaves cos θ₀ free, and a polynomial of
+degree 8 (``flutter_without_alpha``). What decides whether a root is an onset is a sign; one that an
+interval leaves open is 0 only where exact algebra says so.
 
-An onset is never a fold, nor the middle one of three equilibria: in contact the trace of K is positive (derived:
-``trace_identity``), and where its discriminant is 0 the determinant is a quarter of the square of that.
+An onset is never a fold, nor the middle one of three equilibria: in contact the trace of K is
+positive (derived: ``trace_identity``), and where its discriminant is 0 the determinant is a quarter
+of the square of that.
 """
 
 from __future__ import annotations
@@ -42,7 +45,8 @@ from .bifurcation_sets import Condition, curves
 from .folds import Point, listed
 from .kernel import FIXED, Fixed
 
-#: Logarithm of how far from t = tan(θ/2) = 1 onsets are looked for, at most, and minus that at least.
+#: Logarithm of how far from t = tan(θ/2) = 1 onsets are looked for, at most, and minus that at
+#: least.
 _FAR = 20.0
 
 
@@ -53,13 +57,14 @@ def flutter_onsets(
     damping: bool | None = None,
     between: Ranges | None = None,
 ) -> Onsets:
-    """The closed form of :func:`spragsym.flutter_onsets` without damping, along θ₀: proved complete.
+    """The closed form of :func:`spragsym.flutter_onsets` without damping, along θ₀: proved
+    complete.
 
     Notes
     -----
-    Source: (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with (14), (15), eliminated to one polynomial in tan(θ/2 − π/4), whose real roots are
-    isolated exactly. No onset is a fold: there the determinant of K vanishes, here it is positive. For μ₀ = 0, where K is
-    symmetric, there is none.
+    Source: (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with (14), (15), eliminated to one polynomial in tan(θ/2 −
+    π/4), whose real roots are isolated exactly. No onset is a fold: there the determinant of K
+    vanishes, here it is positive. For μ₀ = 0, where K is symmetric, there is none.
     """
     if vary not in (None, "theta0") or damping is not False:
         raise NotInClosedForm
@@ -85,17 +90,19 @@ def flutter_onsets(
     return listed(Onsets, p, ("theta0",), np.full(len(rows), "flutter"), rows, between, more=more)
 
 
-# ---------------------------------------------------------------------------------------------------- boundary
+# ------------------------------------------------------------------------------------------------
+# boundary
 
 
 @dataclass(frozen=True, eq=False)
 class FlutterBoundary(Result):
-    """Points of the surface at which flutter sets in or ends, in contact with μ₀ > 0 and 0 < θ₀ < π.
+    """Points of the surface at which flutter sets in or ends, in contact with μ₀ > 0 and 0 < θ₀ <
+    π.
 
     Arrays have the shape (points,); angles are radians, lengths over L_0.
 
-    ``branch`` counts the equilibria from below in θ, from 0; ``count`` is how many there are at that point; ``curve`` numbers
-    the connected pieces, along which points are in order.
+    ``branch`` counts the equilibria from below in θ, from 0; ``count`` is how many there are at
+    that point; ``curve`` numbers the connected pieces, along which points are in order.
     """
 
     theta0: FloatArray
@@ -111,7 +118,8 @@ class FlutterBoundary(Result):
 
 @of_article("onset_curves(p, vary) has the curves of onsets in the plane of two parameters")
 def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
-    """Where the discriminant of (27) in λ² is zero on the equilibrium surface: the Hopf points of the article's Figure 14.
+    """Where the discriminant of (27) in λ² is zero on the equilibrium surface: the Hopf points of
+    the article's Figure 14.
 
     Parameters
     ----------
@@ -132,9 +140,10 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
 
     Notes
     -----
-    Source: (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with (14), (15): at each θ a polynomial of degree 6 in tan(θ₀/2), all positive roots of
-    which are taken; see :mod:`.bifurcation_sets`. The curves are sampled in θ: one that begins and ends between two
-    neighbours is not seen. Whether an onset exists at a given friction is for :func:`flutter_onsets` to say, which misses none.
+    Source: (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with (14), (15): at each θ a polynomial of degree 6 in
+    tan(θ₀/2), all positive roots of which are taken; see :mod:`.bifurcation_sets`. The curves are
+    sampled in θ: one that begins and ends between two neighbours is not seen. Whether an onset
+    exists at a given friction is for :func:`flutter_onsets` to say, which misses none.
 
     Examples
     --------
@@ -187,7 +196,8 @@ def _rank(
 ) -> tuple[IntArray, IntArray]:
     """Rank of each point among the equilibria there, and their number.
 
-    From the roots alone: at a flutter onset the solver's stability code would ask for many digits to say what is known.
+    From the roots alone: at a flutter onset the solver's stability code would ask for many digits
+    to say what is known.
     """
     c0, s0 = kernel.cos_sin(theta0)
     with quiet():
@@ -201,16 +211,18 @@ def _rank(
         ), np.isfinite(t).sum(axis=0)
 
 
-#: Degrees in cos θ, sin θ, half of those in v: of the resultant, of that for α = 0, and at most of X and Y in L = X/Y over one
-#: denominator.
+#: Degrees in cos θ, sin θ, half of those in v: of the resultant, of that for α = 0, and at most of
+#: X and Y in L = X/Y over one denominator.
 _DEGREE, _DEGREE_WITHOUT_ALPHA, _DEGREE_OF_LENGTH = 8, 4, 4
 
 
 @dataclass(frozen=True)
 class Onset(Point):
-    """An onset in intervals; ``branch`` counts the equilibria from below in θ, of which there are ``count``.
+    """An onset in intervals; ``branch`` counts the equilibria from below in θ, of which there are
+    ``count``.
 
-    ``side`` is 1 if flutter is at larger θ₀, −1 if it is at smaller θ₀, and 0 where flutter is on both sides or on none.
+    ``side`` is 1 if flutter is at larger θ₀, −1 if it is at smaller θ₀, and 0 where flutter is on
+    both sides or on none.
     """
 
     branch: int
@@ -261,7 +273,9 @@ class Elimination:
     def sign_of(
         self, root: RootOf, value: Interval, function: Callable[..., Any], degree: int, what: str
     ) -> int:
-        """The sign of an interval at a root; 0 where ``function(c, s, X, Y)``, of that degree in cos θ and sin θ, is 0 there."""
+        """The sign of an interval at a root; 0 where ``function(c, s, X, Y)``, of that degree in
+        cos θ and sin θ, is 0 there.
+        """
         exactly = in_v(lambda c, s: function(c, s, *self.length(c, s, self.values)), degree)
         return root.sign_of(value, exactly, 2 * degree, what)
 
@@ -274,13 +288,17 @@ class Elimination:
 
 
 def direction(v: Any) -> tuple[Any, Any]:
-    """cos θ and sin θ at v = tan((θ − π/2)/2): θ is a quarter turn more than the angle whose half has the tangent v."""
+    """cos θ and sin θ at v = tan((θ − π/2)/2): θ is a quarter turn more than the angle whose half
+    has the tangent v.
+    """
     c, s, _ = on_circle(v)
     return -s, c
 
 
 def in_v(function: Callable[[Any, Any], Any], degree: int) -> Callable[[Fraction], Fraction]:
-    """(1 + v²)^degree times a function of that degree in cos θ and sin θ, which is a polynomial in v."""
+    """(1 + v²)^degree times a function of that degree in cos θ and sin θ, which is a polynomial in
+    v.
+    """
     return in_t(lambda c, s: function(-s, c), degree)
 
 
@@ -296,7 +314,9 @@ def onsets(elimination: Elimination, bits: int) -> Iterator[Onset]:
 def _lengths(
     elimination: Elimination, root: RootOf, values: tuple[Interval, ...]
 ) -> list[Interval]:
-    """The lengths L > 0 at which the two conditions hold together: one, but where they are the same quadratic."""
+    """The lengths L > 0 at which the two conditions hold together: one, but where they are the same
+    quadratic.
+    """
     c, s = direction(root.interval())
     X, Y = elimination.length(c, s, values)
     if elimination.sign_of(root, Y, lambda c, s, X, Y: Y, _DEGREE_OF_LENGTH, "Y = 0"):
@@ -321,9 +341,9 @@ def _at_length(
 ) -> Iterator[Onset]:
     """The onsets with that spring length: the θ₀ in (0, π) that the balances give.
 
-    All of them are in contact, as cos θ ≤ 0 and μ₀ > 0 there. Were y ≥ 0, the balance across would need L > 1, and the one along,
-    α x = −μ₀ y + σ (L − 1) cos θ, that x ≤ 0, or y = cos θ = 0 where α = 0. Hence sin θ₀ ≥ L sin θ and, but for cos θ = 0,
-    −cos θ₀ ≥ −L cos θ, so that 1 ≥ L².
+    All of them are in contact, as cos θ ≤ 0 and μ₀ > 0 there. Were y ≥ 0, the balance across would
+    need L > 1, and the one along, α x = −μ₀ y + σ (L − 1) cos θ, that x ≤ 0, or y = cos θ = 0 where
+    α = 0. Hence sin θ₀ ≥ L sin θ and, but for cos θ = 0, −cos θ₀ ≥ −L cos θ, so that 1 ≥ L².
     """
     v = root.interval()
     c, s = direction(v)
@@ -353,7 +373,8 @@ def _at_length(
         stationary = above == 0
     for c0 in cosines:
         L, x, y = kernel.state_of(c, s, c0, s0, kappa, *springs)
-        # N/J with J = f′ > 0 is the change of the discriminant with θ₀. N is 0 at a double root, where the boundary is touched.
+        # N/J with J = f′ > 0 is the change of the discriminant with θ₀. N is 0 at a double root,
+        # where the boundary is touched.
         change, _ = _stability.flutter_crossing(c, s, L, c0, s0, mu0, *springs)
         touches = stationary or (
             alone and sign(change) == 0 and elimination.multiplicity(root) % 2 == 0
@@ -364,11 +385,14 @@ def _at_length(
         yield Onset((atan2(s0, c0), *values), atan2(s, c), L, x, y, branch, count, side)
 
 
-# ------------------------------------------------------------------------------------------------------- rank
+# ------------------------------------------------------------------------------------------------
+# rank
 
 
 def rank(quartic: tuple[Interval, ...], t: Interval, edge: Interval, bits: int) -> tuple[int, int]:
-    """Place among the equilibria from below in θ of the root t of f's quartic, and their number; contact is sin θ > ``edge``."""
+    """Place among the equilibria from below in θ of the root t of f's quartic, and their number;
+    contact is sin θ > ``edge``.
+    """
     roots = (root.interval() for root in roots_on_the_line(quartic, bits, positive=True))
     sides = [
         sign(root - t)

@@ -1,7 +1,9 @@
-"""All folds along one parameter for many points at once, in float64 with proof; points that float64 can't decide are marked.
+"""All folds along one parameter for many points at once, in float64 with proof; points that float64
+can't decide are marked.
 
-The same folds as of :mod:`.folds`, by the same polynomials in t = tan(θ/2): their positive roots are isolated by
-:mod:`spragsym.numerics.bernstein`, and every sign that says what a fold is carries a bound on its error.
+The same folds as of :mod:`.folds`, by the same polynomials in t = tan(θ/2): their positive roots
+are isolated by :mod:`spragsym.numerics.bernstein`, and every sign that says what a fold is carries
+a bound on its error.
 """
 
 from __future__ import annotations
@@ -29,9 +31,11 @@ from .kernel import LINEAR
 
 @dataclass(frozen=True)
 class FoldArrays:
-    """Folds in contact of many points, in no order: the point of each, and what :class:`~.folds.Fold` says of it.
+    """Folds in contact of many points, in no order: the point of each, and what
+    :class:`~.folds.Fold` says of it.
 
-    ``value`` and ``t`` = tan(θ/2) carry proved bounds. Of points in ``undecided`` nothing is listed.
+    ``value`` and ``t`` = tan(θ/2) carry proved bounds. Of points in ``undecided`` nothing is
+    listed.
     """
 
     row: IndexArray
@@ -50,7 +54,9 @@ class FoldArrays:
 
 
 def folds(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
-    """All folds along one of the six of ``size`` points, in its range; the others are arrays of ``size`` or one number each."""
+    """All folds along one of the six of ``size`` points, in its range; the others are arrays of
+    ``size`` or one number each.
+    """
     with quiet():
         return _in_theta0(given, size) if vary == "theta0" else _along(vary, given, size)
 
@@ -67,14 +73,18 @@ def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
 
 
 def friction_sextic(given: Mapping[str, FloatArray]) -> Sequence[Any]:
-    """f′ f_μ₀ − f f_μ₀′ times (1 + t²)³ by powers of t = tan(θ/2): negative where μ₀ on the surface f = 0 rises with θ."""
+    """f′ f_μ₀ − f f_μ₀′ times (1 + t²)³ by powers of t = tan(θ/2): negative where μ₀ on the surface
+    f = 0 rises with θ.
+    """
     return _eliminated("mu0", given)[-1]
 
 
 def _eliminated(
     vary: str, given: Mapping[str, FloatArray]
 ) -> tuple[Any, Any, Any, Any, Sequence[Any]]:
-    """The others with 0 for one, cos θ₀ and sin θ₀, a, b, d, m of f and of f_v there, and f′ f_v − f f_v′ by powers of t."""
+    """The others with 0 for one, cos θ₀ and sin θ₀, a, b, d, m of f and of f_v there, and f′ f_v −
+    f f_v′ by powers of t.
+    """
     values = [Rounded(given[name] if name != vary else np.float64(0.0)) for name in LINEAR]
     angle = cosine_and_sine(given["theta0"])
     without, change = kernel.f_along(vary, *angle, *values)
@@ -82,7 +92,9 @@ def _eliminated(
 
 
 def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
-    """With α = 0 cos θ₀ drops out of f: θ₀ and π − θ₀ are folds together, where the second relation holds."""
+    """With α = 0 cos θ₀ drops out of f: θ₀ and π − θ₀ are folds together, where the second relation
+    holds.
+    """
     values = [Rounded(given[name]) for name in LINEAR]
     polynomial, free = _circle(values), np.broadcast_to(given["alpha"] == 0, size)
     if free.any():
@@ -145,7 +157,9 @@ def _kept(
     upper: Int8Array,
     inside: Int8Array | int = 1,
 ) -> FoldArrays:
-    """Candidates in contact with the value in its range; a sign that is needed and open makes the point undecided."""
+    """Candidates in contact with the value in its range; a sign that is needed and open makes the
+    point undecided.
+    """
     L, _, y = kernel.state_of(*angles, *(here[name] for name in kernel.FIXED))
     tests = [value.sign(), L.sign(), -y.sign(), angles[3].sign(), inside]
     out = functools.reduce(np.logical_or, [test < 0 for test in tests])
@@ -167,7 +181,8 @@ def _where(which: BoolArray, *numbers: Any) -> Rounded:
     )
 
 
-# ------------------------------------------------------------------------------------------------------ more digits
+# ------------------------------------------------------------------------------------------------
+# more digits
 
 
 #: Most steps of Newton's rule, each of which squares the error, for arrays and then for balls.
@@ -211,7 +226,9 @@ def _cosine_and_sine(angle: Rounded) -> tuple[Rounded, Rounded]:
 
 
 def with_more_digits(vary: str, given: Mapping[str, float], t: Rounded, value: Rounded) -> float:
-    """The value on one fold of :func:`sharpened`, to the digits of a float; undecided where f_v or f″ may be 0 within bounds."""
+    """The value on one fold of :func:`sharpened`, to the digits of a float; undecided where f_v or
+    f″ may be 0 within bounds.
+    """
 
     def around(number: Rounded) -> Ball:
         middle, error = Fraction(float(number.value)), Fraction(float(number.error))
@@ -238,12 +255,14 @@ def _sharpened(
     middle: Callable[[Any], Any],
     narrower: Callable[[Any, Any], Any],
 ) -> Iterator[tuple[Any, Any]]:
-    """t and the value v with less uncertainty after each step, of arrays with bounds or of one ball each.
+    """t and the value v with less uncertainty after each step, of arrays with bounds or of one ball
+    each.
 
-    ``near`` holds what they are on the fold, and beside it, in the directions of t, the surface f = 0. On that dv/dθ = −f′/f_v,
-    which is 0 on the fold: v in the middle of the directions is off by at most their width times the largest \\|f′/f_v\\| over
-    all of them; and a step of Newton's rule for f′ = 0 narrows them. ``narrower`` takes the second of two numbers where it is at
-    most half as wide as the first.
+    ``near`` holds what they are on the fold, and beside it, in the directions of t, the surface f =
+    0. On that dv/dθ = −f′/f_v, which is 0 on the fold: v in the middle of the directions is off by
+    at most their width times the largest \\|f′/f_v\\| over all of them; and a step of Newton's rule
+    for f′ = 0 narrows them. ``narrower`` takes the second of two numbers where it is at most half
+    as wide as the first.
     """
 
     level = None if vary == "theta0" else cos_sin(given["theta0"])

@@ -1,8 +1,8 @@
 """All folds along one parameter, proved complete: real-root counting, no starting points.
 
-On a fold f and f′ are 0, which are linear in every parameter but θ₀, so that eliminating the one that varies leaves a polynomial
-in t = tan(θ/2) (derived: ``fold_sextic``). Descartes' rule isolates its real roots, exactly over rationals, and with intervals
-where cos θ₀ and sin θ₀ enter.
+On a fold f and f′ are 0, which are linear in every parameter but θ₀, so that eliminating the one
+that varies leaves a polynomial in t = tan(θ/2) (derived: ``fold_sextic``). Descartes' rule isolates
+its real roots, exactly over rationals, and with intervals where cos θ₀ and sin θ₀ enter.
 """
 
 from __future__ import annotations
@@ -42,13 +42,14 @@ def folds(
 ) -> Points:
     """The closed form of :func:`spragsym.folds`: proved complete, to 1e-12 and better.
 
-    All kinds but ``"fold"`` need a coincidence of the parameters that are fixed: ``"pitchfork"`` μ₀ = α = 0.
+    All kinds but ``"fold"`` need a coincidence of the parameters that are fixed: ``"pitchfork"`` μ₀
+    = α = 0.
 
     Notes
     -----
-    Source: f = f′ = 0. Two relations, linear in every parameter but θ₀; the one that varies is eliminated, and what remains is a
-    polynomial in tan(θ/2), whose real roots are isolated by Descartes' rule. A multiple root, which belongs to
-    the other kinds, is found by exact algebra.
+    Source: f = f′ = 0. Two relations, linear in every parameter but θ₀; the one that varies is
+    eliminated, and what remains is a polynomial in tan(θ/2), whose real roots are isolated by
+    Descartes' rule. A multiple root, which belongs to the other kinds, is found by exact algebra.
     """
     vary = vary or "theta0"
     if vary not in NAMES:
@@ -70,7 +71,8 @@ def folds(
                 after, error = as_floats(fold.after) if fold.after else ([math.nan] * 4, 0.0)
                 found.append((low, high, fold, (*row[:-1], max(row[-1], error)), after))
         found.sort(key=lambda one: one[0])
-        # No two folds share a value: f has at most three positive roots, too few for two double roots.
+        # No two folds share a value: f has at most three positive roots, too few for two double
+        # roots.
         if any(high >= low for (_, high, *_), (low, *_) in itertools.pairwise(found)):
             raise Undecided("the order of two folds")
         return found
@@ -105,7 +107,9 @@ def listed(
     ended: Ended | Callable[[Points], Ended] = nothing_ends,
     spans: Sequence[Span] | None = None,
 ) -> PointsT:
-    """All points in the ranges of what varies, or in ``spans``, of rows of :meth:`Point.row`; where it is given, ``between``."""
+    """All points in the ranges of what varies, or in ``spans``, of rows of :meth:`Point.row`; where
+    it is given, ``between``.
+    """
     names = *vary, *STATE
     *columns, error = np.array(rows, dtype=float).reshape(-1, len(names) + 1).T.copy()
     values = dict(zip(names, columns, strict=True)) | dict(more or {})
@@ -120,28 +124,35 @@ def listed(
     return every.between(ranges(p.model, vary, between))
 
 
-#: Degree in t of the fold condition that is eliminated where θ₀ varies, two cubics in cos θ, sin θ; and in cos θ, sin θ.
+#: Degree in t of the fold condition that is eliminated where θ₀ varies, two cubics in cos θ, sin θ;
+#: and in cos θ, sin θ.
 _DEGREE, _HALF = 12, 6
 
 
 @dataclass(frozen=True)
 class Fold:
-    """A point at which equilibria meet along one parameter, and what the signs of f's derivatives say there, proved.
+    """A point at which equilibria meet along one parameter, and what the signs of f's derivatives
+    say there, proved.
 
-    f is negative at the lower end of the directions in contact and positive at the upper one (the theorem of
-    one or three), so that at a double root the sign of f″ tells on which side the third root lies.
+    f is negative at the lower end of the directions in contact and positive at the upper one (the
+    theorem of one or three), so that at a double root the sign of f″ tells on which side the third
+    root lies.
     """
 
     point: Point
     kind: str  #: "fold", "pitchfork", "cusp" or "touch"
-    side: int  #: 1 where there are three equilibria above the value of the parameter and one below it, −1 the reverse, else 0
+    # 1 where there are three equilibria above the value of the parameter and one below it, −1 the
+    # reverse, else 0
+    side: int
     upper: bool  #: those that meet are the upper two of three in θ
     after: tuple[Interval, ...] = ()  #: of a "fold", θ, L, x and y of the equilibrium that is left
 
 
 @dataclass(frozen=True)
 class _Direction:
-    """t = tan(θ/2), a root of the eliminated polynomial: its multiplicity, 3 for more, and whether f″ = 0 there."""
+    """t = tan(θ/2), a root of the eliminated polynomial: its multiplicity, 3 for more, and whether
+    f″ = 0 there.
+    """
 
     root: RootOf
     multiplicity: int = 1
@@ -154,7 +165,9 @@ class _Direction:
 
 
 def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
-    """Every fold in contact with L > 0 along one parameter, the others given exactly; 0 < θ, θ₀ < π, where contact is."""
+    """Every fold in contact with L > 0 along one parameter, the others given exactly; 0 < θ, θ₀ <
+    π, where contact is.
+    """
     if vary == "theta0":
         yield from _folds_in_theta0(exact, bits)
         return
@@ -187,7 +200,8 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
 def lines_and_sextic(
     vary: str, c0: Any, s0: Any, others: Sequence[Any]
 ) -> tuple[Any, Any, polynomials.Polynomial]:
-    """a, b, d and m of f = f(0) + λ f_λ without the parameter λ that varies, and of f_λ; and f′ f_λ − f f_λ′ times (1 + t²)³.
+    """a, b, d and m of f = f(0) + λ f_λ without the parameter λ that varies, and of f_λ; and f′ f_λ
+    − f f_λ′ times (1 + t²)³.
 
     That is zero at the folds, and a polynomial in t.
     """
@@ -198,17 +212,20 @@ def lines_and_sextic(
 
 
 def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials.Polynomial | None:
-    """The eliminated polynomial is g(θ₀) P(t): P, exactly, and () where there is no fold; nothing where it is not of that form.
+    """The eliminated polynomial is g(θ₀) P(t): P, exactly, and () where there is no fold; nothing
+    where it is not of that form.
 
-    This is the form that it takes where it has multiple roots whatever θ₀ is, as for μ₀ = α = 0 and for μ₀ = 0, α = 1 + β.
-    Its coefficients are of degree 4 in v = tan(θ₀/2), so that five values of v prove the form, or that all of it is 0.
-    g(θ₀) ≠ 0, since v is transcendental for a rational θ₀ (Lindemann).
+    This is the form that it takes where it has multiple roots whatever θ₀ is, as for μ₀ = α = 0 and
+    for μ₀ = 0, α = 1 + β. Its coefficients are of degree 4 in v = tan(θ₀/2), so that five values of
+    v prove the form, or that all of it is 0. g(θ₀) ≠ 0, since v is transcendental for a rational θ₀
+    (Lindemann).
 
-    All of it is 0 where the six products of ``fold_sextic`` are. With B = 1 + β that is along σ only, for μ₀ = 0 and either α = 0
-    or α = B. For: along μ₀, (b m_v − b_v m) has a sign; along α and β, (a b_v − a_v b) has one; and along κ they need μ₀ = α = 0
-    and a = 0, which is α = B > 0. In both cases along σ there is f = (α + σ) f_σ, so that a fold has f_σ = f_σ′ = 0, and there
-    is none: with α = 0 it needs cos θ = 0 and sin θ₀ = 1 − κ/B, which is rational, as sin θ₀ is not; with α = B it needs
-    B sin θ₀ = −κ < 0.
+    All of it is 0 where the six products of ``fold_sextic`` are. With B = 1 + β that is along σ
+    only, for μ₀ = 0 and either α = 0 or α = B. For: along μ₀, (b m_v − b_v m) has a sign; along α
+    and β, (a b_v − a_v b) has one; and along κ they need μ₀ = α = 0 and a = 0, which is α = B > 0.
+    In both cases along σ there is f = (α + σ) f_σ, so that a fold has f_σ = f_σ′ = 0, and there is
+    none: with α = 0 it needs cos θ = 0 and sin θ₀ = 1 − κ/B, which is rational, as sin θ₀ is not;
+    with α = B it needs B sin θ₀ = −κ < 0.
     """
     others = [exact[name] for name in LINEAR if name != vary]
     common: polynomials.Polynomial = ()
@@ -226,7 +243,9 @@ _SAMPLES = tuple(Fraction(number, 7) for number in range(1, 6))
 
 
 def _curvature(vary: str, exact: dict[str, Fraction]) -> list[polynomials.Polynomial]:
-    """Polynomials in t, all zero where f″ = 0 on a fold: μ₀ (3 sin² θ − 2) = 3 (1 + β − α) sin θ cos θ, times (1 + t²)²."""
+    """Polynomials in t, all zero where f″ = 0 on a fold: μ₀ (3 sin² θ − 2) = 3 (1 + β − α) sin θ
+    cos θ, times (1 + t²)².
+    """
     even, odd = tuple(map(Fraction, (-2, 0, 8, 0, -2))), tuple(map(Fraction, (0, 2, 0, -2, 0)))
     if vary in ("alpha", "beta"):  # 1 + β − α is no rational there
         return [tuple(exact["mu0"] * value for value in even), odd]
@@ -252,12 +271,13 @@ def with_multiplicity(
 
 
 def _classified(vary: str, point: Point, angles: Angles, direction: _Direction) -> Fold:
-    """The kind of a fold, from signs of the derivatives of f by θ and by the parameter λ that varies.
+    """The kind of a fold, from signs of the derivatives of f by θ and by the parameter λ that
+    varies.
 
-    The multiplicity of its root is the number of times that f = 0 and f′ = 0 meet there. Once: then f_λ f″ ≠ 0, a fold.
-    More often: f_λ = 0 ("touch": two equilibria meet, and their number is the same on both sides) or f″ = 0. With f″ = 0 it is 2
-    where f_λ ≠ 0 ("cusp": three meet in one, and one is on both sides), since f‴ ≠ 0 for a quartic in t with a negative root;
-    3 is a pitchfork.
+    The multiplicity of its root is the number of times that f = 0 and f′ = 0 meet there. Once: then
+    f_λ f″ ≠ 0, a fold. More often: f_λ = 0 ("touch": two equilibria meet, and their number is the
+    same on both sides) or f″ = 0. With f″ = 0 it is 2 where f_λ ≠ 0 ("cusp": three meet in one, and
+    one is on both sides), since f‴ ≠ 0 for a quartic in t with a negative root; 3 is a pitchfork.
     """
     trig = kernel.f_coefficients(angles.c0, angles.s0, *point.parameters[1:], 1)
     if direction.flat and direction.multiplicity == 2:
@@ -278,10 +298,11 @@ def _classified(vary: str, point: Point, angles: Angles, direction: _Direction) 
 
 
 def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
-    """s₀² + c₀² = 1 on the fold is exact in rationals; with α = 0, where cos θ₀ is free, it is the second relation.
+    """s₀² + c₀² = 1 on the fold is exact in rationals; with α = 0, where cos θ₀ is free, it is the
+    second relation.
 
-    It holds at every θ for μ₀ = 0 and α = κ = 1 + β only, as θ = 0, π and ±π/2 show: there f = b cos θ + d sin θ with b < 0 has
-    no fold.
+    It holds at every θ for μ₀ = 0 and α = κ = 1 + β only, as θ = 0, π and ±π/2 show: there f = b
+    cos θ + d sin θ with b < 0 has no fold.
     """
     given = tuple(exact[name] for name in LINEAR)
     mu0, kappa, alpha, sigma, beta = given
@@ -306,9 +327,9 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
         if alpha:
             cosines = [_catastrophe.fold_angles(c, s, *values)[1]]
         else:
-            # With sin θ₀ = 1, B = 1 + β: f = f′ = 0 gives μ₀ s² c = B (1 − s³) + κ, so that c > 0 where μ₀ > 0, and
-            # μ₀ s (κ/σ − (1 − s)) = −c (B (1 − s) + κ) < 0: not in contact. For μ₀ = 0 f = σ c (B s − B − κ)
-            # is 0 at c = 0 only, where f′ = σ κ.
+            # With sin θ₀ = 1, B = 1 + β: f = f′ = 0 gives μ₀ s² c = B (1 − s³) + κ, so that c > 0
+            # where μ₀ > 0, and μ₀ s (κ/σ − (1 − s)) = −c (B (1 − s) + κ) < 0: not in contact. For
+            # μ₀ = 0 f = σ c (B s − B − κ) is 0 at c = 0 only, where f′ = σ κ.
             gap = 1 - s0 * s0
             short = in_t(lambda c, s: 1 - sine(c, s), _HALF)
             inside = direction.root.sign_of(gap, short, _DEGREE, "sin θ₀ = 1 on a fold") > 0
@@ -330,7 +351,9 @@ class Angles(NamedTuple):
 
 @dataclass(frozen=True)
 class Point:
-    """A point of the surface with f = f′ = 0, in intervals: parameters in the order of ``NAMES``, direction and state."""
+    """A point of the surface with f = f′ = 0, in intervals: parameters in the order of ``NAMES``,
+    direction and state.
+    """
 
     parameters: tuple[Interval, ...]
     theta: Interval
@@ -339,7 +362,9 @@ class Point:
     y: Interval
 
     def row(self, *vary: str) -> tuple[float, ...]:
-        """Middles as floats, of these parameters and of the state, and the largest error, the rounding to float included."""
+        """Middles as floats, of these parameters and of the state, and the largest error, the
+        rounding to float included.
+        """
         moving = (self.parameters[NAMES.index(name)] for name in vary)
         values, error = as_floats((*moving, self.theta, self.L, self.x, self.y))
         return (*values, error)

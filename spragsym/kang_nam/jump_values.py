@@ -1,13 +1,16 @@
-"""First jump of the reference state as one parameter moves, and whether it has jumped, for many points at once.
+"""First jump of the reference state as one parameter moves, and whether it has jumped, for many
+points at once.
 
-All folds along the parameter are found with proof (:mod:`spragsym.kang_nam.fold_arrays`). Between two folds the equilibria keep
-their order in θ, and each fold says which two of them meet and on which side: so the state followed is a rank, and it jumps at
-the first fold at which it is one of the two that vanish. Points that float64 can't decide go the same way in exact arithmetic.
+All folds along the parameter are found with proof (:mod:`spragsym.kang_nam.fold_arrays`). Between
+two folds the equilibria keep their order in θ, and each fold says which two of them meet and on
+which side: so the state followed is a rank, and it jumps at the first fold at which it is one of
+the two that vanish. Points that float64 can't decide go the same way in exact arithmetic.
 
-Whether it has jumped at its friction is known without the place of the jump. Along the surface f = 0 is μ₀ a function of θ, since
-f is linear in it, and a fold is where that has no slope. Let θ₁ be the first equilibrium at μ₀ beyond the state without friction.
-If nothing has jumped, μ₀(θ) rises all the way between the two; and if it rises all the way, nothing has. So one polynomial's
-signs between two directions decide, and no fold need be found.
+Whether it has jumped at its friction is known without the place of the jump. Along the surface f =
+0 is μ₀ a function of θ, since f is linear in it, and a fold is where that has no slope. Let θ₁ be
+the first equilibrium at μ₀ beyond the state without friction. If nothing has jumped, μ₀(θ) rises
+all the way between the two; and if it rises all the way, nothing has. So one polynomial's signs
+between two directions decide, and no fold need be found.
 """
 
 import math
@@ -32,14 +35,16 @@ from .fold_arrays import friction_sextic
 from .folds import folds
 from .quartic.solver import equilibria
 
-#: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
+#: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to
+#: stay in cache.
 BLOCK = 1 << 13
 
 
 def first_ends(
     p: Parameters, vary: str | None = None, *, direction: str = "up", begin: float | None = None
 ) -> Ends:
-    """The closed form of :func:`spragsym.design.jumps.first_ends`, along any of the six parameters, to 1e-12.
+    """The closed form of :func:`spragsym.design.jumps.first_ends`, along any of the six parameters,
+    to 1e-12.
 
     Notes
     -----
@@ -54,7 +59,9 @@ def first_ends(
 
 
 def require_usual(p: Parameters, vary: str, begin: FloatArray | float | None) -> None:
-    """Closed forms follow the reference state, as a parameter rises from its lower end, or from the value in the set."""
+    """Closed forms follow the reference state, as a parameter rises from its lower end, or from the
+    value in the set.
+    """
     usual = begin is None or (
         vary in FROM_LOWER_END and bool(np.all(np.asarray(begin) <= FROM_LOWER_END[vary]))
     )
@@ -65,14 +72,16 @@ def require_usual(p: Parameters, vary: str, begin: FloatArray | float | None) ->
 def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool = False) -> Ends:
     """Where the reference state jumps first.
 
-    With ``sides`` a value need only be known well enough to say on which side of that of its own point in ``p`` it lies.
+    With ``sides`` a value need only be known well enough to say on which side of that of its own
+    point in ``p`` it lies.
     """
     p.require(*(name for name in ("theta0", "mu0") if name != vary))
     own, whole = getattr(p, vary), p.shape
     if vary in FROM_LOWER_END:
         p = p.replace(**{vary: None})
     forward, shape, size = 1 if direction == "up" else -1, p.shape, math.prod(p.shape)
-    # Points that differ in ``vary`` alone share one jump, to be told from the values of all: it is sharpened anyway.
+    # Points that differ in ``vary`` alone share one jump, to be told from the values of all: it is
+    # sharpened anyway.
     apart_from = np.broadcast_to(own, shape).reshape(-1) if sides and shape == whole else None
     value, state, hopeless = np.empty(size), np.empty((2, size)), dict[int, str]()
     for here, given in _blocks(p):
@@ -89,7 +98,9 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool 
 
 
 def _blocks(p: Parameters) -> Iterator[tuple[slice, dict[str, FloatArray]]]:
-    """Some of the points at a time: where they stand, and the parameters that are given, an array of each."""
+    """Some of the points at a time: where they stand, and the parameters that are given, an array
+    of each.
+    """
     columns = ((name, getattr(p, name)) for name in NAMES)
     given = {
         name: np.broadcast_to(column, p.shape).reshape(-1)
@@ -143,7 +154,9 @@ def _block(
 
 
 def small(eq: Equilibria) -> IndexArray:
-    """The slot of the stable equilibrium of smallest \\|x\\|, or of the smallest if none is stable, of each of many points."""
+    """The slot of the stable equilibrium of smallest \\|x\\|, or of the smallest if none is stable,
+    of each of many points.
+    """
     size = np.where(np.isnan(eq.x), np.inf, np.abs(eq.x))
     stable = np.where(eq.stability == Stability.STABLE, size, np.inf)
     return np.asarray(
@@ -158,7 +171,8 @@ def _walk(
     rank: IndexArray,
     undecided: BoolArray,
 ) -> IndexArray:
-    """The fold at which each point jumps, −1 for none: ranks are carried over the folds in their order.
+    """The fold at which each point jumps, −1 for none: ranks are carried over the folds in their
+    order.
 
     Points whose order is not certain are added to ``undecided``.
     """
@@ -193,7 +207,9 @@ def point_at(given: Mapping[str, FloatArray], i: Any) -> dict[str, float]:
 
 
 def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
-    """The value of one point and the direction of the spring there, by exact arithmetic throughout."""
+    """The value of one point and the direction of the spring there, by exact arithmetic
+    throughout.
+    """
     found = folds(p, vary)
     values: FloatArray = getattr(found, vary)
     start = (
@@ -213,7 +229,8 @@ def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
     return float(values[row]), float(found.theta[row])
 
 
-#: Radians between an equilibrium and the state without friction below which float64 does not say which comes first.
+#: Radians between an equilibrium and the state without friction below which float64 does not say
+#: which comes first.
 _NEAR = 1e-9
 
 
@@ -224,12 +241,13 @@ def have_jumped(
     *,
     hasty: bool = False,
 ) -> FloatArray:
-    """The closed form of :func:`spragsym.design.jumps.have_jumped` as friction or inclination rises; quick everywhere.
+    """The closed form of :func:`spragsym.design.jumps.have_jumped` as friction or inclination
+    rises; quick everywhere.
 
     Notes
     -----
-    Source: f′ f_μ₀ − f f_μ₀′, in which μ₀ cancels; it is negative where μ₀(θ) rises. Points that its signs do not decide, and
-    all along θ₀, are asked by :func:`first_jumps`.
+    Source: f′ f_μ₀ − f f_μ₀′, in which μ₀ cancels; it is negative where μ₀(θ) rises. Points that
+    its signs do not decide, and all along θ₀, are asked by :func:`first_jumps`.
     """
     vary = vary or "mu0"
     require_usual(p, vary, begin)
@@ -248,7 +266,9 @@ def have_jumped(
 
 
 def _at_or_below(p: Parameters, vary: str) -> FloatArray:
-    """1 where the jump of a point is at or below its own value, else 0; NaN where that is not known."""
+    """1 where the jump of a point is at or below its own value, else 0; NaN where that is not
+    known.
+    """
     found = first_jumps(p, vary, sides=True)
     unknown = np.zeros(found.value.size)
     unknown[list(found.reasons)] = np.nan
@@ -258,8 +278,9 @@ def _at_or_below(p: Parameters, vary: str) -> FloatArray:
 def with_and_without_friction(
     given: dict[str, FloatArray],
 ) -> tuple[Equilibria, Equilibria, IndexArray, FloatArray, FloatArray, BoolArray]:
-    """Equilibria of points without friction and with theirs; the slot and θ of the state that begins, the first θ from there on
-    among those with friction, and where all this is known."""
+    """Equilibria of points without friction and with theirs; the slot and θ of the state that
+    begins, the first θ from there on among those with friction, and where all this is known.
+    """
     bare, full = (
         equilibria(Parameters(**given | {"mu0": share * given["mu0"]})) for share in (0.0, 1.0)
     )
@@ -276,7 +297,8 @@ def _decided(given: dict[str, FloatArray]) -> tuple[FloatArray, IndexArray]:
     near = (np.abs(full.theta - first) <= _NEAR).any(axis=-1)
     clear &= ~near & (kind[:, 0] == Stability.STABLE) & ~bare.fold & ~full.fold
     ends = [_place(np.where(clear, angle, 1.0)) for angle in (first[:, 0], later)]
-    # An error is one over max(1, θ), and dw/dθ is less than 1; a few units in the last place are the rounding of w.
+    # An error is one over max(1, θ), and dw/dθ is less than 1; a few units in the last place are
+    # the rounding of w.
     off = (
         np.where(
             clear,

@@ -34,7 +34,9 @@ _invariants = unwrap(_stability.invariants)
 
 
 def f_along(vary: str, cos0: Any, sin0: Any, *values: Any) -> tuple[Any, Any]:
-    """a, b, d and m of f and of its slope by a parameter but θ₀, in which f is linear; ``values`` have 0 for that one."""
+    """a, b, d and m of f and of its slope by a parameter but θ₀, in which f is linear; ``values``
+    have 0 for that one.
+    """
     return f_coefficients(cos0, sin0, *values, 1), f_changes(cos0, sin0, *values)[NAMES.index(vary)]
 
 
@@ -56,10 +58,11 @@ def cos_sin(angle: Any) -> tuple[Any, Any]:
 
 
 def landing(t: Any, trig: tuple[Any, ...], sqrt: Callable[[Any], Any]) -> Any:
-    """tan(θ/2) of the third equilibrium where t = tan(θ/2) is a double root of the quartic in t, for any kind of numbers.
+    """tan(θ/2) of the third equilibrium where t = tan(θ/2) is a double root of the quartic in t,
+    for any kind of numbers.
 
-    The roots multiply to −1 and their sum stands in the quartic, so the two others solve τ² + g τ − 1/t² = 0, and one of them is
-    positive. ``trig`` is a, b, d, m of f.
+    The roots multiply to −1 and their sum stands in the quartic, so the two others solve τ² + g τ −
+    1/t² = 0, and one of them is positive. ``trig`` is a, b, d, m of f.
     """
     *_, e3, e4 = t_quartic(*trig)
     g = 2 * t + e3 / e4

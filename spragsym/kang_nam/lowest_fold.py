@@ -23,13 +23,15 @@ _DEGREE, _CURVATURE_DEGREE = 6, 9
 
 
 def critical_friction(p: Parameters, vary: str | None = None, over: str | None = None) -> LowestEnd:
-    """The closed form of :func:`spragsym.critical_friction` as friction rises at any 0 < θ₀ < π; of arrays too.
+    """The closed form of :func:`spragsym.critical_friction` as friction rises at any 0 < θ₀ < π; of
+    arrays too.
 
     Notes
     -----
-    Source: the ledger, "The lowest fold". Candidates are the cusps, the points f = f′ = f_θ₀ = 0 with f″ < 0, whose sin θ is a
-    root of a polynomial of degree 9, and the folds at θ₀ = 0; all are isolated exactly, and the least is the answer. A cusp
-    counts also where it is degenerate in (θ₀, μ₀). Of several that agree to 25 digits, a cusp is named first.
+    Source: the ledger, "The lowest fold". Candidates are the cusps, the points f = f′ = f_θ₀ = 0
+    with f″ < 0, whose sin θ is a root of a polynomial of degree 9, and the folds at θ₀ = 0; all are
+    isolated exactly, and the least is the answer. A cusp counts also where it is degenerate in (θ₀,
+    μ₀). Of several that agree to 25 digits, a cusp is named first.
 
     Examples
     --------
@@ -78,15 +80,19 @@ def _leans_forward(theta0: Interval) -> bool:
 
 
 def _negative(mu0: Interval) -> bool:
-    """Whether the friction of a cusp is negative; 0, that of an upright one with α = 0, is known exactly."""
+    """Whether the friction of a cusp is negative; 0, that of an upright one with α = 0, is known
+    exactly.
+    """
     return any(balls.ends(mu0)) and decided(mu0, "μ₀ = 0 on a cusp") < 0
 
 
-# ------------------------------------------------------------------------ turns of the curve of folds, and folds at θ₀ = 0
+# ------------------------------------------------------------------------ turns of the curve of
+# folds, and folds at θ₀ = 0
 
 
 def turning_points(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
-    """Every point with f = f′ = f_θ₀ = 0, f″ < 0, 0 < θ₀ < π/2 and μ₀ > 0, for exact κ, α, σ, β; without α there is none.
+    """Every point with f = f′ = f_θ₀ = 0, f″ < 0, 0 < θ₀ < π/2 and μ₀ > 0, for exact κ, α, σ, β;
+    without α there is none.
 
     f″ < 0: of three states the lower two in θ meet, and friction that rises ends the lowest.
     """
@@ -130,7 +136,9 @@ def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[Point]:
 
 
 def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
-    """Every fold at θ₀ = 0 with f″ < 0 and μ₀ > 0, and every cusp there that folds with θ₀ > 0 leave."""
+    """Every fold at θ₀ = 0 with f″ < 0 and μ₀ > 0, and every cusp there that folds with θ₀ > 0
+    leave.
+    """
     level = Fraction(1), Fraction(0)
     polynomial = polynomials.primitive(lines_and_sextic("mu0", *level, exact)[2])
     values = tuple(map(balls.exact, exact))

@@ -1,8 +1,10 @@
-"""What motions and paths ask about equilibria: which are linked, at which a motion rests, which lift-off is for good.
+"""What motions and paths ask about equilibria: which are linked, at which a motion rests, which
+lift-off is for good.
 
-Permanent lift-off: without contact nothing changes the energy U + kinetic. About a stable equilibrium in lift-off the region of
-less energy than any higher stationary value of U, its brim, has no way out and does not reach the belt: such values are at the
-other equilibria in lift-off, along the belt's surface y = 0, and at the spring's anchor. Weak preload has no such well, and
+Permanent lift-off: without contact nothing changes the energy U + kinetic. About a stable
+equilibrium in lift-off the region of less energy than any higher stationary value of U, its brim,
+has no way out and does not reach the belt: such values are at the other equilibria in lift-off,
+along the belt's surface y = 0, and at the spring's anchor. Weak preload has no such well, and
 brings the mass back.
 """
 
@@ -63,8 +65,9 @@ def _potential(x: Any, y: Any, *constants: Any, xp: Any = np) -> Any:
 def _stationary_on_the_surface(cos0: float, sin0: float, alpha: float, sigma: float) -> FloatArray:
     """All x where the potential energy at y = 0 is stationary, five.
 
-    With u = cos θ₀ − x its slope is 0 where (α cos θ₀ − (α + σ) u) L = −σ u; squared, a quartic in u. A value too many only
-    lowers the brim, so that complex roots, which may be double ones, stay by their real parts.
+    With u = cos θ₀ − x its slope is 0 where (α cos θ₀ − (α + σ) u) L = −σ u; squared, a quartic in
+    u. A value too many only lowers the brim, so that complex roots, which may be double ones, stay
+    by their real parts.
     """
     a, b, s2 = alpha * cos0, alpha + sigma, sin0**2
     quartic = np.array(
@@ -74,7 +77,9 @@ def _stationary_on_the_surface(cos0: float, sin0: float, alpha: float, sigma: fl
 
 
 def _highest_on(way: FloatArray, constants: tuple[float, ...]) -> float:
-    """A bound on the potential energy along a straight way: values on it, and the steepest slope between them."""
+    """A bound on the potential energy along a straight way: values on it, and the steepest slope
+    between them.
+    """
     cos0, sin0, kappa, alpha, sigma, beta = constants
     x, y = way
     length = float(np.hypot(*(way[:, -1] - way[:, 0])))
@@ -92,12 +97,14 @@ def linked(
     most: int = 0,
     only: int | None = None,
 ) -> list[dict[int, int]]:
-    """For each step and each slot at its beginning, the slot at its end on the same branch; none over several folds at once.
+    """For each step and each slot at its beginning, the slot at its end on the same branch; none
+    over several folds at once.
 
     Notes
     -----
-    Source: f is continuous in θ and in the parameter, so that its roots exchange places only where two meet. Of every fold it is
-    proved which two of three these are. Of the two that begin at a pitchfork the upper goes on: along F_y = 0, x grows with θ.
+    Source: f is continuous in θ and in the parameter, so that its roots exchange places only where
+    two meet. Of every fold it is proved which two of three these are. Of the two that begin at a
+    pitchfork the upper goes on: along F_y = 0, x grows with θ.
     """
     values, counts = (
         np.asarray(column).tolist() for column in (getattr(eq.parameters, vary), eq.count)
@@ -130,12 +137,16 @@ def _over(
 
 
 def open_ends(_p: Parameters, _vary: str, _span: Span, _turns: Points) -> list[Points]:
-    """None: no equilibrium has y = 0 (derive/kang_nam/theorem.py), and one or three are always there."""
+    """None: no equilibrium has y = 0 (derive/kang_nam/theorem.py), and one or three are always
+    there.
+    """
     return []
 
 
 def rest_index(p: Parameters, places: FloatArray) -> Int8Array:
-    """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y, shape (2, …); −1 where there is none."""
+    """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y, shape (2, …); −1
+    where there is none.
+    """
     from .quartic.solver import equilibria
     from .steady_sliding import sliding_friction
 

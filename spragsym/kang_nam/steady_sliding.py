@@ -1,4 +1,6 @@
-"""Steady sliding by explicit formulas: the equilibrium surface, the friction, the model in which the spring keeps its angle."""
+"""Steady sliding by explicit formulas: the equilibrium surface, the friction, the model in which
+the spring keeps its angle.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +33,8 @@ from .kernel import FIXED
 
 @dataclass(frozen=True, eq=False)
 class Surface(Result):
-    """The equilibrium surface over (θ, θ₀); NaN and code 0 where it has no state in contact with μ₀ finite.
+    """The equilibrium surface over (θ, θ₀); NaN and code 0 where it has no state in contact with μ₀
+    finite.
 
     Arrays have the common shape of θ, θ₀ and the parameters; angles are radians, lengths over L_0.
     """
@@ -102,9 +105,11 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
 
 
 def sliding_friction(mu0: ArrayLike, V: ArrayLike, d: ArrayLike) -> FloatArray:
-    """Friction at steady sliding by the regularized law, μ₀ (1 − exp(−d |V|)); the article takes its limit μ₀.
+    """Friction at steady sliding by the regularized law, μ₀ (1 − exp(−d |V|)); the article takes
+    its limit μ₀.
 
-    Give ``p.replace(mu0=sliding_friction(p.mu0, V, d))`` to any function of this package to have the exact one.
+    Give ``p.replace(mu0=sliding_friction(p.mu0, V, d))`` to any function of this package to have
+    the exact one.
 
     Parameters
     ----------
@@ -143,8 +148,8 @@ class LinearSprag(Result):
 
     Arrays have the shape of the parameters; angles are radians, lengths over L_0.
 
-    ``determinant`` ≤ 0 is the sprag condition; at a pole x and y are infinite. ``poles`` lists the θ₀ in (0, π) of the poles, two
-    at the last axis, NaN where there are none.
+    ``determinant`` ≤ 0 is the sprag condition; at a pole x and y are infinite. ``poles`` lists the
+    θ₀ in (0, π) of the poles, two at the last axis, NaN where there are none.
     """
 
     table_angles = frozenset({"poles"})
@@ -193,7 +198,8 @@ def linear_sprag(p: Parameters) -> LinearSprag:
         # Factors of the discriminant.
         middle = _twice_the_mean(e0, e2)
         large = 0.5 * (-e1 + np.sqrt(-e1 - middle) * np.sqrt(-e1 + middle))
-        # T = e0/large and large/e2. For α = 0 the second is infinite: a pole at 90°. For μ₀ = 0 as well, both are.
+        # T = e0/large and large/e2. For α = 0 the second is infinite: a pole at 90°. For μ₀ = 0 as
+        # well, both are.
         poles = np.stack(
             [np.arctan2(e0, large), np.where(large > 0, np.arctan2(large, e2), 0.5 * np.pi)],
             axis=-1,
@@ -224,8 +230,8 @@ def linear_critical_friction(p: Parameters) -> Any:
 
     Notes
     -----
-    Source: article, Section 3; μ_cr² = 4 α (α + σ)(1 + β)(1 + β + σ)/σ², where the quadratic of the poles has a double root.
-    Infinite only where it is beyond float64.
+    Source: article, Section 3; μ_cr² = 4 α (α + σ)(1 + β)(1 + β + σ)/σ², where the quadratic of the
+    poles has a double root. Infinite only where it is beyond float64.
 
     Examples
     --------
@@ -239,5 +245,7 @@ def linear_critical_friction(p: Parameters) -> Any:
 
 
 def _twice_the_mean(e0: Any, e2: Any) -> Any:
-    """2 √(e0 e2), by a root of each, so that it does not leave the range of float64: the −e1 at which the two poles are one."""
+    """2 √(e0 e2), by a root of each, so that it does not leave the range of float64: the −e1 at
+    which the two poles are one.
+    """
     return 2 * np.sqrt(e0) * np.sqrt(e2)

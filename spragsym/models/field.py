@@ -1,8 +1,10 @@
-"""Vector field of a model for integrators and the search for cycles: of second order, smooth in each of its modes.
+"""Vector field of a model for integrators and the search for cycles: of second order, smooth in
+each of its modes.
 
-Generated functions make it, over the modes (pushing, side, near…): ``pushing`` is 1 in contact and 0 without, ``side`` the sign
-of the sliding speed, and ``near`` of every exponential of the friction law 1 where it is felt and 0 where it is left out. What a
-model has not, as a contact that lifts, is no border.
+Generated functions make it, over the modes (pushing, side, near…): ``pushing`` is 1 in contact and
+0 without, ``side`` the sign of the sliding speed, and ``near`` of every exponential of the friction
+law 1 where it is felt and 0 where it is left out. What a model has not, as a contact that lifts, is
+no border.
 """
 
 from __future__ import annotations
@@ -28,7 +30,8 @@ if TYPE_CHECKING:
 
 #: What is said of an orbit on which the field jumps.
 JUMPED = (
-    "the orbit passes behind the end of a torsion spring, or through the anchor of a spring, where its force jumps: derivatives "
+    "the orbit passes behind the end of a torsion spring, or through the anchor of a spring, "
+    "where its force jumps: derivatives "
     "are not carried across a jump; simulate the motion, or look for another orbit"
 )
 
@@ -38,13 +41,16 @@ Mode: TypeAlias = tuple[int, ...]
 #: Values of a field's parameters in order, or of what its functions take for them.
 Values: TypeAlias = tuple[float, ...]
 
-#: ``xp`` of single floats: Python's functions, and the sign function, for derivatives of |p| by a parameter p.
+#: ``xp`` of single floats: Python's functions, and the sign function, for derivatives of |p| by a
+#: parameter p.
 FLOATS = SimpleNamespace(**vars(math), sign=np.sign)
 
-#: How far beyond its border a mode is left: it ends chatter by rounding, and costs an error of the order of its square.
+#: How far beyond its border a mode is left: it ends chatter by rounding, and costs an error of the
+#: order of its square.
 GAP = 1e-12
 
-#: How far apart an exponential of the friction law is left out and taken in again, in units of its exponent.
+#: How far apart an exponential of the friction law is left out and taken in again, in units of its
+#: exponent.
 WIDTH = 5.0
 
 #: Sliding speeds up to this are 0 where friction holds.
@@ -53,7 +59,8 @@ STILL = 2 * GAP
 #: A motion has settled when what is left to its limit is this share of its reach; for rest, of L_0.
 SETTLED = 1e-4
 
-#: Minus the exponent beyond which the search for cycles leaves an exponential of the friction law out: far below rounding.
+#: Minus the exponent beyond which the search for cycles leaves an exponential of the friction law
+#: out: far below rounding.
 REACH = 42.0
 
 
@@ -69,22 +76,27 @@ class Border:
     rate : callable
         ``rate(state, accelerations, constants, mode)``: the derivative of the level in time.
     sign : callable
-        ``sign(mode)``: of the level inside a mode, a polynomial in the mode's numbers: 1 or −1, or 0 if it is no border of it.
+        ``sign(mode)``: of the level inside a mode, a polynomial in the mode's numbers: 1 or −1, or
+        0 if it is no border of it.
     beyond : callable
         ``beyond(mode, state, constants)``: the mode on the other side.
     kink : bool
         Whether the field has a kink there; False where two modes differ by less than rounding.
     crossings : tuple of str
-        What crossing it is called, to positive and to negative levels, and to a mode of which it is no border.
+        What crossing it is called, to positive and to negative levels, and to a mode of which it is
+        no border.
     scale : float
-        What makes the level small beside the state: the error of a Taylor method is relative to the largest of all.
+        What makes the level small beside the state: the error of a Taylor method is relative to the
+        largest of all.
     jumps : callable or None
-        ``jumps(state, constants)``: whether the field jumps where a motion leaves through the border; None where it never does.
+        ``jumps(state, constants)``: whether the field jumps where a motion leaves through the
+        border; None where it never does.
     slopes : callable or None
-        ``slopes(state, constants, mode)``: derivatives of the level by the 2 n numbers of the state and the P parameters, where
-        derivatives of a motion are carried across a jump.
+        ``slopes(state, constants, mode)``: derivatives of the level by the 2 n numbers of the state
+        and the P parameters, where derivatives of a motion are carried across a jump.
     stays : callable or None
-        ``stays(state, constants, mode)``: not negative where a motion that comes to the border stays on it.
+        ``stays(state, constants, mode)``: not negative where a motion that comes to the border
+        stays on it.
     """
 
     name: str
@@ -102,8 +114,8 @@ class Border:
 
 @dataclass(frozen=True)
 class Field:
-    """A model's motion: n coordinates q, q″ = acceleration(q, q′) in each mode, continuous across the borders between modes
-    but where a border ``jumps``.
+    """A model's motion: n coordinates q, q″ = acceleration(q, q′) in each mode, continuous across
+    the borders between modes but where a border ``jumps``.
 
     Attributes
     ----------
@@ -113,24 +125,26 @@ class Field:
     parameters : tuple of str, length P
         Those that can be varied.
     constants : callable
-        ``constants(values)``: what the functions below take, from the values of the parameters; of a fixed length. With
-        ``xp`` as a second argument from other numbers than floats.
+        ``constants(values)``: what the functions below take, from the values of the parameters; of
+        a fixed length. With ``xp`` as a second argument from other numbers than floats.
     acceleration, jacobian, by_parameters : callable
-        ``f(state, constants, mode, xp)``: n accelerations; n rows of derivatives by the 2 n numbers of the state; n rows of
-        derivatives by the P parameters.
+        ``f(state, constants, mode, xp)``: n accelerations; n rows of derivatives by the 2 n numbers
+        of the state; n rows of derivatives by the P parameters.
     borders : tuple of Border
     initial_mode : callable
         ``initial_mode(state, constants)``; on a border either side is right.
     modes : tuple of Mode
         All there are.
     parameter_set : callable
-        ``parameter_set(**values)``: the model's parameters of these values, or an error where one may not have its value.
+        ``parameter_set(**values)``: the model's parameters of these values, or an error where one
+        may not have its value.
     exact : callable
         ``exact(mode)``: the mode without what is left out below rounding, for proofs.
     forces : tuple of (str, callable)
         Name and ``f(states, constants)``, arrays: forces whose range over an orbit is told.
     where : str
-        What :func:`spragsym.load` takes for its model, by which it is made once more in another process; empty where none does.
+        What :func:`spragsym.load` takes for its model, by which it is made once more in another
+        process; empty where none does.
     ways : int
         How many numbers at the end of a mode go with the place alone.
     curved : bool
@@ -140,7 +154,8 @@ class Field:
     is_angle : callable
         ``is_angle(name)`` of a parameter or a coordinate.
     aloft : callable or None
-        ``aloft(constants, state)``: whether a motion is above the belt for good; None where that is not known.
+        ``aloft(constants, state)``: whether a motion is above the belt for good; None where that is
+        not known.
     """
 
     name: str
@@ -198,7 +213,9 @@ class Field:
     def matrix(
         self, state: Sequence[float], constants: Any, mode: Any, xp: Any = FLOATS
     ) -> FloatArray:
-        """The derivative of the rates of all numbers of a state by these: the linearized motion at an equilibrium."""
+        """The derivative of the rates of all numbers of a state by these: the linearized motion at
+        an equilibrium.
+        """
         n = len(self.coordinates)
         return np.vstack(
             [np.eye(n, 2 * n, n), np.array(self.jacobian(state, constants, mode, xp), dtype=float)]
@@ -207,7 +224,9 @@ class Field:
 
 @cache
 def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
-    """The algebra of a generated function, without the common shape of results; it takes a namespace even where it needs none."""
+    """The algebra of a generated function, without the common shape of results; it takes a
+    namespace even where it needs none.
+    """
     algebra: Callable[..., Any] = inspect.unwrap(function)
     return algebra if algebra.__kwdefaults__ else lambda *given, xp=None: algebra(*given)
 
@@ -251,25 +270,31 @@ def field_of(model: Model, reach: float) -> Field:
 
 
 def exact_field(where: str) -> Field:
-    """The field of a model by the name that loads it, for proofs: its contact law has to be a polynomial."""
+    """The field of a model by the name that loads it, for proofs: its contact law has to be a
+    polynomial.
+    """
     from .load import load
 
     model = load(where)
     if not model.about["contact"]["polynomial"]:
         raise ParameterError(
-            "the contact law is no polynomial: it has no continuation beyond its border, which proofs need"
+            "the contact law is no polynomial: it has no continuation beyond its border, "
+            "which proofs need"
         )
     if model.field.holding:
         raise ParameterError(
-            "friction holds the mass where nothing slides, and proofs of cycles do not take in that it sticks"
+            "friction holds the mass where nothing slides, and proofs of cycles do not take "
+            "in that it sticks"
         )
     if model.about.get("waves"):
         raise ParameterError(
-            "cosines of coordinates stand in the equations of motion, which proofs of cycles do not take in"
+            "cosines of coordinates stand in the equations of motion, which proofs of cycles "
+            "do not take in"
         )
     if model.about["torsions"]:
         raise ParameterError(
-            "the turning of a torsion spring is an arc tangent of the place, which proofs of cycles do not take in"
+            "the turning of a torsion spring is an arc tangent of the place, which proofs of "
+            "cycles do not take in"
         )
     return model.field
 
@@ -277,9 +302,10 @@ def exact_field(where: str) -> Field:
 class _Motion:
     """The functions of a field, from those that were generated for a model.
 
-    Where the law of contact has a root, as Hertz's, and a coordinate is the gap, a motion is stopped at each turn of it. Where
-    the mass only just touches, the depth goes with (t − t_0)² and its power 3/2 with |t − t_0|³. Before t_0 the series is that
-    of −(t − t_0)³, which nothing shows to be wrong beyond: so a step ends at t_0.
+    Where the law of contact has a root, as Hertz's, and a coordinate is the gap, a motion is
+    stopped at each turn of it. Where the mass only just touches, the depth goes with (t − t_0)² and
+    its power 3/2 with |t − t_0|³. Before t_0 the series is that of −(t − t_0)³, which nothing shows
+    to be wrong beyond: so a step ends at t_0.
     """
 
     def __init__(self, model: Model, reach: float) -> None:
@@ -310,7 +336,9 @@ class _Motion:
         return tuple(known[name] for name in self.model.about["arguments"]["motion"])
 
     def in_mode(self, name: str) -> Callable[..., Any]:
-        """A generated function of the state, the constants and the numbers of the mode that it takes."""
+        """A generated function of the state, the constants and the numbers of the mode that it
+        takes.
+        """
         plain = undecorated(getattr(self.model.algebra, name))
         turn, way, rooted = self.turn, self.way, self.rooted
 
@@ -340,7 +368,9 @@ class _Motion:
         return self.held(mode, state, constants) if self.holds and abs(slip) <= STILL else mode
 
     def held(self, mode: Mode, state: Any, constants: Any) -> Mode:
-        """The mode where nothing slides: sticking, if there is contact and the force of friction is within its limits."""
+        """The mode where nothing slides: sticking, if there is contact and the force of friction is
+        within its limits.
+        """
         ahead, behind = self.in_mode("grip")(state, constants, mode, FLOATS)
         sticks = min(ahead, behind) >= 0 < max(ahead, behind)  # in lift-off these are −F and F
         return mode[0], 0 if sticks else 1 if ahead < behind else -1, *mode[2:]
@@ -375,7 +405,8 @@ class _Motion:
         """All borders between modes."""
         of_gap, of_slip, reach = self.contact["gap"], self.model.about["friction"], self.reach
         if of_gap is not None and self.contact["unilateral"]:
-            # A law that is no polynomial may have no continuation beyond its border: it is left GAP before.
+            # A law that is no polynomial may have no continuation beyond its border: it is left GAP
+            # before.
             levels = self._generated(
                 "borders", "border_rates", 0, shift=lambda _: 2 * GAP * self.rooted
             )
@@ -423,8 +454,9 @@ class _Motion:
                 *_side(self.turn, 0),
             )
         for k in range(self.torsions):
-            # Where a turning comes to π times its way, or to −0.93 times it: from there the other way counts it. Each way is
-            # smooth beyond its ends. At ±π the least turning jumps, and so does the torque; a motion goes on the other way.
+            # Where a turning comes to π times its way, or to −0.93 times it: from there the other
+            # way counts it. Each way is smooth beyond its ends. At ±π the least turning jumps, and
+            # so does the torque; a motion goes on the other way.
             levels = self._generated("turning_borders", "turning_rates", k, slice(self.way, None))
             _, beyond = _side(self.way + k, 0)
 
@@ -436,7 +468,9 @@ class _Motion:
     def _held(
         self, name: str, levels: tuple[Any, Any], crossings: tuple[str, str]
     ) -> Iterator[Border]:
-        """Borders of dry friction: the sliding speed comes to 0, or the force that holds it there comes to a limit."""
+        """Borders of dry friction: the sliding speed comes to 0, or the force that holds it there
+        comes to a limit.
+        """
         begins = (*crossings, "stick")
         yield Border(
             name,
@@ -483,7 +517,9 @@ class _Motion:
         taken: slice = slice(0),
         shift: Callable[[Any], Any] | None = None,
     ) -> tuple[Callable[..., Any], Callable[..., Any]]:
-        """Level and rate of a border: a row of two generated functions, which may take numbers of the mode too."""
+        """Level and rate of a border: a row of two generated functions, which may take numbers of
+        the mode too.
+        """
         of_level, of_rate = (
             undecorated(getattr(self.model.algebra, name)) for name in (level, rate)
         )
@@ -506,7 +542,9 @@ def always(*_: Any) -> bool:
 
 
 def _side(place: int, both: int) -> tuple[Callable[[Any], Any], Callable[..., Mode]]:
-    """Sign and other side of a border at which a number of the mode becomes the other one of two that add up to ``both``."""
+    """Sign and other side of a border at which a number of the mode becomes the other one of two
+    that add up to ``both``.
+    """
     return (
         lambda mode: 1 - 2 * mode[place] if both else mode[place],
         lambda mode, *_: (*mode[:place], both - mode[place], *mode[place + 1 :]),
@@ -514,7 +552,9 @@ def _side(place: int, both: int) -> tuple[Callable[[Any], Any], Callable[..., Mo
 
 
 class _Rooted:
-    """A namespace whose root of a negative number is 0: trial steps leave the contact, and are rejected."""
+    """A namespace whose root of a negative number is 0: trial steps leave the contact, and are
+    rejected.
+    """
 
     def __init__(self, xp: Any) -> None:
         self._xp = xp
@@ -545,8 +585,10 @@ def _namespace(state: Any) -> Any:
 
 @cache
 def library() -> Any:
-    """The module, which from now on reports errors only: its warnings are of a cache that can't be written, as in a read-only
-    home, and of its search for crossings near a tangency. ``heyoka.set_logger_level_warning()`` brings them back."""
+    """The module, which from now on reports errors only: its warnings are of a cache that can't be
+    written, as in a read-only home, and of its search for crossings near a tangency.
+    ``heyoka.set_logger_level_warning()`` brings them back.
+    """
     with held():
         import heyoka as hy
     hy.set_logger_level_error()
@@ -557,7 +599,9 @@ def library() -> Any:
 
 
 class Functions:
-    """The namespace ``xp`` of heyoka's expressions, whose functions take numbers too, as the 2 of sqrt(2)."""
+    """The namespace ``xp`` of heyoka's expressions, whose functions take numbers too, as the 2 of
+    sqrt(2).
+    """
 
     def __init__(self) -> None:
         #: Names and arguments of all that was called.
@@ -584,7 +628,9 @@ class Functions:
         return hy.select(hy.gt(value, 0.0), 1.0, hy.select(hy.lt(value, 0.0), -1.0, 0.0))
 
     def tanh(self, value: Any) -> Any:
-        """By exponentials: where heyoka's rounds to 1, all its Taylor coefficients are zero, and a step misses what follows."""
+        """By exponentials: where heyoka's rounds to 1, all its Taylor coefficients are zero, and a
+        step misses what follows.
+        """
         import heyoka as hy
 
         self.called.append(("tanh", value))

@@ -1,4 +1,6 @@
-"""Quantities of a state: directions, lengths and forces of springs, and the force of the contact."""
+"""Quantities of a state: directions, lengths and forces of springs, and the force of the
+contact.
+"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -11,7 +13,9 @@ from .parameters import FloatArray, ParameterSet
 
 
 def columns_of(model: Any) -> tuple[str, ...]:
-    """Names of what says where a state of a model is: direction and length of each inclined spring, and the coordinates."""
+    """Names of what says where a state of a model is: direction and length of each inclined spring,
+    and the coordinates.
+    """
     return tuple(
         dict.fromkeys(
             [
@@ -23,14 +27,17 @@ def columns_of(model: Any) -> tuple[str, ...]:
 
 
 def _ends(model: Any) -> list[str]:
-    """What stands behind names of what is told of each inclined spring: a number where there are several."""
+    """What stands behind names of what is told of each inclined spring: a number where there are
+    several.
+    """
     count = len(model.about["springs"])
     return [""] if count == 1 else [f"_{place + 1}" for place in range(count)]
 
 
 def told_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatArray]:
-    """What follows from where states are, their coordinates on one more axis than ``p``: of each inclined spring the direction in
-    (−π, π], the length and the tension, and the contact's force."""
+    """What follows from where states are, their coordinates on one more axis than ``p``: of each
+    inclined spring the direction in (−π, π], the length and the tension, and the contact's force.
+    """
     model = p.model
     statics, motion = (
         [value[..., None] for value in model.arguments(p, kind)] for kind in ("statics", "motion")
@@ -48,7 +55,9 @@ def told_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatA
 
 
 def contact_force(model: Any, states: Any, constants: Sequence[Any]) -> FloatArray:
-    """The normal force of the contact: 0 where the gap is open; ``states`` begin with the coordinates."""
+    """The normal force of the contact: 0 where the gap is open; ``states`` begin with the
+    coordinates.
+    """
     q = states[: len(model.coordinates)]
     gap = model.algebra.contact_gap(*q, *of_statics(model, constants))
     closed = np.less_equal(gap, 0).astype(int) if model.about["contact"]["unilateral"] else 1
@@ -58,8 +67,9 @@ def contact_force(model: Any, states: Any, constants: Sequence[Any]) -> FloatArr
 
 
 def told_of(model: Any) -> dict[str, partial[FloatArray]]:
-    """Forces by their names: tension k (L − L_0), negative where it pushes, as ``spring_force`` of the only inclined spring, or
-    ``spring_force_1``, …; ``contact_force``."""
+    """Forces by their names: tension k (L − L_0), negative where it pushes, as ``spring_force`` of
+    the only inclined spring, or ``spring_force_1``, …; ``contact_force``.
+    """
 
     def tension(spring: int, states: Any, constants: Sequence[Any]) -> FloatArray:
         tensions = model.algebra.spring_forces(

@@ -1,4 +1,6 @@
-"""Models by name or from a folder: shipped ones stand in ``generated/models``, others where ``spragsym derive`` wrote them."""
+"""Models by name or from a folder: shipped ones stand in ``generated/models``, others where
+``spragsym derive`` wrote them.
+"""
 
 from __future__ import annotations
 
@@ -49,7 +51,8 @@ def page_of(model: Model, pages: Path) -> Path:
 def load(name: str | os.PathLike[str]) -> Model:
     """A model: a shipped one by its name, or the folder that ``spragsym derive`` wrote.
 
-    Its code was generated before; no SymPy is needed. A folder's files are run as Python: load only what you trust.
+    Its code was generated before; no SymPy is needed. A folder's files are run as Python: load only
+    what you trust.
 
     Parameters
     ----------
@@ -83,7 +86,8 @@ def load(name: str | os.PathLike[str]) -> Model:
     text = os.fspath(name)
     if len(text) > 4096 or "\0" in text:
         raise ParameterError(
-            f"{text[:80]!r}… has {len(text)} characters, or a NUL, and is no model; give a name or a folder"
+            f"{text[:80]!r}… has {len(text)} characters, or a NUL, and is no model; give a "
+            "name or a folder"
         )
     if text in _LOADED and text in shipped():  # its files do not change
         return _LOADED[text]
@@ -95,12 +99,14 @@ def load(name: str | os.PathLike[str]) -> Model:
     elif text.endswith(".py") and os.path.isfile(text):
         folder = Path(text).with_suffix("")
         raise ParameterError(
-            f"{text} is a model page: spragsym derive {text} --out {folder} writes its folder; name that"
+            f"{text} is a model page: spragsym derive {text} --out {folder} writes its "
+            "folder; name that"
         )
     else:
         known = shipped()
         raise ParameterError(
-            f"{text!r} is neither a shipped model nor a folder that spragsym derive PAGE.py --out DIR wrote"
+            f"{text!r} is neither a shipped model nor a folder that spragsym derive PAGE.py "
+            "--out DIR wrote"
             f"{hint(text, known) or '; the models are ' + ', '.join(known)}"
         )
     with _LOCK:
@@ -117,18 +123,22 @@ def load(name: str | os.PathLike[str]) -> Model:
         return _LOADED[where]
 
 
-#: In ``model.json``, in place of which the digest of all else in it is taken, those of the other files included.
+#: In ``model.json``, in place of which the digest of all else in it is taken, those of the other
+#: files included.
 _DIGEST, _UNSEALED = re.compile(rb'"digest": "([0-9a-f]{64})"'), b"<digest-of-all>".ljust(64, b"-")
 #: Bytes; no file that is derived is larger.
 _LARGEST = 64 << 20
 
 
 def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
-    """What ``model.json`` says, and the bytes of all files that it names, each as it was written."""
+    """What ``model.json`` says, and the bytes of all files that it names, each as it was
+    written.
+    """
     path = folder / "model.json"
     if not path.is_file():
         raise ParameterError(
-            f"{folder} holds no model.json; give a folder that `spragsym derive PAGE.py --out DIR` wrote"
+            f"{folder} holds no model.json; give a folder that `spragsym derive PAGE.py --out "
+            "DIR` wrote"
         )
     data = contents(path, _LARGEST)
     digest = _DIGEST.search(data)
@@ -171,7 +181,9 @@ def _loaded(where: str, about: Mapping[str, Any], files: Mapping[str, bytes]) ->
 
 
 def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
-    """The functions of the model: of the package for a shipped one, else made of the bytes that were verified."""
+    """The functions of the model: of the package for a shipped one, else made of the bytes that
+    were verified.
+    """
     if not files:
         return importlib.import_module(f"spragsym.generated.models.{where}.algebra")
     # A path may hold bytes that are no text in the locale.
@@ -190,7 +202,8 @@ def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
             continue
         module.__file__ = os.path.join(where, f"{name}.py")
         try:
-            exec(compile(files[f"{name}.py"], module.__file__, "exec"), module.__dict__)  # noqa: S102  # a model's folder is code
+            # a model's folder is code
+            exec(compile(files[f"{name}.py"], module.__file__, "exec"), module.__dict__)  # noqa: S102
         except BaseException:
             del sys.modules[whole]
             raise
@@ -199,14 +212,17 @@ def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
 
 @cache
 def fits(name: str) -> bool:
-    """Whether an extension module was built, from the C library that was generated with the rest; one of another is a warning."""
+    """Whether an extension module was built, from the C library that was generated with the rest;
+    one of another is a warning.
+    """
     try:
         source = importlib.import_module(name).SOURCE
     except ImportError:
         return False
     if source != C_SOURCE:
         warnings.warn(
-            f"{name} was compiled from another derivation and is not used: many points and motions take several times longer; "
+            f"{name} was compiled from another derivation and is not used: many points and "
+            "motions take several times longer; "
             "install spragsym again",
             stacklevel=3,
         )

@@ -1,4 +1,6 @@
-"""A loaded model: its names, the class of its parameters, its generated functions, and what its page says in words."""
+"""A loaded model: its names, the class of its parameters, its generated functions, and what its
+page says in words.
+"""
 
 from __future__ import annotations
 
@@ -77,7 +79,9 @@ class Model:
 
     @cached_property
     def search(self) -> Model:
-        """The model without its closed forms: every question by the general algorithm, as with ``method="search"``."""
+        """The model without its closed forms: every question by the general algorithm, as with
+        ``method="search"``.
+        """
         if not self.closed:
             return self
         own: Any = type(self.Parameters.__name__, (self.Parameters,), {})
@@ -91,7 +95,9 @@ class Model:
 
     @cached_property
     def field(self) -> Field:
-        """The field of its motion, with exponentials of the friction law left out far below rounding."""
+        """The field of its motion, with exponentials of the friction law left out far below
+        rounding.
+        """
         return field_of(self, REACH)
 
     @property
@@ -100,7 +106,9 @@ class Model:
         return tuple(entry["name"] for entry in self.about["coordinates"])
 
     def is_angle(self, name: str) -> bool:
-        """Whether a parameter, a coordinate, the direction of a spring, or what is told of them after a jump, is an angle."""
+        """Whether a parameter, a coordinate, the direction of a spring, or what is told of them
+        after a jump, is an angle.
+        """
         turning = {entry["name"] for entry in self.about["coordinates"] if entry["unit"] == "rad"}
         for one in (
             name,
@@ -144,7 +152,9 @@ class Model:
 
     @property
     def axes(self) -> tuple[str, ...]:
-        """What varies unless told otherwise: θ₀ and μ₀ where the model has them, else its first parameter of the balance."""
+        """What varies unless told otherwise: θ₀ and μ₀ where the model has them, else its first
+        parameter of the balance.
+        """
         return (
             tuple(name for name in self.plane if name in ("theta0", "mu0"))
             or self.plane[:1]
@@ -153,7 +163,9 @@ class Model:
 
     @property
     def plane(self) -> tuple[str, ...]:
-        """Two parameters for a picture whose reader may choose others: the same, then what else of the balance stands first."""
+        """Two parameters for a picture whose reader may choose others: the same, then what else of
+        the balance stands first.
+        """
         balanced = [entry["name"] for entry in self.about["parameters"] if entry["role"] == "both"]
         known = [name for name in ("theta0", "mu0") if name in self.parameters]
         return tuple(dict.fromkeys([*known, *balanced]))[:2]
@@ -197,9 +209,11 @@ class Model:
         )
 
     def arguments(self, p: ParameterSet, kind: str = "statics") -> tuple[FloatArray, ...]:
-        """The parameters as generated functions take them, angles as cosine and sine, each with the common shape.
+        """The parameters as generated functions take them, angles as cosine and sine, each with the
+        common shape.
 
-        ``kind`` is ``"statics"`` for functions of the balance of forces, ``"motion"`` for all others.
+        ``kind`` is ``"statics"`` for functions of the balance of forces, ``"motion"`` for all
+        others.
         """
         angles = {
             name: (angle, part)
@@ -216,7 +230,9 @@ class Model:
     def rising_over(
         self, vary: str | None, over: str | None, called: str = "vary"
     ) -> tuple[str, str]:
-        """The loading parameter, and over the range of what; ``called`` is the argument that says the first."""
+        """The loading parameter, and over the range of what; ``called`` is the argument that says
+        the first.
+        """
         if vary is None or over is None:
             first, second = self.two(None, f"{called} and over")
             vary, over = (
@@ -226,9 +242,11 @@ class Model:
         return vary, over
 
     def cases(self) -> tuple[tuple[str, ParameterSet], ...]:
-        """Named points of all parameters, to begin at: those that the model brings, or the base values.
+        """Named points of all parameters, to begin at: those that the model brings, or the base
+        values.
 
-        Where there is none, of an angle that of the article's cases, and of others the middle of the range.
+        Where there is none, of an angle that of the article's cases, and of others the middle of
+        the range.
         """
         if own := self.closed_form("cases"):
             return own()
@@ -246,13 +264,16 @@ class Model:
         return (("Base values", self.Parameters(**values)),)
 
     def friction(self, p: ParameterSet, law: str = "friction_at_speed") -> FloatArray:
-        """The friction coefficient of steady sliding at the speed of the belt, or ``"friction_at_rest"``, which statics takes.
+        """The friction coefficient of steady sliding at the speed of the belt, or
+        ``"friction_at_rest"``, which statics takes.
 
-        Of the shape of ``p``, of which angles that the law does not depend on may be missing; source: the law of the page.
+        Of the shape of ``p``, of which angles that the law does not depend on may be missing;
+        source: the law of the page.
         """
         if law not in ("friction_at_speed", "friction_at_rest") or not self.about["friction"]:
             raise ParameterError(
-                f"law = {law!r} of {self.name}: give friction_at_speed or friction_at_rest, where there is friction"
+                f"law = {law!r} of {self.name}: give friction_at_speed or friction_at_rest, "
+                "where there is friction"
             )
         of_law = self.about["friction"]["quantities"]
         missing = {
@@ -270,10 +291,13 @@ class Model:
         return self.axes[0] if vary is None else vary
 
     def rising(self, vary: str | None, begin: float | FloatArray | None) -> tuple[str, Any]:
-        """The loading parameter unless told otherwise, the friction at full slip, and from where."""
+        """The loading parameter unless told otherwise, the friction at full slip, and from
+        where.
+        """
         if vary is None and "mu0" not in self.parameters:
             raise ParameterError(
-                f"{self.name} has no mu0; give vary, the parameter that rises, one of {', '.join(self.parameters)}"
+                f"{self.name} has no mu0; give vary, the parameter that rises, one of "
+                f"{', '.join(self.parameters)}"
             )
         name = vary or "mu0"
         self.require_parameter(name)
@@ -288,14 +312,16 @@ class Model:
         """An error unless what varies is a parameter of the model."""
         if name not in self.parameters:
             raise ParameterError(
-                f"vary = {name!r} is not a parameter of {self.name}; choose one of {', '.join(self.parameters)}"
+                f"vary = {name!r} is not a parameter of {self.name}; choose one of "
+                f"{', '.join(self.parameters)}"
             )
 
     def two(self, vary: Sequence[str] | None, called: str = "vary") -> Sequence[str]:
         """The two parameters that vary: theta0 and mu0 unless told otherwise."""
         if vary is None and len(self.axes) < 2:
             raise ParameterError(
-                f"{self.name} has not both theta0 and mu0; give {called}, two of {', '.join(self.parameters)}"
+                f"{self.name} has not both theta0 and mu0; give {called}, two of "
+                f"{', '.join(self.parameters)}"
             )
         if vary is None:
             return self.axes
@@ -327,7 +353,9 @@ _INCLINATION = math.radians(30.0)
 
 
 def options_of(about: Mapping[str, Any], name: str) -> tuple[str, ...]:
-    """What commands call a parameter: as for the article's model, unless another parameter has that name."""
+    """What commands call a parameter: as for the article's model, unless another parameter has that
+    name.
+    """
     known = _OPTIONS.get(name)
     return known if known and known[0][2:] not in _names(about) else (f"--{name}",)
 
@@ -335,7 +363,8 @@ def options_of(about: Mapping[str, Any], name: str) -> tuple[str, ...]:
 def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
     """A class whose fields are the model's parameters with their base values.
 
-    ``where`` is what :func:`spragsym.load` takes for the model, by which a set finds its class again in another process.
+    ``where`` is what :func:`spragsym.load` takes for the model, by which a set finds its class
+    again in another process.
     """
     made = make_dataclass(
         "Parameters",
@@ -357,7 +386,9 @@ def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
 
 @cache
 def _imported(module: str, name: str) -> Callable[..., Any]:
-    """A function of a module: looking the module up takes as long as a tenth of one point's equilibria."""
+    """A function of a module: looking the module up takes as long as a tenth of one point's
+    equilibria.
+    """
     return getattr(import_module(module, "spragsym"), name)
 
 
@@ -400,7 +431,9 @@ def _documentation(about: Mapping[str, Any]) -> str:
 
 
 def title_drawing_words(about: Mapping[str, Any]) -> tuple[str, str, list[str]]:
-    """What a page says above its drawing, the drawing in characters, and the blocks below; formulas set apart are indented."""
+    """What a page says above its drawing, the drawing in characters, and the blocks below; formulas
+    set apart are indented.
+    """
     title, _, rest = about["drawing"].partition("\n\n::\n\n")
     drawn, *blocks = rest.split("\n\n")
     while (
@@ -411,7 +444,9 @@ def title_drawing_words(about: Mapping[str, Any]) -> tuple[str, str, list[str]]:
 
 
 def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
-    """Unit and meaning of everything that files of motions hold, by its name: of the model, and of what is computed of it."""
+    """Unit and meaning of everything that files of motions hold, by its name: of the model, and of
+    what is computed of it.
+    """
     time, rate, x = (
         about["scales"]["time"],
         about["scales"]["rate"],

@@ -1,4 +1,6 @@
-"""Parameters of models: what an argument may be, sets of values, and the dimensionless parameters of the article."""
+"""Parameters of models: what an argument may be, sets of values, and the dimensionless parameters
+of the article.
+"""
 
 from __future__ import annotations
 
@@ -48,7 +50,9 @@ class Range:
         return math.isfinite(value) and bool(self.spans(value))
 
     def reached(self, end: float, length: float = 1.0) -> float:
-        """An end, or a value next to it where the range does not hold it, by the length of what is searched."""
+        """An end, or a value next to it where the range does not hold it, by the length of what is
+        searched.
+        """
         if self.contains(end):
             return end
         return end + INSIDE * length * (1 if end <= self.low else -1)
@@ -63,7 +67,9 @@ class Range:
 
 
 def shown(value: float) -> str:
-    """The shortest decimal that reads back as the same number, whole numbers without a point: ``-0.3``, ``200``."""
+    """The shortest decimal that reads back as the same number, whole numbers without a point:
+    ``-0.3``, ``200``.
+    """
     return repr(float(value)).removesuffix(".0")
 
 
@@ -88,8 +94,8 @@ _KINDS = {
 def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArray:
     """``value`` as a float64 array of any shape, or an error that names the argument.
 
-    Texts, booleans, complex numbers, objects, ragged lists, masked values, units and named dimensions are a ParameterTypeError;
-    NaN, infinities and numbers out of range a ParameterError.
+    Texts, booleans, complex numbers, objects, ragged lists, masked values, units and named
+    dimensions are a ParameterTypeError; NaN, infinities and numbers out of range a ParameterError.
     """
     if type(value) is float and allowed.contains(value):  # most are
         single: FloatArray = np.array(value)
@@ -99,7 +105,8 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
     if isinstance(value, np.ma.MaskedArray):
         if np.ma.is_masked(value):
             raise ParameterTypeError(
-                f"{name} has {int(np.ma.getmaskarray(value).sum())} masked values, and a masked value has no equilibria; "
+                f"{name} has {int(np.ma.getmaskarray(value).sum())} masked values, and a "
+                "masked value has no equilibria; "
                 f"use {name}.compressed(), or {name}.filled(...) with a number"
             )
         value = value.data
@@ -136,18 +143,22 @@ def _check_plain(name: str, value: object) -> None:
         value, "magnitude" if hasattr(value, "units") else "value"
     ):
         raise ParameterTypeError(
-            f"{name} is in {unit}, and units are not converted here; give its number in one system of units, angles in radians"
+            f"{name} is in {unit}, and units are not converted here; give its number in one "
+            "system of units, angles in radians"
         )
     dimensions = getattr(value, "dims", ())
     if dimensions and hasattr(value, "values"):
         raise ParameterTypeError(
-            f"{name} has the dimensions {', '.join(map(str, dimensions))}, and arrays broadcast by their shapes here; give "
+            f"{name} has the dimensions {', '.join(map(str, dimensions))}, and arrays "
+            "broadcast by their shapes here; give "
             f"{name}.values, or xarray.broadcast(...) first"
         )
 
 
 def as_number(name: str, value: ArrayLike, allowed: Range = FINITE) -> float:
-    """``value`` as one float; as :func:`as_numbers`, and an error for anything but a single number."""
+    """``value`` as one float; as :func:`as_numbers`, and an error for anything but a single
+    number.
+    """
     array = as_numbers(name, value, allowed)
     if array.ndim:
         raise ParameterTypeError(f"{name} has the shape {array.shape}; one number is needed here")
@@ -155,7 +166,9 @@ def as_number(name: str, value: ArrayLike, allowed: Range = FINITE) -> float:
 
 
 def as_range(name: str, value: ArrayLike, allowed: Range = FINITE) -> tuple[float, float]:
-    """``value`` as the lower and the upper end of a range; errors as of :func:`as_numbers`, and one for anything else."""
+    """``value`` as the lower and the upper end of a range; errors as of :func:`as_numbers`, and one
+    for anything else.
+    """
     ends = as_numbers(name, value, allowed)
     if ends.shape != (2,) or not ends[0] < ends[1]:
         raise ParameterError(f"{name} = {value!r:.60} is no range; give its lower and upper end")
@@ -168,7 +181,8 @@ def as_ranges(
     """``given`` ranges by name, of some of those ``allowed``."""
     if not isinstance(given or {}, Mapping):
         raise ParameterTypeError(
-            f'{name} = {given!r:.60} is no mapping; give the ends by name, as {{"{allowed[0]}": (0, 1)}}'
+            f"{name} = {given!r:.60} is no mapping; give the ends by name, as "
+            f'{{"{allowed[0]}": (0, 1)}}'
         )
     for one in given or {}:
         if one not in allowed:
@@ -196,7 +210,8 @@ def _short(value: object) -> str:
 
 
 def degrees(angle: float) -> float:
-    """An angle in degrees: the shortest number that is the same in radians, so that what was given in degrees comes back.
+    """An angle in degrees: the shortest number that is the same in radians, so that what was given
+    in degrees comes back.
 
     Examples
     --------
@@ -212,7 +227,9 @@ _C = TypeVar("_C")
 
 
 def named(cls: type[_C]) -> type[_C]:
-    """Make a dataclass suggest the name that was meant when it is given one that it does not have."""
+    """Make a dataclass suggest the name that was meant when it is given one that it does not
+    have.
+    """
     made: Callable[..., None] = cls.__init__
     known = [field.name for field in fields(cls)]  # type: ignore[arg-type]  # a dataclass, as said
 
@@ -241,7 +258,8 @@ def common_shape(given: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
     except ValueError as error:
         listed = ", ".join(f"{name} {shape}" for name, shape in given.items() if shape)
         raise ParameterError(
-            f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones"
+            f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes "
+            "with ones"
         ) from error
 
 
@@ -272,7 +290,9 @@ class Values(Shown):
 
 @dataclass(frozen=True, eq=False)
 class ParameterSet(Values):
-    """Dimensionless parameters of a model, scalars or arrays that broadcast together; a subclass has a field for each."""
+    """Dimensionless parameters of a model, scalars or arrays that broadcast together; a subclass
+    has a field for each.
+    """
 
     #: Allowed values of each parameter, in the order in which functions take them.
     ranges: ClassVar[Mapping[str, Range]] = {}
@@ -314,7 +334,9 @@ class ParameterSet(Values):
         return cls._model
 
     def of(self, model: Any) -> Self:
-        """The values as a set of ``model``: of the one without closed forms, ``model.search``, or of the one that has them."""
+        """The values as a set of ``model``: of the one without closed forms, ``model.search``, or
+        of the one that has them.
+        """
         return self if model.Parameters is type(self) else self._copied(model.Parameters)
 
     def _copied(self, kind: type[Self]) -> Self:
@@ -329,9 +351,11 @@ class ParameterSet(Values):
         return other
 
     def following(self, **coordinates: float) -> Self:
-        """A copy whose followed state is the stable equilibrium nearest to these coordinates, in place of the reference state.
+        """A copy whose followed state is the stable equilibrium nearest to these coordinates, in
+        place of the reference state.
 
-        It holds for everything that follows a state: paths, jump values, margins, probabilities, certificates, redesigns.
+        It holds for everything that follows a state: paths, jump values, margins, probabilities,
+        certificates, redesigns.
 
         Parameters
         ----------
@@ -379,7 +403,8 @@ class ParameterSet(Values):
         for name in names:
             if getattr(self, name) is None:
                 raise ParameterError(
-                    f"{name} is missing from the parameters, and is needed here; use p.replace({name}=...)"
+                    f"{name} is missing from the parameters, and is needed here; use "
+                    f"p.replace({name}=...)"
                 )
 
     def scalars(self, *names: str) -> tuple[float, ...]:
@@ -419,7 +444,8 @@ def _plain(value: FloatArray) -> str:
     return repr(value.item()) if value.ndim == 0 else f"array{value.shape}"
 
 
-#: Names of the parameters of the balance of forces, in the order in which its closed forms take them.
+#: Names of the parameters of the balance of forces, in the order in which its closed forms take
+#: them.
 NAMES = PARAMETERS
 
 #: The article's base values (Section 3); its θ₀ is the control parameter.
@@ -459,12 +485,14 @@ RANGES = {
 @named
 @dataclass(frozen=True, eq=False, repr=False)
 class Parameters(ParameterSet):
-    """Dimensionless parameters of the article's model, scalars or arrays that broadcast together; base values where left out.
+    """Dimensionless parameters of the article's model, scalars or arrays that broadcast together;
+    base values where left out.
 
     Parameters
     ----------
     theta0 : array_like, optional
-        Inclination θ₀ of the undeformed spring, radians, in (0, π). May be left out for functions that span it.
+        Inclination θ₀ of the undeformed spring, radians, in (0, π). May be left out for functions
+        that span it.
     mu0 : array_like, default 0.5
         Friction coefficient μ₀ ≥ 0. None for functions that span it.
     kappa : array_like, default 0.007
@@ -474,7 +502,8 @@ class Parameters(ParameterSet):
     sigma : array_like, default 0.1
         Stiffness ratio σ = k / k_c > 0.
     V : array_like, default 0.5
-        Belt speed over L_0 sqrt(k_c/m), V ≥ 0, for the motion. The article states none: the default is an assumption.
+        Belt speed over L_0 sqrt(k_c/m), V ≥ 0, for the motion. The article states none: the default
+        is an assumption.
     d : array_like, default 10
         Steepness of the friction law (10), times L_0 sqrt(k_c/m), d > 0, for the motion. Likewise.
 
@@ -487,8 +516,8 @@ class Parameters(ParameterSet):
 
     Notes
     -----
-    Source: text after (9), with n = N / (k_c L_0) as derived. The balance of forces is that at full slip, (12), where friction is
-    μ₀ whatever V and d.
+    Source: text after (9), with n = N / (k_c L_0) as derived. The balance of forces is that at full
+    slip, (12), where friction is μ₀ whatever V and d.
 
     Examples
     --------
@@ -516,5 +545,7 @@ class Parameters(ParameterSet):
 
     @classmethod
     def article(cls, **changes: ArrayLike | None) -> Self:
-        """The article's base values, μ₀ = 0.5, κ = α = 0.007, σ = 0.1, β = 0, with changes; V and d as assumed."""
+        """The article's base values, μ₀ = 0.5, κ = α = 0.007, σ = 0.1, β = 0, with changes; V and d
+        as assumed.
+        """
         return cls(**changes)

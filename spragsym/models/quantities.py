@@ -1,4 +1,6 @@
-"""The quantities that a brake with a model is given by: units, ranges, and the dimensionless parameters that follow from them."""
+"""The quantities that a brake with a model is given by: units, ranges, and the dimensionless
+parameters that follow from them.
+"""
 
 from __future__ import annotations
 
@@ -25,8 +27,8 @@ if TYPE_CHECKING:
 class Quantities:
     """The quantities of a model's page; ``values`` of them are in SI, of many brakes arrays.
 
-    ``bases`` are the units of all others; ``units`` the SI units of all, ``coordinates`` those of coordinates, and ``parameters``
-    what each is called in the model.
+    ``bases`` are the units of all others; ``units`` the SI units of all, ``coordinates`` those of
+    coordinates, and ``parameters`` what each is called in the model.
     """
 
     def __init__(self, model: Model) -> None:
@@ -58,9 +60,11 @@ class Quantities:
         return dict(zip(self.bases, _powers(unit, tuple(self.bases.values())), strict=True))
 
     def scale(self, unit: str, values: Mapping[str, Any]) -> Any:
-        """What one dimensionless unit of a quantity is in SI: the product of powers of the model's units that has its dimension.
+        """What one dimensionless unit of a quantity is in SI: the product of powers of the model's
+        units that has its dimension.
 
-        Source: dimensional analysis; the model's page makes three quantities of independent dimensions 1.
+        Source: dimensional analysis; the model's page makes three quantities of independent
+        dimensions 1.
 
         >>> brake = {"m": 4.0, "k_c": 100.0, "L_0": 0.5}
         >>> found = quantities("kang_nam")
@@ -93,7 +97,8 @@ class Quantities:
         return self.model.Parameters(**self.groups(values))
 
     def ranges(self, values: Mapping[str, Any] | None = None) -> dict[str, Range]:
-        """Where quantities may lie: units of measure are positive, others as their parameters, at units of these values.
+        """Where quantities may lie: units of measure are positive, others as their parameters, at
+        units of these values.
 
         Without values, in those of the parameters, of which ends other than 0 are rare.
         """
@@ -106,7 +111,9 @@ class Quantities:
 
     @cached_property
     def balanced(self) -> tuple[str, ...]:
-        """Quantities on which the balance of forces depends besides its friction, in the order of the model."""
+        """Quantities on which the balance of forces depends besides its friction, in the order of
+        the model.
+        """
         taken, found = set(inspect.signature(self.model.algebra.forces).parameters), set[str]()
         for quantity, name in self.parameters.items():
             if taken & {name, *self.about["angles"].get(name, ())}:
@@ -118,13 +125,16 @@ class Quantities:
 
     @cached_property
     def of_statics(self) -> tuple[str, ...]:
-        """Quantities on which the states depend: those of the balance and of the friction that works at rest."""
+        """Quantities on which the states depend: those of the balance and of the friction that
+        works at rest.
+        """
         friction = ("mu0",) if self.law["at_rest"] == "mu0" else self.law["quantities"]
         return self._ordered({*self.balanced, *friction})
 
     @cached_property
     def of_the_law(self) -> tuple[str, ...]:
-        """Quantities that a brake may be given without: those of the friction law alone; then friction is μ₀, at full slip.
+        """Quantities that a brake may be given without: those of the friction law alone; then
+        friction is μ₀, at full slip.
 
         Of a law that is not proportional to mu0, or not mu0 at full slip, there are none.
         """
@@ -133,7 +143,9 @@ class Quantities:
 
     @property
     def may_rise(self) -> tuple[str, ...]:
-        """Quantities on which the states of a model depend, without those that are the units of the others."""
+        """Quantities on which the states of a model depend, without those that are the units of the
+        others.
+        """
         return tuple(quantity for quantity in self.parameters if quantity in self.of_statics)
 
     @property
@@ -143,7 +155,9 @@ class Quantities:
 
     @property
     def rises(self) -> str | None:
-        """The quantity to choose for the loading parameter of a model without mu0: no one of the friction law, which may fall."""
+        """The quantity to choose for the loading parameter of a model without mu0: no one of the
+        friction law, which may fall.
+        """
         choice = () if "mu0" in self.parameters else self.may_rise
         return min(choice, key=lambda name: name in self.law["quantities"], default=None)
 
@@ -172,14 +186,18 @@ _of = cache(Quantities)
 
 
 def share(model: Model, p: Any) -> Any:
-    """The share of μ₀ at which friction works at the speed of the belt, by the model's own law; of the shape of ``p``."""
+    """The share of μ₀ at which friction works at the speed of the belt, by the model's own law; of
+    the shape of ``p``.
+    """
     full, works = (model.friction(p, law) for law in ("friction_at_rest", "friction_at_speed"))
     return np.where(full > 0, works / np.where(full > 0, full, 1.0), 1.0)[()]
 
 
 @dataclass(frozen=True)
 class Scales(Shown):
-    """What one dimensionless unit is, in the units of the data, and of their shape: L_0, sqrt(m/k_c) and k_c L_0."""
+    """What one dimensionless unit is, in the units of the data, and of their shape: L_0,
+    sqrt(m/k_c) and k_c L_0.
+    """
 
     length: Any
     time: Any
@@ -189,7 +207,8 @@ class Scales(Shown):
 @named
 @dataclass(frozen=True, eq=False)
 class PhysicalParameters(Values):
-    """The model in newtons, metres, kilograms and seconds, or any consistent system of units; scalars or arrays that broadcast.
+    """The model in newtons, metres, kilograms and seconds, or any consistent system of units;
+    scalars or arrays that broadcast.
 
     Parameters
     ----------
@@ -248,7 +267,8 @@ class PhysicalParameters(Values):
         # Every function of the model first asks its parameters for one of these.
         if not name.startswith("_") and hasattr(Parameters, name):
             raise NotDimensionlessError(
-                "dimensionless Parameters are needed here, and these are PhysicalParameters; call .dimensionless() on them"
+                "dimensionless Parameters are needed here, and these are PhysicalParameters; "
+                "call .dimensionless() on them"
             )
         raise AttributeError(
             f"{type(self).__name__!r} object has no attribute {name!r}{hint(name, dir(self))}"
@@ -256,7 +276,9 @@ class PhysicalParameters(Values):
 
     @property
     def kind(self) -> Quantities:
-        """The quantities of the article's model: units, ranges, and what they are without dimension."""
+        """The quantities of the article's model: units, ranges, and what they are without
+        dimension.
+        """
         return quantities(Parameters.where)
 
     @property
@@ -278,7 +300,8 @@ class PhysicalParameters(Values):
 
 @dataclass(frozen=True)
 class Unit:
-    """A unit of measure that has a range too: its ends over its base value, and the power of it in each parameter.
+    """A unit of measure that has a range too: its ends over its base value, and the power of it in
+    each parameter.
 
     A parameter is P u₁^e₁ u₂^e₂ …, where P is what it is at the base values.
     """
@@ -291,7 +314,9 @@ class Unit:
 def checked_units(
     units: Mapping[str, Unit] | None, parameters: Collection[str], angles: Collection[str]
 ) -> dict[str, Unit]:
-    """Units by name, without powers that are 0, for a model with these parameters, of which some are angles; or an error."""
+    """Units by name, without powers that are 0, for a model with these parameters, of which some
+    are angles; or an error.
+    """
     if not isinstance(units or {}, Mapping):
         raise ParameterTypeError(f"units = {units!r:.60} is no mapping; give units by name")
     found = {}
@@ -306,16 +331,19 @@ def checked_units(
             )
         if not 0 < unit.low <= unit.high < math.inf:
             raise ParameterError(
-                f"units[{name!r}]: from {unit.low} to {unit.high}; give two ends above 0, the smaller first"
+                f"units[{name!r}]: from {unit.low} to {unit.high}; give two ends above 0, the "
+                "smaller first"
             )
         for of, power in unit.powers.items():
             if of not in parameters:
                 raise ParameterError(
-                    f"units[{name!r}]: {of!r} is not a parameter of the model; there are {', '.join(parameters)}"
+                    f"units[{name!r}]: {of!r} is not a parameter of the model; there are "
+                    f"{', '.join(parameters)}"
                 )
             if not math.isfinite(power) or (power and of in angles):
                 raise ParameterError(
-                    f"units[{name!r}]: {of} has the power {power} of it; give a finite one, and none for an angle"
+                    f"units[{name!r}]: {of} has the power {power} of it; give a finite one, "
+                    "and none for an angle"
                 )
         found[name] = replace(
             unit, powers={of: power for of, power in unit.powers.items() if power}
@@ -348,7 +376,8 @@ def registry() -> pint.UnitRegistry[Any]:
 
 @lru_cache(maxsize=256)
 def factor(unit: str, si: str) -> float:
-    """What one ``unit`` is in the SI unit ``si``; an error for one that is not known, or is of another quantity.
+    """What one ``unit`` is in the SI unit ``si``; an error for one that is not known, or is of
+    another quantity.
 
     >>> import math
     >>> factor("N/mm", "N/m"), factor("deg", "rad") == math.pi / 180

@@ -1,9 +1,9 @@
 """Classification of the limit of a motion, for trajectories, sweeps and basins.
 
-A motion is judged by the limit that it approaches and by the rate at which it does, never by how alike two parts
-of a window look: lift-off for good where the model knows it, rest at an equilibrium by its
-linearization with the damping of the friction law, and cycles by the closed orbit itself and its multipliers
-(:mod:`.return_map`), in this order.
+A motion is judged by the limit that it approaches and by the rate at which it does, never by how
+alike two parts of a window look: lift-off for good where the model knows it, rest at an equilibrium
+by its linearization with the damping of the friction law, and cycles by the closed orbit itself and
+its multipliers (:mod:`.return_map`), in this order.
 """
 
 import math
@@ -48,10 +48,11 @@ FAR, ROUNDS = 1e6, 40
 
 
 def classify(course: Course, onward: Onward, tol: float = SETTLED) -> Outcome:
-    """The outcome of a motion, from what was measured of it after its transient, and how it goes on.
+    """The outcome of a motion, from what was measured of it after its transient, and how it goes
+    on.
 
-    ``tol`` is what may be left to the limit of a settled motion. The outcome is without ``equilibrium``, which
-    :func:`~spragsym.statics.search.rest_index` finds for many at once.
+    ``tol`` is what may be left to the limit of a settled motion. The outcome is without
+    ``equilibrium``, which :func:`~spragsym.statics.search.rest_index` finds for many at once.
     """
     problem = onward.problem
     apart = not course.events[CONTACT].any()
@@ -104,9 +105,11 @@ class Rest:
 
 
 def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
-    """The equilibrium in contact that Newton's method finds from a place, at the friction μ(V); None where it finds none.
+    """The equilibrium in contact that Newton's method finds from a place, at the friction μ(V);
+    None where it finds none.
 
-    Where friction holds the mass at the place, as on a belt that stands still, it is the nearest of all at which it does.
+    Where friction holds the mass at the place, as on a belt that stands still, it is the nearest of
+    all at which it does.
     """
     field, constants = problem.field, problem.constants
     still = [*place.tolist(), *np.zeros(len(place))]
@@ -128,7 +131,9 @@ def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
 def equilibrium_near(
     field: Field, constants: Any, place: FloatArray, kept: Mode | None = None
 ) -> FloatArray:
-    """The state of rest that Newton's method finds from a place, in a mode that is kept, or in those of the states."""
+    """The state of rest that Newton's method finds from a place, in a mode that is kept, or in
+    those of the states.
+    """
     q, n = np.array(place, dtype=float), len(place)
     for _ in range(ROUNDS):
         state = [*q.tolist(), *[0.0] * n]
@@ -152,7 +157,8 @@ def equilibrium_near(
 
 
 def _stays(course: Course, rest: Rest, rtol: float, kinks: bool) -> bool:
-    """Whether as little is left as the linearization says: a cycle beside the equilibrium may be small too, in the model's units.
+    """Whether as little is left as the linearization says: a cycle beside the equilibrium may be
+    small too, in the model's units.
 
     Beyond a kink the linearization says nothing, unless the decay is seen.
     """
@@ -166,7 +172,8 @@ def _stays(course: Course, rest: Rest, rtol: float, kinks: bool) -> bool:
 
 
 def _decays(course: Course, rest: Rest) -> bool:
-    """Whether the parts of the motion in the eigenvectors die out as their eigenvalues say, within a factor of two.
+    """Whether the parts of the motion in the eigenvectors die out as their eigenvalues say, within
+    a factor of two.
 
     The squares of the two halves are compared under Hann windows, which hide unfinished beats.
     """
@@ -183,7 +190,8 @@ def _decays(course: Course, rest: Rest) -> bool:
     )
     expected = first * np.exp(rest.values.real * window)  # two times half the window
     before, after, linear = first.sum(), second.sum(), expected.sum()
-    # A decay that is too slow to show in the window does not count: the first of the three conditions.
+    # A decay that is too slow to show in the window does not count: the first of the three
+    # conditions.
     return bool(
         linear < before * (1 - VISIBLE)
         and after > 0

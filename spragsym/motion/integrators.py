@@ -1,7 +1,8 @@
 """The available integrators, and the choice between them.
 
-All are existing methods, restarted wherever the field of (8)–(11) has a kink: they integrate the analytic continuation of
-one mode of the field (:mod:`~spragsym.motion.problem`), find where the motion leaves it, and go on in the next.
+All are existing methods, restarted wherever the field of (8)–(11) has a kink: they integrate the
+analytic continuation of one mode of the field (:mod:`~spragsym.motion.problem`), find where the
+motion leaves it, and go on in the next.
 """
 
 from __future__ import annotations
@@ -49,23 +50,29 @@ LOOSE = 1e-9
 
 
 def offered_for(model: Model) -> tuple[str, ...]:
-    """Integrators that take its motion: what is compiled on installation is that of a model that brings its own."""
+    """Integrators that take its motion: what is compiled on installation is that of a model that
+    brings its own.
+    """
     return OF_ANY_MODEL if model.closed_form("integrate") is None else BACKENDS
 
 
 def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:
-    """The backend that will run: the first of those offered that is there, or the one that is named, or an error."""
+    """The backend that will run: the first of those offered that is there, or the one that is
+    named, or an error.
+    """
     if backend is None:
         return next(name for name in offered if _is_there(name))
     if backend not in offered:
         raise ParameterError(
-            f"backend = {backend!r} is not one of {', '.join(offered)}; leave it out for the fastest"
+            f"backend = {backend!r} is not one of {', '.join(offered)}; leave it out for the "
+            "fastest"
         )
     if not _is_there(backend) and backend == "heyoka":
         raise MissingExtraError("backend='heyoka'", "heyoka", "fast")
     if not _is_there(backend):
         raise BackendError(
-            "the backend 'compiled' was not built, for want of a C compiler or for a derivation that has changed since; "
+            "the backend 'compiled' was not built, for want of a C compiler or for a "
+            "derivation that has changed since; "
             "install spragsym again, with a compiler, or install a wheel"
         )
     return backend
@@ -87,7 +94,9 @@ def version(backend: str) -> str:
 
 
 def integrate(problem: Problem, backend: str) -> Solution:
-    """Integrate ``problem`` from 0 to ``t_end`` and keep what follows ``t_record``; by Radau where steps collapse."""
+    """Integrate ``problem`` from 0 to ``t_end`` and keep what follows ``t_record``; by Radau where
+    steps collapse.
+    """
     reuse_memory()
     try:
         solution: Solution = _INTEGRATORS[backend].integrate(problem)
@@ -101,8 +110,8 @@ def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exceptio
 
     The problems share all but their constants and starts.
 
-    heyoka measures while it integrates, but where steps collapse, and where a motion may rest on a border, whose crossings only
-    the samples tell from chatter.
+    heyoka measures while it integrates, but where steps collapse, and where a motion may rest on a
+    border, whose crossings only the samples tell from chatter.
     """
     found: list[Any] = [None] * len(problems)
     rows = list(range(len(problems)))
@@ -136,7 +145,9 @@ class Flow:
     def fly(
         self, state: FloatArray, constants: Values, duration: float, directions: FloatArray = NONE
     ) -> Passage:
-        """Carry a state on for a while, with derivatives by it and along ``directions`` of the parameters, shape (k, P)."""
+        """Carry a state on for a while, with derivatives by it and along ``directions`` of the
+        parameters, shape (k, P).
+        """
         if self.other:
             return self.other(state, constants, duration, directions)
         return self._asked(lambda carrier: carrier.fly(), state, constants, duration, directions)
@@ -144,7 +155,9 @@ class Flow:
     def plain(
         self, state: FloatArray, constants: Values, duration: float, *, loose: bool = False
     ) -> Passage:
-        """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method needs to begin."""
+        """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method
+        needs to begin.
+        """
         return self._asked(
             lambda carrier: carrier.fly(), state, constants, duration, rtol=LOOSE if loose else RTOL
         )
@@ -162,7 +175,9 @@ class Flow:
         directions: FloatArray | None = None,
         rtol: float = RTOL,
     ) -> T:
-        """What is asked of an integrator; of an implicit one where steps collapse. heyoka has tolerances of its own."""
+        """What is asked of an integrator; of an implicit one where steps collapse. heyoka has
+        tolerances of its own.
+        """
         problem = Problem(
             constants, tuple(state.tolist()), t_end, 0.0, rtol, None, lambda _: self.field
         )

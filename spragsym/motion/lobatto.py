@@ -1,4 +1,6 @@
-"""Polynomials step by step, each by its values at the Gauss–Lobatto points of its step: values, integrals, zeros."""
+"""Polynomials step by step, each by its values at the Gauss–Lobatto points of its step: values,
+integrals, zeros.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,8 @@ from numpy.polynomial import legendre
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import IndexArray
 
-#: Polynomial degree of a stored step: 12 holds a Taylor step of order 20 to rounding; DOP853's is 7.
+#: Polynomial degree of a stored step: 12 holds a Taylor step of order 20 to rounding; DOP853's is
+#: 7.
 DEGREE = 12
 
 
@@ -42,7 +45,9 @@ def sample_times(begin: Any, end: Any) -> FloatArray:
 
 @dataclass(frozen=True)
 class PiecewisePolynomial:
-    """States over time, polynomials by ``states`` (2 n, k) at the Lobatto points ``t`` of all steps; steps share a sample."""
+    """States over time, polynomials by ``states`` (2 n, k) at the Lobatto points ``t`` of all
+    steps; steps share a sample.
+    """
 
     t: FloatArray
     states: FloatArray
@@ -105,7 +110,8 @@ class PiecewisePolynomial:
             value = sign * self.at(step, root)[row]
             left, before = value < 0, side
             side = np.where(left, -1.0, 1.0)
-            # Where an end of the interval stays twice in a row, its value is halved: that draws the next root to its side.
+            # Where an end of the interval stays twice in a row, its value is halved: that draws the
+            # next root to its side.
             halved = np.where(side == before, 0.5, 1.0)
             above, below = (
                 np.where(left, halved * above, value),
@@ -117,11 +123,15 @@ class PiecewisePolynomial:
         return root
 
     def zeros(self) -> FloatArray:
-        """Times where the first component passes 0, first those at which it ceases to be negative."""
+        """Times where the first component passes 0, first those at which it ceases to be
+        negative.
+        """
         return np.concatenate([self.passages(0, sign) for sign in (1, -1)])
 
     def weights(self) -> FloatArray:
-        """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over time."""
+        """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over
+        time.
+        """
         weights = np.zeros_like(self.t)
         for j, weight in enumerate(lobatto()[1]):
             weights[j : len(self.t) - DEGREE + j : DEGREE] += weight * np.diff(self.steps) / 2

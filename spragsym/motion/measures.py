@@ -1,4 +1,6 @@
-"""Quantities measured on a motion while it runs, or from its samples afterwards: averages, turning points, frequencies."""
+"""Quantities measured on a motion while it runs, or from its samples afterwards: averages, turning
+points, frequencies.
+"""
 
 import math
 from collections.abc import Sequence
@@ -11,7 +13,8 @@ from ..numerics.interval_arrays import IndexArray
 from ..results.result import Result
 from .lobatto import PiecewisePolynomial
 
-#: Turning points that are kept of a motion, the latest: what is known of it needs no more memory the longer it runs.
+#: Turning points that are kept of a motion, the latest: what is known of it needs no more memory
+#: the longer it runs.
 KEPT = 5000
 
 #: Most points at equal steps that a motion is sampled at.
@@ -20,12 +23,14 @@ MOST_POINTS = 1 << 20
 
 @dataclass(frozen=True)
 class Course:
-    """Quantities measured on a motion while it runs; its steps are not kept, nor turning points before the latest KEPT of a kind.
+    """Quantities measured on a motion while it runs; its steps are not kept, nor turning points
+    before the latest KEPT of a kind.
 
-    States ``first`` (2 n,) at ``begin``, ``last`` at ``end``, ``maxima`` (k, 2 n) at ``maxima_t`` where the first coordinate x is
-    largest, ``minima`` (l, 2 n), ``passages`` (j, 2 n) at ``passages_t`` of an x that comes around through whole turns;
-    ``integrals`` (n + 1,) over time: of u = x − x(begin), of u², and of the other coordinates; how many ``events`` (4,) of each
-    kind; least and largest x, ``reach``.
+    States ``first`` (2 n,) at ``begin``, ``last`` at ``end``, ``maxima`` (k, 2 n) at ``maxima_t``
+    where the first coordinate x is largest, ``minima`` (l, 2 n), ``passages`` (j, 2 n) at
+    ``passages_t`` of an x that comes around through whole turns; ``integrals`` (n + 1,) over time:
+    of u = x − x(begin), of u², and of the other coordinates; how many ``events`` (4,) of each kind;
+    least and largest x, ``reach``.
     """
 
     begin: float
@@ -53,7 +58,9 @@ class Course:
 
 
 def course_of(samples: PiecewisePolynomial, events: IndexArray, around: Sequence[int]) -> Course:
-    """The course of a motion given by its samples, and the number of events of each kind; coordinates that come ``around``."""
+    """The course of a motion given by its samples, and the number of events of each kind;
+    coordinates that come ``around``.
+    """
     t, states = samples.t, samples.states
     n, shift = len(states) // 2, states[0] - states[0, 0]
     lowest, highest = (samples.passages(n, sign) for sign in (1, -1))
@@ -80,13 +87,17 @@ def course_of(samples: PiecewisePolynomial, events: IndexArray, around: Sequence
 
 @dataclass(frozen=True, eq=False)
 class Spectrum(Result):
-    """Amplitudes over frequency, in cycles per unit of time: a sine of amplitude A has the peak A, if it lies on a bin."""
+    """Amplitudes over frequency, in cycles per unit of time: a sine of amplitude A has the peak A,
+    if it lies on a bin.
+    """
 
     frequency: FloatArray
     amplitude: FloatArray
 
     def peak(self) -> float:
-        """The frequency of the largest amplitude, between the bins by a parabola through three logarithms."""
+        """The frequency of the largest amplitude, between the bins by a parabola through three
+        logarithms.
+        """
         k = int(np.argmax(self.amplitude))
         step = float(self.frequency[1] - self.frequency[0])
         if not 0 < k < self.amplitude.size - 1 or (self.amplitude[k - 1 : k + 2] <= 0).any():

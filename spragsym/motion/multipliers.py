@@ -1,10 +1,12 @@
-"""Floquet multipliers from the stretches of a closed orbit, and test functions: each passes zero at a bifurcation of the orbit.
+"""Floquet multipliers from the stretches of a closed orbit, and test functions: each passes zero at
+a bifurcation of the orbit.
 
-The monodromy matrix is a product of the stretches' derivatives. Multiplied out, multipliers below 10⁻¹⁶ of the largest drown in
-its rounding; so the product is brought to triangular form stretch by stretch (the periodic QR algorithm: A. Bojanczyk, G. Golub,
-P. Van Dooren 1992; K. Lust 2001), once the flow's own direction, whose multiplier is 1, has been projected off each stretch.
-So small ones keep their digits beside large ones. Test functions are products over multipliers, every factor divided by its size,
-so that one of 10¹⁰ hides nothing of the others.
+The monodromy matrix is a product of the stretches' derivatives. Multiplied out, multipliers below
+10⁻¹⁶ of the largest drown in its rounding; so the product is brought to triangular form stretch by
+stretch (the periodic QR algorithm: A. Bojanczyk, G. Golub, P. Van Dooren 1992; K. Lust 2001), once
+the flow's own direction, whose multiplier is 1, has been projected off each stretch. So small ones
+keep their digits beside large ones. Test functions are products over multipliers, every factor
+divided by its size, so that one of 10¹⁰ hides nothing of the others.
 """
 
 from __future__ import annotations
@@ -23,7 +25,8 @@ from ..numerics.vectors import magnitude, norm
 if TYPE_CHECKING:
     from .shooting import Loop
 
-#: A product no larger than this is multiplied out: its smallest multiplier loses no more than these digits.
+#: A product no larger than this is multiplied out: its smallest multiplier loses no more than these
+#: digits.
 PLAIN = 1e3
 
 #: Rounds of the periodic QR algorithm, at most, and what counts as triangular.
@@ -32,16 +35,18 @@ ROUNDS, TRIANGULAR = 12, 1e-14
 #: Errors of a stretch's derivative are at least this, in its own size.
 ROUNDING = 2e-15
 
-#: Trials that tell how far multipliers move by such errors, and what the largest move is multiplied with.
+#: Trials that tell how far multipliers move by such errors, and what the largest move is multiplied
+#: with.
 TRIALS, SAFETY = 3, 3.0
 
 
 @dataclass(frozen=True)
 class Multipliers:
-    """Multipliers of a closed orbit, (m − 1,), largest first, but for the ``trivial`` one of the flow's own direction.
+    """Multipliers of a closed orbit, (m − 1,), largest first, but for the ``trivial`` one of the
+    flow's own direction.
 
-    That is 1 but for what the derivatives of the stretches have lost. The ``errors`` are estimates: how far the others move if
-    each stretch errs by as much as it errs along the flow.
+    That is 1 but for what the derivatives of the stretches have lost. The ``errors`` are estimates:
+    how far the others move if each stretch errs by as much as it errs along the flow.
     """
 
     trivial: float
@@ -55,7 +60,9 @@ class Multipliers:
 
 
 def multipliers_of(stretches: Sequence[FloatArray], flows: Sequence[FloatArray]) -> Multipliers:
-    """Multipliers of the product of the stretches' derivatives, ``flows`` the field at the beginning of each."""
+    """Multipliers of the product of the stretches' derivatives, ``flows`` the field at the
+    beginning of each.
+    """
     units = [flow / norm(flow) for flow in flows]
     bases = [np.linalg.qr(unit[:, None], mode="complete")[0][:, 1:] for unit in units]
     parts, trivial, errors = [], 1.0, []
@@ -84,8 +91,8 @@ def multipliers_of(stretches: Sequence[FloatArray], flows: Sequence[FloatArray])
 def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
     """Eigenvalues of parts[-1] … parts[1] parts[0], each to digits of its own.
 
-    Rounds of QR turn the factors triangular; where that is reached, the product falls into blocks whose eigenvalues differ
-    much in size, and each block is multiplied out by itself.
+    Rounds of QR turn the factors triangular; where that is reached, the product falls into blocks
+    whose eigenvalues differ much in size, and each block is multiplied out by itself.
     """
     size = len(parts[0])
     product = parts[0]
@@ -123,7 +130,9 @@ def _pairs(loop: Loop) -> tuple[Any, Any]:
 
 
 def _factors(loop: Loop, kind: str) -> tuple[ComplexArray, FloatArray]:
-    """The factors of a test function, 1 ± a multiplier or 1 − a product of two, scaled to size 1 at most, and their errors."""
+    """The factors of a test function, 1 ± a multiplier or 1 − a product of two, scaled to size 1 at
+    most, and their errors.
+    """
     values, moved = loop.multipliers.others, loop.multipliers.errors
     if kind == "torus":
         one, other = _pairs(loop)
@@ -134,7 +143,8 @@ def _factors(loop: Loop, kind: str) -> tuple[ComplexArray, FloatArray]:
 
 
 def criterion_of(kind: str, loop: Loop) -> float:
-    """Passes zero at a fold, where a multiplier is 1, at a period doubling, where one is −1, and where the product of two is 1.
+    """Passes zero at a fold, where a multiplier is 1, at a period doubling, where one is −1, and
+    where the product of two is 1.
 
     That is a torus, if they are complex; nothing, if they are real.
     """
@@ -142,14 +152,18 @@ def criterion_of(kind: str, loop: Loop) -> float:
 
 
 def unsure(loop: Loop, kind: str) -> float:
-    """Error of a test function: by how much it grows where all of its factors are larger by theirs."""
+    """Error of a test function: by how much it grows where all of its factors are larger by
+    theirs.
+    """
     factors, errors = _factors(loop, kind)
     sizes = np.abs(factors)
     return float(np.prod(sizes + errors) - np.prod(sizes))
 
 
 def is_complex_pair(loop: Loop) -> bool:
-    """Whether the two multipliers whose product is nearest to 1 are a complex pair, by more than their errors."""
+    """Whether the two multipliers whose product is nearest to 1 are a complex pair, by more than
+    their errors.
+    """
     found, nearest = loop.multipliers, np.argmin(np.abs(_factors(loop, "torus")[0]))
     one = _pairs(loop)[1][nearest]
     return bool(abs(found.others[one].imag) > max(1e-9, found.errors[one]))

@@ -1,13 +1,15 @@
-"""One motion to integrate: its constants, where it starts, how long it runs, and the modes of its field.
+"""One motion to integrate: its constants, where it starts, how long it runs, and the modes of its
+field.
 
-The field is continuous, and analytic in each of its modes: contact or not, belt ahead of the mass or behind. A mode is
-left :data:`GAP` beyond its border, so that two crossings are never closer than 2 GAP: that ends chatter by rounding,
-lets a motion start exactly on a kink, and costs an error of the order of GAP², or GAP^1.5 where the motion only grazes
-the border, far below rounding.
+The field is continuous, and analytic in each of its modes: contact or not, belt ahead of the mass
+or behind. A mode is left :data:`GAP` beyond its border, so that two crossings are never closer than
+2 GAP: that ends chatter by rounding, lets a motion start exactly on a kink, and costs an error of
+the order of GAP², or GAP^1.5 where the motion only grazes the border, far below rounding.
 
-An exponential of the friction law, as in (10), makes a layer where the mass nearly sticks that a step from far away cannot
-see: all its derivatives are below rounding there. So it is left out where it is below the tolerance, and the border of the
-layer (``near``) is one more that the integrator stops at.
+An exponential of the friction law, as in (10), makes a layer where the mass nearly sticks that a
+step from far away cannot see: all its derivatives are below rounding there. So it is left out where
+it is below the tolerance, and the border of the layer (``near``) is one more that the integrator
+stops at.
 """
 
 from __future__ import annotations
@@ -36,15 +38,16 @@ RELATIVE_TOLERANCE = Range(
 #: Default number of steps after which a motion is given up.
 MAX_STEPS = 10_000_000
 
-#: An implicit method takes over where so many steps would follow, and a step times the fastest decay is more than the second.
+#: An implicit method takes over where so many steps would follow, and a step times the fastest
+#: decay is more than the second.
 MOST, STABLE = 1e6, 0.5
 
 
 class Event(IntEnum):
     """Which border of the piecewise smooth field the motion crosses at an event.
 
-    The first two are of the contact. The mass overtakes the belt, or the belt the mass, where the sliding speed passes 0; where
-    friction holds the mass there, it sticks, until it slips.
+    The first two are of the contact. The mass overtakes the belt, or the belt the mass, where the
+    sliding speed passes 0; where friction holds the mass there, it sticks, until it slips.
     """
 
     CONTACT_LOST = 0
@@ -71,7 +74,9 @@ class Problem:
 
     @property
     def reach(self) -> float:
-        """Minus the exponent of an exponential of the friction law beyond which it is left out, below the tolerance."""
+        """Minus the exponent of an exponential of the friction law beyond which it is left out,
+        below the tolerance.
+        """
         return 5 - math.log(self.rtol)
 
     @cached_property
@@ -92,11 +97,14 @@ class Problem:
 
 
 def too_many_steps(problem: Problem, most: int, t: float) -> ConvergenceError:
-    """The error of a motion that has used its steps, as many as were asked for or as there are for any."""
+    """The error of a motion that has used its steps, as many as were asked for or as there are for
+    any.
+    """
     made, more = ("max_steps = ", "a larger max_steps, ") if problem.max_steps else ("", "")
     return ConvergenceError(
         f"{made}{most} steps were made by t = {t:.6g} of {problem.t_end:g}; give {more}a "
-        f"smaller t_end or a larger rtol than {problem.rtol:g}, or a less steep friction law: creep is stiff where it is steep"
+        f"smaller t_end or a larger rtol than {problem.rtol:g}, or a less steep friction law: "
+        "creep is stiff where it is steep"
     )
 
 
@@ -107,21 +115,25 @@ class StiffError(ConvergenceError):
 def check_stiffness(
     problem: Problem, state: Any, step: float, left: float, most: float = MOST
 ) -> None:
-    """Raise where steps of a mean length are bounded by stability, and too many of them would be left."""
+    """Raise where steps of a mean length are bounded by stability, and too many of them would be
+    left.
+    """
     if not left > most * step:
         return
     values, constants, field = [float(value) for value in state], problem.constants, problem.field
     matrix = field.matrix(values, constants, field.initial_mode(values, constants))
     if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > STABLE:
         raise StiffError(
-            f"the motion is stiff: steps of {step:.2g} are bounded by stability, with {left:.6g} to go"
+            f"the motion is stiff: steps of {step:.2g} are bounded by stability, with "
+            f"{left:.6g} to go"
         )
 
 
 def out_of_range() -> ConvergenceError:
     """The error of a motion whose numbers overflow."""
     return ConvergenceError(
-        "the motion grows beyond all bounds: it left the range of numbers; give a smaller t_end, or values of a more common size"
+        "the motion grows beyond all bounds: it left the range of numbers; give a smaller "
+        "t_end, or values of a more common size"
     )
 
 

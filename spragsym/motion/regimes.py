@@ -1,4 +1,6 @@
-"""Long-run behaviour of a motion: regimes, the limit that it has, and whether two limits are one."""
+"""Long-run behaviour of a motion: regimes, the limit that it has, and whether two limits are
+one.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,8 @@ from ..models.field import SETTLED
 from ..numerics.vectors import apart, magnitude
 from ..results.result import Named
 
-#: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are one.
+#: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are
+#: one.
 SAME = 1e-6
 
 
@@ -24,13 +27,17 @@ class Regime(IntEnum):
     FAILED = 0
     """There is no result; the reason says why."""
     EQUILIBRIUM = 1
-    """Rests at a steady-sliding equilibrium that attracts it, or does not repel it where nothing damps; or sticks for good."""
+    """Rests at a steady-sliding equilibrium that attracts it, or does not repel it where nothing
+    damps; or sticks for good.
+    """
     LIMIT_CYCLE = 2
     """Repeats itself on a cycle that attracts it."""
     LIFT_OFF = 3
     """Has no contact with the belt, and too little energy ever to come back to it."""
     UNSETTLED = 4
-    """None of these, and none that it is seen to approach: a long transient, quasi-periodic or irregular."""
+    """None of these, and none that it is seen to approach: a long transient, quasi-periodic or
+    irregular.
+    """
     APPROACHES_EQUILIBRIUM = 5
     """Decays to an equilibrium at the rate of the linearization there, and is still on its way."""
     APPROACHES_CYCLE = 6
@@ -48,27 +55,34 @@ ATTRACTOR = {
 class Outcome(Named):
     """The attractor that a motion reaches or approaches, and how fast.
 
-    A number of ``rest`` or ``cycle`` is an attribute of its name too, as ``rest_x``, ``rest_y`` and ``cycle_vy``; NaN for none.
+    A number of ``rest`` or ``cycle`` is an attribute of its name too, as ``rest_x``, ``rest_y`` and
+    ``cycle_vy``; NaN for none.
 
     Attributes
     ----------
     regime : Regime
     equilibrium : int
-        For EQUILIBRIUM and APPROACHES_EQUILIBRIUM its index among ``equilibria(p)`` at the friction μ(V); −1 otherwise.
+        For EQUILIBRIUM and APPROACHES_EQUILIBRIUM its index among ``equilibria(p)`` at the friction
+        μ(V); −1 otherwise.
     rest : tuple of float, length n
         The coordinates of that equilibrium, in the order of the model; empty for none.
     rate : float
-        Of the approach in the long run, exp(−rate τ), from the limit's own eigenvalues or multipliers. NaN where there is none.
+        Of the approach in the long run, exp(−rate τ), from the limit's own eigenvalues or
+        multipliers. NaN where there is none.
     distance : float
-        What is left to the limit when the motion ends: relative to the motion's reach for a cycle, in L_0 for rest.
+        What is left to the limit when the motion ends: relative to the motion's reach for a cycle,
+        in L_0 for rest.
     period, cycle_mean, cycle_rms : float
-        Of the cycle itself: period, mean of x, the first coordinate, and root mean square of x about zero over one whole period.
-        NaN for no cycle, and the last two where x turns around: then the cycle is one modulo a turn.
+        Of the cycle itself: period, mean of x, the first coordinate, and root mean square of x
+        about zero over one whole period. NaN for no cycle, and the last two where x turns around:
+        then the cycle is one modulo a turn.
     cycle : tuple of float, length 2 n
-        The cycle's state where its x is largest (there x' = 0), or where x passes 0 if it turns around and never back: one point,
-        which with the equations is the whole orbit. Empty for no cycle.
+        The cycle's state where its x is largest (there x' = 0), or where x passes 0 if it turns
+        around and never back: one point, which with the equations is the whole orbit. Empty for no
+        cycle.
     names : tuple of str, length 2 n
-        Of the coordinates, then of their rates. Those that come around after 2π are in the turn from −π + 0.0123 on.
+        Of the coordinates, then of their rates. Those that come around after 2π are in the turn
+        from −π + 0.0123 on.
     """
 
     regime: Regime = Regime.UNSETTLED
@@ -138,7 +152,8 @@ def same_limit(one: Outcome, other: Outcome, around: Sequence[int]) -> bool:
         return magnitude(apart(one.rest, other.rest, around)) < SAME * (1 + magnitude(one.rest))
     if one.limit != Regime.LIMIT_CYCLE:
         return True
-    # Two cycles, by period, averages, and the one state that stands for each, all found by Newton's method.
+    # Two cycles, by period, averages, and the one state that stands for each, all found by Newton's
+    # method.
     reach = max(abs(one.cycle[0] - one.cycle_mean), abs(other.cycle[0] - other.cycle_mean))
     if np.isnan(one.cycle_mean) != np.isnan(other.cycle_mean):
         return False

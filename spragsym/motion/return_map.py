@@ -1,8 +1,10 @@
-"""Cycles: what a motion winds onto, by the closed orbit itself and its multipliers, and whether it nears it at that rate.
+"""Cycles: what a motion winds onto, by the closed orbit itself and its multipliers, and whether it
+nears it at that rate.
 
-Newton's method with the derivative of the flow (:class:`Onward`) gives the cycle from two states that are alike, where x
-is largest, or of an x that turns around and never back, where it passes 0. Coordinates that come around are alike after a turn.
-Of several numbers of rounds the smallest comes first, and the least period is looked for, so that a cycle is never counted twice.
+Newton's method with the derivative of the flow (:class:`Onward`) gives the cycle from two states
+that are alike, where x is largest, or of an x that turns around and never back, where it passes 0.
+Coordinates that come around are alike after a turn. Of several numbers of rounds the smallest comes
+first, and the least period is looked for, so that a cycle is never counted twice.
 """
 
 from __future__ import annotations
@@ -38,23 +40,28 @@ FEWEST = 3
 #: A multiplier this close to 1 in size is told neither from a stable nor from an unstable one.
 NEUTRAL = 1e-6
 
-#: Cosine between neighbouring steps from which on they go in one direction; distance of the end from which on a drift goes past.
+#: Cosine between neighbouring steps from which on they go in one direction; distance of the end
+#: from which on a drift goes past.
 ALIGNED, AWAY = 0.98, 0.5
 
-#: By how much the linearized map may be wrong about a return, relative to the distance at the return before.
+#: By how much the linearized map may be wrong about a return, relative to the distance at the
+#: return before.
 MISSED = 0.25
 
 #: Cycles that are looked for, of one motion.
 CANDIDATES = 3
 
 
-#: Tolerances of flows that closed orbits are found with: where differences stand for derivatives, and the finest of heyoka.
+#: Tolerances of flows that closed orbits are found with: where differences stand for derivatives,
+#: and the finest of heyoka.
 FINE, FINEST = 1e-12, 1e-15
 
-#: Differences of a flow are taken over this; by how much an orbit that is found with them may stay open.
+#: Differences of a flow are taken over this; by how much an orbit that is found with them may stay
+#: open.
 STEP, OPEN = 1e-5, 1e-9
 
-#: For each integrator the tolerance of its plain flow, how nearly orbits close by cheap derivatives, and how closely in the end.
+#: For each integrator the tolerance of its plain flow, how nearly orbits close by cheap
+#: derivatives, and how closely in the end.
 PRECISIONS = {
     "heyoka": (FINEST, CLOSED, CLOSED),
     "compiled": (FINE, OPEN, OPEN),
@@ -75,7 +82,9 @@ class Onward:
         return replace(self.problem.field_of(REACH), constants=lambda *_: self.problem.constants)
 
     def courses(self, states: FloatArray, duration: float) -> list[Course]:
-        """What is measured on the way from each of many states; an error where one of them cannot be continued."""
+        """What is measured on the way from each of many states; an error where one of them cannot
+        be continued.
+        """
         motions = [
             replace(self.problem, start=tuple(state), t_end=duration, t_record=0.0)
             for state in states.tolist()
@@ -90,7 +99,9 @@ class Onward:
     def _differences(
         self, sides: int, state: FloatArray, _: object, duration: float, __: object
     ) -> Passage:
-        """``fly`` by differences of the plain flow, to one or to both ``sides``; crossings are not reported."""
+        """``fly`` by differences of the plain flow, to one or to both ``sides``; crossings are not
+        reported.
+        """
         m, off = state.size, STEP * np.eye(state.size)
         course, *others = self.courses(
             np.vstack([state, state + off, state - off])[: 1 + sides * m], duration
@@ -109,7 +120,9 @@ class Onward:
         )
 
     def closed(self, state: FloatArray, fixed: int, period: float, scale: FloatArray) -> Closed:
-        """The closed orbit to all digits, with the derivative of its return; ConvergenceError without one near, in ``scale``."""
+        """The closed orbit to all digits, with the derivative of its return; ConvergenceError
+        without one near, in ``scale``.
+        """
         (rtol, near, precision), reach = PRECISIONS[self.backend], 4 * CLOSE * float(scale.max())
         fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
         guess = Guess(state[None], period, ())
@@ -121,7 +134,8 @@ class Onward:
                 flow, guess, on_section, reach=reach, precision=precision, closed=precision
             )
 
-        # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.
+        # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that
+        # fails, all steps have them.
         with suppress(ConvergenceError):
             guess = near_guess(partial(fine._differences, 1), near).guess
         fly = partial(fine._differences, 2) if self.backend == "compiled" else None
@@ -141,10 +155,11 @@ class Onward:
 
 @dataclass(frozen=True)
 class Closed:
-    """A closed orbit that begins on a section, all over which the number at the place ``fixed`` has one value.
+    """A closed orbit that begins on a section, all over which the number at the place ``fixed`` has
+    one value.
 
-    The ``slope``, (2 n − 1, 2 n − 1), is the derivative of the return map in the other numbers, each in units of its ``scale``.
-    Its eigenvalues are the multipliers.
+    The ``slope``, (2 n − 1, 2 n − 1), is the derivative of the return map in the other numbers,
+    each in units of its ``scale``. Its eigenvalues are the multipliers.
     """
 
     onward: Onward
@@ -163,7 +178,9 @@ class Closed:
         return section(_near(states, self.state, self.loop.field.around), self.fixed) / self.scale
 
     def returned(self, places: FloatArray) -> FloatArray:
-        """The return map: where motions from places on the section next meet it, after about a period."""
+        """The return map: where motions from places on the section next meet it, after about a
+        period.
+        """
         states = np.insert(places * self.scale, self.fixed, self.state[self.fixed], axis=1)
         courses = self.onward.courses(states, 1.1 * self.loop.period)
         return np.array(
@@ -183,7 +200,9 @@ class Closed:
 
 
 def section(states: FloatArray, fixed: int) -> FloatArray:
-    """States of a section without the number that is ``fixed`` there: x, y, y' for two coordinates where x' = 0."""
+    """States of a section without the number that is ``fixed`` there: x, y, y' for two coordinates
+    where x' = 0.
+    """
     return np.delete(states, fixed, axis=-1)
 
 
@@ -203,7 +222,8 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
     places = _near(places, places[-1], around)
     places[:, fixed] = 0.0
     states = section(places, fixed)
-    # Extents of x, y and y' over all turning points; those across the belt count as 1 % of that along it, or of a turn, at least.
+    # Extents of x, y and y' over all turning points; those across the belt count as 1 % of that
+    # along it, or of a turn, at least.
     extent = np.ptp(
         section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), axis=0
     )
@@ -231,10 +251,12 @@ def _near(states: FloatArray, place: FloatArray, around: tuple[int, ...]) -> Flo
 
 
 def _candidates(states: FloatArray) -> Iterator[int]:
-    """Numbers of returns after which the last states came close to what they had been, and closer each time; fewest first.
+    """Numbers of returns after which the last states came close to what they had been, and closer
+    each time; fewest first.
 
-    A motion that winds onto a cycle from alternate sides is close after two rounds before it is after one: so divisors are
-    tried before the number itself. A multiple of a number that was tried has to be much closer than that.
+    A motion that winds onto a cycle from alternate sides is close after two rounds before it is
+    after one: so divisors are tried before the number itself. A multiple of a number that was tried
+    has to be much closer than that.
     """
     tried: list[int] = []
 
@@ -257,7 +279,9 @@ def _candidates(states: FloatArray) -> Iterator[int]:
 
 
 def _drifts_past(states: FloatArray) -> bool:
-    """Whether states, latest first, go on in one direction by steps that shrink too slowly to end near, or not at all."""
+    """Whether states, latest first, go on in one direction by steps that shrink too slowly to end
+    near, or not at all.
+    """
     steps = states[:-1] - states[1:]
     if len(steps) < 3:
         return False
@@ -272,7 +296,8 @@ def _drifts_past(states: FloatArray) -> bool:
 
 
 def _nears(cycle: Closed, off: FloatArray, tol: float) -> bool:
-    """Whether the motion is at the cycle, or nears it as the linearized map says and will go on doing so.
+    """Whether the motion is at the cycle, or nears it as the linearized map says and will go on
+    doing so.
 
     ``off`` is what lacked at its returns, latest first.
     """
@@ -285,10 +310,12 @@ def _nears(cycle: Closed, off: FloatArray, tol: float) -> bool:
 
 
 def _goes_on(cycle: Closed, off: FloatArray, tol: float) -> bool:
-    """Whether the return map itself contracts wherever its linearization leads, half as fast at least on the average.
+    """Whether the return map itself contracts wherever its linearization leads, half as fast at
+    least on the average.
 
-    The linearization maps the states none of whose modal parts is larger than the motion's now into themselves, and a motion
-    that decays slowly turns through all of them. Motions have neared a cycle at its rate 0.04 of its extent away, and left it.
+    The linearization maps the states none of whose modal parts is larger than the motion's now into
+    themselves, and a motion that decays slowly turns through all of them. Motions have neared a
+    cycle at its rate 0.04 of its extent away, and left it.
     """
     values, vectors = np.linalg.eig(cycle.slope)
     if (
@@ -313,7 +340,9 @@ def _goes_on(cycle: Closed, off: FloatArray, tol: float) -> bool:
 
 
 def _same_size(off: FloatArray, values: Any, vectors: Any) -> Iterator[FloatArray]:
-    """Differences whose modal parts have the sizes of those of ``off``: either sign of real ones, eight phases of a pair."""
+    """Differences whose modal parts have the sizes of those of ``off``: either sign of real ones,
+    eight phases of a pair.
+    """
     parts = np.linalg.solve(vectors, off)
     turns = np.exp(0.25j * np.pi * np.arange(8)) if values.imag.any() else np.ones(1)
     for turn, *signs in itertools.product(turns, *[(1, -1)] * int(np.sum(values.imag == 0))):
@@ -323,11 +352,14 @@ def _same_size(off: FloatArray, values: Any, vectors: Any) -> Iterator[FloatArra
 
 
 def _described(cycle: Closed, regime: Regime, rate: float, distance: float) -> Outcome:
-    """The outcome, with averages over the cycle's one period, and the state of the cycle that stands for it."""
+    """The outcome, with averages over the cycle's one period, and the state of the cycle that
+    stands for it.
+    """
     loop, fixed, (mean, rms) = cycle.loop, cycle.fixed, cycle.loop.moments()
     tops = np.array([cycle.state, *(turn.state for turn in loop.tops() if fixed)])
     tops = in_one_turn(tops, loop.field.around)
-    # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle has one such state.
+    # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle
+    # has one such state.
     for place, scale in zip(
         (i for i in range(tops.shape[1]) if i != fixed), cycle.scale, strict=True
     ):

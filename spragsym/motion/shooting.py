@@ -1,4 +1,6 @@
-"""Closed orbits by multiple shooting: Newton's method on the states between equal stretches of one round, and the period."""
+"""Closed orbits by multiple shooting: Newton's method on the states between equal stretches of one
+round, and the period.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +32,8 @@ LARGEST_GROWTH = 100.0
 #: Stretches in one round, at most; and of a guess.
 MOST_STRETCHES, SPLIT = 64, 32
 
-#: Stretches begin no nearer to a jump of the field than this share of the longest time between jumps, each in its stretch.
+#: Stretches begin no nearer to a jump of the field than this share of the longest time between
+#: jumps, each in its stretch.
 CLEAR = 0.1
 
 #: Where the first coordinate changes faster, it is not largest.
@@ -42,7 +45,8 @@ ONE = 1e-10
 
 @dataclass(frozen=True)
 class Guess:
-    """A loop that need not close: states (k, m) between its k equal stretches, period, and values of the parameters.
+    """A loop that need not close: states (k, m) between its k equal stretches, period, and values
+    of the parameters.
 
     Newton's method moves the parameters that are ``free`` too.
     """
@@ -134,7 +138,9 @@ class Loop:
 
     @cached_property
     def gaps(self) -> FloatArray:
-        """Ends of the stretches less the beginnings of the next: what comes around closes after whole turns."""
+        """Ends of the stretches less the beginnings of the next: what comes around closes after
+        whole turns.
+        """
         return apart(self.ends, np.roll(self.states, -1, axis=0), self.field.around)
 
     @property
@@ -163,7 +169,9 @@ class Loop:
         return multipliers_of([each.by_state for each in self.passages], flows)
 
     def slopes(self, *rows: FloatArray) -> FloatArray:
-        """Derivatives of the gaps by states, period and free parameters, (k m, k m + 1 + parameters), above further rows."""
+        """Derivatives of the gaps by states, period and free parameters, (k m, k m + 1 +
+        parameters), above further rows.
+        """
         (k, m), parameters = self.states.shape, len(self.guess.free)
         matrix = np.zeros((k * m, k * m + 1 + parameters))
         for i, each in enumerate(self.passages):
@@ -183,7 +191,9 @@ class Loop:
         )
 
     def tops(self) -> list[Turn]:
-        """Turns at which the first coordinate is largest, the start first: where it is one it may be counted at neither end."""
+        """Turns at which the first coordinate is largest, the start first: where it is one it may
+        be counted at neither end.
+        """
         found = [turn for turn in self.turns() if turn.border == -1 and turn.direction < 0]
         start, n = self.state, len(self.field.coordinates)
         if found and abs(start[n]) < ONE and self.rate(start)[n] < 0:
@@ -229,7 +239,9 @@ Conditions: TypeAlias = Callable[[Loop], tuple[FloatArray, FloatArray]]
 
 
 def rate(field: Field, state: Any, constants: Values) -> FloatArray:
-    """The derivative of a state in time; not a number where there is none, as at the anchor of a spring."""
+    """The derivative of a state in time; not a number where there is none, as at the anchor of a
+    spring.
+    """
     mode = field.initial_mode(state, constants)
     n = len(field.coordinates)
     numbers = [float(value) for value in state]
@@ -270,10 +282,12 @@ def solved(
     precision: float = 1e-13,
     closed: float = CLOSED,
 ) -> Loop:
-    """The closed loop near a guess under further conditions, as many as there are free parameters and one.
+    """The closed loop near a guess under further conditions, as many as there are free parameters
+    and one.
 
-    ``reach`` bounds how far the states may move from the guess; steps below ``precision``, or as small as rounding, end it;
-    ``closed`` is by how much the loop may stay open. Raises ConvergenceError where there is none.
+    ``reach`` bounds how far the states may move from the guess; steps below ``precision``, or as
+    small as rounding, end it; ``closed`` is by how much the loop may stay open. Raises
+    ConvergenceError where there is none.
     """
     start, size, before = guess, guess.states.size, np.inf
     loop = looped(flow, guess)
@@ -281,7 +295,8 @@ def solved(
         values, rows = zip(*(each(loop) for each in conditions), strict=True)
         residual = np.concatenate([loop.gaps.ravel(), *values])
         if magnitude(residual) <= rounding(loop):
-            return loop  # of orbits that are not isolated, as where nothing damps, a step leads anywhere
+            # of orbits that are not isolated, as where nothing damps, a step leads anywhere
+            return loop
         try:
             step = np.linalg.solve(loop.slopes(*rows), -residual)
         except np.linalg.LinAlgError as error:
@@ -289,7 +304,8 @@ def solved(
         width = magnitude(step)
         scale = 1 + max(magnitude(loop.states), loop.period)
         small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
-        # A stretch that could be cut no shorter carries what rounds at its beginning to its end, as many times larger.
+        # A stretch that could be cut no shorter carries what rounds at its beginning to its end, as
+        # many times larger.
         carried = closed * max(1.0, growth(loop) / LARGEST_GROWTH)
         if small and magnitude(residual) <= carried * (1 + magnitude(loop.states)):
             return loop
@@ -305,7 +321,9 @@ def solved(
 
 
 def through(place: FloatArray, normal: FloatArray, guess: Guess) -> Conditions:
-    """Phase condition of loops of as many stretches as a guess: the first state stays in a plane through a place."""
+    """Phase condition of loops of as many stretches as a guess: the first state stays in a plane
+    through a place.
+    """
     row = np.zeros((1, len(guess.coordinates)))
     row[0, : len(normal)] = normal
     return lambda loop: (np.array([normal @ (loop.state - place)]), row)
@@ -320,7 +338,9 @@ def across(loop: Loop, place: FloatArray | None = None) -> Conditions:
 
 
 def phase(loop: Loop, guess: Guess) -> Conditions:
-    """The phase of a guess at an orbit: where the first coordinate is largest, if it begins there, or as it is."""
+    """The phase of a guess at an orbit: where the first coordinate is largest, if it begins there,
+    or as it is.
+    """
     m = loop.field.size
     if abs(guess.states[0, m // 2]) > MOVES:
         return across(replace(loop, guess=guess))
@@ -328,9 +348,11 @@ def phase(loop: Loop, guess: Guess) -> Conditions:
 
 
 def recut(loop: Loop, pieces: int, begin: float = 0.0) -> Guess:
-    """A loop in ``pieces`` equal stretches from the time ``begin`` on: each state from the nearest one before it.
+    """A loop in ``pieces`` equal stretches from the time ``begin`` on: each state from the nearest
+    one before it.
 
-    Carried once around from one state, the error of a strongly unstable orbit would grow beyond Newton's reach.
+    Carried once around from one state, the error of a strongly unstable orbit would grow beyond
+    Newton's reach.
     """
     guess, stretch, states = loop.guess, loop.guess.stretch, []
     for i in range(pieces):
@@ -345,15 +367,19 @@ def recut(loop: Loop, pieces: int, begin: float = 0.0) -> Guess:
 
 
 def finer(loop: Loop, most: int = MOST_STRETCHES) -> Guess | None:
-    """The loop in twice as many stretches where the derivatives over one have grown large; None elsewhere, and of ``most``."""
+    """The loop in twice as many stretches where the derivatives over one have grown large; None
+    elsewhere, and of ``most``.
+    """
     pieces = len(loop.states)
     return recut(loop, 2 * pieces) if growth(loop) > LARGEST_GROWTH and pieces < most else None
 
 
 def clear(loop: Loop) -> float:
-    """How long after its states stretches begin that do so farthest from jumps of the field; 0 where none begins near one.
+    """How long after its states stretches begin that do so farthest from jumps of the field; 0
+    where none begins near one.
 
-    A state on the wrong side of a jump goes another way: Newton's method does not take the states of stretches across.
+    A state on the wrong side of a jump goes another way: Newton's method does not take the states
+    of stretches across.
     """
     stretch, borders = loop.guess.stretch, loop.field.borders
     times = sorted(
@@ -376,10 +402,12 @@ def split(flow: Flow, guess: Guess) -> Loop:
 
 
 def once_round(loop: Loop) -> Loop:
-    """The orbit over its least period: rounds are one if they differ by no more than the orbit's error.
+    """The orbit over its least period: rounds are one if they differ by no more than the orbit's
+    error.
 
-    Close to where it came out of a doubling, the rounds of an orbit of twice the period differ by very little. They are told by
-    where the first coordinate is largest, or by borders where it rests while it is.
+    Close to where it came out of a doubling, the rounds of an orbit of twice the period differ by
+    very little. They are told by where the first coordinate is largest, or by borders where it
+    rests while it is.
     """
     period, tops, n = loop.period, loop.tops(), len(loop.field.coordinates)
     marks = [top for top in tops if loop.rate(top.state)[n] < 0] or loop.crossings()
@@ -389,7 +417,9 @@ def once_round(loop: Loop) -> Loop:
     first, *others = marks
     for other in others:
         if (other.t - first.t) * len(marks) < period / 2:
-            continue  # rounds have a mark each at least: this is the same one, at the end of a stretch and where the next begins
+            # rounds have a mark each at least: this is the same one, at the end of a stretch and
+            # where the next begins
+            continue
         share = period / (other.t - first.t)
         off = np.abs(apart(other.state, first.state, loop.field.around))
         alike = (off / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1
@@ -407,7 +437,9 @@ def once_round(loop: Loop) -> Loop:
 
 
 def difference(loop: Loop) -> float:
-    """The largest distance between ends of stretches with and without derivatives: what the step control of either missed."""
+    """The largest distance between ends of stretches with and without derivatives: what the step
+    control of either missed.
+    """
     ends = [
         loop.flow.plain(state, loop.constants, loop.guess.stretch).state for state in loop.states
     ]
@@ -415,7 +447,9 @@ def difference(loop: Loop) -> float:
 
 
 def error_of(loop: Loop, differs: float = 0.0) -> float:
-    """Largest row sum of the inverse of Newton's matrix, times what does not close, rounding, or ``differs``."""
+    """Largest row sum of the inverse of Newton's matrix, times what does not close, rounding, or
+    ``differs``.
+    """
     size = loop.field.size
     _, rows = phase(loop, loop.guess)(loop)
     inverse = np.linalg.pinv(loop.slopes(rows), rcond=1e-12)

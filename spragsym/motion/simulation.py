@@ -56,21 +56,21 @@ def simulate(
 ) -> Trajectory:
     """Integrate the motion of a model from an initial state, the article's (8)–(11) among them.
 
-    The integrator is restarted at every kink of the field, y = 0 and x' = V for the article's model, whether or not the
-    events are kept.
+    The integrator is restarted at every kink of the field, y = 0 and x' = V for the article's
+    model, whether or not the events are kept.
 
     Parameters
     ----------
     p : Parameters of any model
         Scalars.
     V, d : float, optional
-        In place of those of ``p``, for models that have them. The article states neither: 0.5 and 10, unless they are given,
-        are this package's assumption.
+        In place of those of ``p``, for models that have them. The article states neither: 0.5 and
+        10, unless they are given, are this package's assumption.
     start : array_like, shape (2 n,), optional
         Coordinates, then rates.
     x0, y0, vx0, vy0, … : float, optional
-        The same one by one, by the names of the model's coordinates and rates; 0 where nothing is given. For the article's
-        model that is rest at x = y = 0, which lies on a kink.
+        The same one by one, by the names of the model's coordinates and rates; 0 where nothing is
+        given. For the article's model that is rest at x = y = 0, which lies on a kink.
     t_end : float
         Until when, in the model's unit of time: sqrt(m/k_c).
     rtol : float
@@ -80,11 +80,12 @@ def simulate(
     estimate_error : bool
         Run again, at rtol/100 or the tightest there is, and keep the difference as ``error``.
     backend : {"heyoka", "compiled", "scipy"}, optional
-        Taylor series (extra ``fast``), or DOP853 in compiled code (the article's model) or in Python; by default the first of
-        these that is installed. They agree to the tolerance.
+        Taylor series (extra ``fast``), or DOP853 in compiled code (the article's model) or in
+        Python; by default the first of these that is installed. They agree to the tolerance.
     max_steps : int
-        Where to give up. A smooth motion takes a few steps per time unit; a stiff one, of large d, up to d times the
-        friction, as it creeps. Ten million take heyoka some ten seconds to a minute, and several GB to keep.
+        Where to give up. A smooth motion takes a few steps per time unit; a stiff one, of large d,
+        up to d times the friction, as it creeps. Ten million take heyoka some ten seconds to a
+        minute, and several GB to keep.
 
     Returns
     -------
@@ -93,7 +94,8 @@ def simulate(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For arguments that make no sense, and a start at which a spring has no length: at the article's anchor (8) is singular.
+        For arguments that make no sense, and a start at which a spring has no length: at the
+        article's anchor (8) is singular.
     ConvergenceError
         When the integrator cannot go on, or has made ``max_steps``.
     MissingExtraError
@@ -138,15 +140,16 @@ def simulate(
 class Trajectory(Named):
     """A motion in time, as accurate between the samples as on them.
 
-    The samples are the Gauss–Lobatto points of every step that the integrator took, its ends and all events
-    among them: ``degree + 1`` to a step, consecutive steps sharing one. The motion is the polynomial through
-    them, so that integrals and values in between lose nothing against the integration. A coordinate or its rate is an
-    attribute of its name, as ``tr.x`` and ``tr.vx``.
+    The samples are the Gauss–Lobatto points of every step that the integrator took, its ends and
+    all events among them: ``degree + 1`` to a step, consecutive steps sharing one. The motion is
+    the polynomial through them, so that integrals and values in between lose nothing against the
+    integration. A coordinate or its rate is an attribute of its name, as ``tr.x`` and ``tr.vx``.
 
     Attributes
     ----------
     model : Model
-        Its page says the units; the article's are sqrt(m/k_c) for times, L_0 for lengths, k_c L_0 for forces.
+        Its page says the units; the article's are sqrt(m/k_c) for times, L_0 for lengths, k_c L_0
+        for forces.
     p : Parameters of the model
         Scalars.
     t : ndarray, shape (k,)
@@ -160,9 +163,11 @@ class Trajectory(Named):
     backend : str
         Which integrator ran.
     error : ndarray, shape (k,), or None
-        Largest of the 2 n |differences| to a second run at a tighter tolerance; None when not asked for.
+        Largest of the 2 n |differences| to a second run at a tighter tolerance; None when not asked
+        for.
     implicit : bool
-        Whether the motion is stiff, and SciPy's Radau carried it, as the steps of ``backend`` collapsed.
+        Whether the motion is stiff, and SciPy's Radau carried it, as the steps of ``backend``
+        collapsed.
     """
 
     model: Any
@@ -191,7 +196,9 @@ class Trajectory(Named):
         return self.data().get(name)
 
     def as_table(self) -> Table:
-        """First, smallest, largest and last value of each coordinate and rate, in place of all samples."""
+        """First, smallest, largest and last value of each coordinate and rate, in place of all
+        samples.
+        """
         said, t = words(self), self.t
         rows = [
             (
@@ -222,7 +229,9 @@ class Trajectory(Named):
 
     @cached_property
     def weights(self) -> FloatArray:
-        """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over time."""
+        """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over
+        time.
+        """
         return self.samples.weights()
 
     def integral(self, values: ArrayLike) -> float:
@@ -240,7 +249,9 @@ class Trajectory(Named):
         return self.samples(times)
 
     def after(self, transient: float | None) -> Trajectory:
-        """What follows the time ``transient``, three quarters of the end if None, as a trajectory; an error if nothing does."""
+        """What follows the time ``transient``, three quarters of the end if None, as a trajectory;
+        an error if nothing does.
+        """
         transient = (
             0.75 * float(self.t[-1])
             if transient is None
@@ -248,7 +259,8 @@ class Trajectory(Named):
         )
         if transient >= self.t[-1]:
             raise ParameterError(
-                f"transient = {transient:g} leaves nothing of a trajectory that ends at {self.t[-1]:g}; "
+                f"transient = {transient:g} leaves nothing of a trajectory that ends at "
+                f"{self.t[-1]:g}; "
                 "give a smaller transient, or simulate with a larger t_end"
             )
         if transient <= self.t[0]:
@@ -261,14 +273,17 @@ class Trajectory(Named):
         return replace(self, t=late.t, state=late.states, events=events, error=error)
 
     def mean(self, transient: float | None = None, *, of: str | None = None) -> float:
-        """Time average of x, a model's first coordinate, (or ``of="y"``, ``"vx"``, ``"vy"``) after ``transient``."""
+        """Time average of x, a model's first coordinate, (or ``of="y"``, ``"vx"``, ``"vy"``) after
+        ``transient``.
+        """
         late = self.after(transient)
         return late.integral(late._values(of)) / float(late.t[-1] - late.t[0])
 
     def rms(
         self, transient: float | None = None, *, of: str | None = None, about: str = "zero"
     ) -> float:
-        """Root mean square after ``transient``: about zero, or with ``about="mean"`` about the mean.
+        """Root mean square after ``transient``: about zero, or with ``about="mean"`` about the
+        mean.
 
         The article's Figure 7b shows the root mean square of x, from zero.
         """
@@ -285,10 +300,11 @@ class Trajectory(Named):
         return magnitude(extrema - late._centre(of, about))
 
     def outcome(self, transient: float | None = None, *, tol: float = SETTLED) -> Outcome:
-        """What the motion settles to or approaches, how fast, and what is left, judged by what follows ``transient``.
+        """What the motion settles to or approaches, how fast, and what is left, judged by what
+        follows ``transient``.
 
-        The same as a :class:`~spragsym.Sweep` tells of it. A cycle is found by Newton's method on the flow and its
-        derivatives, which integrates a few periods more.
+        The same as a :class:`~spragsym.Sweep` tells of it. A cycle is found by Newton's method on
+        the flow and its derivatives, which integrates a few periods more.
         """
         late = self.after(transient)
         start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])
@@ -303,20 +319,26 @@ class Trajectory(Named):
         )
 
     def period(self, transient: float | None = None, *, tol: float = SETTLED) -> float:
-        """Period of the cycle that the motion after ``transient`` has settled to; NaN if it has not, and at rest.
+        """Period of the cycle that the motion after ``transient`` has settled to; NaN if it has
+        not, and at rest.
 
-        It has settled when what is left to the cycle is at most ``tol`` of the motion's reach. The period is the cycle's
-        own, whatever is left. For what a motion only approaches see :meth:`outcome`.
+        It has settled when what is left to the cycle is at most ``tol`` of the motion's reach. The
+        period is the cycle's own, whatever is left. For what a motion only approaches see
+        :meth:`outcome`.
         """
         outcome = self.outcome(transient, tol=tol)
         return outcome.period if outcome.regime == Regime.LIMIT_CYCLE else float("nan")
 
     def converged(self, transient: float | None = None, *, tol: float = SETTLED) -> bool:
-        """Whether the motion after ``transient`` has settled to rest or to a cycle, within ``tol`` (see :meth:`outcome`)."""
+        """Whether the motion after ``transient`` has settled to rest or to a cycle, within ``tol``
+        (see :meth:`outcome`).
+        """
         return self.outcome(transient, tol=tol).regime in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE)
 
     def course(self) -> Course:
-        """What :func:`~spragsym.motion.integrators.measure` measures on the way, from the samples."""
+        """What :func:`~spragsym.motion.integrators.measure` measures on the way, from the
+        samples.
+        """
         counts = (
             self._event_counts()
             if self.events is None
@@ -329,7 +351,9 @@ class Trajectory(Named):
         return self.model.algebra.energy(*self.state, *self._arguments(), self._pushing())
 
     def friction_power(self) -> FloatArray:
-        """Rate at which friction changes that energy, at the samples: positive where it drives the motion."""
+        """Rate at which friction changes that energy, at the samples: positive where it drives the
+        motion.
+        """
         rates = np.split(self.state, 2)[1]
         slide = -self.model.algebra.border_rates(
             *self.state[: len(rates)], *(0.0 * rates), *rates, *self._arguments()
@@ -338,9 +362,11 @@ class Trajectory(Named):
 
     @property
     def friction(self) -> FloatArray:
-        """The force of friction at the samples, positive in the belt's direction; while it sticks, what holds the mass.
+        """The force of friction at the samples, positive in the belt's direction; while it sticks,
+        what holds the mass.
 
-        Where it jumps, between both sides: so that integrals over the steps before and after are right.
+        Where it jumps, between both sides: so that integrals over the steps before and after are
+        right.
         """
         sides, felt, pushing, gaps = (
             self._sides(),
@@ -361,17 +387,23 @@ class Trajectory(Named):
 
     @property
     def sticking(self) -> float:
-        """The share of time in which the mass sticks to the belt: 0 where friction does not hold (see ``page.friction``)."""
+        """The share of time in which the mass sticks to the belt: 0 where friction does not hold
+        (see ``page.friction``).
+        """
         return float(np.diff(self.t)[self._sides()[:-1] == 0].sum() / (self.t[-1] - self.t[0]))
 
     def power(self) -> FloatArray:
-        """Rate at which friction, dampers and forces without a potential change that energy, at the samples."""
+        """Rate at which friction, dampers and forces without a potential change that energy, at the
+        samples.
+        """
         return self.friction_power() + self.model.algebra.power_besides_friction(
             *self.state, *self._arguments()
         )
 
     def spring_force(self, spring: str | None = None) -> FloatArray:
-        """Tension of an inclined spring at the samples, negative where it pushes; ``spring`` names one of several."""
+        """Tension of an inclined spring at the samples, negative where it pushes; ``spring`` names
+        one of several.
+        """
         name = forces.spring_named(self.model, spring)
         return forces.told_of(self.model)[name](self.state, self._arguments())
 
@@ -382,13 +414,17 @@ class Trajectory(Named):
     def spectrum(
         self, transient: float | None = None, *, of: str | None = None, points: int = 4096
     ) -> Spectrum:
-        """Amplitudes over frequency, in cycles per unit of time, of the motion after ``transient``."""
+        """Amplitudes over frequency, in cycles per unit of time, of the motion after
+        ``transient``.
+        """
         return spectrum_of(self.after(transient).samples, row_of(of, self.components), points)
 
     def decay_rate(self, transient: float = 0.0, *, of: str | None = None) -> float:
-        """The rate at which the swings of a coordinate shrink after ``transient``, by least squares; negative where they grow.
+        """The rate at which the swings of a coordinate shrink after ``transient``, by least
+        squares; negative where they grow.
 
-        NaN where there are fewer than two swings. For motions that decay to rest; towards a cycle see :meth:`outcome`.
+        NaN where there are fewer than two swings. For motions that decay to rest; towards a cycle
+        see :meth:`outcome`.
         """
         row, late = row_of(of, self.model.coordinates), self.after(transient)
         turns = np.sort(late._turns(row))
@@ -416,7 +452,8 @@ class Trajectory(Named):
         codes = {"event": Event} if "event" in data else {}
         return storage.dataset(data, coords, self._attributes(), self.model.quantities, codes)
 
-    # -------------------------------------------------------------------------------------------- inner parts
+    # --------------------------------------------------------------------------------------------
+    # inner parts
 
     def _values(self, of: str | None) -> FloatArray:
         return self.state[row_of(of, self.components)]
@@ -435,7 +472,9 @@ class Trajectory(Named):
         return [float(value) for value in self.model.arguments(self.p, "motion")]
 
     def _levels(self) -> tuple[FloatArray, FloatArray]:
-        """Gap and sliding speed at the samples; the gap is negative of a contact that always pushes."""
+        """Gap and sliding speed at the samples; the gap is negative of a contact that always
+        pushes.
+        """
         gap, slip = self.model.algebra.borders(*self.state, *self._arguments())
         return gap if self.model.about["contact"]["unilateral"] else np.full_like(slip, -1.0), slip
 
@@ -452,7 +491,9 @@ class Trajectory(Named):
         return (self._levels()[0] < 0).astype(int)
 
     def _event_counts(self) -> IndexArray:
-        """How often each kind of event happened, from the samples alone, which include all events."""
+        """How often each kind of event happened, from the samples alone, which include all
+        events.
+        """
         sides = self._sides()
         lifted, stuck = (np.diff(part.astype(int)) for part in (self._levels()[0] > 0, sides == 0))
         changes = (lifted, 1), (np.diff(sides), -2), (stuck, 1)
@@ -481,7 +522,9 @@ def row_of(of: str | None, offered: tuple[str, ...]) -> int:
 def initial_state(
     model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike]
 ) -> dict[str, FloatArray]:
-    """The initial state by names, ``x0`` for ``x`` and ``vx0`` for ``vx``; 0 where nothing is given."""
+    """The initial state by names, ``x0`` for ``x`` and ``vx0`` for ``vx``; 0 where nothing is
+    given.
+    """
     names = [f"{name}0" for name in model.components]
     values: dict[str, ArrayLike] = dict.fromkeys(names, 0.0)
     if start is not None:

@@ -1,4 +1,6 @@
-"""What an integrator gives: a motion by its samples and the borders passed, or a stretch of it by its end and derivatives."""
+"""What an integrator gives: a motion by its samples and the borders passed, or a stretch of it by
+its end and derivatives.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,9 @@ from .problem import Event, Problem, kinds_of
 
 
 class Crossing(NamedTuple):
-    """A border passed: when, which, to which sign of its level, the state there, and from which sign."""
+    """A border passed: when, which, to which sign of its level, the state there, and from which
+    sign.
+    """
 
     t: float
     border: int
@@ -36,11 +40,13 @@ def passed(
     directions: FloatArray | None,
     columns: FloatArray | None = None,
 ) -> tuple[Mode, tuple[Crossing, ...]]:
-    """How a motion goes on behind a border: its next mode, and the crossing, none where there is no kink.
+    """How a motion goes on behind a border: its next mode, and the crossing, none where there is no
+    kink.
 
-    Where the field jumps, the state and its derivatives by start and ``directions``, the ``columns``, are moved: they go on from
-    the border itself, not from where it was noticed; so does one that leaves a border on which it stayed, from which errors of
-    steps may have taken it. An error where the border does not say how.
+    Where the field jumps, the state and its derivatives by start and ``directions``, the
+    ``columns``, are moved: they go on from the border itself, not from where it was noticed; so
+    does one that leaves a border on which it stayed, from which errors of steps may have taken it.
+    An error where the border does not say how.
     """
     if problem.field.holding:
         project(problem, mode, state, None)
@@ -63,7 +69,9 @@ def saltation(
     directions: FloatArray | None,
     columns: FloatArray | None,
 ) -> None:
-    """Move a state and its derivatives by the saltation matrix 1 + (f⁺ − f⁻) ∇h/ḣ⁻ of a border h = 0 between two modes."""
+    """Move a state and its derivatives by the saltation matrix 1 + (f⁺ − f⁻) ∇h/ḣ⁻ of a border h =
+    0 between two modes.
+    """
     field, constants, values, m = (
         problem.field,
         problem.constants,
@@ -91,7 +99,9 @@ def start_mode(
     directions: FloatArray | None,
     columns: FloatArray | None = None,
 ) -> Mode:
-    """The mode in which a motion begins; a state that sticks, and its derivatives, are projected onto the border."""
+    """The mode in which a motion begins; a state that sticks, and its derivatives, are projected
+    onto the border.
+    """
     mode = problem.field.initial_mode(state.tolist(), problem.constants)
     project(problem, mode, state, directions, columns)
     return mode
@@ -104,7 +114,9 @@ def project(
     directions: FloatArray | None,
     columns: FloatArray | None = None,
 ) -> None:
-    """Project a state onto the border on which it stays in a mode, and its derivatives onto the tangent of that."""
+    """Project a state onto the border on which it stays in a mode, and its derivatives onto the
+    tangent of that.
+    """
     for border in problem.field.stays(mode):
         near = (
             other
@@ -129,7 +141,8 @@ def speed_across(problem: Problem, border: Border, mode: Mode, state: FloatArray
 
 
 class Turn(NamedTuple):
-    """A zero of a rate: of a border's level, which is extremal there, or (border −1) of the first coordinate.
+    """A zero of a rate: of a border's level, which is extremal there, or (border −1) of the first
+    coordinate.
 
     ``direction`` is the sign of the rate's own rate: −1 at a largest value.
     """
@@ -146,9 +159,10 @@ class Turn(NamedTuple):
 class Passage:
     """A stretch of motion: where it ends, (m,), and derivatives of that.
 
-    Those by the state at the start, (m, m), are the product over the smooth pieces, with saltation matrices where the field
-    jumps between them; those by the parameters, (m, k), are along k directions. The ``integrals`` of the first coordinate and
-    of its square over time are NaN where the integrator does not carry them along.
+    Those by the state at the start, (m, m), are the product over the smooth pieces, with saltation
+    matrices where the field jumps between them; those by the parameters, (m, k), are along k
+    directions. The ``integrals`` of the first coordinate and of its square over time are NaN where
+    the integrator does not carry them along.
     """
 
     state: FloatArray
@@ -166,18 +180,23 @@ Fly: TypeAlias = Callable[[FloatArray, Values, float, FloatArray], Passage]
 def parted(
     state: FloatArray, columns: FloatArray | None
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """A state and its derivatives by the start and by the parameters; empty where there are none."""
+    """A state and its derivatives by the start and by the parameters; empty where there are
+    none.
+    """
     whole = np.empty((0, 0)) if columns is None else columns.copy()
     return state.copy(), whole[:, : len(state)], whole[:, len(state) :]
 
 
-#: Times and states of some steps at their Lobatto points, shapes (steps, DEGREE + 1) and (steps, 2 n, DEGREE + 1).
+#: Times and states of some steps at their Lobatto points, shapes (steps, DEGREE + 1) and (steps, 2
+#: n, DEGREE + 1).
 Samples: TypeAlias = tuple[FloatArray, FloatArray]
 
 
 @dataclass(frozen=True)
 class Solution:
-    """A motion as polynomials, and its crossings of kinks; whether an implicit method carried it, as explicit steps collapsed."""
+    """A motion as polynomials, and its crossings of kinks; whether an implicit method carried it,
+    as explicit steps collapsed.
+    """
 
     samples: PiecewisePolynomial
     crossings: tuple[Crossing, ...]
@@ -208,9 +227,11 @@ def assembled(
 
 
 def without_chatter(solution: Solution, problem: Problem) -> Solution:
-    """Without crossings of a border after which the motion does not leave it by more than the error of a step.
+    """Without crossings of a border after which the motion does not leave it by more than the error
+    of a step.
 
-    A motion that comes to rest on a border is on either side of it by that error, and passes it no further.
+    A motion that comes to rest on a border is on either side of it by that error, and passes it no
+    further.
     """
     t, states, chatter = solution.samples.t, solution.samples.states, set[int]()
     least = max(10 * problem.rtol * float(max(states.max(), -states.min())), 2 * GAP)
@@ -260,7 +281,9 @@ class Events(Result):
         return len(self.t)
 
     def of(self, *kinds: Event | str) -> Events:
-        """The events of some kinds only, by members of :class:`Event` or their names, as "stick"."""
+        """The events of some kinds only, by members of :class:`Event` or their names, as
+        "stick".
+        """
         words = {kind.name.lower(): kind for kind in Event}
         chosen = [
             kind if kind in [*Event] else words[one_of("kinds", str(kind).lower(), words)]

@@ -1,4 +1,6 @@
-"""DOP853 as SciPy has it, step for step, in code that was compiled on installation: for machines without heyoka."""
+"""DOP853 as SciPy has it, step for step, in code that was compiled on installation: for machines
+without heyoka.
+"""
 
 from functools import cache
 from importlib import metadata
@@ -15,13 +17,16 @@ from .problem import MAX_STEPS, Problem, check_stiffness, out_of_range, too_many
 from .solution import Crossing, Samples, Solution, assembled, passed
 from .with_scipy import Flight
 
-#: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept until they are used up.
+#: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept
+#: until they are used up.
 CHUNK = 20_000
 ENDED, PASSED, FULL, TOO_SMALL, TOO_MANY = range(5)
 
 
 def available() -> bool:
-    """Whether the extension module was built, and from the C library that was generated with the rest."""
+    """Whether the extension module was built, and from the C library that was generated with the
+    rest.
+    """
     return fits(f"{__package__}._carried")
 
 

@@ -1,4 +1,6 @@
-"""heyoka's Taylor method, with variational equations or without; borders between modes of the field are terminal events."""
+"""heyoka's Taylor method, with variational equations or without; borders between modes of the field
+are terminal events.
+"""
 
 from __future__ import annotations
 
@@ -38,35 +40,40 @@ from .solution import (
     start_mode,
 )
 
-#: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have collapsed: at most a second or
-#: so. Steps after which a stretch of a flow is given up.
+#: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have
+#: collapsed: at most a second or so. Steps after which a stretch of a flow is given up.
 BURST, MAX_STEPS = 20_000, 2_000_000
 
-#: Tolerances of flows with derivatives and of plain ones, whose other steps make them a witness of the first.
+#: Tolerances of flows with derivatives and of plain ones, whose other steps make them a witness of
+#: the first.
 TOLERANCE, PLAIN = 1e-17, 1e-16
 
-#: Derivatives are carried in this unit, so that they stay below the state: heyoka's error is relative to the largest of all.
+#: Derivatives are carried in this unit, so that they stay below the state: heyoka's error is
+#: relative to the largest of all.
 UNIT = 1e-4
 
-#: A step ends where a spring passes its anchor within its speed over this. Closer than the root of the tolerance a Taylor series
-#: does not see the least length, and goes on with negative ones.
+#: A step ends where a spring passes its anchor within its speed over this. Closer than the root of
+#: the tolerance a Taylor series does not see the least length, and goes on with negative ones.
 CLOSE = 10.0
 
 #: Minus the exponent from which on an exponential of the place is felt: there it is below rounding.
 FELT = 37.0
 
-#: Largest tolerance of fields with a border that is curved. A level that is no linear function of the state has a Taylor series
-#: of its own, which agrees with that of the state to the tolerance only: where that is not far below the gap behind a border, the
-#: border just crossed would be met again.
+#: Largest tolerance of fields with a border that is curved. A level that is no linear function of
+#: the state has a Taylor series of its own, which agrees with that of the state to the tolerance
+#: only: where that is not far below the gap behind a border, the border just crossed would be met
+#: again.
 CURVED = 1e-3 * GAP
 
 
 @dataclass(frozen=True)
 class Approach:
-    """Where a step ends because of what its Taylor series does not see: ``watched`` passes zero upward there.
+    """Where a step ends because of what its Taylor series does not see: ``watched`` passes zero
+    upward there.
 
-    The argument of a root, ``value``, is least and small, as the squared length of a spring that passes its anchor, or an
-    exponential or a hyperbolic tangent of the place is about to be felt; those of the sliding speed are borders of the field.
+    The argument of a root, ``value``, is least and small, as the squared length of a spring that
+    passes its anchor, or an exponential or a hyperbolic tangent of the place is about to be felt;
+    those of the sliding speed are borders of the field.
     """
 
     watched: Any
@@ -93,12 +100,15 @@ class Approach:
 def equations(
     field: Field, *, watch: bool = False, directions: int | None = None
 ) -> tuple[list[Any], tuple[Any, Any, Any], list[Any], list[Approach]]:
-    """A field for heyoka: variables with their derivatives in time; state, constants and mode; accelerations; approaches.
+    """A field for heyoka: variables with their derivatives in time; state, constants and mode;
+    accelerations; approaches.
 
-    Constants, mode and directions are its ``par[]``. The variables are the state; with so many ``directions`` of the parameters
-    its derivatives by the start and along those, column by column in :data:`UNIT`, and the integrals of the first coordinate and
-    of its square; with ``watch`` the integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter, so
-    that they stay below the states: heyoka's error is relative to the largest of all. The parameter before is x(begin).
+    Constants, mode and directions are its ``par[]``. The variables are the state; with so many
+    ``directions`` of the parameters its derivatives by the start and along those, column by column
+    in :data:`UNIT`, and the integrals of the first coordinate and of its square; with ``watch`` the
+    integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter, so that
+    they stay below the states: heyoka's error is relative to the largest of all. The parameter
+    before is x(begin).
     """
     hy = library()
     names, n, m = field.coordinates, len(field.coordinates), field.size
@@ -144,21 +154,24 @@ def _dot(one: Any, other: Any) -> Any:
 #: What stands for a border where x, that comes around, passes a whole turn.
 PASSAGE = -2
 
-#: Motions that one integrator carries at once, where they are measured. Another number compiles other code, and may give other
-#: last bits.
+#: Motions that one integrator carries at once, where they are measured. Another number compiles
+#: other code, and may give other last bits.
 LANES = 8
 
-#: A motion that passes a border again this near to where it passed it, as a share of its state, may rest there.
+#: A motion that passes a border again this near to where it passed it, as a share of its state, may
+#: rest there.
 NEAR = 1e-3
 
 
 @dataclass
 class Traveller:
-    """A motion on its way: all that is carried of it, its mode, its steps so far, why it stopped, and what is noted of it.
+    """A motion on its way: all that is carried of it, its mode, its steps so far, why it stopped,
+    and what is noted of it.
 
-    Of one by itself that is all crossings and turns. Of one among others it is how many events there were of each kind, and the
-    states where borders were last crossed; the ``latest`` turns of x, by the sign of its second derivative, and where it passes a
-    whole turn; and least and largest x at turns. One that may be ``resting`` on a border has events that are told from chatter by
+    Of one by itself that is all crossings and turns. Of one among others it is how many events
+    there were of each kind, and the states where borders were last crossed; the ``latest`` turns of
+    x, by the sign of its second derivative, and where it passes a whole turn; and least and largest
+    x at turns. One that may be ``resting`` on a border has events that are told from chatter by
     samples only. Its ``further`` parameters are directions, or what a course is measured with.
     """
 
@@ -190,10 +203,12 @@ class Traveller:
 
 
 class Carrier:
-    """A field compiled for motions in lanes, used again and again: each goes over to its next mode where it passes a border.
+    """A field compiled for motions in lanes, used again and again: each goes over to its next mode
+    where it passes a border.
 
-    ``turning`` is that turns are told, of the first coordinate and of levels. With ``watch`` those of the first coordinate are,
-    and the integrals of a :class:`~spragsym.motion.measures.Course` are carried along.
+    ``turning`` is that turns are told, of the first coordinate and of levels. With ``watch`` those
+    of the first coordinate are, and the integrals of a :class:`~spragsym.motion.measures.Course`
+    are carried along.
     """
 
     def __init__(
@@ -251,15 +266,16 @@ class Carrier:
         self.state, self.pars, self.times, self.dense = (
             getattr(self.solver, name) for name in ("state", "pars", "time", "d_output")
         )
-        #: How many numbers of a mode are parameters: heyoka has none beyond the last that a field takes.
+        #: How many numbers of a mode are parameters: heyoka has none beyond the last that a field
+        #: takes.
         self.told = max(0, min(len(field.modes[0]), len(self.pars) - self.constants))
 
     def _border(self, row: int, border: Border, seen: tuple[Any, Any, Any]) -> Any:
         """The terminal event of a border: a level that is positive within its mode.
 
-        The gap keeps one crossing from being found twice, which is what a cooldown is for. Where the field jumps, the levels of
-        both modes are 0, and are curved in the state: after a crossing the new one may be negative by the error of a step, and
-        its way up is no event.
+        The gap keeps one crossing from being found twice, which is what a cooldown is for. Where
+        the field jumps, the levels of both modes are 0, and are curved in the state: after a
+        crossing the new one may be negative by the error of a step, and its way up is no event.
         """
         hy, sign = library(), border.sign(seen[2])
         return hy.t_event_batch(
@@ -274,7 +290,9 @@ class Carrier:
         return self
 
     def _cross(self, row: int, _: Any, direction: int, lane: int) -> bool:
-        """Go over to the next mode; stop if a crossing was missed, or if derivatives would be carried across a jump."""
+        """Go over to the next mode; stop if a crossing was missed, or if derivatives would be
+        carried across a jump.
+        """
         one, t, state = self.some[lane], float(self.times[lane]), self.state[: self.m, lane]
         try:
             if direction > 0:
@@ -298,7 +316,9 @@ class Carrier:
         return True
 
     def _rest(self, one: Traveller, row: int, state: FloatArray) -> None:
-        """Note where a border is crossed, or the motion ends after that, and whether it had been crossed near there."""
+        """Note where a border is crossed, or the motion ends after that, and whether it had been
+        crossed near there.
+        """
         here = state.tolist()
         before, one.crossed[row] = one.crossed.get(row), here
         if before and max(abs(a - b) for a, b in zip(here, before, strict=True)) <= NEAR * max(
@@ -307,7 +327,9 @@ class Carrier:
             one.resting = True
 
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
-        """Note a turn of a border's level, or (−1) of the first coordinate, or that this one passes a whole turn."""
+        """Note a turn of a border's level, or (−1) of the first coordinate, or that this one passes
+        a whole turn.
+        """
         self.solver.update_d_output(t)
         one = self.some[lane]
         if self.lanes == 1:
@@ -322,7 +344,9 @@ class Carrier:
             one.reach[kind] = bound(one.reach[kind], state[0])
 
     def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
-        """Where a root's argument is zero to GAP, move the state on by as much: at its anchor a spring has no direction."""
+        """Where a root's argument is zero to GAP, move the state on by as much: at its anchor a
+        spring has no direction.
+        """
         one, state, pars = (
             self.some[lane],
             self.state[: self.m, lane].copy(),
@@ -342,7 +366,9 @@ class Carrier:
         return parted(values[: self.m], self._columns(values))
 
     def _columns(self, values: FloatArray) -> FloatArray | None:
-        """The derivatives that are carried, a column for each number of the start and each direction."""
+        """The derivatives that are carried, a column for each number of the start and each
+        direction.
+        """
         return values[self.m : -2].reshape(-1, self.m).T / UNIT if self.derivatives else None
 
     def _directions(self, one: Traveller) -> FloatArray | None:
@@ -376,7 +402,8 @@ class Carrier:
     def carry(
         self, motions: Sequence[Traveller], begin: float, end: float, *, record: bool = False
     ) -> list[Samples]:
-        """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the way; samples if asked for.
+        """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the
+        way; samples if asked for.
 
         What stops one that has the integrator to itself is raised.
         """
@@ -387,7 +414,9 @@ class Carrier:
         return pieces
 
     def _through(self, end: float, record: bool) -> list[Samples]:
-        """Carry on what is in the lanes; in a free lane a copy of one that goes on stands still, at the end."""
+        """Carry on what is in the lanes; in a free lane a copy of one that goes on stands still, at
+        the end.
+        """
         going, pieces = [*range(len(self.some))], list[Samples]()
         while going:
             if free := [lane for lane in range(self.lanes) if lane not in going]:
@@ -424,7 +453,9 @@ class Carrier:
         return pieces
 
     def _count(self, one: Traveller, lane: int, begun: float, end: float) -> None:
-        """Count the steps of a lane in a stretch that ``begun``; an error where it can't go on, or has passed a border unseen."""
+        """Count the steps of a lane in a stretch that ``begun``; an error where it can't go on, or
+        has passed a border unseen.
+        """
         outcomes, (outcome, _, _, made), t = (
             library().taylor_outcome,
             self.solver.propagate_res[lane],
@@ -454,7 +485,8 @@ class Carrier:
         if not t < end and not all(level >= -2 * GAP for level in levels):
             raise missed(t)
 
-    # ------------------------------------------------------------------------------------------ a motion by itself
+    # ------------------------------------------------------------------------------------------ a
+    # motion by itself
 
     def begun(self, problem: Problem, directions: Any = ()) -> Carrier:
         """It is to carry one motion."""
@@ -501,7 +533,9 @@ def compiled(field: Field, tol: float, **options: Any) -> Carrier:
 
 
 def flight(problem: Problem, directions: FloatArray | None) -> Carrier:
-    """What carries a flow, with turns, and unless they are None its derivatives by the start and along ``directions``."""
+    """What carries a flow, with turns, and unless they are None its derivatives by the start and
+    along ``directions``.
+    """
     tol, count = (PLAIN, None) if directions is None else (TOLERANCE, len(directions))
     return compiled(problem.field, tol, directions=count, turning=True).begun(
         problem, () if directions is None else directions
@@ -514,7 +548,8 @@ def integrate(problem: Problem) -> Solution:
 
 
 def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[int]]:
-    """What follows ``t_record``, measured on the way: no continuous output, which would have to be kept; or why there is none.
+    """What follows ``t_record``, measured on the way: no continuous output, which would have to be
+    kept; or why there is none.
 
     And the rows of those that are to be measured from samples.
     """

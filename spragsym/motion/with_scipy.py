@@ -1,4 +1,6 @@
-"""SciPy's DOP853, or Radau where motions are stiff, with the variational equations or without, restarted at every border."""
+"""SciPy's DOP853, or Radau where motions are stiff, with the variational equations or without,
+restarted at every border.
+"""
 
 import math
 from collections.abc import Callable, Iterator
@@ -27,17 +29,20 @@ from .solution import (
     start_mode,
 )
 
-# The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
-# in any case: the number must only be finite.
+# The continuation of a mode grows without bound far outside it. Trial steps that go there are
+# rejected in any case: the number must only be finite.
 TRIAL_FLOATS = SimpleNamespace(**{**vars(FLOATS), "exp": lambda z: math.exp(min(z, 100.0))})
 TRIAL_ARRAYS = SimpleNamespace(**{**vars(np), "exp": lambda z: np.exp(np.minimum(z, 100.0))})
 
-#: As tight as DOP853 goes, and Radau, whose order is five; the absolute tolerance of flows, as a share of it.
+#: As tight as DOP853 goes, and Radau, whose order is five; the absolute tolerance of flows, as a
+#: share of it.
 RTOL, IMPLICIT, ABSOLUTE = 2.3e-14, 1e-12, 1e-15 / 2.3e-14
 
-#: Steps after which a stretch of a flow is given up, and between two looks at whether they have collapsed.
+#: Steps after which a stretch of a flow is given up, and between two looks at whether they have
+#: collapsed.
 MAX_STEPS, LOOK = 200_000, 2000
-#: Coordinates and rates that are larger where steps have become as small as floats grow beyond all bounds in a finite time.
+#: Coordinates and rates that are larger where steps have become as small as floats grow beyond all
+#: bounds in a finite time.
 LARGE = 1e12
 
 
@@ -60,7 +65,9 @@ class _Piece:
 
     @cached_property
     def samples(self) -> FloatArray:
-        """All that is carried at Lobatto points, between which crossings and turns are looked for."""
+        """All that is carried at Lobatto points, between which crossings and turns are looked
+        for.
+        """
         samples = self.dense(self.t)
         samples[:, -1] = self.last
         return samples
@@ -68,11 +75,13 @@ class _Piece:
 
 @dataclass(frozen=True)
 class Flight:
-    """The motion of a problem, with derivatives by its start and along ``directions`` of the parameters unless these are None.
+    """The motion of a problem, with derivatives by its start and along ``directions`` of the
+    parameters unless these are None.
 
-    By DOP853, or where it is ``stiff`` by Radau. ``interpolated`` is that states at borders are DOP853's dense output, and that
-    the absolute tolerance is a thousandth of the relative one, as in the compiled integrator; else a step of its own leads there,
-    as the interpolant is of lower order than the method.
+    By DOP853, or where it is ``stiff`` by Radau. ``interpolated`` is that states at borders are
+    DOP853's dense output, and that the absolute tolerance is a thousandth of the relative one, as
+    in the compiled integrator; else a step of its own leads there, as the interpolant is of lower
+    order than the method.
     """
 
     problem: Problem
@@ -133,7 +142,9 @@ class Flight:
         return (Radau if self.stiff else DOP853)(self._rates(mode), begin, whole, bound, **options)
 
     def _pieces(self, whole: FloatArray) -> Iterator[_Piece]:
-        """Steps, none of which leaves its mode; a step that would is cut at the border. An error after too many."""
+        """Steps, none of which leaves its mode; a step that would is cut at the border. An error
+        after too many.
+        """
         field, duration, clock = self.problem.field, self.problem.t_end, 0.0
         m, most = field.size, self.problem.max_steps or MAX_STEPS
         first: float | None = None
@@ -221,7 +232,8 @@ class Flight:
         return rates
 
     def _levels(self, mode: Mode, states: FloatArray, *, inside: bool = False) -> FloatArray:
-        """Levels of all borders, and the first coordinate as the last one, with their rates: (borders + 1, 2, …).
+        """Levels of all borders, and the first coordinate as the last one, with their rates:
+        (borders + 1, 2, …).
 
         Or how far ``inside`` those of a mode, negative beyond.
         """
@@ -259,7 +271,9 @@ class Flight:
         return min(found, default=None)
 
     def _turns(self, piece: _Piece) -> list[Turn]:
-        """Zeros of the rates within a step: of the first coordinate, numbered −1, and of levels where there is a kink."""
+        """Zeros of the rates within a step: of the first coordinate, numbered −1, and of levels
+        where there is a kink.
+        """
         field, found = self.problem.field, list[Turn]()
         watched = [-1, *(row for row, border in enumerate(field.borders) if border.kink)]
         values = self._levels(piece.mode, piece.samples[: field.size])[watched, 1]

@@ -1,4 +1,6 @@
-"""Exact and enclosed numbers: interval arithmetic of any precision, polynomials, their real roots; sizes of vectors."""
+"""Exact and enclosed numbers: interval arithmetic of any precision, polynomials, their real roots;
+sizes of vectors.
+"""
 
 #: Modules that other rooms ask; each is loaded when it is imported.
 __all__ = [

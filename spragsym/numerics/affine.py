@@ -1,12 +1,14 @@
-"""Floats with a proved bound on the error of each, and affine arithmetic: numbers that know how they depend on what varies.
+"""Floats with a proved bound on the error of each, and affine arithmetic: numbers that know how
+they depend on what varies.
 
-A :class:`Rounded` stands for every number within ``error`` of ``value``, for many points at once. What generated algebra makes of
-them is again right: each operation adds what it rounds. A sign that the bound leaves open is 0, and its point goes to
-:mod:`spragsym.numerics.balls`.
+A :class:`Rounded` stands for every number within ``error`` of ``value``, for many points at once.
+What generated algebra makes of them is again right: each operation adds what it rounds. A sign that
+the bound leaves open is 0, and its point goes to :mod:`spragsym.numerics.balls`.
 
-An :class:`Affine` stands for value + Σ terms_j ε_j ± error with every \\|ε_j\\| ≤ 1, one ε for each side of a box. Sums and
-products keep the terms, so that what depends on a parameter twice is not widened twice, and what is lost is of second order in
-the size of the box. Every rounding goes into the error: a sign that it leaves open is 0.
+An :class:`Affine` stands for value + Σ terms_j ε_j ± error with every \\|ε_j\\| ≤ 1, one ε for each
+side of a box. Sums and products keep the terms, so that what depends on a parameter twice is not
+widened twice, and what is lost is of second order in the size of the box. Every rounding goes into
+the error: a sign that it leaves open is 0.
 """
 
 from __future__ import annotations
@@ -24,12 +26,15 @@ from .jets import Functions, Jet
 
 #: Half a unit in the last place, relative.
 UNIT = 2.0**-53
-#: What an error bound itself may lose by the roundings of one operation, and the underflow of a product.
+#: What an error bound itself may lose by the roundings of one operation, and the underflow of a
+#: product.
 _SLACK, _TINY = 1.0 + 2.0**-45, 1e-320
 
 
 class _Zero(Arithmetic):
-    """The 0 of numbers without terms, and of what these reach: no arrays of zeros are made and added up."""
+    """The 0 of numbers without terms, and of what these reach: no arrays of zeros are made and
+    added up.
+    """
 
     __array_ufunc__ = None
 
@@ -49,7 +54,9 @@ _ZERO = _Zero()
 
 
 class Rounded(Arithmetic):
-    """Numbers ``value`` ± ``error``, arrays of one shape; operations with ints and floats take these as exact."""
+    """Numbers ``value`` ± ``error``, arrays of one shape; operations with ints and floats take
+    these as exact.
+    """
 
     __slots__ = ("error", "value")
     __array_ufunc__ = None  # an array on the left leaves the operation to the right
@@ -88,7 +95,8 @@ class Rounded(Arithmetic):
         error, terms = left * other.error + (right + other.error) * self.error + _TINY, _ZERO
         if self.terms is not _ZERO or other.terms is not _ZERO:
             own, others = _spread(self), _spread(other)
-            # What may be the 0 of numbers without terms stands on the left: its own product is taken before NumPy's.
+            # What may be the 0 of numbers without terms stands on the left: its own product is
+            # taken before NumPy's.
             error = (
                 error
                 + own * (others + other.error)
@@ -103,7 +111,8 @@ class Rounded(Arithmetic):
         value = self.value / other.value
         size, reach, quotient = abs(other.value), other.radius(), abs(value)
         least = size - reach
-        # x/y = q + (x − q y)/w + (x − q y)(1/y − 1/w) for q = v/w, and |1/y − 1/w| ≤ |y − w| / (|w| (|w| − |y − w|)).
+        # x/y = q + (x − q y)/w + (x − q y)(1/y − 1/w) for q = v/w, and |1/y − 1/w| ≤ |y − w| / (|w|
+        # (|w| − |y − w|)).
         rounding = (_spread(other) * quotient + _spread(self)) * (4 * UNIT)
         own = (rounding + (self.error + quotient * other.error)) / size
         found = _number(value, (self.terms - other.terms * value) / other.value, own)
@@ -140,7 +149,9 @@ class Rounded(Arithmetic):
 
 
 class Affine(Rounded):
-    """Numbers of ``n`` boxes: ``value`` and ``error`` of shape (n,), ``terms`` of shape (sides, n)."""
+    """Numbers of ``n`` boxes: ``value`` and ``error`` of shape (n,), ``terms`` of shape (sides,
+    n).
+    """
 
     __slots__ = ("terms",)
 
@@ -213,7 +224,9 @@ def sides(low: FloatArray, high: FloatArray) -> list[Affine]:
 
 
 def cosine_and_sine(angle: Any) -> tuple[Any, Any]:
-    """Cosine and sine of an angle, to first order in what it depends on; of floats, which are exact, as :class:`Rounded`."""
+    """Cosine and sine of an angle, to first order in what it depends on; of floats, which are
+    exact, as :class:`Rounded`.
+    """
     cosine, sine = (
         wave(angle.value if isinstance(angle, Affine) else angle) for wave in (np.cos, np.sin)
     )

@@ -1,5 +1,6 @@
-"""Arithmetic of any number type: operators from a sum, a product and a change of sign, complex numbers, small linear systems,
-determinants, characteristic polynomials and resultants."""
+"""Arithmetic of any number type: operators from a sum, a product and a change of sign, complex
+numbers, small linear systems, determinants, characteristic polynomials and resultants.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +13,9 @@ Matrix: TypeAlias = Sequence[Sequence[Any]]
 
 
 def repeated_product(self: Any, power: int) -> Any:
-    """A positive power, one product after the other: the ``__pow__`` of types for which only small powers occur."""
+    """A positive power, one product after the other: the ``__pow__`` of types for which only small
+    powers occur.
+    """
     result = self
     for _ in range(power - 1):
         result = result * self
@@ -22,8 +25,8 @@ def repeated_product(self: Any, power: int) -> Any:
 class Arithmetic:
     """A base of number types: operations with what stands on the left, and differences.
 
-    Each type says the first three itself. It is no abstract class: ``isinstance`` of one takes three times as long, and stands
-    in every operation.
+    Each type says the first three itself. It is no abstract class: ``isinstance`` of one takes
+    three times as long, and stands in every operation.
     """
 
     __slots__ = ()

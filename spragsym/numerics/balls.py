@@ -1,13 +1,15 @@
-"""Interval arithmetic of any precision, on Python's integers: the same bits on every machine, in every thread.
+"""Interval arithmetic of any precision, on Python's integers: the same bits on every machine, in
+every thread.
 
-A :class:`Ball` is an interval (mid ± rad) 2^exp of three integers. It carries the number of bits that results of it are rounded
-to, and every rounding goes into ``rad``. Integers are exact, so nothing here depends on a precision that is kept elsewhere.
+A :class:`Ball` is an interval (mid ± rad) 2^exp of three integers. It carries the number of bits
+that results of it are rounded to, and every rounding goes into ``rad``. Integers are exact, so
+nothing here depends on a precision that is kept elsewhere.
 
-python-flint's Arb and mpmath's intervals keep theirs in one variable for all threads (``flint.ctx.prec``, ``mpmath.iv.prec``, and
-mpmath's memory of π in another): to set it changes what the user's other threads compute meanwhile, which no lock of this package
-can prevent. At fifty digits most of the time is Python's own, and a point costs 1.6 times what it would with Arb, at a thousand
-digits 3.4 times.
-All precisions are in bits.
+python-flint's Arb and mpmath's intervals keep theirs in one variable for all threads
+(``flint.ctx.prec``, ``mpmath.iv.prec``, and mpmath's memory of π in another): to set it changes
+what the user's other threads compute meanwhile, which no lock of this package can prevent. At fifty
+digits most of the time is Python's own, and a point costs 1.6 times what it would with Arb, at a
+thousand digits 3.4 times. All precisions are in bits.
 """
 
 from __future__ import annotations
@@ -79,7 +81,8 @@ class Ball(Arithmetic):
                 return Ball(n, s, exp, self.bits)
             if not (n or s):
                 return Ball(m, r, one.exp, self.bits)
-            # What lies far below the last bit of the result goes into the radius, lest a wide gap cost its number of bits.
+            # What lies far below the last bit of the result goes into the radius, lest a wide gap
+            # cost its number of bits.
             drop = gap - self.bits - 2 * GUARD_BITS
             if drop > 0:
                 n, s, exp, gap = n >> drop, _rounded(s, drop), exp + drop, gap - drop
@@ -130,7 +133,9 @@ class Ball(Arithmetic):
 
 
 def _rounded(radius: int, shift: int) -> int:
-    """The radius in units of 2^shift around a middle that is rounded down to them: rounded up, and a unit for the middle."""
+    """The radius in units of 2^shift around a middle that is rounded down to them: rounded up, and
+    a unit for the middle.
+    """
     return 1 - (-radius >> shift)
 
 
@@ -161,7 +166,9 @@ def _quotient(one: Ball, other: Ball) -> Ball:
 
 @contextmanager
 def precision(bits: int) -> Iterator[None]:
-    """Numbers made inside carry ``bits`` bits; each thread and each asynchronous task has its own."""
+    """Numbers made inside carry ``bits`` bits; each thread and each asynchronous task has its
+    own.
+    """
     token = _BITS.set(bits)
     try:
         yield
@@ -221,7 +228,8 @@ def cos_sin(angle: Ball) -> tuple[Ball, Ball]:
     wanted = angle.bits + GUARD_BITS
     places = wanted + _leading_zeros(angle)
     cosine, sine, error = _cos_sin(angle.mid, angle.exp, places)
-    # Near a multiple of π/2 one of them is small: again, with the bits that it lacks, if the angle is known so well.
+    # Near a multiple of π/2 one of them is small: again, with the bits that it lacks, if the angle
+    # is known so well.
     lacking = wanted - min(cosine.bit_length(), sine.bit_length())
     if not angle.rad and lacking > GUARD_BITS // 2:
         places += lacking
@@ -244,7 +252,9 @@ def sqrt(value: Ball) -> Ball:
 
 
 def atan(value: Ball) -> Ball:
-    """Arc tangent, which changes by no more than its argument does; of a large one through its reciprocal."""
+    """Arc tangent, which changes by no more than its argument does; of a large one through its
+    reciprocal.
+    """
     if value.mid.bit_length() + value.exp > 1 and abs(value.mid) > value.rad:
         half = _pi(value.bits) * 0.5
         return (half if value.mid > 0 else -half) - atan(1 / value)
@@ -265,7 +275,9 @@ def _pi(bits: int) -> Ball:
 
 
 def atan2(sine: Ball, cosine: Ball) -> Ball:
-    """Angle of a vector of balls, from −π to π; :class:`Undecided` where they meet the ray on which it jumps."""
+    """Angle of a vector of balls, from −π to π; :class:`Undecided` where they meet the ray on which
+    it jumps.
+    """
     up, right = (sign(part) for part in (sine, cosine))
     if right > 0 and (not up or _size(sine) <= _size(cosine)):
         return atan(sine / cosine)
@@ -288,7 +300,8 @@ def sin(angle: Ball) -> Ball:
 def exp(value: Ball) -> Ball:
     """Exponential: Taylor's series of the argument over 2^halvings, squared as often.
 
-    The argument is cut to at most 2^-8, so that what is dropped after a term is less than that term.
+    The argument is cut to at most 2^-8, so that what is dropped after a term is less than that
+    term.
     """
     halvings = max(0, value.mid.bit_length() + value.exp, value.rad.bit_length() + value.exp) + 8
     bits = value.bits + halvings + GUARD_BITS
@@ -305,7 +318,9 @@ def exp(value: Ball) -> Ball:
 
 
 def log(value: Ball) -> Ball:
-    """Natural logarithm: y + log(1 + z) for a float y near it and z = x e^−y − 1, by Taylor's series."""
+    """Natural logarithm: y + log(1 + z) for a float y near it and z = x e^−y − 1, by Taylor's
+    series.
+    """
     if value.mid <= 2 * value.rad:
         raise Undecided("the logarithm of a ball that holds 0, or nearly does")
     bits = value.bits + GUARD_BITS
@@ -354,7 +369,8 @@ def with_enough_bits(digits: int, attempt: Callable[[int], T], what: str) -> T:
             except (Undecided, ZeroDivisionError) as reason:
                 if bits >= MAXIMUM_BITS:
                     raise ConvergenceError(
-                        f"{what}: {bits} bits do not decide it ({reason}); the parameters are degenerate, "
+                        f"{what}: {bits} bits do not decide it ({reason}); the parameters are "
+                        "degenerate, "
                         "change one of them a little"
                     ) from None
         bits *= 2
@@ -366,7 +382,9 @@ def decided(value: Interval, what: str) -> int:
 
 
 def sign_or_zero(value: Interval, what: str, vanishes: Callable[[], bool]) -> int:
-    """The sign of an interval; 0 only where it holds 0 and ``vanishes()`` says that the number in it is exactly 0."""
+    """The sign of an interval; 0 only where it holds 0 and ``vanishes()`` says that the number in
+    it is exactly 0.
+    """
     result = sign(value)
     if result == 0 and not vanishes():
         raise Undecided(what)
@@ -374,16 +392,21 @@ def sign_or_zero(value: Interval, what: str, vanishes: Callable[[], bool]) -> in
 
 
 def as_floats(intervals: Iterable[Interval]) -> tuple[list[float], float]:
-    """The middles of intervals as floats, infinite beyond float64, and a bound on |error| / max(1, |value|) of all of them."""
+    """The middles of intervals as floats, infinite beyond float64, and a bound on |error| / max(1,
+    |value|) of all of them.
+    """
     middles, worst, _ = as_numbers(intervals, FLOAT_DIGITS)
-    # Half a unit in the last place of a float, 1.11e-16, and what is lost where the first term is rounded and in the sum, 1e-30.
+    # Half a unit in the last place of a float, 1.11e-16, and what is lost where the first term is
+    # rounded and in the sum, 1e-30.
     return list(map(float, middles)), float(worst) + 1.2e-16
 
 
 def as_numbers(
     intervals: Iterable[Interval], digits: int | None
 ) -> tuple[list[mpmath.mpf], Fraction, Fraction]:
-    """The middles of intervals with every bit that they have, and bounds on |error| / max(1, |value|) and |error| of all."""
+    """The middles of intervals with every bit that they have, and bounds on |error| / max(1,
+    |value|) and |error| of all.
+    """
     middles, error, radius = [], Fraction(0), Fraction(0)
     for low, high in map(ends, intervals):
         middle, half = (low + high) / 2, (high - low) / 2
@@ -430,7 +453,8 @@ def _shifted_down(value: int, places: int) -> int:
     return value << places if places >= 0 else value >> -places
 
 
-# ----------------------------------------------------------------------------- functions of fixed-point numbers
+# ----------------------------------------------------------------------------- functions of
+# fixed-point numbers
 #
 # x stands for x 2^−places. Products are rounded down, so that each is off by less than one unit.
 
@@ -438,8 +462,8 @@ def _shifted_down(value: int, places: int) -> int:
 def _cos_sin(mid: int, exp: int, places: int) -> tuple[int, int, int]:
     """Cosine and sine of mid · 2^exp, and a bound on the error of both, in units of 2^−places.
 
-    Taylor's series of the angle over 2^halvings, then the square of cos + i sin as often: each doubles an error, and adds less
-    than two units to it.
+    Taylor's series of the angle over 2^halvings, then the square of cos + i sin as often: each
+    doubles an error, and adds less than two units to it.
     """
     halvings = max(0, mid.bit_length() + exp + math.isqrt(places) // 2)
     inner = places + halvings + GUARD_BITS
@@ -453,7 +477,8 @@ def _cos_sin(mid: int, exp: int, places: int) -> tuple[int, int, int]:
     cosine = math.isqrt((1 << 2 * inner) - sine * sine)
     for _ in range(halvings):
         cosine, sine = (cosine * cosine - sine * sine) >> inner, 2 * cosine * sine >> inner
-    # Each of order/2 terms is off by less than three units, as are x and the rest of the series, and the cosine by no more.
+    # Each of order/2 terms is off by less than three units, as are x and the rest of the series,
+    # and the cosine by no more.
     error = (5 * order // 2 + 16) << halvings
     down = inner - places
     return cosine >> down, sine >> down, _rounded(error, down)
@@ -462,8 +487,8 @@ def _cos_sin(mid: int, exp: int, places: int) -> tuple[int, int, int]:
 def _atan(x: int, places: int) -> tuple[int, int]:
     """Arc tangent of x, itself off by less than one unit, and a bound on its error.
 
-    atan x = 2 atan(x / (1 + √(1 + x²))), as often as pays, then Taylor's series. Each reduction halves an error, and adds less
-    than three units to it.
+    atan x = 2 atan(x / (1 + √(1 + x²))), as often as pays, then Taylor's series. Each reduction
+    halves an error, and adds less than three units to it.
     """
     halvings = 2 + math.isqrt(places) // 3
     inner = places + halvings + GUARD_BITS
@@ -477,7 +502,8 @@ def _atan(x: int, places: int) -> tuple[int, int]:
         power = -(power * square >> inner)
         order += 2
         result += power // order
-    # Each of order/2 terms is off by less than two units; x's own unit, of 2^−places, is as large in the arc tangent.
+    # Each of order/2 terms is off by less than two units; x's own unit, of 2^−places, is as large
+    # in the arc tangent.
     error = ((order + 16) << halvings) + (1 << inner - places)
     down = inner - places
     return (result << halvings) >> down, _rounded(error, down)

@@ -1,8 +1,10 @@
-"""The positive roots of many polynomials of one degree, isolated with proof in float64: Descartes' rule in Bernstein's basis.
+"""The positive roots of many polynomials of one degree, isolated with proof in float64: Descartes'
+rule in Bernstein's basis.
 
-With t = τ w/(1 − w) the half line t > 0 is 0 < w < 1, and the coefficients of a polynomial in t over the binomials are those of
-Bernstein's basis in w. On a part of that interval the coefficients are averages of those on the whole (de Casteljau), and their
-signs tell whether the part holds no root or exactly one (Descartes, Vincent). Each coefficient carries a bound on its error; a
+With t = τ w/(1 − w) the half line t > 0 is 0 < w < 1, and the coefficients of a polynomial in t
+over the binomials are those of Bernstein's basis in w. On a part of that interval the coefficients
+are averages of those on the whole (de Casteljau), and their signs tell whether the part holds no
+root or exactly one (Descartes, Vincent). Each coefficient carries a bound on its error; a
 polynomial is given back as undecided where that bound leaves open a sign that is needed.
 """
 
@@ -21,13 +23,16 @@ from .interval_arrays import BoolArray, FloatArray, IndexArray, Int8Array, quiet
 DEPTH = 30
 #: Halvings of a part after which its signs are left open.
 HALVINGS = 6
-#: τ: no round number, so that roots of symmetric polynomials, at t = 1, lie inside of a part and not at an end.
+#: τ: no round number, so that roots of symmetric polynomials, at t = 1, lie inside of a part and
+#: not at an end.
 SCALE = 1.0703125
 
 
 @dataclass(frozen=True)
 class Parts(ByColumn):
-    """Parts of 0 < w < 1, each with the coefficients of its row's polynomial there, of shape (degree + 1, parts)."""
+    """Parts of 0 < w < 1, each with the coefficients of its row's polynomial there, of shape
+    (degree + 1, parts).
+    """
 
     row: IndexArray
     low: FloatArray
@@ -38,7 +43,9 @@ class Parts(ByColumn):
 
 @dataclass(frozen=True)
 class Roots:
-    """Roots of many polynomials: rows, t with a radius that is proved, and the sign of the slope there; and undecided rows."""
+    """Roots of many polynomials: rows, t with a radius that is proved, and the sign of the slope
+    there; and undecided rows.
+    """
 
     row: IndexArray
     t: Rounded
@@ -47,7 +54,9 @@ class Roots:
 
 
 def positive_roots(coefficients: Sequence[Any], size: int) -> Roots:
-    """Every positive root of ``size`` polynomials, lowest power first: of rows that are decided all, simple, in no order."""
+    """Every positive root of ``size`` polynomials, lowest power first: of rows that are decided
+    all, simple, in no order.
+    """
     pending = _beginning(coefficients, size)
     undecided = np.asarray(~np.isfinite(pending.value + pending.error).all(axis=0))
     found = []
@@ -71,7 +80,8 @@ def positive_roots(coefficients: Sequence[Any], size: int) -> Roots:
 
 @dataclass(frozen=True)
 class Signs:
-    """Signs of many polynomials on a part each: at its lower end; whether all of it is negative, or some of it positive.
+    """Signs of many polynomials on a part each: at its lower end; whether all of it is negative, or
+    some of it positive.
 
     What the bounds leave open is 0 and neither.
     """
@@ -84,13 +94,16 @@ class Signs:
 def signs_between(
     coefficients: Sequence[Any], low: FloatArray, high: FloatArray, off: FloatArray
 ) -> Signs:
-    """What signs polynomials, lowest power first, have between places in w = t/(t + ``SCALE``), which are known to ``off``."""
+    """What signs polynomials, lowest power first, have between places in w = t/(t + ``SCALE``),
+    which are known to ``off``.
+    """
     size = low.size
     whole = _beginning(coefficients, size)
     with quiet():
         upper = _cut(whole.value, low)[1]
         value = _cut(upper, np.clip((high - low) / (1 - low), 0.0, 1.0))[0]
-    # Two cuts round as often as two evaluations. A place off by ε moves a value by 2 · degree · ε times the largest coefficient.
+    # Two cuts round as often as two evaluations. A place off by ε moves a value by 2 · degree · ε
+    # times the largest coefficient.
     largest = np.abs(whole.value).max(axis=0)
     noise = whole.error.max(axis=0) + (len(value) - 1) * (16 * UNIT + 2 * off) * largest
     at_low = Rounded(value[0], noise).sign()
@@ -111,7 +124,9 @@ def signs_between(
 
 
 def _cut(value: FloatArray, place: FloatArray | float = 0.5) -> tuple[FloatArray, FloatArray]:
-    """Coefficients on both sides of a place between 0 and 1, by de Casteljau's rule; halved, each average is rounded once."""
+    """Coefficients on both sides of a place between 0 and 1, by de Casteljau's rule; halved, each
+    average is rounded once.
+    """
     upper, lower = value.copy(), np.empty_like(value)
     lower[0] = upper[0]
     for step in range(1, len(value)):
@@ -139,11 +154,14 @@ def _beginning(coefficients: Sequence[Any], size: int) -> Parts:
 
 
 def _descartes(parts: Parts) -> tuple[BoolArray, BoolArray]:
-    """Where a part holds no root, and where exactly one, a simple one. An open sign between two that differ changes nothing."""
+    """Where a part holds no root, and where exactly one, a simple one. An open sign between two
+    that differ changes nothing.
+    """
     signs = Rounded(parts.value, parts.error).sign()
     unknown = signs == 0
     number = unknown.sum(axis=0, dtype=np.int8)
-    # An open sign repeats the one before it, so that it is no change; the first one has none before it and counts as a change.
+    # An open sign repeats the one before it, so that it is no change; the first one has none before
+    # it and counts as a change.
     filled = signs.copy()
     filled[1:][unknown[1:]] = signs[:-1][unknown[1:]]
     changes = (filled[1:] != filled[:-1]).sum(axis=0, dtype=np.int8)
@@ -155,10 +173,13 @@ def _descartes(parts: Parts) -> tuple[BoolArray, BoolArray]:
 
 
 def _halved(parts: Parts) -> Parts:
-    """Both halves of each part, the lower ones first. A halving rounds ``degree`` times, at most by the largest value there."""
+    """Both halves of each part, the lower ones first. A halving rounds ``degree`` times, at most by
+    the largest value there.
+    """
     low_value, high_value = _cut(parts.value)
     degree = len(parts.value) - 1
-    # Each average is rounded relative to itself; the averages of the sizes bound those of the values.
+    # Each average is rounded relative to itself; the averages of the sizes bound those of the
+    # values.
     spread = (parts.error + 1.01 * degree * UNIT * np.abs(parts.value)) * (1 + 2 * degree * UNIT)
     low_error, high_error = _cut(spread)
     half = 0.5 * parts.width
@@ -179,7 +200,9 @@ def _at(value: FloatArray, place: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _refined(parts: Parts, undecided: BoolArray) -> Roots:
-    """Each root by Newton's rule, or by halving where that leaves its part; and a radius at whose ends the signs differ."""
+    """Each root by Newton's rule, or by halving where that leaves its part; and a radius at whose
+    ends the signs differ.
+    """
     degree = len(parts.value) - 1
     noise = parts.error.max(axis=0) + 8 * degree * UNIT * np.abs(parts.value).max(axis=0)
     rising = np.where(parts.value[-1] > 0, 1, -1).astype(np.int8)

@@ -1,9 +1,11 @@
-"""All roots of small systems in a region, proved: branch and prune, over many boxes and many points of parameters at once.
+"""All roots of small systems in a region, proved: branch and prune, over many boxes and many points
+of parameters at once.
 
-A pair of a box of unknowns and a node of the tree of points is taken from a stack, thousands at a time. Whatever
-:mod:`spragsym.numerics.contractors` proves of it holds for all points of the node: so it is dropped, or decided for all of them.
-What is not decided is halved: the box where the width of the unknowns is what keeps it open, the node where the spread of the
-parameters is. Points of a space of parameters are the leaves of a tree of boxes, so that one proof serves all points of a box.
+A pair of a box of unknowns and a node of the tree of points is taken from a stack, thousands at a
+time. Whatever :mod:`spragsym.numerics.contractors` proves of it holds for all points of the node:
+so it is dropped, or decided for all of them. What is not decided is halved: the box where the width
+of the unknowns is what keeps it open, the node where the spread of the parameters is. Points of a
+space of parameters are the leaves of a tree of boxes, so that one proof serves all points of a box.
 """
 
 from __future__ import annotations
@@ -30,9 +32,11 @@ from .jets import gradient, variables
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
 CHUNK = 2048
-#: Pieces that the region is cut into at once for no more points than these: a look at one box costs as much as at a few.
+#: Pieces that the region is cut into at once for no more points than these: a look at one box costs
+#: as much as at a few.
 PIECES, FEW_POINTS = 16, 4
-#: By how much of its width a box is widened before it is asked for a root: so roots on its border are inside of it.
+#: By how much of its width a box is widened before it is asked for a root: so roots on its border
+#: are inside of it.
 MARGIN = 0.05
 #: Budget of a point, if no other is given.
 BUDGET = 20000
@@ -42,7 +46,8 @@ NODE_BUDGET = 400
 ENOUGH = 0.6
 #: Relative width of boxes that are not halved any more, if no other is given.
 NARROW = 2.0**-44
-#: Relative width of boxes that are given up where rounding moves the root by as much as :data:`SPREAD`.
+#: Relative width of boxes that are given up where rounding moves the root by as much as
+#: :data:`SPREAD`.
 SMALL = 2.0**-12
 #: Width of boxes around a pole of F that are not halved any more.
 POLE = 2.0**-7
@@ -51,7 +56,8 @@ SPREAD = 0.35
 
 
 class System:
-    """n equations in n unknowns with parameters: their values over boxes, and their slopes, if they are not given, by jets.
+    """n equations in n unknowns with parameters: their values over boxes, and their slopes, if they
+    are not given, by jets.
 
     What is neither equations nor their values and slopes has a default that knows nothing more.
     """
@@ -62,11 +68,15 @@ class System:
     limits: Any = np.inf
 
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
-        """F of unknowns that are intervals or jets of them, one a box; parameters of shape (P, N)."""
+        """F of unknowns that are intervals or jets of them, one a box; parameters of shape (P,
+        N).
+        """
         raise NotImplementedError
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """F over N boxes: unknowns of shape (n, N), parameters of shape (P, N), result of shape (n, N)."""
+        """F over N boxes: unknowns of shape (n, N), parameters of shape (P, N), result of shape (n,
+        N).
+        """
         raise NotImplementedError
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
@@ -79,7 +89,9 @@ class System:
         return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
     def prepared(self, bounds: Intervals) -> Intervals:
-        """What the methods take as parameters, from the boxes of all nodes of the tree, shape (parameters, nodes)."""
+        """What the methods take as parameters, from the boxes of all nodes of the tree, shape
+        (parameters, nodes).
+        """
         return bounds
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
@@ -89,7 +101,9 @@ class System:
     def given_up(
         self, unknowns: Intervals, parameters: Intervals, width: float = POLE
     ) -> BoolArray:
-        """Boxes up to a width that halving would never decide, as around a pole of F, shape (N,)."""
+        """Boxes up to a width that halving would never decide, as around a pole of F, shape
+        (N,).
+        """
         return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
 
@@ -106,7 +120,8 @@ class Pairs(ByColumn):
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a search ends with: boxes with exactly one root for every point of their node, and boxes that nothing is known of.
+    """What a search ends with: boxes with exactly one root for every point of their node, and boxes
+    that nothing is known of.
 
     ``unique`` and ``where`` are one list: any root in the first box lies in the second one, too.
     """
@@ -127,9 +142,11 @@ def search(
     budget: int = BUDGET,
     narrow: float = NARROW,
 ) -> Outcome:
-    """All roots for all points: the box to search is ``region``, −low and high, (2, n, points or 1), points (parameters, points).
+    """All roots for all points: the box to search is ``region``, −low and high, (2, n, points or
+    1), points (parameters, points).
 
-    ``budget`` is how many boxes one point may take, and ``narrow`` the relative width of boxes that are not halved any more.
+    ``budget`` is how many boxes one point may take, and ``narrow`` the relative width of boxes that
+    are not halved any more.
     """
     points = tree(low, high)
     first = Pairs(region.max(axis=2, keepdims=True).astype(np.float64), np.zeros(1, dtype=np.int64))
@@ -162,8 +179,8 @@ class _Search:
     limits: FloatArray
     budget: int
     narrow: float
-    #: Whether points are points. Over a box of them roots are as wide as it makes them, and what is cut closely has no room
-    #: for these.
+    #: Whether points are points. Over a box of them roots are as wide as it makes them, and what is
+    #: cut closely has no room for these.
     sharp: bool
     #: What is searched for the points of each node, where that is not the same for all points.
     regions: FloatArray | None
@@ -231,7 +248,9 @@ class _Search:
         )
 
     def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs, Intervals]:
-        """Pairs whose boxes may hold a root; what is left of the boxes by the system's own contraction; parameters."""
+        """Pairs whose boxes may hold a root; what is left of the boxes by the system's own
+        contraction; parameters.
+        """
         parameters = self.parameters[:, given.nodes]
         after = self.system.contracted(Intervals(given.ends), parameters)
         boxes = Intervals(_with_room(after, given.ends, 0.0))
@@ -250,7 +269,9 @@ class _Search:
     def _divided(
         self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: BoolArray
     ) -> Pairs:
-        """Halves of boxes, halves of nodes, or boxes as they are if they have become much narrower."""
+        """Halves of boxes, halves of nodes, or boxes as they are if they have become much
+        narrower.
+        """
         widths = width_of(now.ends)
         single = self.points.size[now.nodes] == 1
         spent = self.work[now.nodes] > np.where(single, self.budget, NODE_BUDGET)
@@ -278,7 +299,9 @@ class _Search:
         )
 
     def _in_their_regions(self, pairs: Pairs) -> Pairs:
-        """What is left of boxes in the regions of their nodes: that of one point may be wide, and that of another narrow."""
+        """What is left of boxes in the regions of their nodes: that of one point may be wide, and
+        that of another narrow.
+        """
         if self.regions is None:
             return pairs
         ends = np.minimum(pairs.ends, self.regions[:, :, pairs.nodes])
@@ -286,7 +309,9 @@ class _Search:
 
 
 def _with_room(ends: FloatArray, given: FloatArray, noise: FloatArray | float) -> FloatArray:
-    """A box narrowed, but not to the last digit: a component that converges before the others keeps room until all are proved."""
+    """A box narrowed, but not to the last digit: a component that converges before the others keeps
+    room until all are proved.
+    """
     return np.fmin(ends + (MARGIN * Intervals(given).width + 4 * noise), given)
 
 
@@ -298,7 +323,8 @@ def _parted(pairs: Pairs) -> Pairs:
 
 
 def _halves(pairs: Pairs, slopes: Intervals, closed: BoolArray) -> Pairs:
-    """Both halves of each box, cut where the residuals change most in proportion to all that they change.
+    """Both halves of each box, cut where the residuals change most in proportion to all that they
+    change.
 
     A component that interval Newton maps into the interior is not what keeps the box open.
     """
@@ -329,7 +355,8 @@ class Tree:
 
     bounds: Intervals  #: the smallest box around the points of a node, (parameters, nodes)
     size: IntArray  #: number of points below each node; 0 for nodes that are not there
-    order: IntArray  #: the points' numbers in the order of the leaves, which stand last; −1 where there is none
+    # the points' numbers in the order of the leaves, which stand last; −1 where there is none
+    order: IntArray
     depth: int  #: levels below the root
 
     def below(self, nodes: IntArray) -> tuple[IntArray, IntArray]:
@@ -346,7 +373,9 @@ class Tree:
         return places[there], self.order[leaves[there]]
 
     def hulls(self, ends: FloatArray) -> FloatArray:
-        """The hull of the boxes of all points below each node: ends of shape (2, n, points), result of shape (2, n, nodes)."""
+        """The hull of the boxes of all points below each node: ends of shape (2, n, points), result
+        of shape (2, n, nodes).
+        """
         nothing = np.full(
             (*ends.shape[:2], 1), -np.inf
         )  # of leaves that are not there, whose number is −1
@@ -363,7 +392,9 @@ class Tree:
 
 
 def tree(low: FloatArray, high: FloatArray) -> Tree:
-    """Halve points, boxes of shape (parameters, points), by the parameter in which they are spread most, again and again."""
+    """Halve points, boxes of shape (parameters, points), by the parameter in which they are spread
+    most, again and again.
+    """
     count, points = low.shape
     depth = max(0, int(points - 1).bit_length())
     leaves = 1 << depth

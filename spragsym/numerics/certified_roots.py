@@ -1,4 +1,6 @@
-"""From boxes with one root each to the roots of each point: once each, to full precision, with a bound on the error."""
+"""From boxes with one root each to the roots of each point: once each, to full precision, with a
+bound on the error.
+"""
 
 from __future__ import annotations
 
@@ -103,7 +105,9 @@ class Roots:
 
 
 def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
-    """Bound on |x − middle| / max(1, |middle|) over the boxes, shape (2, n, N), the largest of the components."""
+    """Bound on |x − middle| / max(1, |middle|) over the boxes, shape (2, n, N), the largest of the
+    components.
+    """
     return raised((contractors.distance(ends, middle) / scale_of(middle)).max(axis=0))
 
 
@@ -121,7 +125,8 @@ def search(
     with quiet():
         ends = np.minimum(outcome.where.ends[:, :, place], alone)
         ends, gone = _refined(system, ends, Intervals.between(low, high), point)
-        # Each holds a root; where a law ends at the root itself, as a contact's at the touch, refinement may lose it: undecided.
+        # Each holds a root; where a law ends at the root itself, as a contact's at the touch,
+        # refinement may lose it: undecided.
         found = Roots(ends, alone, point, outcome.undecided.ends[:, :, open_], left_point).kept(
             ~gone
         )
@@ -131,7 +136,8 @@ def search(
 
 
 def different(found: Roots, regions: FloatArray) -> Roots:
-    """Roots in the regions of their points, each once; what can't be told from another or one on the border is left.
+    """Roots in the regions of their points, each once; what can't be told from another or one on
+    the border is left.
 
     ``regions`` have the shape (2, n, points).
     """
@@ -182,9 +188,11 @@ def stepped(system: System, ends: FloatArray, parameters: Intervals) -> contract
 
 
 def once(ends: FloatArray, alone: FloatArray, point: IntArray) -> tuple[IntArray, IntArray]:
-    """Rows of different roots, and rows that may be a root already found or another; sorted by point and lower end.
+    """Rows of different roots, and rows that may be a root already found or another; sorted by
+    point and lower end.
 
-    Two boxes of a point hold the same root if one lies where the other's is alone, and different ones if they do not meet.
+    Two boxes of a point hold the same root if one lies where the other's is alone, and different
+    ones if they do not meet.
     """
     keep = np.ones(point.size, dtype=np.bool_)
     unclear = np.zeros(point.size, dtype=np.bool_)
@@ -202,7 +210,9 @@ def once(ends: FloatArray, alone: FloatArray, point: IntArray) -> tuple[IntArray
 
 
 def neighbours(boxes: FloatArray, point: IntArray) -> Iterator[tuple[IntArray, IntArray]]:
-    """Rows of pairs of boxes of one point that overlap in the first unknown; sorted by point and lower end."""
+    """Rows of pairs of boxes of one point that overlap in the first unknown; sorted by point and
+    lower end.
+    """
     for shift in range(1, point.size):
         # In the order of the lower ends: boxes that do not overlap have no overlap farther on.
         near = (point[shift:] == point[:-shift]) & (boxes[1, 0, :-shift] >= -boxes[0, 0, shift:])

@@ -17,15 +17,17 @@ def picked(columns: Mapping[str, Any], rows: Any) -> dict[str, Any]:
 def reuse_memory() -> None:
     """Let freed arrays of up to 16 MB be used again.
 
-    glibc returns freed memory to the system, which must then map it again, beyond twice the largest piece freed before: that has
-    to be more than all arrays in between take.
+    glibc returns freed memory to the system, which must then map it again, beyond twice the largest
+    piece freed before: that has to be more than all arrays in between take.
     """
     np.empty(1 << 21)
 
 
 @dataclass(frozen=True)
 class ByColumn:
-    """Arrays of which each column, along the last axis, is of one box; what is no array is of all."""
+    """Arrays of which each column, along the last axis, is of one box; what is no array is of
+    all.
+    """
 
     def __getitem__(self, rows: Any) -> Self:
         return self._made(

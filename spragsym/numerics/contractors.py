@@ -1,13 +1,15 @@
 """Contractors of many boxes: no root inside, exactly one, or a smaller box that holds every root.
 
-For a system F of n equations, a box X, its middle m, enclosures J of the Jacobian over X and r of |x − m| for x in X:
+For a system F of n equations, a box X, its middle m, enclosures J of the Jacobian over X and r of
+|x − m| for x in X:
 
 - every root in X satisfies 0 ∈ F(X), and |F(m)| ≤ |J| r row by row, the mean value theorem;
-- with any matrix Y, A = Y J and b = Y F(m), it lies in N_i = m_i − (b_i ± Σ_{j≠i} |A_ij| r_j) / A_ii, which is interval Newton
-  with a step of Gauss and Seidel's method in each component;
-- if N lies in the interior of X, there is exactly one root in X. There is one by Miranda's theorem, since component i of Y F has
-  different signs on the two faces of X at the ends of x_i. There is no other since then min A_ii w_i > Σ_{j≠i} |A_ij| w_j for the
-  half-widths w, so that every matrix in A is regular, and the difference of two roots would be in the kernel of one.
+- with any matrix Y, A = Y J and b = Y F(m), it lies in N_i = m_i − (b_i ± Σ_{j≠i} |A_ij| r_j) /
+  A_ii, which is interval Newton with a step of Gauss and Seidel's method in each component;
+- if N lies in the interior of X, there is exactly one root in X. There is one by Miranda's theorem,
+  since component i of Y F has different signs on the two faces of X at the ends of x_i. There is no
+  other since then min A_ii w_i > Σ_{j≠i} |A_ij| w_j for the half-widths w, so that every matrix in
+  A is regular, and the difference of two roots would be in the kernel of one.
 """
 
 from dataclasses import dataclass
@@ -32,7 +34,8 @@ from .interval_arrays import (
 class Newton:
     """One step for N boxes."""
 
-    ends: FloatArray  #: −low and high of the operator's result, (2, n, N), infinite where A_ii may be 0
+    # −low and high of the operator's result, (2, n, N), infinite where A_ii may be 0
+    ends: FloatArray
     noise: FloatArray  #: half the width of Y F(m), which does not shrink with the box, (n, N)
     none: BoolArray  #: where |Y F(m)| > |A| r in some row, so that there is no root, (N,)
 
@@ -43,7 +46,9 @@ def distance(ends: FloatArray, middle: FloatArray) -> FloatArray:
 
 
 def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> Newton:
-    """The step of interval Newton, from F(m), shape (n, N), J, shape (n, n, N), m and r, shape (n, N)."""
+    """The step of interval Newton, from F(m), shape (n, N), J, shape (n, n, N), m and r, shape (n,
+    N).
+    """
     Y = inverse(slopes.middle)
     return _solved(
         product(Y, slopes.ends), product(Y, values.ends[:, :, None])[:, :, 0], middle, reach
@@ -60,10 +65,12 @@ def by_rows(
 def by_each_row(
     values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray
 ) -> tuple[FloatArray, BoolArray]:
-    """The operator with every cyclic permutation of the rows: each unknown by each row, without a matrix.
+    """The operator with every cyclic permutation of the rows: each unknown by each row, without a
+    matrix.
 
-    Where J is nearly singular, its inverse mixes rows until none of them tells anything; but a single row tells how the unknowns
-    depend on each other along the direction that is left. Gives ends, and boxes without a root, where some |F_i(m)| > |J_i| r.
+    Where J is nearly singular, its inverse mixes rows until none of them tells anything; but a
+    single row tells how the unknowns depend on each other along the direction that is left. Gives
+    ends, and boxes without a root, where some |F_i(m)| > |J_i| r.
     """
     n = middle.shape[0]
     every = np.arange(n)
@@ -85,7 +92,8 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
     diagonal = np.arange(n)
     own = magnitude[diagonal, diagonal] * reach
     magnitude[diagonal, diagonal] = 0.0
-    # Products and sums of what is not negative lose at most n/2 units, the bound itself another one; twice as much is added.
+    # Products and sums of what is not negative lose at most n/2 units, the bound itself another
+    # one; twice as much is added.
     around = (magnitude * reach).sum(axis=1) * (1 + 2 * (n + 1) * EPS) + TINY
     least, most = -A[0, diagonal, diagonal], A[1, diagonal, diagonal]
     ends = raised(b[::-1] + around)
@@ -97,9 +105,11 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
 
 
 def no_unit_vector(rest: Intervals, factors: Intervals) -> BoolArray:
-    """Boxes where G + M u = 0 for no unit vector u of two components: G of shape (n, N), M of shape (n, 2, N).
+    """Boxes where G + M u = 0 for no unit vector u of two components: G of shape (n, N), M of shape
+    (n, 2, N).
 
-    With any P, u = −P G − (P M − 1) u, so that |u + P G| is at most the sum of |P M − 1| by rows, since |u_i| ≤ 1.
+    With any P, u = −P G − (P M − 1) u, so that |u + P G| is at most the sum of |P M − 1| by rows,
+    since |u_i| ≤ 1.
     """
     m = factors.middle
     gram = np.einsum("kiN,kjN->ijN", m, m)
@@ -113,7 +123,9 @@ def no_unit_vector(rest: Intervals, factors: Intervals) -> BoolArray:
 
 
 def inside(inner: FloatArray, outer: FloatArray) -> BoolArray:
-    """Boxes, shape (2, n, N), of which the one lies in the interior of the other; around 0 radii may stand for that."""
+    """Boxes, shape (2, n, N), of which the one lies in the interior of the other; around 0 radii
+    may stand for that.
+    """
     return np.logical_and.reduce(inner < outer, axis=(0, 1))
 
 

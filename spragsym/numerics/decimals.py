@@ -1,4 +1,6 @@
-"""Numbers in decimal digits with bounds that hold for the digits: a rounding to decimals is part of the bound beside it."""
+"""Numbers in decimal digits with bounds that hold for the digits: a rounding to decimals is part of
+the bound beside it.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,9 @@ EXACT_DIGITS = 20
 
 
 class Decimal(NamedTuple):
-    """A number in decimal digits, and a bound on how far the number that is meant is from it: both as text."""
+    """A number in decimal digits, and a bound on how far the number that is meant is from it: both
+    as text.
+    """
 
     text: str
     error: str

@@ -1,7 +1,9 @@
-"""Double-double numbers as NumPy sees them: generated algebra runs on arrays of them as on arrays of floats.
+"""Double-double numbers as NumPy sees them: generated algebra runs on arrays of them as on arrays
+of floats.
 
-The arithmetic itself is generated. What meets an ordinary array gives a double-double, and the array is taken as exact; what is
-no arithmetic, comparison or choice is refused, so that no digit is lost unseen.
+The arithmetic itself is generated. What meets an ordinary array gives a double-double, and the
+array is taken as exact; what is no arithmetic, comparison or choice is refused, so that no digit is
+lost unseen.
 """
 
 from __future__ import annotations
@@ -23,7 +25,8 @@ dd: Any = double_double
 
 
 class DoubleDouble(NDArrayOperatorsMixin):
-    """Arrays of numbers of 106 bits, each the exact sum of two doubles, ``high`` nearest to the sum.
+    """Arrays of numbers of 106 bits, each the exact sum of two doubles, ``high`` nearest to the
+    sum.
 
     Examples
     --------

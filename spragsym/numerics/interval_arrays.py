@@ -1,17 +1,19 @@
-"""Arrays of float64 intervals, rounded outward, and their functions: a number type for generated functions, a few nanoseconds an
-operation.
+"""Arrays of float64 intervals, rounded outward, and their functions: a number type for generated
+functions, a few nanoseconds an operation.
 
-An array of intervals is one NumPy array, whose first axis holds (−low, high). So both ends are rounded the same way, upward, and
-one call serves both.
+An array of intervals is one NumPy array, whose first axis holds (−low, high). So both ends are
+rounded the same way, upward, and one call serves both.
 
-Rounding. NumPy's + − × ÷ and √ round to nearest: for a result r the exact value lies below the float after r. That is at most
-r + 2⁻⁵² |r| for normal r, since the distance to the next float is at most 2⁻⁵² |r|; the sum is rounded to nearest, and rounding
-keeps the order of numbers, so that it does not fall below that float. :data:`TINY` is added for r that is 0 or subnormal, where
-2⁻⁵² |r| may be 0. Only negation, absolute value, sign and union are exact.
+Rounding. NumPy's + − × ÷ and √ round to nearest: for a result r the exact value lies below the
+float after r. That is at most r + 2⁻⁵² |r| for normal r, since the distance to the next float is at
+most 2⁻⁵² |r|; the sum is rounded to nearest, and rounding keeps the order of numbers, so that it
+does not fall below that float. :data:`TINY` is added for r that is 0 or subnormal, where 2⁻⁵² |r|
+may be 0. Only negation, absolute value, sign and union are exact.
 
-An end that is NaN bounds nothing, nor does an infinite one: every comparison with NaN is false, so that code which concludes from
-comparisons that hold concludes nothing from it. NaN comes from ∞ − ∞, 0 · ∞, and division by an interval that holds 0.
-NumPy's warnings on such numbers are for the caller to silence, with :data:`quiet` around a whole computation.
+An end that is NaN bounds nothing, nor does an infinite one: every comparison with NaN is false, so
+that code which concludes from comparisons that hold concludes nothing from it. NaN comes from ∞ −
+∞, 0 · ∞, and division by an interval that holds 0. NumPy's warnings on such numbers are for the
+caller to silence, with :data:`quiet` around a whole computation.
 """
 
 from __future__ import annotations
@@ -38,18 +40,22 @@ quiet = partial(np.errstate, all="ignore")
 
 #: Twice the unit of rounding.
 EPS = 2.0**-52
-#: More than half the distance between subnormal numbers, and far enough from them that products with it stay fast.
+#: More than half the distance between subnormal numbers, and far enough from them that products
+#: with it stay fast.
 TINY = 2.0**-1000
 #: Both as arrays: NumPy takes an array in a third of the time that it takes to make one of a float.
 _UNIT, _TINY = np.array(EPS), np.array(TINY)
-#: Bound, in units of EPS relative, on the error of NumPy's exp, log, tanh and arctan; what NumPy's own tests allow is 4.
+#: Bound, in units of EPS relative, on the error of NumPy's exp, log, tanh and arctan; what NumPy's
+#: own tests allow is 4.
 FUNCTION_ULPS = 8
 #: What an upper end −∞ is given as, a bound like it with which one can go on.
 _LEAST = -1e300
 
 
 def raised(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
-    """Upper bounds of the numbers from which ``ends`` differ by at most ``ulps`` units of 2⁻⁵² relative, or by one rounding."""
+    """Upper bounds of the numbers from which ``ends`` differ by at most ``ulps`` units of 2⁻⁵²
+    relative, or by one rounding.
+    """
     out = np.abs(ends)
     out *= _UNIT if ulps == 1.0 else ulps * EPS
     out += _TINY
@@ -58,12 +64,16 @@ def raised(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
 
 
 def ends_around(middle: FloatArray, radius: FloatArray) -> FloatArray:
-    """−low and high of boxes around their middles, each end rounded to nearest; radii may differ to both sides."""
+    """−low and high of boxes around their middles, each end rounded to nearest; radii may differ to
+    both sides.
+    """
     return np.stack([-middle, middle]) + radius
 
 
 def width_of(ends: FloatArray) -> FloatArray:
-    """high − low of boxes, of which ``ends`` has −low and high first, rounded to nearest; below 0 where nothing is left."""
+    """high − low of boxes, of which ``ends`` has −low and high first, rounded to nearest; below 0
+    where nothing is left.
+    """
     return ends[0] + ends[1]
 
 
@@ -73,7 +83,9 @@ def spans_of(ends: FloatArray) -> FloatArray:
 
 
 def scale_of(values: ArrayLike) -> FloatArray:
-    """max(1, |value|), over which errors and widths are told: relative where numbers are large, absolute where they are small."""
+    """max(1, |value|), over which errors and widths are told: relative where numbers are large,
+    absolute where they are small.
+    """
     return np.maximum(1.0, np.abs(values))
 
 
@@ -232,7 +244,8 @@ class Intervals(Arithmetic):
             return self
         if power % 2 == 0:
             return self.squared() ** (power // 2)
-        # Monotone. A product of n numbers in any order is off by less than n units, and by less than TINY where one underflows.
+        # Monotone. A product of n numbers in any order is off by less than n units, and by less
+        # than TINY where one underflows.
         return Intervals(raised(reduce(np.multiply, [self.ends] * power), power))
 
     def sqrt(self) -> Intervals:
@@ -245,7 +258,8 @@ class Intervals(Arithmetic):
     def exp(self) -> Intervals:
         """Exponential, off by no more than :data:`FUNCTION_ULPS`."""
         values = self._at_ends(np.exp)
-        # A lower end beyond the largest number is at least that: so that an infinite force is told from an unknown one.
+        # A lower end beyond the largest number is at least that: so that an infinite force is told
+        # from an unknown one.
         values[0] = np.maximum(values[0], -np.finfo(np.float64).max)
         # Of 0 it is 1, exactly: laws of friction vanish there.
         return Intervals(
@@ -253,7 +267,9 @@ class Intervals(Arithmetic):
         )
 
     def log(self) -> Intervals:
-        """Natural logarithm; NaN where the interval holds negative numbers, −∞ for an end that is 0."""
+        """Natural logarithm; NaN where the interval holds negative numbers, −∞ for an end that is
+        0.
+        """
         values = self._at_ends(np.log)
         return Intervals(
             np.where(self.ends == 0, np.maximum(values, _LEAST), raised(values, FUNCTION_ULPS))
@@ -303,7 +319,9 @@ def _point(value: Any) -> Intervals | None:
 
 
 def stacked(parts: Sequence[Any], shape: Shape) -> Intervals:
-    """Several arrays of one shape, or numbers, as one array of intervals with one more axis, the first."""
+    """Several arrays of one shape, or numbers, as one array of intervals with one more axis, the
+    first.
+    """
     out = np.empty((2, len(parts), *shape))
     for place, part in enumerate(parts):
         if isinstance(part, Intervals):
@@ -338,14 +356,17 @@ def _extremes(operation: np.ufunc, one: FloatArray, other: FloatArray) -> FloatA
     one, other = _aligned(one, other)
     same, cross = operation(one, other), operation(one, other[::-1])
     out: FloatArray = np.empty_like(same)
-    # (−a₀, a₁) with (−b₀, b₁) gives a₀ b₀ and a₁ b₁; with (b₁, −b₀) it gives a₀ b₁ and a₁ b₀ with the other sign.
+    # (−a₀, a₁) with (−b₀, b₁) gives a₀ b₀ and a₁ b₁; with (b₁, −b₀) it gives a₀ b₁ and a₁ b₀ with
+    # the other sign.
     np.maximum(np.maximum(same[0], same[1]), -np.minimum(cross[0], cross[1]), out=out[1])
     np.maximum(np.maximum(cross[0], cross[1]), -np.minimum(same[0], same[1]), out=out[0])
     return out
 
 
 def _beside_zero(one: FloatArray, other: FloatArray) -> FloatArray:
-    """Ends of the quotient by intervals that end at 0, for divisors other than 0; NaN where 0 is inside of them."""
+    """Ends of the quotient by intervals that end at 0, for divisors other than 0; NaN where 0 is
+    inside of them.
+    """
     positive = (other[0] == 0) & (other[1] > 0)
     negative = (other[1] == 0) & (other[0] > 0)
     least, most = np.where(
@@ -364,13 +385,15 @@ def _not_negative(ends: FloatArray) -> FloatArray:
     return ends
 
 
-#: Bound on the absolute error of NumPy's sine and cosine, for arguments up to :data:`LARGEST_ANGLE`.
+#: Bound on the absolute error of NumPy's sine and cosine, for arguments up to
+#: :data:`LARGEST_ANGLE`.
 TRIGONOMETRIC_ERROR = 2.0**-50
 #: Beyond it cosine and sine are [−1, 1].
 LARGEST_ANGLE = 1e5
 #: Around π.
 PI = Intervals.between([np.pi], [np.nextafter(np.pi, 4.0)])
-#: More than the error of an angle over 2π: an extremum so near to an end counts as inside, where it hardly widens anything.
+#: More than the error of an angle over 2π: an extremum so near to an end counts as inside, where it
+#: hardly widens anything.
 TURN_ERROR = 1e-10
 
 sqrt, exp, log, tanh, atan = (
@@ -413,10 +436,11 @@ def length(dx: Intervals, dy: Intervals) -> Intervals:
 
 
 def unit_vector(dx: Intervals, dy: Intervals) -> tuple[Intervals, Intervals]:
-    """Direction (dx, dy)/√(dx² + dy²), each component as narrow as it is; [−1, 1] where the vector may be 0.
+    """Direction (dx, dy)/√(dx² + dy²), each component as narrow as it is; [−1, 1] where the vector
+    may be 0.
 
-    dx/√(dx² + dy²) grows with dx, and with |dy| it goes to 0: so it is largest at the largest dx, and there at the least |dy| if
-    that dx is positive, at the largest if not.
+    dx/√(dx² + dy²) grows with dx, and with |dy| it goes to 0: so it is largest at the largest dx,
+    and there at the least |dy| if that dx is positive, at the largest if not.
     """
     return _component(dx, dy), _component(dy, dx)
 
@@ -425,7 +449,8 @@ def _component(along: Intervals, across: Intervals) -> Intervals:
     near, far = across.mignitude, across.magnitude
     ends = along.ends
     other = np.where(ends > 0, near, far)
-    # Three roundings, of a sum of squares, and two more: less than 4 units, where nothing underflows or overflows.
+    # Three roundings, of a sum of squares, and two more: less than 4 units, where nothing
+    # underflows or overflows.
     values = raised(ends / np.sqrt(ends * ends + other * other), 4)
     size = np.maximum(np.abs(ends), other)
     known = (size > 1e-140) & (size < 1e150) & (values <= 1)
@@ -433,10 +458,12 @@ def _component(along: Intervals, across: Intervals) -> Intervals:
 
 
 def atan2(sine: Intervals, cosine: Intervals, side: int | None = None) -> Intervals:
-    """The angle of the vector (cosine, sine), from −π to π; NaN where the vectors meet the ray on which it jumps, or 0.
+    """The angle of the vector (cosine, sine), from −π to π; NaN where the vectors meet the ray on
+    which it jumps, or 0.
 
-    With a ``side`` of 1 or −1 there the angles of vectors with a sine not negative or not positive, with 0 all. Over a rectangle
-    that does not meet the ray the angle is least and greatest at corners: on each side it is monotone.
+    With a ``side`` of 1 or −1 there the angles of vectors with a sine not negative or not positive,
+    with 0 all. Over a rectangle that does not meet the ray the angle is least and greatest at
+    corners: on each side it is monotone.
     """
     x, y = (np.stack([part.low, part.high]) for part in (cosine, sine))
     cut = ~((x[0] > 0) | (y[0] > 0) | (y[1] < 0))
@@ -448,7 +475,9 @@ def atan2(sine: Intervals, cosine: Intervals, side: int | None = None) -> Interv
 
 
 def _across(x: FloatArray, y: FloatArray, side: int | None) -> FloatArray:
-    """Ends of angles of rectangles that meet the ray of negative cosines: x and y are lower and upper ends."""
+    """Ends of angles of rectangles that meet the ray of negative cosines: x and y are lower and
+    upper ends.
+    """
     if side is None:
         return np.full(x.shape, np.nan)
     most = np.full(x.shape[1:], raised(np.array(np.pi)))

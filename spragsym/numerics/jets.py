@@ -1,7 +1,9 @@
-"""Taylor polynomials of several variables as a number type: derivatives of whatever the generated functions compute.
+"""Taylor polynomials of several variables as a number type: derivatives of whatever the generated
+functions compute.
 
-A :class:`Jet` holds the coefficients of a polynomial in the variables' small changes, up to an order; the rest is dropped. Its
-coefficients are numbers of any type: arrays of intervals give enclosures of derivatives over boxes.
+A :class:`Jet` holds the coefficients of a polynomial in the variables' small changes, up to an
+order; the rest is dropped. Its coefficients are numbers of any type: arrays of intervals give
+enclosures of derivatives over boxes.
 """
 
 from __future__ import annotations
@@ -116,7 +118,9 @@ class Jet(Arithmetic):
         )
 
     def composed(self, coefficients: Sequence[Any]) -> Jet:
-        """Σ coefficients[k] hᵏ for the part h of this polynomial that is not constant: a function by its Taylor series."""
+        """Σ coefficients[k] hᵏ for the part h of this polynomial that is not constant: a function
+        by its Taylor series.
+        """
         varying = change(self, self.order)
         result, power = Jet({(): coefficients[0]}, self.order), None
         for coefficient in coefficients[1:]:
@@ -145,7 +149,9 @@ class Jet(Arithmetic):
         )  # without the absolute value one end is known where 0 is an end of an interval
 
     def function(self, name: str, value: Any) -> Jet:
-        """A function by its Taylor series; ``value`` is that of the value, of cosine and sine both."""
+        """A function by its Taylor series; ``value`` is that of the value, of cosine and sine
+        both.
+        """
         return self.composed(_SERIES[name](self.value, value, self.order))
 
 
@@ -185,7 +191,9 @@ def _atan(x: Any, y: Any, order: int) -> list[Any]:
 
 
 def _repeated(repeating: Sequence[Any], order: int) -> list[Any]:
-    """Taylor coefficients from derivatives that repeat with the order, as those of the exponential, cosine and sine do."""
+    """Taylor coefficients from derivatives that repeat with the order, as those of the exponential,
+    cosine and sine do.
+    """
     derivatives = islice(cycle(repeating), order + 1)
     return [value / factorial(k) if k > 1 else value for k, value in enumerate(derivatives)]
 
@@ -203,7 +211,9 @@ _SERIES: dict[str, Callable[[Any, Any, int], list[Any]]] = {
 
 
 class Functions:
-    """``xp`` of generated functions for numbers and jets of them: ``kind`` has theirs, ``taken`` makes one of an int or float."""
+    """``xp`` of generated functions for numbers and jets of them: ``kind`` has theirs, ``taken``
+    makes one of an int or float.
+    """
 
     def __init__(self, kind: Any, taken: Callable[[Any], Any]) -> None:
         self.kind, self.taken = kind, taken
@@ -234,7 +244,9 @@ class Functions:
 
 
 def argument(u: Jet, v: Jet) -> Jet:
-    """The angle of 1 + u + i v, for changes u and v without a constant term: the imaginary part of log(1 + z) = z − z²/2 + …."""
+    """The angle of 1 + u + i v, for changes u and v without a constant term: the imaginary part of
+    log(1 + z) = z − z²/2 + ….
+    """
     one, other = u, v
     total = v
     for power in range(2, max(u.order, v.order) + 1):
@@ -249,7 +261,9 @@ def order_of(*parts: Any) -> int:
 
 
 def turned(sine: Any, cosine: Any) -> tuple[Jet, Jet]:
-    """How the vector (cosine, sine) changes, as a multiple 1 + u + i v of its value, of any length."""
+    """How the vector (cosine, sine) changes, as a multiple 1 + u + i v of its value, of any
+    length.
+    """
     c, s = constant(cosine), constant(sine)
     return change_along(cosine, sine, c, s, c * c + s * s)
 
@@ -268,7 +282,9 @@ def change(value: Any, order: int) -> Jet:
 
 @cache
 def binomial_series(exponent: Fraction, order: int) -> tuple[float, ...]:
-    """Coefficients of (1 + h)^exponent up to that order; for half-integers they are binary fractions, hence exact."""
+    """Coefficients of (1 + h)^exponent up to that order; for half-integers they are binary
+    fractions, hence exact.
+    """
     series = [Fraction(1)]
     for k in range(order):
         series.append(series[-1] * (exponent - k) / (k + 1))
@@ -296,7 +312,9 @@ def _times(one: Jet, other: Jet) -> Jet:
 
 
 def _power(value: Any, power: int) -> Any:
-    """A power; of python-flint's balls by products, since its own is no number where a ball holds 0."""
+    """A power; of python-flint's balls by products, since its own is no number where a ball holds
+    0.
+    """
     return (
         repeated_product(value, power)
         if power and type(value).__module__.startswith("flint")

@@ -1,8 +1,10 @@
-"""Polynomials, coefficients lowest power first: common divisors, squarefree parts, interpolation, real roots.
+"""Polynomials, coefficients lowest power first: common divisors, squarefree parts, interpolation,
+real roots.
 
-Coefficients are integers or fractions, of which nothing is rounded, or balls, where :class:`.balls.Undecided` says that more bits
-are needed. Real roots are isolated by Descartes' rule of signs, so that none is missed: intervals are halved, which only adds and
-shifts. At the end the half-angle map, and roots of many polynomials in floats.
+Coefficients are integers or fractions, of which nothing is rounded, or balls, where
+:class:`.balls.Undecided` says that more bits are needed. Real roots are isolated by Descartes' rule
+of signs, so that none is missed: intervals are halved, which only adds and shifts. At the end the
+half-angle map, and roots of many polynomials in floats.
 """
 
 import itertools
@@ -50,7 +52,9 @@ _PRIME = 2**61 - 1
 
 
 def _coprime(one: tuple[int, ...], other: tuple[int, ...]) -> bool:
-    """Whether residues prove that there is no common factor: it would be one of the residues as well, of the same degree."""
+    """Whether residues prove that there is no common factor: it would be one of the residues as
+    well, of the same degree.
+    """
     dividend, divisor = _residues(one), _residues(other)
     return len(other) == len(divisor) > 0 and len(_euclid(dividend, divisor, _residues)) == 1
 
@@ -115,9 +119,11 @@ def _remainder(dividend: tuple[int, ...], divisor: tuple[int, ...]) -> list[int]
 
 
 def interpolate(function: Callable[[Fraction], Fraction], degree: int) -> tuple[int, ...]:
-    """The polynomial of that degree through the values of ``function`` at integers about 0, as :func:`primitive` makes it.
+    """The polynomial of that degree through the values of ``function`` at integers about 0, as
+    :func:`primitive` makes it.
 
-    By Newton's differences, times degree! and the common denominator of the values, so that nothing but integers is added up.
+    By Newton's differences, times degree! and the common denominator of the values, so that nothing
+    but integers is added up.
     """
     nodes = range(-(degree // 2), degree - degree // 2 + 1)
     values = [function(Fraction(node)) for node in nodes]
@@ -137,7 +143,9 @@ def interpolate(function: Callable[[Fraction], Fraction], degree: int) -> tuple[
 
 @dataclass(frozen=True)
 class RootOf:
-    """A real root of a polynomial in (low, high], or of the reversed polynomial: then it is the reciprocal."""
+    """A real root of a polynomial in (low, high], or of the reversed polynomial: then it is the
+    reciprocal.
+    """
 
     polynomial: Polynomial
     low: Fraction
@@ -158,7 +166,9 @@ class RootOf:
     def sign_of(
         self, value: Interval, exactly: Callable[[Fraction], Fraction], degree: int, what: str
     ) -> int:
-        """The sign of an interval; 0 where what it encloses is 0 exactly, as a polynomial of that degree has this root too."""
+        """The sign of an interval; 0 where what it encloses is 0 exactly, as a polynomial of that
+        degree has this root too.
+        """
 
         def vanishes() -> bool:
             return self.is_of(common_divisor(self.polynomial, interpolate(exactly, degree)))
@@ -173,9 +183,11 @@ _BELOW, _BETWEEN = Fraction(-1, 7), Fraction(13, 11)
 def roots_on_the_line(
     polynomial: tuple[Any, ...], bits: int, *, positive: bool = False
 ) -> list[RootOf]:
-    """All real roots of a polynomial without multiple ones, or the positive ones only; arguments as of :func:`.real_roots`.
+    """All real roots of a polynomial without multiple ones, or the positive ones only; arguments as
+    of :func:`.real_roots`.
 
-    Exact coefficients go with ``positive`` only: an end of a chart may be a root of theirs, where balls are undecided.
+    Exact coefficients go with ``positive`` only: an end of a chart may be a root of theirs, where
+    balls are undecided.
     """
     while positive and polynomial and isinstance(polynomial[0], int) and polynomial[0] == 0:
         polynomial = polynomial[1:]  # the root 0
@@ -199,14 +211,18 @@ def root_bound(polynomial: Sequence[int]) -> Fraction:
 
 
 class Root(NamedTuple):
-    """The only root of its polynomial in [low, high]: inside, or at both where the two are equal."""
+    """The only root of its polynomial in [low, high]: inside, or at both where the two are
+    equal.
+    """
 
     low: Fraction
     high: Fraction
 
 
 class _Cell(NamedTuple):
-    """One root in the open interval (n, m)/2^k, or at n/2^k = m/2^k; and the sign between it and m/2^k, where that is asked."""
+    """One root in the open interval (n, m)/2^k, or at n/2^k = m/2^k; and the sign between it and
+    m/2^k, where that is asked.
+    """
 
     n: int
     m: int
@@ -223,7 +239,8 @@ def _sign(value: Any) -> int:
 
 
 def real_roots(polynomial: tuple[Any, ...], low: Fraction, high: Fraction, bits: int) -> list[Root]:
-    """Every root in (low, high], ascending, to a width below 2^−bits, and below 2^−bits of a distance from 0 that is below 1.
+    """Every root in (low, high], ascending, to a width below 2^−bits, and below 2^−bits of a
+    distance from 0 that is below 1.
 
     The polynomial has no multiple root there, or this does not end.
     """
@@ -249,9 +266,11 @@ def real_roots(polynomial: tuple[Any, ...], low: Fraction, high: Fraction, bits:
 def _isolated(
     polynomial: tuple[Any, ...], low: Fraction, high: Fraction
 ) -> tuple[list[Any], list[_Cell]]:
-    """The polynomial in u, where t = low + (high − low) u, and a cell in u for each root in (low, high].
+    """The polynomial in u, where t = low + (high − low) u, and a cell in u for each root in (low,
+    high].
 
-    Source: Descartes' rule in (0, 1) and halves of it: no change of sign, no root; one change, one root (Collins, Akritas 1976).
+    Source: Descartes' rule in (0, 1) and halves of it: no change of sign, no root; one change, one
+    root (Collins, Akritas 1976).
     """
     common, start, scale = _common(low, high)
     degree = len(polynomial) - 1
@@ -294,8 +313,8 @@ def shifted(coefficients: Sequence[Any], by: Any = 1) -> list[Any]:
 def _refined(cell: _Cell, polynomial: Sequence[Any], lacking: Callable[[int, int], int]) -> _Cell:
     """The root in a cell that lacks nothing and whose ends are no roots, or the root itself.
 
-    The secant's guess is tried on a grid of 2^j parts of the cell, j twice as large where it is right, else half.
-    Source: quadratic interval refinement, J. Abbott (2006).
+    The secant's guess is tried on a grid of 2^j parts of the cell, j twice as large where it is
+    right, else half. Source: quadratic interval refinement, J. Abbott (2006).
     """
     n, m, k, above = cell
     if n == m:
@@ -332,7 +351,9 @@ def _refined(cell: _Cell, polynomial: Sequence[Any], lacking: Callable[[int, int
 
 
 def _share(low: Any, high: Any, j: int) -> int:
-    """Part of 2^j, from below, in which the chord of values of opposite signs, or of their middles, crosses zero."""
+    """Part of 2^j, from below, in which the chord of values of opposite signs, or of their middles,
+    crosses zero.
+    """
     if isinstance(low, Ball):
         low, high = (sum(balls.ends(value)) for value in (low, high))
     return int((low * (1 << j)) // (low - high))
@@ -353,7 +374,9 @@ def on_circle(t: Any) -> OnCircle:
 
 
 def in_t(function: Callable[[Any, Any], Any], degree: int) -> Callable[[Fraction], Fraction]:
-    """(1 + t²)^degree times a function of that degree in cos θ and sin θ, which is a polynomial in t."""
+    """(1 + t²)^degree times a function of that degree in cos θ and sin θ, which is a polynomial in
+    t.
+    """
 
     def value(t: Fraction) -> Fraction:
         c, s, scale = on_circle(t)
@@ -374,12 +397,16 @@ def of_sine_in_t(polynomial: Sequence[int]) -> tuple[int, ...]:
 
 
 def by_power(coefficients: FloatArray) -> tuple[FloatArray, ...]:
-    """Coefficients from the last axis, each ready to meet several arguments, as :func:`evaluate` takes them."""
+    """Coefficients from the last axis, each ready to meet several arguments, as :func:`evaluate`
+    takes them.
+    """
     return tuple(np.moveaxis(coefficients, -1, 0)[..., None])
 
 
 def eigenvalues(coefficients: FloatArray) -> Any:
-    """All complex roots of each polynomial, lowest power first; 0 where its leading coefficient is too small for them."""
+    """All complex roots of each polynomial, lowest power first; 0 where its leading coefficient is
+    too small for them.
+    """
     degree = coefficients.shape[-1] - 1
     companion = np.zeros((*coefficients.shape[:-1], degree, degree))
     companion[..., range(1, degree), range(degree - 1)] = 1.0
@@ -389,7 +416,9 @@ def eigenvalues(coefficients: FloatArray) -> Any:
 
 
 def polished(coefficients: FloatArray, roots: FloatArray) -> FloatArray:
-    """Three Newton steps on positive roots in ascending order, none longer than half the way to a neighbour or to 0."""
+    """Three Newton steps on positive roots in ascending order, none longer than half the way to a
+    neighbour or to 0.
+    """
     polynomial = by_power(coefficients)
     slope = derivative(polynomial)
     for _ in range(3):

@@ -1,14 +1,16 @@
-"""Roots with many digits: of a root that floats know a small box of balls, and all roots where the Jacobian is nearly singular.
+"""Roots with many digits: of a root that floats know a small box of balls, and all roots where the
+Jacobian is nearly singular.
 
 A known root is enclosed by Krawczyk's operator around the end of Newton's method.
 
-Near a fold or a cusp the Jacobian has rank n − 1. So n − 1 of the equations determine all unknowns but one, u, uniquely in a
-small box, and the last equation becomes g(u). Its Taylor polynomial of degree 3 with an enclosure of the last coefficient holds
-all roots: a cubic with one coefficient that is an interval. These are isolated by halving, in balls of many digits.
+Near a fold or a cusp the Jacobian has rank n − 1. So n − 1 of the equations determine all unknowns
+but one, u, uniquely in a small box, and the last equation becomes g(u). Its Taylor polynomial of
+degree 3 with an enclosure of the last coefficient holds all roots: a cubic with one coefficient
+that is an interval. These are isolated by halving, in balls of many digits.
 
-What is proved of the box: the other unknowns stay in it, as functions of u, by interval Newton on the n − 1 equations; a
-piece of u holds no root if the polynomial is not 0 on it, and exactly one if its slope is not 0 on it and its signs at both
-ends differ.
+What is proved of the box: the other unknowns stay in it, as functions of u, by interval Newton on
+the n − 1 equations; a piece of u holds no root if the polynomial is not 0 on it, and exactly one if
+its slope is not 0 on it and its signs at both ends differ.
 """
 
 from __future__ import annotations
@@ -47,8 +49,8 @@ POLISHING = 12
 WIDENINGS = 8
 #: Times the box itself is halved.
 DEPTH = 26
-#: Parts of the box that are looked at: both halves at each depth around two roots. A box whose halves never get simpler, as
-#: along a line of roots or around a pole, costs no more than these.
+#: Parts of the box that are looked at: both halves at each depth around two roots. A box whose
+#: halves never get simpler, as along a line of roots or around a pole, costs no more than these.
 PARTS = 120
 
 
@@ -82,11 +84,13 @@ class Digits(Protocol):
 def narrowed(
     system: Digits, box: FloatArray, alone: FloatArray, enough: Fraction = ENOUGH
 ) -> list[Ball] | None:
-    """A box of balls around the root in a box of floats, None where it can't be made smaller; both boxes of shape (2, n).
+    """A box of balls around the root in a box of floats, None where it can't be made smaller; both
+    boxes of shape (2, n).
 
-    Newton's method leads to a point z. Where |1 − Y J| is at most 1/2 in a box of half-width r around z, and r not less than
-    2 |Y F(z)|, the operator x − Y F(x) maps that box into itself: so it holds a root. It is that of the box of floats where the
-    small box lies in ``alone``, or where |1 − Y J| is at most 1/2 all over a box that holds both.
+    Newton's method leads to a point z. Where |1 − Y J| is at most 1/2 in a box of half-width r
+    around z, and r not less than 2 |Y F(z)|, the operator x − Y F(x) maps that box into itself: so
+    it holds a root. It is that of the box of floats where the small box lies in ``alone``, or where
+    |1 − Y J| is at most 1/2 all over a box that holds both.
     """
     z = [ball(float(value), system.bits) for value in Intervals(box).middle]
     with suppress(Undecided, ZeroDivisionError):
@@ -176,7 +180,9 @@ def outward(sides: Sequence[tuple[Fraction, Fraction]]) -> Intervals:
 
 @dataclass(frozen=True)
 class Reduced:
-    """Boxes, as pairs of fractions for each unknown: around each root, those in which it is alone, and those still open."""
+    """Boxes, as pairs of fractions for each unknown: around each root, those in which it is alone,
+    and those still open.
+    """
 
     roots: list[Box]
     alone: list[Box]
@@ -196,7 +202,9 @@ def reduced_roots(
 def third_derivative(
     evaluate: Evaluate, box: Box, jacobian: FloatArray, bits: int, among: Sequence[int]
 ) -> Ball:
-    """A sixth of the third derivative of g all over a box, with u and the equation that is left among the given ones."""
+    """A sixth of the third derivative of g all over a box, with u and the equation that is left
+    among the given ones.
+    """
     with balls.precision(bits):
         task = _task(evaluate, jacobian, among)
         return task.third(box[task.along], task.others(box[task.along], box))
@@ -219,7 +227,9 @@ def _first(number: int, n: int) -> tuple[int, ...]:
 
 @dataclass(frozen=True)
 class _Task:
-    """A system in one box: u is the first of the ``unknowns``, the equation that is left the first of the ``equations``."""
+    """A system in one box: u is the first of the ``unknowns``, the equation that is left the first
+    of the ``equations``.
+    """
 
     evaluate: Evaluate
     unknowns: tuple[int, ...]
@@ -243,7 +253,9 @@ class _Task:
         return [[rows[row][place] for place in self.unknowns] for row in self.equations]
 
     def _coefficients(self, series: Matrix, order: int) -> list[Any]:
-        """Coefficients of that order of F along series of u and the others to one order less, the equation that is left first."""
+        """Coefficients of that order of F along series of u and the others to one order less, the
+        equation that is left first.
+        """
         jets = [
             Jet({(0,) * k: part[k] for k in range(order) if not is_zero(part[k])}, order)
             for part in series
@@ -254,14 +266,18 @@ class _Task:
         ]
 
     def _newton(self, u: Ball, others: Sequence[Ball]) -> list[Any]:
-        """Interval Newton's operator m − J⁻¹ S(u, m) for the other unknowns as functions of u, which solve n − 1 equations S."""
+        """Interval Newton's operator m − J⁻¹ S(u, m) for the other unknowns as functions of u,
+        which solve n − 1 equations S.
+        """
         middle = [balls.middle(value) for value in others]
         slopes = [row[1:] for row in self._slopes([u, *others])[1:]]
         steps = solved(slopes, self._values([u, *middle])[1:], _largest_pivot)
         return [m - step for m, step in zip(middle, steps, strict=True)]
 
     def _expansion(self, u: Ball, others: Sequence[Ball], highest: int) -> list[Any]:
-        """Taylor coefficients of g from the first on; those of F are linear in the last ones of the others."""
+        """Taylor coefficients of g from the first on; those of F are linear in the last ones of the
+        others.
+        """
         slopes = self._slopes([u, *others])
         matrix, zero = [row[1:] for row in slopes[1:]], Ball(0, 0, 0, u.bits)
         steps = solved(matrix, [row[0] for row in slopes[1:]], _largest_pivot)
@@ -294,7 +310,9 @@ class _Task:
         return [self._values([at, *sharp])[0], *self._expansion(at, sharp, 2)]
 
     def search(self, box: Box, found: Reduced) -> None:
-        """All roots of a box: of the whole if it can be settled, else of its halves in u, and of theirs."""
+        """All roots of a box: of the whole if it can be settled, else of its halves in u, and of
+        theirs.
+        """
         waiting = deque([(box, DEPTH)])
         for _ in range(PARTS):
             if not waiting:
@@ -338,7 +356,9 @@ class _Task:
         return self._ordered(sides)
 
     def _polished(self, span: tuple[Fraction, Fraction], others: list[Ball], last: Any) -> Box:
-        """A small box around the only root in a span, by interval Newton on g; ``last`` is its third coefficient."""
+        """A small box around the only root in a span, by interval Newton on g; ``last`` is its
+        third coefficient.
+        """
         for _ in range(POLISHING):
             middle = _short((span[0] + span[1]) / 2)
             point = [*self.at(middle, others), last]
@@ -357,10 +377,13 @@ class _Task:
         return self._boxed(span, self._narrowed(balls.between(*span), others))
 
     def others(self, span: tuple[Fraction, Fraction], box: Box) -> list[Ball]:
-        """Balls that hold the other unknowns for all u of the span: exactly one value for each u, in the box."""
+        """Balls that hold the other unknowns for all u of the span: exactly one value for each u,
+        in the box.
+        """
         u = balls.between(*span)
         given = [balls.between(*side) for number, side in enumerate(box) if number != self.along]
-        # Widened, until the unknowns as functions of u stay inside; where they leave the box itself no harm is done.
+        # Widened, until the unknowns as functions of u stay inside; where they leave the box itself
+        # no harm is done.
         for _ in range(WIDENINGS):
             wide = [value + (value - balls.middle(value)) * 3 for value in given]
             image = self._newton(u, wide)
@@ -370,9 +393,11 @@ class _Task:
         raise Undecided("the other unknowns in a box")
 
     def _narrowed(self, u: Ball, others: Sequence[Ball]) -> list[Ball]:
-        """Balls of the other unknowns contracted until they are not narrower by much, or far narrower than the digits of u.
+        """Balls of the other unknowns contracted until they are not narrower by much, or far
+        narrower than the digits of u.
 
-        Around an exact 0 the contraction never ends: exponents would grow threefold a step, until no memory holds them.
+        Around an exact 0 the contraction never ends: exponents would grow threefold a step, until
+        no memory holds them.
         """
         current, enough = list(others), Fraction(1, 1 << 4 * u.bits)
         for _ in range(12):
@@ -392,7 +417,9 @@ class _Task:
 def _isolated(
     coefficients: Sequence[Any], low: Fraction, high: Fraction
 ) -> list[tuple[Fraction, Fraction]]:
-    """Intervals with exactly one root each of a cubic, all of its roots in [low, high]; Undecided where that can't be told."""
+    """Intervals with exactly one root each of a cubic, all of its roots in [low, high]; Undecided
+    where that can't be told.
+    """
     found, stack, looks = [], [(low, high, 0)], 0
     while stack:
         one, two, depth = stack.pop()
@@ -416,7 +443,9 @@ def _isolated(
 
 
 def _about(c: Sequence[Any], h: Ball) -> tuple[list[Any], Ball]:
-    """Coefficients of the polynomial about the middle of a piece, and what the piece is from there."""
+    """Coefficients of the polynomial about the middle of a piece, and what the piece is from
+    there.
+    """
     middle = balls.middle(h)
     return shifted(c, middle), h - middle
 

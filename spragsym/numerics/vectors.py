@@ -9,7 +9,8 @@ import numpy as np
 
 from .interval_arrays import FloatArray
 
-#: Where a turn of a coordinate that comes around begins: no angle that models have, so that rounding decides no state's turn.
+#: Where a turn of a coordinate that comes around begins: no angle that models have, so that
+#: rounding decides no state's turn.
 TURN, BEGIN = 2 * np.pi, -np.pi + 0.012345
 
 
@@ -24,7 +25,9 @@ def norm(numbers: Any) -> float:
 
 
 def apart(one: Any, other: Any, around: Sequence[int]) -> FloatArray:
-    """One state less another, numbers along the last axis; of coordinates that come ``around`` the shorter way."""
+    """One state less another, numbers along the last axis; of coordinates that come ``around`` the
+    shorter way.
+    """
     off: FloatArray = np.subtract(one, other, dtype=float)
     for place in around:
         off[..., place] -= TURN * np.round(off[..., place] / TURN)

@@ -33,10 +33,12 @@ from ..numerics.vectors import magnitude, norm
 #: A test function is known to so many of its errors, and its differences are taken over this.
 SURE, DIFFERENCE = 100.0, 1e-6
 
-#: Largest angle between a step of a branch and its tangents, as its cosine; a smaller one, at which steps become longer.
+#: Largest angle between a step of a branch and its tangents, as its cosine; a smaller one, at which
+#: steps become longer.
 STRAIGHT, STRAIGHTER = 0.97, 0.995
 
-#: Share of the largest singular value below which another one is 0; and how little what does not close may move an orbit.
+#: Share of the largest singular value below which another one is 0; and how little what does not
+#: close may move an orbit.
 ALONE, STAYS = 1e-10, 1e-6
 
 #: The last step of Newton's method, over 1: orbits may be as small as 1e-3 in the model's units.
@@ -45,7 +47,8 @@ FINE = 1e-15
 #: A zero of a test function is located to this, in units of the arc.
 LOCATED = 1e-11
 
-#: Steps to a value of the parameter, in shares of the way: the first, all of it where the branch is straight, and the shortest.
+#: Steps to a value of the parameter, in shares of the way: the first, all of it where the branch is
+#: straight, and the shortest.
 WHOLE, LEAST_SHARE = 2.0, 1e-3
 
 
@@ -56,10 +59,12 @@ def in_phase(_: Setting, near: Loop, target: FloatArray) -> Conditions:
 
 @dataclass(frozen=True)
 class Setting:
-    """What all points of a branch share: the flow, which parameters are free, and units of the arc's length.
+    """What all points of a branch share: the flow, which parameters are free, and units of the
+    arc's length.
 
-    ``holds(setting, loop, target)`` is what holds near a loop besides closing: the phase, in the plane across the flow at that
-    loop, through a target; along a curve of events its test function's equation too.
+    ``holds(setting, loop, target)`` is what holds near a loop besides closing: the phase, in the
+    plane across the flow at that loop, through a target; along a curve of events its test
+    function's equation too.
     """
 
     flow: Flow
@@ -79,11 +84,12 @@ class Setting:
 
 
 class Touch(NamedTuple):
-    """What an orbit does at a border: it comes to it, or turns where the border's level is extremal.
+    """What an orbit does at a border: it comes to it, or turns where the border's level is
+    extremal.
 
-    ``way`` is the border with the direction of the turn, or with the sign of the level from which it comes; ``share`` is that of
-    the period. At a turn ``level`` is the border's, with its slope along the branch; at an arrival it is negative if it does
-    not stay.
+    ``way`` is the border with the direction of the turn, or with the sign of the level from which
+    it comes; ``share`` is that of the period. At a turn ``level`` is the border's, with its slope
+    along the branch; at an arrival it is negative if it does not stay.
     """
 
     way: tuple[int, int]
@@ -95,9 +101,11 @@ class Touch(NamedTuple):
 
 @dataclass(frozen=True)
 class Point:
-    """A closed orbit on a branch, and the direction in which the branch goes on: of length 1 in the branch's units.
+    """A closed orbit on a branch, and the direction in which the branch goes on: of length 1 in the
+    branch's units.
 
-    ``alone`` is that there is no other direction, as there is where orbits at one value of the parameter are a whole family.
+    ``alone`` is that there is no other direction, as there is where orbits at one value of the
+    parameter are a whole family.
     """
 
     setting: Setting
@@ -163,7 +171,9 @@ class Point:
 
 
 def level_and_rate(loop: Loop, border: int, mode: Mode, place: FloatArray) -> FloatArray:
-    """Level and rate of a border in a mode at a state, followed by the free parameters, as they are for a loop."""
+    """Level and rate of a border in a mode at a state, followed by the free parameters, as they are
+    for a loop.
+    """
     field, guess, size = loop.field, loop.guess, loop.field.size
     for index, value in zip(guess.free, place[size:].tolist(), strict=True):
         guess = guess.at(index, value)
@@ -177,7 +187,9 @@ def level_and_rate(loop: Loop, border: int, mode: Mode, place: FloatArray) -> Fl
 
 
 def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
-    """A point with its tangent, turned so that it goes along a direction; by default to larger values of the first parameter."""
+    """A point with its tangent, turned so that it goes along a direction; by default to larger
+    values of the first parameter.
+    """
     sizes, ways = directions(setting, loop)
     point = Point(
         setting,
@@ -190,7 +202,8 @@ def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> P
 
 
 def directions(setting: Setting, loop: Loop) -> tuple[FloatArray, FloatArray]:
-    """Singular values of the equations' derivative, and right singular vectors, a row each, in units of the arc.
+    """Singular values of the equations' derivative, and right singular vectors, a row each, in
+    units of the arc.
 
     The last vectors span its null space; there is one more of them than values.
     """
@@ -199,7 +212,9 @@ def directions(setting: Setting, loop: Loop) -> tuple[FloatArray, FloatArray]:
 
 
 def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Conditions:
-    """Conditions of a closed orbit at which a test function is 0, in units in which its rounding does not keep the loop open."""
+    """Conditions of a closed orbit at which a test function is 0, in units in which its rounding
+    does not keep the loop open.
+    """
     phase, unit = in_phase(setting, near, target), max(1.0, SURE * unsure(near, kind) / CLOSED)
     weights = setting.weights(near)
 
@@ -235,14 +250,18 @@ def corrected(point: Point, length: float, *, reach: float = np.inf, iterations:
 
 
 def fixed(setting: Setting, loop: Loop) -> Loop:
-    """The closed orbit near a loop at the same value of the parameter, with the derivatives by the parameter."""
+    """The closed orbit near a loop at the same value of the parameter, with the derivatives by the
+    parameter.
+    """
     loop = loop.bound()
     conditions = setting.holds(setting, loop, loop.guess.coordinates)
     return setting.looped(solved(setting.flow, loop.guess, conditions).guess)
 
 
 def placed(point: Point, value: float, way: FloatArray | None = None) -> Point:
-    """The point at a value of the first free parameter, near where a way from another point, by default its tangent, leads."""
+    """The point at a value of the first free parameter, near where a way from another point, by
+    default its tangent, leads.
+    """
     setting, way = point.setting, point.tangent if way is None else way
     step = (value - point.value) / float(way[-len(setting.free)]) * way
     # Exactly, since there may be no parameters beyond.
@@ -251,7 +270,8 @@ def placed(point: Point, value: float, way: FloatArray | None = None) -> Point:
 
 
 def within(point: Point, length: float, to: Span, reach: float = np.inf) -> Point:
-    """The point a length of arc ahead, or at the end of a range of the first free parameter where the tangent leads beyond it.
+    """The point a length of arc ahead, or at the end of a range of the first free parameter where
+    the tangent leads beyond it.
 
     There may be no parameters beyond. ConvergenceError where the branch itself leads beyond it.
     """
@@ -265,7 +285,9 @@ def within(point: Point, length: float, to: Span, reach: float = np.inf) -> Poin
 
 
 def turning(point: Point) -> float:
-    """How much of the first free parameter is in the direction of a branch: 0 where it turns back."""
+    """How much of the first free parameter is in the direction of a branch: 0 where it turns
+    back.
+    """
     return float(point.tangent[-len(point.setting.free)])
 
 
@@ -278,10 +300,12 @@ def steps(
     kink: float = 0.0,
     look: Callable[[Point, Point, float], Any] = lambda _, found, length: found,
 ) -> Iterator[Any]:
-    """What is seen at points by steps that are shorter where one fails or the branch bends, longer where it is straight; no end.
+    """What is seen at points by steps that are shorter where one fails or the branch bends, longer
+    where it is straight; no end.
 
-    ``ahead`` gives the point a length of arc from another, ``look`` what is seen on that way, by default the point; a
-    ConvergenceError of either ends the steps once they are the shortest. A bend within ``kink`` is a kink of the branch.
+    ``ahead`` gives the point a length of arc from another, ``look`` what is seen on that way, by
+    default the point; a ConvergenceError of either ends the steps once they are the shortest. A
+    bend within ``kink`` is a kink of the branch.
     """
     length = first
     while True:
@@ -306,7 +330,9 @@ def steps(
 def zero_of(
     test: Callable[[Point], float], one: Point, other: Point, length: float, xtol: float = LOCATED
 ) -> Point:
-    """Where a test function is zero between two points, by bracketing along the arc; ConvergenceError, ValueError without."""
+    """Where a test function is zero between two points, by bracketing along the arc;
+    ConvergenceError, ValueError without.
+    """
     from scipy.optimize import brentq
 
     known = {0.0: one, length: other}
@@ -320,10 +346,11 @@ def zero_of(
 
 
 def along(point: Point, value: float) -> Point:
-    """The point at a value of the free parameter on the same sheet of a branch, which may not turn back on the way.
+    """The point at a value of the free parameter on the same sheet of a branch, which may not turn
+    back on the way.
 
-    By steps each of which agrees with the tangents at both of its ends: Newton's method alone may find another sheet, or another
-    branch. ConvergenceError where there is no such way.
+    By steps each of which agrees with the tangents at both of its ends: Newton's method alone may
+    find another sheet, or another branch. ConvergenceError where there is no such way.
     """
     setting, direction = point.setting, math.copysign(1.0, value - point.value)
     to = (min(point.value, value), max(point.value, value))
@@ -357,7 +384,9 @@ def along(point: Point, value: float) -> Point:
 
 
 def cut_anew(point: Point) -> Point:
-    """The point in more stretches, where derivatives over one have grown large, or in others, where one begins at a jump."""
+    """The point in more stretches, where derivatives over one have grown large, or in others, where
+    one begins at a jump.
+    """
     loop, setting, begin = point.loop, point.setting, 0.0
     if setting.holds is not in_phase:
         return point
@@ -376,7 +405,9 @@ def cut_anew(point: Point) -> Point:
 
 
 def uncertainty(point: Point) -> float:
-    """Error of the parameter: what does not close, with what rounding adds, times the sensitivity along the branch."""
+    """Error of the parameter: what does not close, with what rounding adds, times the sensitivity
+    along the branch.
+    """
     loop = point.loop
     _, phase = across(loop)(loop)
     rows = loop.slopes(phase, (point.way * point.weights)[None])
@@ -391,7 +422,9 @@ def between(one: Point, other: Point) -> float:
 
 
 def aligned(one: Point, other: Point) -> float:
-    """The smallest cosine between two tangents and the chord from one point to the other, if these are apart."""
+    """The smallest cosine between two tangents and the chord from one point to the other, if these
+    are apart.
+    """
     chord, both = other.place - one.place, float(one.way @ other.way)
     length = norm(chord)
     return (

@@ -1,7 +1,9 @@
-"""Attractors: the limit of a motion as a solution of an equation, and the same limit followed as a parameter varies.
+"""Attractors: the limit of a motion as a solution of an equation, and the same limit followed as a
+parameter varies.
 
-What a motion comes to is told by the classifier (:mod:`spragsym.motion.classify`). Here it becomes an equilibrium or a closed
-orbit by Newton's method, which can be followed to other values of the parameters and compared with another.
+What a motion comes to is told by the classifier (:mod:`spragsym.motion.classify`). Here it becomes
+an equilibrium or a closed orbit by Newton's method, which can be followed to other values of the
+parameters and compared with another.
 """
 
 from dataclasses import dataclass, replace
@@ -30,7 +32,9 @@ class Attractor:
 
 
 def attractor(system: System, verdict: Verdict) -> Attractor:
-    """The attractor of a verdict, by Newton's method; ConvergenceError where that does not find the one that was told."""
+    """The attractor of a verdict, by Newton's method; ConvergenceError where that does not find the
+    one that was told.
+    """
     found = verdict.outcome
     if verdict.kind == Regime.LIFT_OFF:
         return Attractor(verdict.kind, system, verdict.end)
@@ -41,13 +45,16 @@ def attractor(system: System, verdict: Verdict) -> Attractor:
     orbit = cycle_at(system, np.array(found.cycle), found.period)
     if abs(orbit.period / found.period - 1) > 1e-3:
         raise ConvergenceError(
-            f"Newton's method finds a cycle of period {orbit.period:.6g} beside that of {found.period:.6g}"
+            f"Newton's method finds a cycle of period {orbit.period:.6g} beside that of "
+            f"{found.period:.6g}"
         )
     return _of_cycle(system, orbit)
 
 
 def followed(known: Attractor, system: System) -> Attractor:
-    """The attractor continued to another value of one parameter; ConvergenceError where it ends or is lost on the way."""
+    """The attractor continued to another value of one parameter; ConvergenceError where it ends or
+    is lost on the way.
+    """
     if known.kind == Regime.LIFT_OFF or known.system == system:
         return replace(known, system=system)
     if known.orbit is not None:
@@ -60,7 +67,9 @@ def followed(known: Attractor, system: System) -> Attractor:
 
 
 def followed_cycle(known: Cycle, values: Values) -> Cycle:
-    """The cycle continued to another value of one parameter; ConvergenceError where it turns back, or is lost, on the way."""
+    """The cycle continued to another value of one parameter; ConvergenceError where it turns back,
+    or is lost, on the way.
+    """
     index, span = _varied(known.values, values)
     setting = Setting(known.loop.flow, (index,), known.period, (span,))
     return cycle_of(along(started(setting, known.loop.guess), values[index]).loop)
@@ -75,9 +84,11 @@ def _varied(now: Values, then: Values) -> tuple[int, float]:
 
 
 def settled(system: System, verdict: Verdict) -> tuple[str, FloatArray, FloatArray]:
-    """The kind of attractor that a decided motion comes to, its Lyapunov exponents, largest first, and their errors.
+    """The kind of attractor that a decided motion comes to, its Lyapunov exponents, largest first,
+    and their errors.
 
-    Real parts of eigenvalues, or ln |μ| / T: of a multiplier that is lost in its error nothing is known. NaN for lift-off.
+    Real parts of eigenvalues, or ln |μ| / T: of a multiplier that is lost in its error nothing is
+    known. NaN for lift-off.
     """
     kind, known = KINDS[verdict.kind], attractor(system, verdict)
     if known.kind == Regime.LIFT_OFF:

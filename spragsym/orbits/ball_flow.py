@@ -1,11 +1,13 @@
-"""The flow of a piecewise smooth field in ball arithmetic: enclosures of a trajectory and of the derivative of the flow.
+"""The flow of a piecewise smooth field in ball arithmetic: enclosures of a trajectory and of the
+derivative of the flow.
 
-A set of states is carried as a point, known to a ball, and a matrix that encloses the derivative by the start over all of
-the starts: by the mean value theorem a start that is off by δ is at point + matrix δ. Every step is a Taylor polynomial with
-a bound on what is left out: on a polydisc of radii R_i about the states the field is at most F_i, so that the solution is
-analytic for |t| < ρ = min R_i / F_i and its coefficients are at most R_i ρ^−k (Cauchy). Where a border is crossed, all
-trajectories are shown to cross once within a window of 2 η, in which the field changes by no more than its Lipschitz constant
-times η.
+A set of states is carried as a point, known to a ball, and a matrix that encloses the derivative by
+the start over all of the starts: by the mean value theorem a start that is off by δ is at point +
+matrix δ. Every step is a Taylor polynomial with a bound on what is left out: on a polydisc of radii
+R_i about the states the field is at most F_i, so that the solution is analytic for |t| < ρ = min
+R_i / F_i and its coefficients are at most R_i ρ^−k (Cauchy). Where a border is crossed, all
+trajectories are shown to cross once within a window of 2 η, in which the field changes by no more
+than its Lipschitz constant times η.
 """
 
 from __future__ import annotations
@@ -32,7 +34,8 @@ SHARE = 1 / 7
 #: By this factor steps stay below that share, however the product is rounded.
 SHORT = 1 - 1e-12
 
-#: Growth of small deviations, as an exponent, that is allowed over a radius of convergence: it multiplies what is left out.
+#: Growth of small deviations, as an exponent, that is allowed over a radius of convergence: it
+#: multiplies what is left out.
 STEEPEST = 20
 
 #: A window within which something happens, in units of how long it takes by itself.
@@ -68,10 +71,11 @@ class Accuracy:
 
 @dataclass
 class Balls:
-    """A set of states in balls: a point, the derivative by the start, and how far the starts are off.
+    """A set of states in balls: a point, the derivative by the start, and how far the starts are
+    off.
 
-    The point is carried as accurately as ``fine`` says. What multiplies the small deviations, the derivative, need be no more
-    accurate than ``rough``, which costs far less.
+    The point is carried as accurately as ``fine`` says. What multiplies the small deviations, the
+    derivative, need be no more accurate than ``rough``, which costs far less.
     """
 
     smooth: Smooth
@@ -86,13 +90,15 @@ class Balls:
         """All states."""
         return _moved(self.point, self.matrix * arb_mat([[each] for each in self.start]))
 
-    # ------------------------------------------------------------------------------------------ smooth steps
+    # ------------------------------------------------------------------------------------------
+    # smooth steps
 
     def carry(self, duration: Any) -> None:
         """Carry all states on within the mode, which none may leave; only onward."""
         if not duration >= 0:
             raise ParameterError(
-                f"duration = {duration} is not certainly 0 or more; a set of states is carried onward only"
+                f"duration = {duration} is not certainly 0 or more; a set of states is "
+                "carried onward only"
             )
         left = duration
         while left > 0:
@@ -103,7 +109,9 @@ class Balls:
                 )
 
     def _step(self, left: Any) -> Any:
-        """Carry all states on for all of a time, or as much of it as a step may be; that is given."""
+        """Carry all states on for all of a time, or as much of it as a step may be; that is
+        given.
+        """
         box, piece = self.box, self.smooth
         radius, bounds, slope = self._disc(box)
         step = arb(radius * SHARE * SHORT)
@@ -134,7 +142,9 @@ class Balls:
         return step
 
     def _disc(self, box: Numbers) -> tuple[float, Numbers, Any]:
-        """A radius of convergence about all states, the radii of the polydisc, and a bound on the field's derivative there."""
+        """A radius of convergence about all states, the radii of the polydisc, and a bound on the
+        field's derivative there.
+        """
 
         def disc(radii: Numbers) -> Numbers:
             return [acb(value + around(r), around(r)) for value, r in zip(box, radii, strict=True)]
@@ -144,9 +154,11 @@ class Balls:
 
         if not all(value.rad() < 1e-2 for value in box):
             raise TooWide(
-                "the enclosure of the states has grown too wide: more digits would do it, or the orbit is too stiff"
+                "the enclosure of the states has grown too wide: more digits would do it, or "
+                "the orbit is too stiff"
             )
-        # The square root in L is analytic there: a disc about a positive number that meets its cut holds 0, and 1/L is infinite.
+        # The square root in L is analytic there: a disc about a positive number that meets its cut
+        # holds 0, and 1/L is infinite.
         still = sizes([arb(1e-3)] * len(box))
         for length in TIMES:
             found, room = still, 1.1
@@ -172,23 +184,27 @@ class Balls:
             ends = [smooth.level(border, piece.at(t)) for t in (begin, end)]
             if any(level < 0 for level in ends):
                 raise NotProved(
-                    f"the orbit meets {border.name} at a place where the cycle is said not to cross it"
+                    f"the orbit meets {border.name} at a place where the cycle is said not to "
+                    "cross it"
                 )
             if not all(level > 0 for level in ends):
                 raise TooWide(
-                    f"that no state meets {border.name} where the cycle does not cross it could not be shown"
+                    f"that no state meets {border.name} where the cycle does not cross it "
+                    "could not be shown"
                 )
             return
         if end - begin < piece.step * SHORTEST:
             raise NotProved(
-                f"whether the orbit meets {border.name} could not be decided near one place: it touches it there, or all "
+                f"whether the orbit meets {border.name} could not be decided near one place: "
+                "it touches it there, or all "
                 "but; at a grazing no number of digits tells: move a parameter"
             )
         middle = ((begin + end) / 2).mid()
         self._clear(border, piece, begin, middle)
         self._clear(border, piece, middle, end)
 
-    # ------------------------------------------------------------------------------------------------ borders
+    # ---------------------------------------------------------------------------------------------
+    # borders
 
     def keeps_clear(self, states: Numbers, but: int = -1) -> None:
         """Show that states are inside of all borders of the mode but one."""
@@ -221,14 +237,16 @@ class Balls:
         slope = most([piece.steepness(hull) for piece in both])
         if not window * speed < arb(1e-6):
             raise TooWide(
-                f"the states meet {border.name} too far apart in time; more digits would do it, unless it is only touched there"
+                f"the states meet {border.name} too far apart in time; more digits would do "
+                "it, unless it is only touched there"
             )
         turned = border.sign(before.mode) * border.sign(after.mode)
         if not (
             before.level_rate(border, hull) < 0 and turned * after.level_rate(border, hull) < 0
         ):
             raise NotProved(f"that {border.name} is crossed, not only touched, could not be shown")
-        # Within the window all that changes, the mode too, changes rates by no more than their slope over the way.
+        # Within the window all that changes, the mode too, changes rates by no more than their
+        # slope over the way.
         off = around(window * slope * window * speed)
         self.point = [
             value + window * rate + off
@@ -242,7 +260,9 @@ class Balls:
 
 @dataclass(frozen=True)
 class _Piece:
-    """All states during a step: series in time, what these leave out, and the states at both ends, which are known better."""
+    """All states during a step: series in time, what these leave out, and the states at both ends,
+    which are known better.
+    """
 
     series: Numbers
     tails: Numbers
@@ -261,7 +281,9 @@ class _Piece:
 
 
 def _left_out(ratio: Any, accuracy: Accuracy) -> Any:
-    """Remainder of a Taylor polynomial over the bound on the field: the step is ``ratio`` times the radius of convergence."""
+    """Remainder of a Taylor polynomial over the bound on the field: the step is ``ratio`` times the
+    radius of convergence.
+    """
     return ratio ** (accuracy.order + 1) / (1 - ratio)
 
 
@@ -271,7 +293,9 @@ def _moved(point: Numbers, off: Any) -> Numbers:
 
 
 class _Methods:
-    """Functions that are methods of balls and of power series; these have none for the hyperbolic tangent."""
+    """Functions that are methods of balls and of power series; these have none for the hyperbolic
+    tangent.
+    """
 
     def __getattr__(self, name: str) -> Any:
         return methodcaller(name)
@@ -304,7 +328,9 @@ def _terms(count: int) -> Iterator[None]:
 
 @dataclass(frozen=True)
 class Smooth:
-    """A smooth piece of a field in balls: the field in one mode. States are of balls, or of power series."""
+    """A smooth piece of a field in balls: the field in one mode. States are of balls, or of power
+    series.
+    """
 
     field: Field
     constants: Numbers
@@ -329,7 +355,8 @@ class Smooth:
     def slopes(self, state: Numbers) -> list[Numbers]:
         """Derivatives of the accelerations by the state, one operation after the other.
 
-        Generated ones may be written out in powers: over wide balls their terms are many times as large as what is left of them.
+        Generated ones may be written out in powers: over wide balls their terms are many times as
+        large as what is left of them.
         """
         accelerations = self.field.acceleration(variables(state, 1), self.constants, self.mode, XP)
         return [gradient(acceleration, self.field.size) for acceleration in accelerations]
@@ -344,7 +371,9 @@ class Smooth:
         return border.sign(self.mode) * border.rate(state, accelerations, self.constants, self.mode)
 
     def steepness(self, state: Numbers) -> Any:
-        """A bound on the field's derivative over a ball of states: the largest sum of a row, and 1."""
+        """A bound on the field's derivative over a ball of states: the largest sum of a row, and
+        1.
+        """
         return most(
             [
                 arb(1),
@@ -353,9 +382,11 @@ class Smooth:
         )
 
     def solution(self, state: Numbers, order: int) -> Numbers:
-        """The Taylor polynomials of the solution from a state, by Newton's method: each round knows twice as many coefficients.
+        """The Taylor polynomials of the solution from a state, by Newton's method: each round knows
+        twice as many coefficients.
 
-        What a round adds to the known polynomials satisfies the linearized equation exactly, up to twice the order.
+        What a round adds to the known polynomials satisfies the linearized equation exactly, up to
+        twice the order.
         """
         n, m = len(self.field.coordinates), self.field.size
         rows = [[arb(value)] for value in state]
@@ -400,7 +431,8 @@ class Smooth:
             total = slopes[0] * parts[k]
             for i in range(1, k + 1):
                 total += slopes[i] * parts[k - i]
-            # Speeds are the derivatives of positions: the upper half of the next one is the lower half of this.
+            # Speeds are the derivatives of positions: the upper half of the next one is the lower
+            # half of this.
             parts.append(
                 arb_mat(m, m, parts[k].entries()[n * m :] + total.entries()) * (arb(1) / (k + 1))
             )

@@ -1,6 +1,8 @@
-"""The proof of a cycle in balls: it runs as a process of its own, since python-flint's precision is one for all threads.
+"""The proof of a cycle in balls: it runs as a process of its own, since python-flint's precision is
+one for all threads.
 
-``python -m spragsym.orbits.ball_proof`` reads a claim as JSON from standard input and writes what was proved to standard output.
+``python -m spragsym.orbits.ball_proof`` reads a claim as JSON from standard input and writes what
+was proved to standard output.
 """
 
 import json
@@ -28,22 +30,26 @@ from .ball_flow import (
     polynomial,
 )
 
-#: Rounds of Newton's method with the slopes of double precision, and digits that each gains at least.
+#: Rounds of Newton's method with the slopes of double precision, and digits that each gains at
+#: least.
 ROUNDS, GAINED = 14, 6
 
 #: Digits beyond those that are known, with which the next round works: what it gains.
 AHEAD = 12
 
-#: The derivative of the flow is carried as accurately as for so many digits, however many the orbit has.
+#: The derivative of the flow is carried as accurately as for so many digits, however many the orbit
+#: has.
 ROUGH = 60
 
-#: Half of the window in which a border is crossed, before the states tell: in units of the radius of the starts, and at most.
+#: Half of the window in which a border is crossed, before the states tell: in units of the radius
+#: of the starts, and at most.
 WINDOW, WIDEST = 1e5, 1e-6
 
 #: Digits up to which more of them are tried than were asked for.
 ENOUGH = 25
 
-#: A derivative of the return that is as nearly singular as this is that of a fold: Newton's method has nothing to stand on.
+#: A derivative of the return that is as nearly singular as this is that of a fold: Newton's method
+#: has nothing to stand on.
 SINGULAR = 1e-14
 
 #: A border that is crossed at less than this speed is touched.
@@ -51,7 +57,9 @@ SLOWEST = 1e-7
 
 
 def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
-    """What is shown of a claim: where its digits leave the box of starts too wide, with more of them, up to :data:`ENOUGH`."""
+    """What is shown of a claim: where its digits leave the box of starts too wide, with more of
+    them, up to :data:`ENOUGH`.
+    """
     digits = claim["digits"]
     while True:
         try:
@@ -66,14 +74,17 @@ def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
 
 
 def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
-    """What is shown of a claim, all numbers exactly, as :func:`spoken`; within the bits of :func:`accuracy_for`."""
+    """What is shown of a claim, all numbers exactly, as :func:`spoken`; within the bits of
+    :func:`accuracy_for`.
+    """
     digits = claim["digits"]
     radius, fine, rough = 10.0**-digits, accuracy_for(digits), accuracy_for(min(digits, ROUGH))
     slopes, n = np.array(claim["slopes"]), len(field.coordinates)
     moved = [i for i in range(field.size) if i != n]
     if not np.linalg.svd(slopes, compute_uv=False)[-1] > SINGULAR * np.linalg.norm(slopes, 2):
         raise NotProved(
-            "a second multiplier is 1 or nearly so: at a fold, or where branches meet, no cycle is alone"
+            "a second multiplier is 1 or nearly so: at a fold, or where branches meet, no "
+            "cycle is alone"
         )
     inverse = arb_mat(np.linalg.inv(slopes).tolist())
     mode = field.exact(field.initial_mode(claim["state"], field.constants(claim["values"])))
@@ -94,7 +105,8 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
                 clock = before
             if not time > clock:
                 raise NotProved(
-                    f"two borders are crossed so soon after each other that their windows of {2 * float(half.mid()):.1e} meet"
+                    "two borders are crossed so soon after each other that their windows of "
+                    f"{2 * float(half.mid()):.1e} meet"
                 )
             near = balls.apart(index)
             if not APART * near < half:
@@ -119,13 +131,15 @@ def accuracy_for(digits: int) -> Accuracy:
     return Accuracy(math.ceil(1.3 * digits) + 18, math.ceil(3.33 * (1.2 * digits + 45)))
 
 
-# ------------------------------------------------------------------------------ the orbit to many digits, not yet proved
+# ------------------------------------------------------------------------------ the orbit to many
+# digits, not yet proved
 
 
 def _refined(
     begun: Smooth, claim: dict[str, Any], inverse: Any, moved: list[int]
 ) -> tuple[Numbers, Any, list[tuple[int, Any]]]:
-    """State, period and crossing times to the digits of the proof, by Newton's method with a fixed slope.
+    """State, period and crossing times to the digits of the proof, by Newton's method with a fixed
+    slope.
 
     Each round works with as many digits as it may gain.
     """
@@ -156,7 +170,8 @@ def _refined(
             break
         now = min(digits, max(now, math.ceil(AHEAD - math.log10(missed)) if missed else digits))
     raise NotProved(
-        f"Newton's method in many digits does not converge from the cycle as given: it stays open by {missed:.1e}"
+        "Newton's method in many digits does not converge from the cycle as given: it stays "
+        f"open by {missed:.1e}"
     )
 
 
@@ -192,7 +207,8 @@ def _traced(
         if border >= 0:
             that, begun = piece.field.borders[border], left
             uncrossed = (
-                f"in many digits the orbit does not cross {that.name} near t = {about:.6g}, where the cycle is said to: none "
+                f"in many digits the orbit does not cross {that.name} near t = {about:.6g}, "
+                "where the cycle is said to: none "
                 "like it was found at these parameters"
             )
             for _ in range(10):
@@ -200,7 +216,8 @@ def _traced(
                 change, level = piece.level_rate(that, there), piece.level(that, there)
                 if not abs(change) > SLOWEST:
                     raise NotProved(
-                        f"{that.name} is touched, or crossed at hardly any speed: next to a grazing the return has no derivative "
+                        f"{that.name} is touched, or crossed at hardly any speed: next to a "
+                        "grazing the return has no derivative "
                         "to stand on; move a parameter"
                         if abs(level) < SLOWEST
                         else uncrossed
@@ -211,19 +228,23 @@ def _traced(
         now = [polynomial(jet, left).mid() for jet in jets]
         clock = (clock + left).mid()
         if border >= 0:
-            # To the last bit of the period, no more: so that times from one crossing to the next are exact.
+            # To the last bit of the period, no more: so that times from one crossing to the next
+            # are exact.
             times.append((border, (clock + period).mid() - period))
             piece = piece.beyond(border)
     return now, times
 
 
-# -------------------------------------------------------------------------------------------------- the theorem
+# ------------------------------------------------------------------------------------------------
+# the theorem
 
 
 def _krawczyk(
     balls: Balls, state: Numbers, period: Any, radius: float, inverse: Any, moved: list[int]
 ) -> dict[str, Any]:
-    """Krawczyk's operator on the return after a period, in the moved parts of the start and the period."""
+    """Krawczyk's operator on the return after a period, in the moved parts of the start and the
+    period.
+    """
     near = [value + around(1e-6) for value in balls.box]
     balls.keeps_clear(near)
     rates = [arb(rate) for rate in balls.smooth.rates(near)]
@@ -264,7 +285,9 @@ def _krawczyk(
 
 
 def _multipliers(monodromy: list[list[Any]]) -> dict[str, Any]:
-    """Balls that hold the eigenvalues, the trivial one first, and whether all others are inside of the unit circle."""
+    """Balls that hold the eigenvalues, the trivial one first, and whether all others are inside of
+    the unit circle.
+    """
     try:
         eigenvalues = acb_mat(monodromy).eig()
     except (ValueError, ArithmeticError):

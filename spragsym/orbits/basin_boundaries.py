@@ -1,4 +1,6 @@
-"""Basin boundaries: the stable manifold of a divergent equilibrium in a plane of starts, and where it bounds a basin."""
+"""Basin boundaries: the stable manifold of a divergent equilibrium in a plane of starts, and where
+it bounds a basin.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +33,8 @@ ASIDE = 1e-6
 #: And at this share of that, where they differ there: basins may alternate beside the curve.
 NEARER = 0.25
 
-#: Between starts so close that leave to different sides, as a share of the range, Newton's method begins.
+#: Between starts so close that leave to different sides, as a share of the range, Newton's method
+#: begins.
 NEAR = 5e-10
 
 #: A refinement that moves the start by less than this is the last.
@@ -40,7 +43,8 @@ SETTLED = 1e-11
 #: A step of Newton's method longer than this leads astray.
 FARTHEST = 0.2
 
-#: A start as far off the curve as the square of a step is followed until it is off the saddle by no more than this.
+#: A start as far off the curve as the square of a step is followed until it is off the saddle by no
+#: more than this.
 BENT = 0.1
 
 #: Cosine of the largest angle between a step and the curve's tangent.
@@ -49,10 +53,12 @@ STRAIGHT = 0.95
 
 @dataclass(frozen=True, eq=False)
 class BasinBoundary(Result):
-    """A curve of starts in a plane from which a motion goes to the divergent equilibrium: its stable manifold.
+    """A curve of starts in a plane from which a motion goes to the divergent equilibrium: its
+    stable manifold.
 
-    Motions from both sides of the curve leave the equilibrium to different sides. Whether they come to different attractors is
-    another question, since a motion that is turned back at first may go over later: ``boundary`` is true only where they do.
+    Motions from both sides of the curve leave the equilibrium to different sides. Whether they come
+    to different attractors is another question, since a motion that is turned back at first may go
+    over later: ``boundary`` is true only where they do.
 
     Attributes
     ----------
@@ -62,11 +68,12 @@ class BasinBoundary(Result):
     error : ndarray, shape (n,)
         How much the last refinement moved them.
     boundary : ndarray of bool, shape (n,)
-        Whether starts 1e-6 to either side of a point, across the curve, come to different attractors, and to the same two at a
-        quarter of that. What is not is manifold, with one basin on both sides, or undecided.
+        Whether starts 1e-6 to either side of a point, across the curve, come to different
+        attractors, and to the same two at a quarter of that. What is not is manifold, with one
+        basin on both sides, or undecided.
     sides : ndarray of str, shape (n, 2)
-        What they come to, in words: where the part along the saddle's direction of growth becomes negative, and where positive;
-        and what nearer starts come to, where that is something else.
+        What they come to, in words: where the part along the saddle's direction of growth becomes
+        negative, and where positive; and what nearer starts come to, where that is something else.
     saddle : ndarray, shape (m,)
         The equilibrium.
     growth : float
@@ -98,20 +105,22 @@ def basin_boundary(
     points: int = 80,
     backend: str | None = None,
 ) -> BasinBoundary:
-    """The stable manifold of a divergent equilibrium in a plane of starts, and where it is the boundary of a basin.
+    """The stable manifold of a divergent equilibrium in a plane of starts, and where it is the
+    boundary of a basin.
 
     Parameters
     ----------
     p : Parameters of any model
-        Scalars, where there is a divergent equilibrium; in the article's model that is where there are three.
+        Scalars, where there is a divergent equilibrium; in the article's model that is where there
+        are three.
     V, d : float, optional
         In place of those of ``p``.
     plane : tuple of str, optional
-        Two of the coordinates and rates, as x, y, vx, vy; the others are those of ``start``. The first coordinate and its rate
-        unless told otherwise.
+        Two of the coordinates and rates, as x, y, vx, vy; the others are those of ``start``. The
+        first coordinate and its rate unless told otherwise.
     start : array_like, optional
-        A state in the plane, 0 where it is left out; the curve is looked for along the first direction of the plane, from the
-        equilibrium on.
+        A state in the plane, 0 where it is left out; the curve is looked for along the first
+        direction of the plane, from the equilibrium on.
     saddle : array_like, optional
         Coordinates near the equilibrium; needed where there are several.
     to : pair of ranges, optional
@@ -128,15 +137,17 @@ def basin_boundary(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For arguments that make no sense, and unless there is one divergent equilibrium, near ``saddle`` if that is given.
+        For arguments that make no sense, and unless there is one divergent equilibrium, near
+        ``saddle`` if that is given.
 
     Notes
     -----
-    A start is on the manifold if its motion never leaves along the saddle's direction of growth: the part along it, which the
-    left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the manifold,
-    and on the boundary of a basin where ``boundary`` says so; other sheets of the manifold may be elsewhere in the plane, and
-    far folds of it are not followed. Where folds lie closer than ``step``, the walk may pass from one to the next: a smaller
-    step tells.
+    A start is on the manifold if its motion never leaves along the saddle's direction of growth:
+    the part along it, which the left eigenvector measures, is made zero at later and later times by
+    Newton's method. Each point found is on the manifold, and on the boundary of a basin where
+    ``boundary`` says so; other sheets of the manifold may be elsewhere in the plane, and far folds
+    of it are not followed. Where folds lie closer than ``step``, the walk may pass from one to the
+    next: a smaller step tells.
 
     Examples
     --------
@@ -194,7 +205,9 @@ def _differ(system: System, one: Verdict, other: Verdict) -> bool:
 
 
 def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
-    """The saddle from which to look: near a place that is given, or the one among the equilibria of steady sliding."""
+    """The saddle from which to look: near a place that is given, or the one among the equilibria of
+    steady sliding.
+    """
     n = len(p.model.coordinates)
     if near is None:
         known = equilibria(p)
@@ -203,7 +216,8 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
         places = [as_numbers("saddle", near)]
         if places[0].shape not in ((n,), (2 * n,)):
             raise ParameterError(
-                f"saddle has the shape {places[0].shape}; give the {n} coordinates of a place near it"
+                f"saddle has the shape {places[0].shape}; give the {n} coordinates of a place "
+                "near it"
             )
     found: list[Saddle] = []
     for place in places:
@@ -213,7 +227,10 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
                 found.append(saddle)
     if len(found) != 1:
         listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found)
-        none = "none that grows in one direction only: where friction falls with speed, the mass may swing there as well"
+        none = (
+            "none that grows in one direction only: where friction falls with speed, the mass may "
+            "swing there as well"
+        )
         raise ParameterError(
             "one divergent equilibrium is needed to follow its stable manifold, there are: "
             + (f"{listed}; give saddle= near one" if found else none)
@@ -233,7 +250,9 @@ class _Walk:
     points: int
 
     def off(self, state: FloatArray, span: float) -> tuple[float, FloatArray]:
-        """How far a motion has come along the direction of growth, and the derivative of that in the plane."""
+        """How far a motion has come along the direction of growth, and the derivative of that in
+        the plane.
+        """
         passage = self.system.flow.fly(state, self.system.constants, span)
         measure = self.saddle.measure
         return float(measure @ (passage.state - self.saddle.state)), self.plane @ (
@@ -241,7 +260,9 @@ class _Walk:
         )
 
     def begun(self, state: FloatArray) -> tuple[FloatArray, float, float]:
-        """A first point, along the first direction of the plane, between starts that leave to different sides."""
+        """A first point, along the first direction of the plane, between starts that leave to
+        different sides.
+        """
         from scipy.optimize import bisect
 
         low, high = self.to[0]
@@ -254,7 +275,8 @@ class _Walk:
         changes = np.flatnonzero(np.abs(np.diff(sides)) > 1).tolist()
         if not changes:
             raise ConvergenceError(
-                "no start in that line of the plane leaves the saddle to the other side; give another start"
+                "no start in that line of the plane leaves the saddle to the other side; give "
+                "another start"
             )
         for near in sorted(changes, key=lambda i: abs(ways[i] - self.plane[0] @ self.saddle.state)):
             begun = at(
@@ -271,11 +293,14 @@ class _Walk:
                 ):  # a side that changes because a motion turns late is no boundary
                     return self.refined(begun, np.array([1.0, 0.0]), span)
         raise ConvergenceError(
-            "no place in that line of the plane where the side changes is on the boundary; give another start"
+            "no place in that line of the plane where the side changes is on the boundary; "
+            "give another start"
         )
 
     def leaves(self, state: FloatArray) -> tuple[float, float]:
-        """To which side a motion leaves, and when: the sign of its part along the direction of growth, once that is large."""
+        """To which side a motion leaves, and when: the sign of its part along the direction of
+        growth, once that is large.
+        """
         constants, reach = self.system.constants, 0.1 * magnitude(self.saddle.measure)
         part, clock = 0.0, 0.0
         for _ in range(20):
@@ -289,10 +314,11 @@ class _Walk:
     def refined(
         self, state: FloatArray, direction: FloatArray, span: float
     ) -> tuple[FloatArray, float, float]:
-        """The start on the manifold near another, along a direction in the plane; what the last refinement changed; the time.
+        """The start on the manifold near another, along a direction in the plane; what the last
+        refinement changed; the time.
 
-        The longer the motion is followed, the more is known of the start, by a factor of e every 1 / growth, each by a few
-        steps of Newton's method.
+        The longer the motion is followed, the more is known of the start, by a factor of e every 1
+        / growth, each by a few steps of Newton's method.
         """
         before = np.inf
         for _ in range(40):
@@ -352,7 +378,9 @@ class _Walk:
         return found, f"{self.points} points were followed"
 
     def told_sides(self, state: FloatArray, span: float) -> tuple[bool, list[str]]:
-        """Whether the sides of a point lie in different basins, also nearer by, and what starts there come to, in words."""
+        """Whether the sides of a point lie in different basins, also nearer by, and what starts
+        there come to, in words.
+        """
         both = self.sides(state, span, ASIDE)
         if not _differ(self.system, *both):
             return False, [each.told() for each in both]
@@ -368,7 +396,9 @@ class _Walk:
         return not any(other), told
 
     def sides(self, state: FloatArray, span: float, aside: float) -> list[Verdict]:
-        """What starts to either side of a point come to: where the part along the direction of growth is less, and more."""
+        """What starts to either side of a point come to: where the part along the direction of
+        growth is less, and more.
+        """
         _, normal = self.off(state, span)
         across = aside * normal / norm(normal) @ self.plane
         return [_surely(self.system, start) for start in (state - across, state + across)]

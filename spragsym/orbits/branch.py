@@ -1,4 +1,6 @@
-"""Branches of cycles in one parameter, with all that happens on them, and curves of these events in two parameters."""
+"""Branches of cycles in one parameter, with all that happens on them, and curves of these events in
+two parameters.
+"""
 
 from __future__ import annotations
 
@@ -47,7 +49,8 @@ from .events import (
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import NEAREST, halved, meets, switched
 
-#: Lengths of a step along the arc: the first, the longest, the one below which a branch is given up, and that of a kink of it.
+#: Lengths of a step along the arc: the first, the longest, the one below which a branch is given
+#: up, and that of a kink of it.
 FIRST, LONGEST, SHORTEST, KINK = 0.004, 0.08, 1e-9, 1e-6
 
 #: The same along a curve of events.
@@ -56,14 +59,17 @@ OF_EVENTS = 0.01, 0.1, 1e-6, 1e-4
 #: Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
 LONG = 6.0
 
-#: States move by no more than this in one step, nor by more than this share of the orbit's extent, however small that is in the
-#: model's units: an equilibrium is a closed orbit of every period, and Newton's method may not fall onto it.
+#: States move by no more than this in one step, nor by more than this share of the orbit's extent,
+#: however small that is in the model's units: an equilibrium is a closed orbit of every period, and
+#: Newton's method may not fall onto it.
 FAR, SHARE = 0.5, 0.3
 
-#: An orbit of a smaller extent, or of a smaller share of the first one's, has shrunk onto an equilibrium.
+#: An orbit of a smaller extent, or of a smaller share of the first one's, has shrunk onto an
+#: equilibrium.
 LEAST = 1e-3
 
-#: Share of the first cycle's extent below which a branch has shrunk onto an equilibrium where the parameter turns back.
+#: Share of the first cycle's extent below which a branch has shrunk onto an equilibrium where the
+#: parameter turns back.
 SHRUNK = 0.1
 
 #: Slowest part of an orbit that is said to come to rest.
@@ -72,11 +78,17 @@ STILL = 2e-3
 #: Kinds of event, those first at which stability may change.
 TOLD = (*CRITERIA, "grazing", *SLIDING, "homoclinic", "end")
 
-VERTICAL = "the parameter stays what it is along the branch: there is a whole family of cycles at this one value"
+VERTICAL = (
+    "the parameter stays what it is along the branch: there is a whole family of cycles at this "
+    "one value"
+)
 
 FAMILIES = "there is a whole family of cycles at every value of the parameter from there on"
 
-TOUCHES = "it touches a border there, or a phase of sticking shrinks to nothing, and no cycle was found beyond"
+TOUCHES = (
+    "it touches a border there, or a phase of sticking shrinks to nothing, and no cycle was found "
+    "beyond"
+)
 
 #: Sizes of points by which it is told where a size vanishes are so far apart, as a factor.
 SPACED = 0.7
@@ -95,11 +107,12 @@ class CycleEvent(Result):
     Attributes
     ----------
     kind : {"fold", "period_doubling", "torus", "grazing", "homoclinic", "end"}
-        Under dry friction also the sliding bifurcations, at each of which a phase of one side of the branch shrinks to nothing:
-        "grazing-sliding", one of sticking, where the orbit touches x′ = V in contact; "crossing-sliding", one of sticking, where
-        it comes to x′ = V at the edge of what sticks and passes; "switching-sliding", one of slip between such an edge and
-        sticking; "adding-sliding", one of slip between two of sticking, where the force that holds touches its limit. A touch of
-        x′ = V in lift-off is a "grazing".
+        Under dry friction also the sliding bifurcations, at each of which a phase of one side of
+        the branch shrinks to nothing: "grazing-sliding", one of sticking, where the orbit touches
+        x′ = V in contact; "crossing-sliding", one of sticking, where it comes to x′ = V at the edge
+        of what sticks and passes; "switching-sliding", one of slip between such an edge and
+        sticking; "adding-sliding", one of slip between two of sticking, where the force that holds
+        touches its limit. A touch of x′ = V in lift-off is a "grazing".
     value : float
         Of the parameter.
     cycle : Cycle
@@ -165,9 +178,10 @@ class CycleBranch(Result):
     def switch(self, event: CycleEvent, *, step: float = 0.02) -> Cycle:
         """A cycle on the other branch at an event, where :func:`cycle_branch` can begin.
 
-        That is the doubled cycle at a period doubling, or, at the end of a branch of doubled cycles, the cycle that doubles
-        there; where another branch crosses (a fold whose ``how`` says so) a cycle on that one; at another fold a cycle on the
-        far side of it. ``step`` is how far off, in states.
+        That is the doubled cycle at a period doubling, or, at the end of a branch of doubled
+        cycles, the cycle that doubles there; where another branch crosses (a fold whose ``how``
+        says so) a cycle on that one; at another fold a cycle on the far side of it. ``step`` is how
+        far off, in states.
         """
         return switched(self, event, step)
 
@@ -196,14 +210,16 @@ class CycleBranch(Result):
 def cycle_branch(
     cycle: Cycle, vary: str, to: tuple[float, float], *, points: int = 400, longest: float = LONGEST
 ) -> CycleBranch:
-    """Follow a cycle as a parameter varies, through folds, to both ends of a range or to where the branch ends.
+    """Follow a cycle as a parameter varies, through folds, to both ends of a range or to where the
+    branch ends.
 
     Parameters
     ----------
     cycle : Cycle
         Where to begin.
     vary : str
-        One of the parameters: theta0 (radians), V, d, mu0, kappa, alpha, sigma, beta; of other models their own.
+        One of the parameters: theta0 (radians), V, d, mu0, kappa, alpha, sigma, beta; of other
+        models their own.
     to : tuple of float
         The range; the branch is followed both ways from the cycle.
     points : int
@@ -218,13 +234,14 @@ def cycle_branch(
     Raises
     ------
     ParameterError
-        For a parameter that the model does not have, a range without the cycle's own value, or beyond what it may be, no points,
-        or a step that is not positive.
+        For a parameter that the model does not have, a range without the cycle's own value, or
+        beyond what it may be, no points, or a step that is not positive.
 
     Notes
     -----
-    A doubling, a torus or a crossing is told where its test function changes its sign by more than the error of the multipliers:
-    none is told where nothing damps, and multipliers stay on the unit circle.
+    A doubling, a torus or a crossing is told where its test function changes its sign by more than
+    the error of the multipliers: none is told where nothing damps, and multipliers stay on the unit
+    circle.
 
     Examples
     --------
@@ -245,7 +262,8 @@ def cycle_branch(
     value = cycle.values[index]
     if not low <= value <= high:
         raise ParameterError(
-            f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one"
+            f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; "
+            "give one"
         )
     setting = Setting(cycle.loop.flow, (index,), cycle.period, ((high - low) / 2,))
     pieces = len(cycle.loop.states)  # an even number, so that halves of a doubled cycle are seen
@@ -290,7 +308,9 @@ def cycle_branch(
 def _followed(
     followed: list[Point], to: Span, points: int, longest: float
 ) -> Iterator[Point | Finding]:
-    """Points and findings in one direction behind the last of some points, an end the last of them."""
+    """Points and findings in one direction behind the last of some points, an end the last of
+    them.
+    """
     start = followed[-1]
 
     def ahead(point: Point, length: float) -> Point:
@@ -339,8 +359,8 @@ def _followed(
 def _vanishing(points: Sequence[Point], size: Callable[[Point], float], how: str) -> Finding:
     """The end behind some points of a branch at which a size shrinks to 0.
 
-    The parameter is a smooth function of the size, by parabolas through three points; three that differ least are taken, since
-    next to the end rounding decides.
+    The parameter is a smooth function of the size, by parabolas through three points; three that
+    differ least are taken, since next to the end rounding decides.
     """
     from scipy.interpolate import KroghInterpolator
 
@@ -358,14 +378,18 @@ def _vanishing(points: Sequence[Point], size: Callable[[Point], float], how: str
 
 
 def _shrunk(followed: Sequence[Point]) -> Finding:
-    """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
+    """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the
+    parameter near it.
+    """
     return _vanishing(
         followed, lambda point: extent(point.loop) ** 2, "it shrinks onto an equilibrium"
     )
 
 
 def _at_border(followed: Sequence[Point]) -> Finding | None:
-    """The end where an orbit comes to touch a border, or sticks at the limit of the force from the first; None elsewhere."""
+    """The end where an orbit comes to touch a border, or sticks at the limit of the force from the
+    first; None elsewhere.
+    """
 
     def off(point: Point) -> float:
         sticking = (touch.level for touch in arrivals(point) if touch.level > 0)
@@ -393,9 +417,11 @@ def _ends(start: Point, point: Point, ahead: Point, length: float, to: Span) -> 
 
 
 def _joins(followed: Sequence[Point], found: Point) -> Iterator[Finding]:
-    """The end of a branch at the edge of a family of cycles, one of which is found, and what happens there.
+    """The end of a branch at the edge of a family of cycles, one of which is found, and what
+    happens there.
 
-    Where that is no event, a second multiplier comes to 1 with some power of the way, as a rule the second.
+    Where that is no event, a second multiplier comes to 1 with some power of the way, as a rule the
+    second.
     """
     came, edge = arrivals(followed[-1]), _at_border(followed)
     if edge:
@@ -425,9 +451,11 @@ def _lost(followed: Sequence[Point], error: ConvergenceError) -> Finding:
 
 
 def _passes(start: Point, point: Point, ahead: Point) -> bool:
-    """Whether the start's cycle lies on the step from one point to the next, passed the same way: a branch that closes.
+    """Whether the start's cycle lies on the step from one point to the next, passed the same way: a
+    branch that closes.
 
-    Its states need not be those of the start: on the way round they may have gone on along the orbit.
+    Its states need not be those of the start: on the way round they may have gone on along the
+    orbit.
     """
     way = ahead.value - point.value
     if not (start.value - point.value) * (start.value - ahead.value) <= 0 < way * turning(start):
@@ -439,7 +467,8 @@ def _passes(start: Point, point: Point, ahead: Point) -> bool:
 
 
 def _rests(loop: Loop) -> str:
-    """Where an orbit of a very long period hardly moves, without the sign of a zero; nothing where it moves everywhere.
+    """Where an orbit of a very long period hardly moves, without the sign of a zero; nothing where
+    it moves everywhere.
 
     By the size of the field at its turns, or all along one that only turns around.
     """
@@ -514,8 +543,9 @@ def cycle_events(
 
     Notes
     -----
-    Newton's method on the closed orbit, with the event's test function as one more equation: for a fold det(1 − R) = 0 and for
-    a doubling det(1 + R) = 0, R the monodromy matrix across the flow; for a grazing level and rate of the border at the start.
+    Newton's method on the closed orbit, with the event's test function as one more equation: for a
+    fold det(1 − R) = 0 and for a doubling det(1 + R) = 0, R the monodromy matrix across the flow;
+    for a grazing level and rate of the border at the start.
 
     Examples
     --------
@@ -532,7 +562,8 @@ def cycle_events(
     )
     if event.kind not in (*CRITERIA, "grazing"):
         raise ParameterError(
-            f"event = {event.kind} is not followed in two parameters; give a fold, doubling, torus or grazing"
+            f"event = {event.kind} is not followed in two parameters; give a fold, doubling, "
+            "torus or grazing"
         )
     model = event.cycle.field
     free = tuple(model.parameters.index(one_of("vary", name, model.parameters)) for name in vary)

@@ -1,8 +1,11 @@
-"""The bifurcation diagram of one parameter: equilibria and cycles of the motion in one result, labelled as AUTO and MatCont do.
+"""The bifurcation diagram of one parameter: equilibria and cycles of the motion in one result,
+labelled as AUTO and MatCont do.
 
-Equilibria are those of the motion, with friction at the belt's own speed: followed by pseudo-arclength from all that the statics
-prove at some values of the parameter, so that a branch is left out only if it begins and ends between two of these. Cycles are
-followed from every Hopf point along the parameter, from starts that are given, and from period doublings; there may be others.
+Equilibria are those of the motion, with friction at the belt's own speed: followed by
+pseudo-arclength from all that the statics prove at some values of the parameter, so that a branch
+is left out only if it begins and ends between two of these. Cycles are followed from every Hopf
+point along the parameter, from starts that are given, and from period doublings; there may be
+others.
 """
 
 from __future__ import annotations
@@ -34,7 +37,8 @@ from .system import Rest, System
 #: Values of the parameter at which the statics say where equilibria are.
 SEEDS = 13
 
-#: Longest and shortest step along a branch of equilibria, in coordinates and halves of the range; most steps each way.
+#: Longest and shortest step along a branch of equilibria, in coordinates and halves of the range;
+#: most steps each way.
 LONGEST, SHORTEST, STEPS = 0.02, 1e-7, 2000
 
 #: Equilibria closer than this are one.
@@ -46,7 +50,8 @@ LOCATED = 1e-6
 #: Real parts below this are not growth.
 NEUTRAL = 1e-10
 
-#: A test function below this has lost its sign: without dampers every pair is on the imaginary axis.
+#: A test function below this has lost its sign: without dampers every pair is on the imaginary
+#: axis.
 LOST = 1e-11
 
 #: A label for each kind of event: as AUTO and MatCont have them.
@@ -84,10 +89,11 @@ class EquilibriumBranch(Result):
 
 @dataclass(frozen=True, eq=False)
 class Label(Result):
-    """A point of a diagram: LP fold, H Hopf point (of equilibria); LPC fold, PD doubling, NS torus, BPC crossing, GR grazing, HC;
-    GS, CS, SS, AS grazing-, crossing-, switching- and adding-sliding.
+    """A point of a diagram: LP fold, H Hopf point (of equilibria); LPC fold, PD doubling, NS torus,
+    BPC crossing, GR grazing, HC; GS, CS, SS, AS grazing-, crossing-, switching- and adding-sliding.
 
-    ``height`` is the first coordinate there, the largest one of a cycle; ``branch`` the number of the branch among its kind.
+    ``height`` is the first coordinate there, the largest one of a cycle; ``branch`` the number of
+    the branch among its kind.
     """
 
     label: str
@@ -144,8 +150,8 @@ def diagram(
     to : tuple of float
         Its range.
     starts : sequence
-        States near cycles at ``p``, or cycles of the model at ``p`` but for the parameter that varies; with ``None`` among them,
-        what the motion from rest winds onto.
+        States near cycles at ``p``, or cycles of the model at ``p`` but for the parameter that
+        varies; with ``None`` among them, what the motion from rest winds onto.
     doublings : int
         How many doublings deep doubled cycles are followed.
     points : int
@@ -158,12 +164,14 @@ def diagram(
     Raises
     ------
     ParameterError
-        For a parameter that the model does not have, a range that is none, or a cycle at other parameters.
+        For a parameter that the model does not have, a range that is none, or a cycle at other
+        parameters.
 
     Notes
     -----
-    Hopf points from which cycles are followed are those of :func:`spragsym.bifurcation.flutter.flutter_onsets`, proved;
-    labels are located on the branches by their test functions.
+    Hopf points from which cycles are followed are those of
+    :func:`spragsym.bifurcation.flutter.flutter_onsets`, proved; labels are located on the branches
+    by their test functions.
 
     Examples
     --------
@@ -187,7 +195,8 @@ def diagram(
             for name, value in start.parameters.items():
                 if name != vary and value != (own := float(getattr(p, name))):
                     raise ParameterError(
-                        f"starts: a cycle at {name} = {value:.10g}, the diagram at {own:.10g}; give cycles at p"
+                        f"starts: a cycle at {name} = {value:.10g}, the diagram at "
+                        f"{own:.10g}; give cycles at p"
                     )
     rests = list(_equilibria(p, vary, (low, high)))
     branches: list[CycleBranch] = []
@@ -227,11 +236,14 @@ def diagram(
 
 
 def _left_alone(vary: str, labels: Sequence[Label], known: FloatArray) -> Iterator[str]:
-    """Hopf points of the motion that are none of the statics', whose friction may be another: none is followed from there."""
+    """Hopf points of the motion that are none of the statics', whose friction may be another: none
+    is followed from there.
+    """
     for value in (label.value for label in labels if label.label == "H"):
         if not (np.abs(known - value) < LOCATED * (1 + abs(value))).any():
             yield Remark(
-                "no cycles were followed from the Hopf point {}: it is the motion's, not the statics'",
+                "no cycles were followed from the Hopf point {}: it is the motion's, not the "
+                "statics'",
                 _at(vary, value),
             )
 
@@ -240,7 +252,8 @@ def _at(vary: str, value: float) -> At:
     return At(vary, (float(value),), ".10g")
 
 
-# -------------------------------------------------------------------------------------------------------------- equilibria
+# ------------------------------------------------------------------------------------------------
+# equilibria
 
 
 def _followed(rest: Rest, point: Point, to: Span) -> Iterator[Point]:
@@ -273,7 +286,9 @@ def _located(one: Point, other: Point, test: Callable[[Point], float]) -> Point 
 
 
 def _labels(rest: Rest, line: Sequence[Point], number: int) -> Iterator[Label]:
-    """Folds, where the parameter turns back, and Hopf points, where a pair crosses the imaginary axis."""
+    """Folds, where the parameter turns back, and Hopf points, where a pair crosses the imaginary
+    axis.
+    """
     for one, other in pairwise(line):
         fold, hopf = (_located(one, other, test) for test in (turning, rest.pairs))
         if hopf is not None:
@@ -308,7 +323,9 @@ def _passes(line: Sequence[Point], point: Point) -> bool:
 def _equilibria(
     p: ParameterSet, vary: str, to: Span
 ) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:
-    """All branches on which there is an equilibrium at one of some values of the parameter, with their labels."""
+    """All branches on which there is an equilibrium at one of some values of the parameter, with
+    their labels.
+    """
     model, found = p.model, list[tuple[bool, list[Point]]]()
     grid = np.linspace(*to, SEEDS)
     for contact in (True, False):
@@ -339,7 +356,8 @@ def _equilibria(
             found.append((contact, line))
 
 
-# ------------------------------------------------------------------------------------------------------------------ cycles
+# ------------------------------------------------------------------------------------------------
+# cycles
 
 
 def _cycles(
@@ -366,7 +384,9 @@ def _cycles(
 
 
 def _known(branches: Sequence[CycleBranch], cycle: Cycle) -> bool:
-    """Whether a cycle is on a branch that is there: that branch's own cycle at the same value of the parameter is it."""
+    """Whether a cycle is on a branch that is there: that branch's own cycle at the same value of
+    the parameter is it.
+    """
     for branch in branches:
         value = cycle.parameters[branch.vary]
         for i in np.flatnonzero(

@@ -1,4 +1,6 @@
-"""Events of a branch between two of its points: test functions that change sign, and borders that the orbit only touches."""
+"""Events of a branch between two of its points: test functions that change sign, and borders that
+the orbit only touches.
+"""
 
 import math
 from collections import Counter
@@ -38,12 +40,13 @@ SLIDING = ("grazing-sliding", "crossing-sliding", "switching-sliding", "adding-s
 #: Halvings of a step that looks as if something were hidden in it.
 DEEPEST = 9
 
-#: Where the parameter changes less than this along the arc, a multiplier that passes 1 belongs to a fold.
+#: Where the parameter changes less than this along the arc, a multiplier that passes 1 belongs to a
+#: fold.
 FLAT = 1e-6
 
 
-#: Slope of a branch, in shares of the range over the arc, below which it is upright; how near 1 a double multiplier is found; and
-#: what is told then.
+#: Slope of a branch, in shares of the range over the arc, below which it is upright; how near 1 a
+#: double multiplier is found; and what is told then.
 UPRIGHT, DOUBLE, APART_FROM_ONES = 1e-8, 1e-4, CRITERIA[1:]
 
 #: Said of a fold at which the parameter does not turn back.
@@ -55,7 +58,8 @@ MERGES = "it meets the cycle of half its period, which doubles there"
 #: Said of an event that is none of a multiplier that is continuous.
 JUMPED = "a multiplier jumps past its value there, as it does at a grazing"
 
-#: Where a sign changes, a test function is a zero if it is smaller than this share of what it is at the ends of the step.
+#: Where a sign changes, a test function is a zero if it is smaller than this share of what it is at
+#: the ends of the step.
 JUMPS = 1e-2
 
 #: Few orbits scatter less than rounding may: their scatter counts so many times.
@@ -64,15 +68,19 @@ SCATTER = 10.0
 #: A step longer than this is made shorter where an event in it is not located.
 FINEST = 1e-5
 
-#: Level at which an orbit is found that would slide if it touched the border, and by which share at a time it is neared.
+#: Level at which an orbit is found that would slide if it touched the border, and by which share at
+#: a time it is neared.
 BESIDE, CLOSER = 1e-11, 0.03
 
-#: Turns of two neighbouring points are one where they are as close as this, in shares of a period and in states.
+#: Turns of two neighbouring points are one where they are as close as this, in shares of a period
+#: and in states.
 ALIKE = 0.6
 
 
 def criterion(kind: str, point: Point) -> float:
-    """A test function along a branch: at a fold the parameter itself turns back; where another branch crosses, it does not."""
+    """A test function along a branch: at a fold the parameter itself turns back; where another
+    branch crosses, it does not.
+    """
     if kind == "fold":
         return turning(point)
     if kind == "crossing":
@@ -81,7 +89,9 @@ def criterion(kind: str, point: Point) -> float:
 
 
 def known(kind: str, point: Point) -> float:
-    """A test function of which the sign is known, or 0: one that is within its error tells nothing."""
+    """A test function of which the sign is known, or 0: one that is within its error tells
+    nothing.
+    """
     value = criterion(kind, point)
     return value if kind == "fold" or abs(value) > unsure(point.loop, kind) else 0.0
 
@@ -90,8 +100,9 @@ def known(kind: str, point: Point) -> float:
 class Finding:
     """Something that happens on a branch: what, the orbit there, and how well its place is known.
 
-    ``border`` is the one that it touches; ``crossed`` how the branch goes on where another one crosses it; ``how`` what
-    is touched or else to be said, of an end why it is one; ``value`` that of the parameter, where it is not the orbit's.
+    ``border`` is the one that it touches; ``crossed`` how the branch goes on where another one
+    crosses it; ``how`` what is touched or else to be said, of an end why it is one; ``value`` that
+    of the parameter, where it is not the orbit's.
     """
 
     kind: str
@@ -106,9 +117,11 @@ class Finding:
 def findings(
     one: Point, other: Point, length: float, before: Point | None = None, depth: int = 0
 ) -> Iterator[Finding]:
-    """All that happens between two points of a branch, in its order; halves the step where something may be hidden in it.
+    """All that happens between two points of a branch, in its order; halves the step where
+    something may be hidden in it.
 
-    A test function changes its sign since the point ``before`` where that at the first of the two is not known.
+    A test function changes its sign since the point ``before`` where that at the first of the two
+    is not known.
     """
     kinds = APART_FROM_ONES if vertical(one, other, length) else KINDS
     since = {kind: one if known(kind, one) else before or one for kind in kinds}
@@ -160,10 +173,11 @@ def findings(
 
 
 def vertical(one: Point, other: Point, length: float) -> bool:
-    """Whether the parameter stays what it is from one point to another, far apart: a whole family of cycles at one value.
+    """Whether the parameter stays what it is from one point to another, far apart: a whole family
+    of cycles at one value.
 
-    There a second multiplier is 1 all along, other than next to a homoclinic orbit, and what a sign of the tangent says is
-    rounding.
+    There a second multiplier is 1 all along, other than next to a homoclinic orbit, and what a sign
+    of the tangent says is rounding.
     """
     ends, still = (one, other), UPRIGHT * one.setting.spans[0]
     return (
@@ -177,7 +191,9 @@ def vertical(one: Point, other: Point, length: float) -> bool:
 
 
 def _bends_to_zero(kind: str, before: Point, one: Point, other: Point) -> bool:
-    """Whether the parabola through three values of one sign, equally far apart, comes to 0 between the last two."""
+    """Whether the parabola through three values of one sign, equally far apart, comes to 0 between
+    the last two.
+    """
     a, b, c = (known(kind, each) for each in (before, one, other))
     slope, bend = (c - a) / 2, (a + c) / 2 - b
     if not (a > 0) == (b > 0) == (c > 0) or bend * b <= 0 or not 0 < -slope / (2 * bend) < 1:
@@ -188,7 +204,9 @@ def _bends_to_zero(kind: str, before: Point, one: Point, other: Point) -> bool:
 def _grazing(
     one: Point, other: Point, turns: list[tuple[Point, Touch]], length: float
 ) -> Iterator[Finding]:
-    """Where an orbit touches a border, by its turns there: of both points, or of the one that does not slide on the border."""
+    """Where an orbit touches a border, by its turns there: of both points, or of the one that does
+    not slide on the border.
+    """
     turns = sorted(turns, key=lambda pair: abs(pair[1].level))
     nearest, first = turns[0]
     kind, border = _kind(nearest.loop, first), first.way[0]
@@ -210,7 +228,9 @@ def _grazing(
 
 
 def _kind(loop: Loop, touch: Touch) -> str:
-    """What it is called that an orbit touches a border, by what is beyond: it slides there in contact, or slides no longer."""
+    """What it is called that an orbit touches a border, by what is beyond: it slides there in
+    contact, or slides no longer.
+    """
     that = loop.field.borders[touch.way[0]]
     if that.stays:
         return "grazing-sliding" if loop.mode(touch.state)[0] else "grazing"
@@ -235,7 +255,9 @@ def arrivals(point: Point) -> list[Touch]:
 
 
 def _switching(one: Point, other: Point, arrival: Touch, length: float) -> Iterator[Finding]:
-    """Where an orbit comes to the edge of the states that stay on a border: it leaves at once, or goes on into them."""
+    """Where an orbit comes to the edge of the states that stay on a border: it leaves at once, or
+    goes on into them.
+    """
 
     def stays(point: Point) -> float:
         for _, become in paired([arrival], arrivals(point)):
@@ -252,7 +274,8 @@ def _switching(one: Point, other: Point, arrival: Touch, length: float) -> Itera
 
 
 def _lies_between(one: Point, other: Point, value: float, length: float, off: float) -> bool:
-    """Whether the parameter passes a value between two points: a turn of a doubled cycle has another one half a period away.
+    """Whether the parameter passes a value between two points: a turn of a doubled cycle has
+    another one half a period away.
 
     Where the branch turns back between them it passes more than what lies between their own.
     """
@@ -287,7 +310,8 @@ def _located(
         return  # the fold itself, by rounding
     off = _error(kind, one, other, length, point)
     if abs(test(point)) > JUMPS * max(abs(test(one)), abs(test(other))):
-        # Multipliers jump at a grazing, and another arrival may become the nearest one: the sign changes with no zero.
+        # Multipliers jump at a grazing, and another arrival may become the nearest one: the sign
+        # changes with no zero.
         if length > FINEST:
             raise ConvergenceError(f"a {kind} was not located")
         if kind in SLIDING:
@@ -300,7 +324,9 @@ def _located(
 
 
 def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> float:
-    """How well the parameter is known at the zero of a test function: that of the orbit, and what the place on the arc adds."""
+    """How well the parameter is known at the zero of a test function: that of the orbit, and what
+    the place on the arc adds.
+    """
     own = uncertainty(point)
     if kind == "fold":
         return own  # the parameter is extremal there
@@ -309,8 +335,9 @@ def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> 
         return own  # the orbit itself tells
     change = abs(criterion(kind, one) - criterion(kind, other))
     place = unsure(point.loop, kind) * length / change
-    # By how much it scatters where orbits at one parameter are found from either side, times the step in that: near a grazing
-    # multipliers change so fast with the orbit that its rounding, and not theirs, limits what is known.
+    # By how much it scatters where orbits at one parameter are found from either side, times the
+    # step in that: near a grazing multipliers change so fast with the orbit that its rounding, and
+    # not theirs, limits what is known.
     scatter = [0.0]
     for base in (one, other):
         with suppress(ConvergenceError, ZeroDivisionError):
@@ -328,12 +355,16 @@ def oftener(one: Point, other: Point) -> Counter[int]:
 
 
 def unlike(one: Point, other: Point) -> int:
-    """In how many crossings two orbits differ: the differences in how often each border is crossed, added up."""
+    """In how many crossings two orbits differ: the differences in how often each border is crossed,
+    added up.
+    """
     return oftener(one, other).total() + oftener(other, one).total()
 
 
 def paired(one: list[Touch], other: list[Touch]) -> list[tuple[Touch, Touch]]:
-    """What an orbit does at borders with what that becomes on another: the nearest first, each once."""
+    """What an orbit does at borders with what that becomes on another: the nearest first, each
+    once.
+    """
     found, off = dict[int, int](), list[tuple[float, int, int]]()
     for i, touch in enumerate(one):
         for k, each in enumerate(other):
@@ -349,7 +380,9 @@ def paired(one: list[Touch], other: list[Touch]) -> list[tuple[Touch, Touch]]:
 
 
 def may_touch(one: Touch, other: Touch, length: float) -> bool:
-    """Whether the cubic through levels and slopes of a pair comes to 0 between its ends, which have one sign."""
+    """Whether the cubic through levels and slopes of a pair comes to 0 between its ends, which have
+    one sign.
+    """
     from scipy.interpolate import CubicHermiteSpline
 
     cubic = CubicHermiteSpline(
@@ -362,7 +395,9 @@ def may_touch(one: Touch, other: Touch, length: float) -> bool:
 
 
 def lost(near: Point, pairs: list[tuple[Touch, Touch]], away: float) -> list[tuple[Point, Touch]]:
-    """Turns of a point that are no turns of the other and may have come to the border between: by level and slope."""
+    """Turns of a point that are no turns of the other and may have come to the border between: by
+    level and slope.
+    """
     kept = {id(touch) for pair in pairs for touch in pair}
     return [
         (near, touch)
@@ -373,9 +408,11 @@ def lost(near: Point, pairs: list[tuple[Touch, Touch]], away: float) -> list[tup
 
 
 def grazing(near: Point, touch: Touch, beside: float = 0.0) -> Loop:
-    """The closed orbit that touches a border, begun where it does: near a point with a turn near that border.
+    """The closed orbit that touches a border, begun where it does: near a point with a turn near
+    that border.
 
-    An orbit that slides on the border does so at every parameter beyond: so that one is found ``beside`` it, and neared slowly.
+    An orbit that slides on the border does so at every parameter beyond: so that one is found
+    ``beside`` it, and neared slowly.
     """
     loop, level = near.loop, touch.level
     guess = recut(loop, len(loop.states), touch.share * loop.period)
@@ -393,7 +430,9 @@ def grazing(near: Point, touch: Touch, beside: float = 0.0) -> Loop:
 def touching(
     border: int, _: Setting, near: Loop, target: FloatArray, level: float = 0.0
 ) -> Conditions:
-    """A border has a level, of rate zero, at the first state, in the mode of a target near there."""
+    """A border has a level, of rate zero, at the first state, in the mode of a target near
+    there.
+    """
     mode = near.mode(target[: near.field.size])
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:

@@ -1,7 +1,9 @@
-"""Lyapunov exponents of a motion: what it is, as far as they, or the attractor that it comes to, prove it.
+"""Lyapunov exponents of a motion: what it is, as far as they, or the attractor that it comes to,
+prove it.
 
-The variational equations are carried along and orthonormalized, Benettin's method, with the flow as the first direction: the
-flow carries it into itself exactly, so that its exponent, the trivial one, is known, and the others are those across it.
+The variational equations are carried along and orthonormalized, Benettin's method, with the flow as
+the first direction: the flow carries it into itself exactly, so that its exponent, the trivial one,
+is known, and the others are those across it.
 """
 
 from __future__ import annotations
@@ -28,22 +30,26 @@ from .system import System, judged
 #: Time between two orthonormalizations.
 STRETCH = 5.0
 
-#: Deviations of which one is smaller than another by more than this in a stretch are lost in rounding: it is halved.
+#: Deviations of which one is smaller than another by more than this in a stretch are lost in
+#: rounding: it is halved.
 LOST = 1e-10
 
 #: Most often.
 HALVINGS = 12
 
-#: Numbers of equal parts by whose scatter the error is judged: the largest counts, as parts that are too short are correlated.
+#: Numbers of equal parts by whose scatter the error is judged: the largest counts, as parts that
+#: are too short are correlated.
 PARTS = (6, 12, 24)
 
-#: An exponent is told from 0 by this many half-widths of its 95 % interval, some four standard errors.
+#: An exponent is told from 0 by this many half-widths of its 95 % interval, some four standard
+#: errors.
 PROVED = 2.0
 
 #: A motion has settled once the slowest decay has made deviations smaller by exp of this.
 SETTLED = 5.0
 
-#: What errors of integration may add to a rate: an exponent below is not told from 0, however little it scatters.
+#: What errors of integration may add to a rate: an exponent below is not told from 0, however
+#: little it scatters.
 FLOOR = 1e-10
 
 #: Slower than this the flow is no direction: the motion is at rest.
@@ -57,11 +63,14 @@ class Lyapunov(Result):
     Attributes
     ----------
     exponents : ndarray, shape (m,)
-        Largest first, over the second half of the motion; −∞ where it sticks, which ends deviations of the sliding speed.
+        Largest first, over the second half of the motion; −∞ where it sticks, which ends deviations
+        of the sliding speed.
     error : ndarray, shape (m,)
-        Half-widths of their 95 % intervals, by the scatter among parts of that half; of the trivial exponent a bound.
+        Half-widths of their 95 % intervals, by the scatter among parts of that half; of the trivial
+        exponent a bound.
     zero : ndarray of bool, shape (m,)
-        Whether an exponent is the trivial one, that of the flow's own direction, or is not told from 0 by twice its error.
+        Whether an exponent is the trivial one, that of the flow's own direction, or is not told
+        from 0 by twice its error.
     trivial : int
         Which one is the trivial one; −1 at rest, where there is none.
     trace : float
@@ -75,8 +84,8 @@ class Lyapunov(Result):
     why : str
         What decides that, or would.
     limit : ndarray, shape (m,)
-        Exponents of the equilibrium or cycle that the motion comes to, from its eigenvalues or multipliers; NaN where none is
-        found.
+        Exponents of the equilibrium or cycle that the motion comes to, from its eigenvalues or
+        multipliers; NaN where none is found.
     end : ndarray, shape (m,)
         Where the motion ends.
     """
@@ -105,9 +114,10 @@ def lyapunov(
 ) -> Lyapunov:
     """The Lyapunov exponents of a motion with their errors, and what they prove.
 
-    The first half of the motion is left out. Where the motion comes to an equilibrium or to a cycle, the eigenvalues or
-    multipliers of that decide what it is. It is chaotic if an exponent is positive, every other one but the trivial one is told
-    from 0, and the motion has settled; else it is undecided, and ``why`` says what would decide it.
+    The first half of the motion is left out. Where the motion comes to an equilibrium or to a
+    cycle, the eigenvalues or multipliers of that decide what it is. It is chaotic if an exponent is
+    positive, every other one but the trivial one is told from 0, and the motion has settled; else
+    it is undecided, and ``why`` says what would decide it.
 
     Parameters
     ----------
@@ -134,8 +144,9 @@ def lyapunov(
 
     Notes
     -----
-    Source: Benettin's method on (8)–(11), the flow itself as the first direction; where the field is continuous its kinks need
-    nothing special. A chaotic transient that lasts longer than the motion was followed is not told from a chaotic attractor.
+    Source: Benettin's method on (8)–(11), the flow itself as the first direction; where the field
+    is continuous its kinks need nothing special. A chaotic transient that lasts longer than the
+    motion was followed is not told from a chaotic attractor.
 
     Examples
     --------
@@ -180,10 +191,11 @@ def lyapunov(
 
 @dataclass(frozen=True)
 class Rates:
-    """Growth rates over n stretches of motion, all of the time ``span``, to the state ``end``; those of one motion are equal.
+    """Growth rates over n stretches of motion, all of the time ``span``, to the state ``end``;
+    those of one motion are equal.
 
-    ``logs`` (n, m) and ``volumes`` (n,) are logarithms of growth, along the flow, then across it, and of volumes; ``flow``
-    (n + 1,) those of the flow's speed between the stretches, −∞ at rest.
+    ``logs`` (n, m) and ``volumes`` (n,) are logarithms of growth, along the flow, then across it,
+    and of volumes; ``flow`` (n + 1,) those of the flow's speed between the stretches, −∞ at rest.
     """
 
     logs: FloatArray
@@ -231,7 +243,9 @@ class Rates:
 
     @cached_property
     def error(self) -> FloatArray:
-        """Half-widths of 95 % intervals; of the trivial one a bound, the range of the logarithm of the flow's speed."""
+        """Half-widths of 95 % intervals; of the trivial one a bound, the range of the logarithm of
+        the flow's speed.
+        """
         found = half_widths(self.lasting, self.stretch)
         if self.moves:
             found[0] = np.ptp(self.flow) / self.span
@@ -248,7 +262,9 @@ class Rates:
         return int(self.order.argmin()) if self.moves else -1
 
     def undecided(self, before: float) -> str:
-        """Why these do not prove that the motion is chaotic, or nothing; ``before`` is how long it was followed before."""
+        """Why these do not prove that the motion is chaotic, or nothing; ``before`` is how long it
+        was followed before.
+        """
         across, error = self.exponents[1:], self.error[1:]
         if not self.moves:
             return "the motion is at rest, or all but"
@@ -257,14 +273,26 @@ class Rates:
             worst = open_[np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300))]
             longer = "a longer motion narrows that as the root of its time; on a torus it stays"
             hope = longer if error[worst] > FLOOR else "errors of integration may be as large"
-            return f"an exponent of {across[worst]:.2g} ± {error[worst]:.1g} is not told from 0: {hope}"
+            return (
+                f"an exponent of {across[worst]:.2g} ± {error[worst]:.1g} is not told from 0: "
+                f"{hope}"
+            )
         if across.max() < 0:
-            return "all exponents but the trivial one are negative: what it nears attracts, and a longer motion may reach it"
+            return (
+                "all exponents but the trivial one are negative: what it nears attracts, and a "
+                "longer motion may reach it"
+            )
         if len(across) == 1:
-            return "deviations grow, but the motion of one coordinate is never chaotic: a longer motion tells what it comes to"
+            return (
+                "deviations grow, but the motion of one coordinate is never chaotic: a longer "
+                "motion tells what it comes to"
+            )
         slowest = -across[across < 0].max(initial=-np.inf)
         if before * slowest < SETTLED:
-            return f"it may not have settled: deviations decay as exp(−{slowest:.2g} τ), followed for {before:g} before"
+            return (
+                f"it may not have settled: deviations decay as exp(−{slowest:.2g} τ), followed "
+                f"for {before:g} before"
+            )
         middle = len(self.logs) // 2
         logs = self.lasting[:, 1:]
         early, late = (half.mean(axis=0) / self.stretch for half in (logs[:middle], logs[middle:]))
@@ -274,10 +302,12 @@ class Rates:
 
 
 def half_widths(logs: FloatArray, stretch: float) -> FloatArray:
-    """Half-widths of 95 % intervals of mean rates: the widest by batch means, and by the range of their sums.
+    """Half-widths of 95 % intervals of mean rates: the widest by batch means, and by the range of
+    their sums.
 
-    The range is that of the sums about their straight line: of motions that repeat themselves it stays, and the error falls as
-    the time; of irregular ones it grows as its root, as the scatter of means does.
+    The range is that of the sums about their straight line: of motions that repeat themselves it
+    stays, and the error falls as the time; of irregular ones it grows as its root, as the scatter
+    of means does.
     """
     count, m = logs.shape
     sums = np.vstack([np.zeros(m), np.cumsum(logs, axis=0)])
@@ -307,7 +337,9 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
     def carried(
         state: FloatArray, frame: FloatArray, span: float
     ) -> tuple[FloatArray, FloatArray, FloatArray, float]:
-        """State and frame after a while, with the logarithms of growth along the frame and of volumes."""
+        """State and frame after a while, with the logarithms of growth along the frame and of
+        volumes.
+        """
         flow = rate(field, state, constants)
         passage = system.flow.fly(state, constants, span)
         ahead = passage.by_state @ frame
@@ -330,7 +362,8 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
             return passage.state, turned[:, back], np.log(sizes[back]), volume
         if span < stretch / 2**HALVINGS:
             raise ConvergenceError(
-                f"small deviations shrink by more than {1 / LOST:g} in {span:g} time units: too stiff"
+                f"small deviations shrink by more than {1 / LOST:g} in {span:g} time units: "
+                "too stiff"
             )
         middle, frame, first, shrunk = carried(state, frame, span / 2)
         end, frame, second, more = carried(middle, frame, span / 2)

@@ -1,4 +1,6 @@
-"""The value of a parameter at which a motion from a given start changes its fate, and the saddle that it then hovers at."""
+"""The value of a parameter at which a motion from a given start changes its fate, and the saddle
+that it then hovers at.
+"""
 
 from __future__ import annotations
 
@@ -40,18 +42,20 @@ from .system import (
     surely,
 )
 
-#: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is undecided at these as well.
+#: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is
+#: undecided at these as well.
 LOOKED_AT, MORE = (0.2, 0.4, 0.6, 0.8), (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)
 
 #: Where to look next in a bracket, as far as motions are undecided.
 NEXT = (0.5, 0.38, 0.62, 0.25, 0.75)
 
-#: Tolerance of the motions by which a bracket is narrowed, and how far the start is moved; by which that is done anew, and once
-#: more: the differences tell the error.
+#: Tolerance of the motions by which a bracket is narrowed, and how far the start is moved; by which
+#: that is done anew, and once more: the differences tell the error.
 ROUGH, FINE = ((rtol, 0.0) for rtol in TOLERANCES)
 MOVED = (TOLERANCES[1], TOLERANCES[1])
 
-#: A bracket is narrowed to this by the first of them, and no answer is given if it could not be narrowed to that.
+#: A bracket is narrowed to this by the first of them, and no answer is given if it could not be
+#: narrowed to that.
 NARROW, TOO_WIDE = 1e-13, 1e-8
 
 #: How far the place may lie that is found from a start which is moved: the error says how far.
@@ -60,19 +64,23 @@ FARTHEST = 1e-5
 #: To either side of what was found it is looked whether fates alternate.
 ASIDE = (1e-8, 1e-6)
 
-#: As many errors to either side of it both tolerances come to the same, and nearest to it to what was found.
+#: As many errors to either side of it both tolerances come to the same, and nearest to it to what
+#: was found.
 RESOLVED = (3, 6, 12)
 
-#: Periods whose ratio is this close to 2 may be those of a cycle and of what it becomes by a doubling, at most so many points on.
+#: Periods whose ratio is this close to 2 may be those of a cycle and of what it becomes by a
+#: doubling, at most so many points on.
 DOUBLE, FOLLOWED = 0.05, 40
 
-#: A motion that comes as close as this to a saddle hovers at it; of a cycle, relative to its extent.
+#: A motion that comes as close as this to a saddle hovers at it; of a cycle, relative to its
+#: extent.
 CLOSE = 0.05
 
 #: Time units that the motions of a call are followed in all; what is open by then stays open.
 LONGEST = 5e6
 
-#: Cycles whose periods are less apart, as a logarithm, may be one that is followed; no cycle is followed after so many failures.
+#: Cycles whose periods are less apart, as a logarithm, may be one that is followed; no cycle is
+#: followed after so many failures.
 UNLIKE, LOST = 0.5, 8
 
 
@@ -80,8 +88,9 @@ UNLIKE, LOST = 0.5, 8
 class FateBoundary(Result):
     """The value of a parameter at which a motion changes its fate, and the edge state there.
 
-    Both attractors are there on both sides: each was followed to the other side, and is stable there. An attractor that itself
-    ends or loses its stability is no change of fate, but an event of its branch.
+    Both attractors are there on both sides: each was followed to the other side, and is stable
+    there. An attractor that itself ends or loses its stability is no change of fate, but an event
+    of its branch.
 
     Attributes
     ----------
@@ -89,21 +98,25 @@ class FateBoundary(Result):
     value : float
         Of that parameter.
     error : float
-        Estimate: the last bracket, and twice how much a tolerance ten times as small, and a start moved by that, move it.
+        Estimate: the last bracket, and twice how much a tolerance ten times as small, and a start
+        moved by that, move it.
     saddle : str
-        "equilibrium" or "cycle", which repels in one direction only by its eigenvalues or multipliers and their errors; or
-        "unknown".
+        "equilibrium" or "cycle", which repels in one direction only by its eigenvalues or
+        multipliers and their errors; or "unknown".
     state : ndarray, shape (m,)
-        The saddle's: of a cycle, where its first coordinate is largest; of an unknown one, where the motions begin to part.
+        The saddle's: of a cycle, where its first coordinate is largest; of an unknown one, where
+        the motions begin to part.
     growth : float
-        The saddle's eigenvalue, or for a cycle the logarithm of its multiplier over its period. NaN for an unknown one.
+        The saddle's eigenvalue, or for a cycle the logarithm of its multiplier over its period. NaN
+        for an unknown one.
     distance : float
         How near the motion comes to that.
     below, above : Outcome
         What the start comes to on either side.
     others : ndarray, shape (k, 2)
-        Other intervals of the bracket, as far as was looked, at whose ends the fates differ: where there are any, fates
-        alternate. Those may be several fates on one side, none of which is on the other: an irregular transient ends anywhere.
+        Other intervals of the bracket, as far as was looked, at whose ends the fates differ: where
+        there are any, fates alternate. Those may be several fates on one side, none of which is on
+        the other: an irregular transient ends anywhere.
     """
 
     vary: str
@@ -129,11 +142,13 @@ def fate_boundary(
     start: Any = None,
     backend: str | None = None,
 ) -> FateBoundary:
-    """The value of a parameter at which a start changes its fate, and which saddle it then hovers at.
+    """The value of a parameter at which a start changes its fate, and which saddle it then hovers
+    at.
 
-    Bisection on the attractors that the motion comes to, which are proved by Newton's method and their eigenvalues or
-    multipliers, and followed from one side to the other: a cycle and what it becomes by doubling its period are one attractor.
-    What has not settled by t = 40 000 is no fate, nor is what motions that begin within rounding do not share.
+    Bisection on the attractors that the motion comes to, which are proved by Newton's method and
+    their eigenvalues or multipliers, and followed from one side to the other: a cycle and what it
+    becomes by doubling its period are one attractor. What has not settled by t = 40 000 is no fate,
+    nor is what motions that begin within rounding do not share.
 
     Parameters
     ----------
@@ -142,8 +157,8 @@ def fate_boundary(
     vary : str
         A parameter of the model, of the article's theta0, mu0, kappa, alpha, sigma, beta, V or d.
     bracket : tuple of float
-        Two values with different fates. Where there are several changes between them, one is found, and ``others`` tells of those
-        that were seen.
+        Two values with different fates. Where there are several changes between them, one is found,
+        and ``others`` tells of those that were seen.
     V, d : float, optional
         In place of those of ``p``.
     start : array_like, optional
@@ -158,14 +173,16 @@ def fate_boundary(
     ParameterError
         Where both ends have the same fate.
     ConvergenceError
-        Where the motion is undecided at an end and nothing is seen to change between; where what changes is the attractor
-        itself, which ends or loses its stability; where motions between stay undecided; where fates alternate on both sides
-        more closely than rounding can tell; and where 5e6 time units of motion leave it open. It says what the start comes to on
-        either side, of each change that was seen.
+        Where the motion is undecided at an end and nothing is seen to change between; where what
+        changes is the attractor itself, which ends or loses its stability; where motions between
+        stay undecided; where fates alternate on both sides more closely than rounding can tell; and
+        where 5e6 time units of motion leave it open. It says what the start comes to on either
+        side, of each change that was seen.
 
     Notes
     -----
-    Source: (8)–(11) with (10) as the friction law; the stable manifold of a saddle separates the fates.
+    Source: (8)–(11) with (10) as the friction law; the stable manifold of a saddle separates the
+    fates.
 
     Examples
     --------
@@ -207,7 +224,9 @@ def fate_boundary(
 
 @dataclass(frozen=True)
 class _Fate:
-    """What the start comes to at a value; equal labels are attractors of which one is the other, followed; −1 is undecided."""
+    """What the start comes to at a value; equal labels are attractors of which one is the other,
+    followed; −1 is undecided.
+    """
 
     value: float
     way: tuple[float, float]
@@ -236,7 +255,8 @@ class _Asked:
                 return before
         if sum(each.verdict.t for each in self.known) > LONGEST:
             raise _TooLong(
-                f"{LONGEST:g} time units of motion leave it open whether there are others; give a narrower bracket"
+                f"{LONGEST:g} time units of motion leave it open whether there are others; "
+                "give a narrower bracket"
             )
         with doing(
             "the motion at {} = {:.12g}, after {} others", self.vary, value, len(self.known)
@@ -264,9 +284,11 @@ class _Asked:
         return fate
 
     def _label(self, value: float, verdict: Verdict) -> int:
-        """Label of the attractor among those that are known, or a new one; should it be a known one after all, that shows later.
+        """Label of the attractor among those that are known, or a new one; should it be a known one
+        after all, that shows later.
 
-        To follow an attractor in vain takes seconds: only the likeliest is, and not any more after some failures.
+        To follow an attractor in vain takes seconds: only the likeliest is, and not any more after
+        some failures.
         """
         alike = [each for each in self.known if each.verdict.kind == verdict.kind]
         nearest = {
@@ -305,7 +327,9 @@ class _Asked:
         ]
 
     def change(self, low: float, high: float) -> tuple[_Fate, _Fate] | None:
-        """Two values that differ in their fates, if they still do, or the first such neighbours between."""
+        """Two values that differ in their fates, if they still do, or the first such neighbours
+        between.
+        """
         ends = self.ask(low), self.ask(high)
         if ends[0].label != ends[1].label:
             return ends
@@ -315,7 +339,9 @@ class _Asked:
         )
 
     def changes(self) -> Iterator[tuple[_Fate, _Fate]]:
-        """Neighbours of different fates, with nothing that is decided between; first those with nothing at all between."""
+        """Neighbours of different fates, with nothing that is decided between; first those with
+        nothing at all between.
+        """
         decided = [each for each in self.known if each.label >= 0 and each.way == ROUGH]
         pairs = [(a, b) for a, b in pairwise(decided) if a.label != b.label]
         yield from sorted(
@@ -333,7 +359,8 @@ class _Asked:
             else f"{one} at one end and to {another} at the other"
         )
         return ParameterError(
-            f"bracket = ({low.value:g}, {high.value:g}): the start comes to {ends}, which is one attractor"
+            f"bracket = ({low.value:g}, {high.value:g}): the start comes to {ends}, which is "
+            "one attractor"
             + (f", and to {other.verdict.told()} at {other.value:g} between" if other else "")
             + "; give values of different fates"
         )
@@ -394,7 +421,9 @@ class _Bracket:
         return found
 
     def anew(self, near: float, way: tuple[float, float], most: float) -> _Bracket:
-        """The bracket found again about a value, by the tolerance and from the start of another way, narrowed."""
+        """The bracket found again about a value, by the tolerance and from the start of another
+        way, narrowed.
+        """
         half, most = max(self.width, NARROW * (1 + abs(near))), most * (1 + abs(near))
         while half < most:
             found = replace(
@@ -406,9 +435,11 @@ class _Bracket:
         raise self.alternating(near, most)
 
     def resolved(self, value: float, error: float) -> bool:
-        """Whether next to a value, and somewhat farther off, the fate is ``kept`` on its own side only.
+        """Whether next to a value, and somewhat farther off, the fate is ``kept`` on its own side
+        only.
 
-        Farther off it may be another one, but not by one tolerance only. What is undecided says nothing.
+        Farther off it may be another one, but not by one tolerance only. What is undecided says
+        nothing.
         """
         for times in RESOLVED:
             for sign, own in zip((-1, 1), self.sides, strict=True):
@@ -422,8 +453,10 @@ class _Bracket:
     def alternating(self, value: float, width: float) -> ConvergenceError:
         """Error: fates alternate, so that no value is the boundary."""
         return ConvergenceError(
-            f"{self.asked.told(self.low, self.high)}, and between the two fates alternate more closely than rounding can tell: "
-            f"within {width:.1g} of {self.asked.vary} = {value:.15g} motions by the tolerances {ROUGH[0]:g} and {FINE[0]:g} do "
+            f"{self.asked.told(self.low, self.high)}, and between the two fates alternate "
+            "more closely than rounding can tell: "
+            f"within {width:.1g} of {self.asked.vary} = {value:.15g} motions by the "
+            f"tolerances {ROUGH[0]:g} and {FINE[0]:g} do "
             "not have one and the same change"
         )
 
@@ -451,7 +484,8 @@ def _first(asked: _Asked) -> FateBoundary | list[str]:
 
 
 def _boundary(bracket: _Bracket) -> FateBoundary | None:
-    """Where the fate that is kept ends between two values; ConvergenceError where that is no boundary.
+    """Where the fate that is kept ends between two values; ConvergenceError where that is no
+    boundary.
 
     None where both sides turn out to have one attractor, which is known from then on.
     """
@@ -478,7 +512,8 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
     if wide:
         low, high = asked.surely(low), asked.surely(high)
         raise ConvergenceError(f"{asked.told(low, high)}, and between those it is undecided")
-    # The middle by a finer tolerance; how much that, and a start moved by it, change it, with a margin, is its error.
+    # The middle by a finer tolerance; how much that, and a start moved by it, change it, with a
+    # margin, is its error.
     fine = bracket.anew(bracket.middle, FINE, TOO_WIDE)
     moved, value = bracket.anew(fine.middle, MOVED, FARTHEST), fine.middle
     error = max(fine.width, moved.width) + 2 * (
@@ -510,7 +545,9 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
 
 
 def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
-    """Whether one of two cycles comes out of the other, of half its period, by a doubling between: a single attractor."""
+    """Whether one of two cycles comes out of the other, of half its period, by a doubling between:
+    a single attractor.
+    """
     short, long = sorted((low, high), key=lambda each: each.verdict.outcome.period)
     if not abs(long.verdict.outcome.period / short.verdict.outcome.period / 2 - 1) <= DOUBLE:
         return False  # or one of them is no cycle, and has no period
@@ -540,7 +577,9 @@ def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
 
 
 def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
-    """At what the motions of a narrow bracket hover before they part: its kind, a state of it, its growth, how near they come."""
+    """At what the motions of a narrow bracket hover before they part: its kind, a state of it, its
+    growth, how near they come.
+    """
     asked = bracket.asked
     system, around = asked.at(bracket.middle), asked.system.field.around
     one, other = (

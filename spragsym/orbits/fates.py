@@ -1,4 +1,6 @@
-"""The fate of a motion: its attractor, chaos by its exponents, or what would decide it; and maps of fates over parameters."""
+"""The fate of a motion: its attractor, chaos by its exponents, or what would decide it; and maps of
+fates over parameters.
+"""
 
 from __future__ import annotations
 
@@ -33,10 +35,12 @@ from .finding import cycle_near, stands_still
 from .orbit import NEUTRAL, distance
 from .system import JUDGED, System, Verdict, judged, spectrum
 
-#: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
+#: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest
+#: as well.
 SHARES = (0.2, 0.8)
 
-#: Motions beside an irregular one that are followed as well, and how far off they begin: one that settles tells of a transient.
+#: Motions beside an irregular one that are followed as well, and how far off they begin: one that
+#: settles tells of a transient.
 BESIDE, OFF = 4, 1e-6
 
 
@@ -62,15 +66,17 @@ class Fate(Result):
     outcome : Outcome
         The attractor, reached or approached.
     exponents, error : ndarray, shape (m,)
-        Lyapunov exponents, largest first: of the attractor, by its eigenvalues or multipliers and their errors, infinite where
-        rounding hides a multiplier; else measured, with half-widths of 95 % intervals. NaN for lift-off.
+        Lyapunov exponents, largest first: of the attractor, by its eigenvalues or multipliers and
+        their errors, infinite where rounding hides a multiplier; else measured, with half-widths of
+        95 % intervals. NaN for lift-off.
     trivial : int
         Which of them is that of the flow's own direction, known to be 0; −1 where there is none.
     time_scale : float
-        On which the slowest small deviations from steady sliding die out, −1 / max Re λ of its eigenvalues; infinite where they
-        do not. A motion settles in some ten of these.
+        On which the slowest small deviations from steady sliding die out, −1 / max Re λ of its
+        eigenvalues; infinite where they do not. A motion settles in some ten of these.
     near : str
-        What Newton's method finds near the end of an undecided motion; that is not to say that it comes to that.
+        What Newton's method finds near the end of an undecided motion; that is not to say that it
+        comes to that.
     end : ndarray, shape (m,)
         Where the motion is at ``t``.
     """
@@ -98,9 +104,10 @@ def fate(
 ) -> Fate:
     """Long-run fate of a motion: rest, a cycle, chaos or lift-off, or undecided with the reason.
 
-    An equilibrium or a cycle is found by Newton's method, and its eigenvalues or multipliers decide. Where none is found, the
-    motion is chaotic if the 95 % intervals of its Lyapunov exponents say so: one is positive, every other one but the trivial
-    one is told from 0, and the motion has settled. Else it is undecided.
+    An equilibrium or a cycle is found by Newton's method, and its eigenvalues or multipliers
+    decide. Where none is found, the motion is chaotic if the 95 % intervals of its Lyapunov
+    exponents say so: one is positive, every other one but the trivial one is told from 0, and the
+    motion has settled. Else it is undecided.
 
     Parameters
     ----------
@@ -111,8 +118,8 @@ def fate(
     start : array_like, optional
         Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
     t_end : float
-        How long to follow the motion. Exponents are looked at after that, for a fifth of it, and for as long as it where one may
-        be positive.
+        How long to follow the motion. Exponents are looked at after that, for a fifth of it, and
+        for as long as it where one may be positive.
     backend : {"heyoka", "scipy"}, optional
 
     Returns
@@ -126,8 +133,9 @@ def fate(
 
     Notes
     -----
-    Source: (8)–(11). No finite time tells a chaotic transient from chaos for good: of a chaotic motion four neighbours are
-    followed as well, none of which may settle, and ``why`` says how long a transient would have to last.
+    Source: (8)–(11). No finite time tells a chaotic transient from chaos for good: of a chaotic
+    motion four neighbours are followed as well, none of which may settle, and ``why`` says how long
+    a transient would have to last.
 
     Examples
     --------
@@ -193,7 +201,8 @@ def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
         (BESIDE + 1) * t_end / 3
     )  # none of so many has settled: with 95 %, the mean life is above a third of their time
     told = why or (
-        "every exponent but the trivial one is told from 0, and one at least is positive; as a transient it would live for more "
+        "every exponent but the trivial one is told from 0, and one at least is positive; as "
+        "a transient it would live for more "
         f"than {lasting:.2g} on the average (95 %)"
     )
     kind, exponents, error = (
@@ -208,7 +217,8 @@ def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
 
 
 def _time_scale(system: System, verdict: Verdict) -> tuple[float, FloatArray]:
-    """−1 / max Re λ at the equilibrium that it comes to, or one near no displacement or its end; infinite where none attracts.
+    """−1 / max Re λ at the equilibrium that it comes to, or one near no displacement or its end;
+    infinite where none attracts.
 
     And that equilibrium.
     """
@@ -223,11 +233,16 @@ def _time_scale(system: System, verdict: Verdict) -> tuple[float, FloatArray]:
 
 
 def _transient(system: System, start: FloatArray, t_end: float) -> str:
-    """Whether motions that begin beside an irregular one settle, in words; empty where none does."""
+    """Whether motions that begin beside an irregular one settle, in words; empty where none
+    does.
+    """
     for i in range(1, BESIDE + 1):
         beside = judged(system, start + i * OFF, times=(t_end,))
         if beside.decided:
-            return f"it is a transient: a motion that begins {i * OFF:.0e} beside it comes to {beside.told()} by t = {t_end:g}"
+            return (
+                f"it is a transient: a motion that begins {i * OFF:.0e} beside it comes to "
+                f"{beside.told()} by t = {t_end:g}"
+            )
     return ""
 
 
@@ -260,7 +275,8 @@ class Kind(IntEnum):
 
 @dataclass(frozen=True, eq=False)
 class FateMap(Result):
-    """Fates of motions over a grid of parameters; every array has the common shape of the parameters.
+    """Fates of motions over a grid of parameters; every array has the common shape of the
+    parameters.
 
     Attributes
     ----------
@@ -363,8 +379,8 @@ def fate_map(
     workers, progress
         As for :func:`~spragsym.rms_sweep`.
     store : path, optional
-        ``*.csv``. Finished points go to ``<store>.partial`` one by one; the same call goes on from there after a kill, and loads
-        the file when it is finished.
+        ``*.csv``. Finished points go to ``<store>.partial`` one by one; the same call goes on from
+        there after a kill, and loads the file when it is finished.
 
     Returns
     -------
@@ -402,7 +418,9 @@ def fate_map(
 def _records(
     model: Model, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]
 ) -> list[Record]:
-    """The record of one point, which is a task of its own; undecided with the reason where no motion begins there."""
+    """The record of one point, which is a task of its own; undecided with the reason where no
+    motion begins there.
+    """
     (values,) = points
     try:
         found = fate(

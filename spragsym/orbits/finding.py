@@ -1,4 +1,6 @@
-"""A cycle from a state near it, from a motion that approaches it, or from the Hopf point at which it is born."""
+"""A cycle from a state near it, from a motion that approaches it, or from the Hopf point at which
+it is born.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +28,8 @@ from .arclength import differences
 from .orbit import Cycle, cycle_of
 from .system import JUDGED, System, judged
 
-#: Returns of a motion are looked at over this time, and over a longer one where it hardly has turned by then.
+#: Returns of a motion are looked at over this time, and over a longer one where it hardly has
+#: turned by then.
 LOOKED_AT = (400.0, 3000.0, 20000.0)
 
 #: Rounds after which a state may return, and most pairs that are tried.
@@ -39,20 +42,24 @@ FAR = 0.3
 #: A closed orbit of a smaller extent is rest, as is one whose extent is not so many of its errors.
 LEAST, SURE = 1e-9, 100.0
 
-#: So long a motion tells whether a coordinate moves, and a coordinate that moves by such a share of another stands still.
+#: So long a motion tells whether a coordinate moves, and a coordinate that moves by such a share of
+#: another stands still.
 LOOK, STILL = 200.0, 1e-9
 
 #: Parameters beyond this are named where a motion can't be followed.
 STEEP = 1e8
 
 
-#: Least half-width of the box that is taken around the Hopf point of the motion, over the larger of 1 and its numbers.
+#: Least half-width of the box that is taken around the Hopf point of the motion, over the larger of
+#: 1 and its numbers.
 AROUND = 1e-13
 
-#: Share of the amplitude at which a motion first comes to a border of the field; the amplitude where it has none.
+#: Share of the amplitude at which a motion first comes to a border of the field; the amplitude
+#: where it has none.
 SHARE, FREE = 0.1, 0.01
 
-#: How closely an amplitude is met, relatively; by how many steps, as the Hopf point is, and the longest of them, as a factor.
+#: How closely an amplitude is met, relatively; by how many steps, as the Hopf point is, and the
+#: longest of them, as a factor.
 MET, TRIALS, FARTHEST = 1e-3, 20, 2.0
 
 
@@ -68,32 +75,37 @@ def cycle(
     index: int = 0,
     amplitude: float | None = None,
 ) -> Cycle:
-    """The cycle near a state, or the one that a motion approaches, or the one that is born at an onset of flutter.
+    """The cycle near a state, or the one that a motion approaches, or the one that is born at an
+    onset of flutter.
 
-    Newton's method on the flow and its derivatives, by multiple shooting; the orbit may lose contact and overtake the belt as
-    often as it likes, and stick where friction holds it (``page.friction``): there the derivatives go on from border to border.
+    Newton's method on the flow and its derivatives, by multiple shooting; the orbit may lose
+    contact and overtake the belt as often as it likes, and stick where friction holds it
+    (``page.friction``): there the derivatives go on from border to border.
 
     Parameters
     ----------
     p : Parameters of any model
         Scalars.
     near : array_like, Trajectory or Cycle, optional
-        A state near the cycle, stable or not, coordinates, then rates, of the article's model x, y, x', y'; or a motion whose end
-        approaches it; or a cycle for other values of the parameters. 0 where left out.
+        A state near the cycle, stable or not, coordinates, then rates, of the article's model x, y,
+        x', y'; or a motion whose end approaches it; or a cycle for other values of the parameters.
+        0 where left out.
     V, d : float, optional
         In place of those of ``p``.
     backend : {"heyoka", "scipy"}, optional
         As for :func:`~spragsym.simulate`.
     patient : bool
-        Whether to follow the motion from a state that is not near a cycle, for up to 40 000 time units.
+        Whether to follow the motion from a state that is not near a cycle, for up to 40 000 time
+        units.
     onset : Onsets, optional
-        Of ``model.flutter_onsets``. They know their model and its parameters: ``p``, ``V``, ``d`` and ``near`` are left out.
+        Of ``model.flutter_onsets``. They know their model and its parameters: ``p``, ``V``, ``d``
+        and ``near`` are left out.
     index : int
         The number of the onset among them.
     amplitude : float, optional
-        Of the cycle that is born there: half of the range of the coordinate that moves most, to a thousandth; see
-        :func:`spragsym.orbits.finding.born_at`. The parameter along which the onsets were found takes the value that
-        belongs to it.
+        Of the cycle that is born there: half of the range of the coordinate that moves most, to a
+        thousandth; see :func:`spragsym.orbits.finding.born_at`. The parameter along which the
+        onsets were found takes the value that belongs to it.
 
     Returns
     -------
@@ -106,7 +118,8 @@ def cycle(
 
     Notes
     -----
-    Source: (8)–(11). What is found is a cycle to the error that is told; that there are no others is not.
+    Source: (8)–(11). What is found is a cycle to the error that is told; that there are no others
+    is not.
 
     Examples
     --------
@@ -160,7 +173,8 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
         with suppress(ConvergenceError):
             return cycle_at(system, np.array(verdict.outcome.cycle), verdict.outcome.period)
     why = stands_still(system, verdict.end) or (
-        f"it comes to {verdict.told()}; give a state nearer to a cycle, as near=simulate(p, t_end=…) of a longer motion, or ask "
+        f"it comes to {verdict.told()}; give a state nearer to a cycle, as near=simulate(p, "
+        "t_end=…) of a longer motion, or ask "
         "fate(p) what it comes to"
     )
     raise ConvergenceError(f"no cycle was found near the motion: {why}")
@@ -185,7 +199,9 @@ def _steep(system: System) -> str:
 
 
 def _towards(flow: Flow, known: Guess, values: Values, halvings: int = 6) -> Loop:
-    """The closed orbit at other values of the parameters, by steps half as wide where Newton's method fails."""
+    """The closed orbit at other values of the parameters, by steps half as wide where Newton's
+    method fails.
+    """
     try:
         return _from_guess(flow, Guess(known.states, known.period, values))
     except ConvergenceError:
@@ -206,7 +222,9 @@ def _checked(loop: Loop) -> Cycle:
 
 
 def _rests(loop: Loop) -> bool:
-    """Whether a closed orbit is an equilibrium, which closes after any period, as an orbit beside it nearly does."""
+    """Whether a closed orbit is an equilibrium, which closes after any period, as an orbit beside
+    it nearly does.
+    """
     return extent(loop) <= max(LEAST, SURE * error_of(loop))
 
 
@@ -214,13 +232,16 @@ def _state(field: Field, near: Any) -> FloatArray:
     state = np.zeros(field.size) if near is None else as_numbers("near", near)
     if state.shape != (field.size,):
         raise ParameterError(
-            f"near has the shape {state.shape}; give a state of {field.size} numbers, a trajectory or a cycle"
+            f"near has the shape {state.shape}; give a state of {field.size} numbers, a "
+            "trajectory or a cycle"
         )
     return state
 
 
 def _by_returns(system: System, turns: Sequence[Turn]) -> Loop | None:
-    """The first closed orbit that Newton's method finds from two states that are alike: with the first one, the last one, any."""
+    """The first closed orbit that Newton's method finds from two states that are alike: with the
+    first one, the last one, any.
+    """
     around = system.field.around
     for begin, end in [pair for row in (0, -1, None) for pair in returns(turns, around, row)]:
         with suppress(ConvergenceError):
@@ -235,10 +256,11 @@ def _by_returns(system: System, turns: Sequence[Turn]) -> Loop | None:
 def returns(
     turns: Sequence[Turn], around: tuple[int, ...], row: int | None = None
 ) -> list[tuple[Turn, Turn]]:
-    """Pairs of alike states, largest in x: of each number of rounds the nearest, or the first one (0), or the last one (−1).
+    """Pairs of alike states, largest in x: of each number of rounds the nearest, or the first one
+    (0), or the last one (−1).
 
-    One counts only if it is twice as near as those of fewer rounds that count. Those come first that are the nearest, times
-    their rounds.
+    One counts only if it is twice as near as those of fewer rounds that count. Those come first
+    that are the nearest, times their rounds.
     """
     turns = [turn for turn in turns if turn.border == -1]
     highest, found, best = [turn for turn in turns if turn.direction < 0], [], 2 * FAR
@@ -257,7 +279,9 @@ def returns(
 
 
 def _from_guess(flow: Flow, guess: Guess) -> Loop:
-    """Newton's method from a guess, in as many stretches as its growth asks for; it may not go far."""
+    """Newton's method from a guess, in as many stretches as its growth asks for; it may not go
+    far.
+    """
     loop = split(flow, guess)
     return solved(
         flow, loop.guess, across(loop), reach=0.5 * extent(loop) if loop.turns() else np.inf
@@ -265,7 +289,8 @@ def _from_guess(flow: Flow, guess: Guess) -> Loop:
 
 
 def stands_still(system: System, state: FloatArray) -> str:
-    """Reason: nothing moves, or the first coordinate stands still or sticks while others move; empty where it moves.
+    """Reason: nothing moves, or the first coordinate stands still or sticks while others move;
+    empty where it moves.
 
     Returns of a motion are looked at where its first coordinate is largest: there are none then.
     """
@@ -277,22 +302,28 @@ def stands_still(system: System, state: FloatArray) -> str:
     held = system.field.stays(system.mode(state))
     if not moved.any():
         if held:
-            return "it comes to rest, and friction holds it there, as on any belt that stands still; give a belt speed above 0"
+            return (
+                "it comes to rest, and friction holds it there, as on any belt that stands still; "
+                "give a belt speed above 0"
+            )
         return "nothing moves from where it begins, a state of equilibrium; begin beside it"
     if not moved[0] <= STILL * moved.max() or moved.max() <= LEAST:
         return ""
     first, most = names[0], names[int(moved.argmax())]
     return (
-        f"{first} {'sticks' if held else 'stands still'} while {most} moves, and cycles are looked for where the first "
+        f"{first} {'sticks' if held else 'stands still'} while {most} moves, and cycles are "
+        "looked for where the first "
         f"coordinate is largest; write a model page whose first coordinate is {most}"
     )
 
 
 def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | None) -> Cycle:
-    """The cycle of an amplitude in the family that is born at one of the onsets, along their first parameter.
+    """The cycle of an amplitude in the family that is born at one of the onsets, along their first
+    parameter.
 
-    The motion takes friction at its sliding speed. Where statics takes its limit at fast sliding (``at_rest`` on the page), the
-    Hopf point of the motion is sought beside the one that is proved. From there the normal form u = u* + 2 Re(z q) + …, with
+    The motion takes friction at its sliding speed. Where statics takes its limit at fast sliding
+    (``at_rest`` on the page), the Hopf point of the motion is sought beside the one that is proved.
+    From there the normal form u = u* + 2 Re(z q) + …, with
     |z|² = −(d Re λ/dp) (p − p*)/(ω l₁), is corrected by Newton's method on the closed orbit, its period and the parameter.
     Without an amplitude it is a tenth of that at which the motion would come to a border of the field.
     """
@@ -349,7 +380,9 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
 def _along(
     flow: Flow, given: FloatArray, state: FloatArray, place: int, form: NormalForm, z: float
 ) -> Cycle:
-    """The cycle whose largest state has the part 2 |z| along q, as the normal form has it to first order."""
+    """The cycle whose largest state has the part 2 |z| along q, as the normal form has it to first
+    order.
+    """
     n = len(state)
     known = abs(form.lyapunov) > form.lyapunov_error
     aside = -form.omega * form.lyapunov * z**2 / form.crossing if known else 0.0
@@ -377,7 +410,9 @@ def _along(
 def _of_the_motion(
     model: Model, given: FloatArray, state: FloatArray, place: int, form: NormalForm
 ) -> tuple[FloatArray, FloatArray, float]:
-    """Parameters and coordinates at the Hopf point of the motion itself, and how well they are known, by Newton's method."""
+    """Parameters and coordinates at the Hopf point of the motion itself, and how well they are
+    known, by Newton's method.
+    """
     field, n = model.field, len(state)
 
     def residual(unknowns: FloatArray) -> FloatArray:
@@ -408,7 +443,9 @@ def _of_the_motion(
 def _first_border(
     model: Model, given: FloatArray, state: FloatArray, form: NormalForm
 ) -> tuple[str, float]:
-    """The border that gap or sliding speed would come to first, and the |z| at which they do, to first order; none, infinity."""
+    """The border that gap or sliding speed would come to first, and the |z| at which they do, to
+    first order; none, infinity.
+    """
     field = model.field
     constants, rest = field.constants(given.tolist()), np.append(state, np.zeros(len(state)))
     borders = [border for border in field.borders if any(border.crossings)]

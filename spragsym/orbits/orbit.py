@@ -1,4 +1,6 @@
-"""A cycle: a closed orbit with its multipliers, its events, and what is measured over one period."""
+"""A cycle: a closed orbit with its multipliers, its events, and what is measured over one
+period.
+"""
 
 from __future__ import annotations
 
@@ -39,23 +41,27 @@ from ..results.result import Result
 #: A multiplier this close to 1 in size decides nothing about stability.
 NEUTRAL = 1e-7
 
-#: A closed orbit that is begun elsewhere moves by less: where Newton's method goes farther, as at a fold, its shortest steps do.
+#: A closed orbit that is begun elsewhere moves by less: where Newton's method goes farther, as at a
+#: fold, its shortest steps do.
 STAYS = 1e-9
 
-#: An orbit on which Newton's method fails as it is begun anew is told as it is if it is no more open than this.
+#: An orbit on which Newton's method fails as it is begun anew is told as it is if it is no more
+#: open than this.
 OPEN = 1e-10
 
 #: A trivial multiplier that differs from 1 by more belongs to no orbit that is told.
 UNRESOLVED = 1e-4
 
-#: Periods, and averages as shares of the extent, that differ by less are of one cycle, if the state of one is as near the other's
-#: samples as this share of its extent.
+#: Periods, and averages as shares of the extent, that differ by less are of one cycle, if the state
+#: of one is as near the other's samples as this share of its extent.
 ALIKE, ON = 1e-6, 0.05
 
-#: How far from a jump of the field it is looked how far from all of them an orbit may begin, in stretches.
+#: How far from a jump of the field it is looked how far from all of them an orbit may begin, in
+#: stretches.
 ASIDE = 0.3
 
-#: Maxima of x that differ by less than this count as equal; of these the state highest above the belt is taken.
+#: Maxima of x that differ by less than this count as equal; of these the state highest above the
+#: belt is taken.
 SAME = 1e-9
 
 
@@ -63,31 +69,36 @@ SAME = 1e-9
 class Cycle(Result):
     """A cycle: a motion that repeats itself.
 
-    ``spring_force`` and ``contact_force`` are ranges over one period, computed when they are asked for.
+    ``spring_force`` and ``contact_force`` are ranges over one period, computed when they are asked
+    for.
 
     Attributes
     ----------
     period : float
         The least one.
     state : ndarray, shape (m,)
-        Where the first coordinate is largest; for the article's model x, y, x' = 0, y'. Anywhere if it only turns around, or
-        where dry friction turns around just then, as on a belt that stands still.
+        Where the first coordinate is largest; for the article's model x, y, x' = 0, y'. Anywhere if
+        it only turns around, or where dry friction turns around just then, as on a belt that stands
+        still.
     multipliers : ndarray of complex, shape (m,)
-        Eigenvalues of the monodromy matrix: the trivial one first, which is 1 but for rounding; then by size.
+        Eigenvalues of the monodromy matrix: the trivial one first, which is 1 but for rounding;
+        then by size.
     multiplier_errors : ndarray, shape (m − 1,)
-        Estimated errors of all but the trivial one: how far they move if the derivatives err as much as they do along the flow.
+        Estimated errors of all but the trivial one: how far they move if the derivatives err as
+        much as they do along the flow.
     stable : bool
         Whether all others are inside of the unit circle, by more than their errors.
     error : float
-        Estimated error of state and period: the orbit's sensitivity times what does not close, or by what the flow without
-        derivatives ends elsewhere; no less than what the trivial multiplier lacks to 1.
+        Estimated error of state and period: the orbit's sensitivity times what does not close, or
+        by what the flow without derivatives ends elsewhere; no less than what the trivial
+        multiplier lacks to 1.
     residual : float
         By how much the orbit does not close.
     events : Events
         Where it passes a kink: ``t`` from ``state`` on.
     rms, mean, amplitude : float
-        Of the first coordinate over one period: root mean square about zero, mean, half of its range. Where it turns around the
-        first two are NaN, and the last one is π.
+        Of the first coordinate over one period: root mean square about zero, mean, half of its
+        range. Where it turns around the first two are NaN, and the last one is π.
     backend : str
         The integrator.
     loop : Loop
@@ -117,7 +128,9 @@ class Cycle(Result):
     table_model = field
 
     def require(self, field: Field, name: str) -> None:
-        """Raise unless this is a cycle of that field: another's would be taken for what it is not."""
+        """Raise unless this is a cycle of that field: another's would be taken for what it is
+        not.
+        """
         own = self.field
         if own is not field and not (own.where and own.where == field.where):
             one, other = (each.name.partition(":")[0] for each in (own, field))
@@ -154,7 +167,9 @@ class Cycle(Result):
 
     @cached_property
     def forces(self) -> dict[str, tuple[float, float]]:
-        """Least and largest of every force of the model: of its contact, and of its springs, ``spring_force_1``, … of several."""
+        """Least and largest of every force of the model: of its contact, and of its springs,
+        ``spring_force_1``, … of several.
+        """
         return {
             name: _range(self.samples, force, self.loop.constants)
             for name, force in self.field.forces
@@ -163,7 +178,8 @@ class Cycle(Result):
     def _force(self, name: str) -> tuple[float, float]:
         if name not in self.forces:
             raise ParameterError(
-                f"{name} is no force of this model, which has {', '.join(self.forces) or 'none'}; see forces"
+                f"{name} is no force of this model, which has "
+                f"{', '.join(self.forces) or 'none'}; see forces"
             )
         return self.forces[name]
 
@@ -178,7 +194,9 @@ class Cycle(Result):
         return motion_of(self.field, self.values, self.state, periods * self.period, **chosen)
 
     def to_dataset(self) -> Any:
-        """An ``xarray.Dataset``: the samples of one period, with everything else as attributes (extra ``sweep``)."""
+        """An ``xarray.Dataset``: the samples of one period, with everything else as attributes
+        (extra ``sweep``).
+        """
         dataset = self.trajectory().to_dataset()
         dataset.attrs |= {
             "cycle_period": self.period,
@@ -201,7 +219,8 @@ class Cycle(Result):
 
     def __repr__(self) -> str:
         return (
-            f"Cycle(period={self.period:.10g}, state={np.round(self.state, 8).tolist()}, stable={self.stable}, "
+            f"Cycle(period={self.period:.10g}, state={np.round(self.state, 8).tolist()}, "
+            f"stable={self.stable}, "
             f"largest multiplier={magnitude(self.multipliers[1:]):.6g})"
         )
 
@@ -218,7 +237,8 @@ def cycle_of(loop: Loop) -> Cycle:
     lost = abs(found.trivial - 1)
     if not lost < UNRESOLVED:
         raise ConvergenceError(
-            f"the derivatives of the flow are not resolved: the trivial multiplier is {found.trivial:.6g} instead of 1; "
+            "the derivatives of the flow are not resolved: the trivial multiplier is "
+            f"{found.trivial:.6g} instead of 1; "
             "use another backend, or a less steep friction law"
         )
     (mean, rms), (lowest, highest) = loop.moments(), range_of(loop)
@@ -298,13 +318,17 @@ class Cycles(Sequence[Cycle]):
 
 
 def is_stable(loop: Loop) -> bool:
-    """Whether all multipliers but the trivial one are inside of the unit circle, by more than their errors."""
+    """Whether all multipliers but the trivial one are inside of the unit circle, by more than their
+    errors.
+    """
     found = loop.multipliers
     return bool((np.abs(found.others) + found.errors < 1 - NEUTRAL).all())
 
 
 def range_of(loop: Loop) -> tuple[float, float]:
-    """Least and largest first coordinate, ∓π where it turns around; a turn between stretches is in a state only."""
+    """Least and largest first coordinate, ∓π where it turns around; a turn between stretches is in
+    a state only.
+    """
     if loop.winding:
         return -math.pi, math.pi
     values = [
@@ -331,7 +355,9 @@ def refined(loop: Loop, begin: float) -> Loop:
 
 
 def _top(loop: Loop) -> float:
-    """When the first coordinate is largest, and among several such times the one at which the second is; now if it never is."""
+    """When the first coordinate is largest, and among several such times the one at which the
+    second is; now if it never is.
+    """
     tops = loop.tops()
     most = max((float(top.state[0]) for top in tops), default=0.0)
     highest = [top for top in tops if top.state[0] >= most - SAME * (1 + abs(most))]

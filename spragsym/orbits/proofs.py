@@ -30,12 +30,14 @@ DIGITS = 25
 class CycleProof(Result):
     """What was proved of a cycle.
 
-    ``print`` and :meth:`decimals` write the numbers with bounds that hold for the digits as they are written.
+    ``print`` and :meth:`decimals` write the numbers with bounds that hold for the digits as they
+    are written.
 
     Attributes
     ----------
     proved : bool
-        Whether there is exactly one cycle whose state, where x' = 0, and period lie within ``radius`` of those below.
+        Whether there is exactly one cycle whose state, where x' = 0, and period lie within
+        ``radius`` of those below.
     reason : str
         Why not.
     radius : float
@@ -46,9 +48,11 @@ class CycleProof(Result):
         With x' = 0, exactly.
     period : mpf
     multipliers : tuple of (mpc, float)
-        Middles and radii of balls that hold the multipliers, the trivial one first; empty where they could not be told apart.
+        Middles and radii of balls that hold the multipliers, the trivial one first; empty where
+        they could not be told apart.
     stable : bool or None
-        Whether all others are proved to be within the unit circle (True), or one outside of it (False).
+        Whether all others are proved to be within the unit circle (True), or one outside of it
+        (False).
     values : tuple of float
         Parameters: the binary numbers that these floats are, exactly.
     """
@@ -64,9 +68,11 @@ class CycleProof(Result):
     values: tuple[float, ...]
 
     def decimals(self, digits: int | None = None) -> dict[str, Decimal]:
-        """State, period and multipliers in decimals, each with a bound that covers the rounding to these digits too.
+        """State, period and multipliers in decimals, each with a bound that covers the rounding to
+        these digits too.
 
-        ``digits`` are significant ones; by default as many as are proved. A multiplier's imaginary part has a row of its own.
+        ``digits`` are significant ones; by default as many as are proved. A multiplier's imaginary
+        part has a row of its own.
         """
         told = {
             f"state_{i + 1}": around(value, self.error, digits)
@@ -100,17 +106,19 @@ class CycleProof(Result):
 def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENCE) -> CycleProof:
     """Prove that a cycle exists, that it is the only one near, and where its multipliers are.
 
-    A box of starts of half width 10^−digits is carried once around by Taylor polynomials in ball arithmetic, every crossing of
-    a border enclosed and shown to be one; Krawczyk's operator of the return maps the box into itself.
+    A box of starts of half width 10^−digits is carried once around by Taylor polynomials in ball
+    arithmetic, every crossing of a border enclosed and shown to be one; Krawczyk's operator of the
+    return maps the box into itself.
 
     Parameters
     ----------
     cycle : Cycle
         Of :func:`~spragsym.cycle`; it need not be stable.
     digits : int
-        10 to 200: the box has a half width of 10^−digits, or less where that is too wide to show anything, down to 10^−25. A long
-        or unstable cycle needs more. The article's cycle, of period 34, takes half a minute to 25 digits, three times as long to
-        60, and some ten minutes to 200.
+        10 to 200: the box has a half width of 10^−digits, or less where that is too wide to show
+        anything, down to 10^−25. A long or unstable cycle needs more. The article's cycle, of
+        period 34, takes half a minute to 25 digits, three times as long to 60, and some ten minutes
+        to 200.
     patience : float
         Seconds after which it is given up. The proof runs in a process of its own.
 
@@ -126,8 +134,8 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
 
     Notes
     -----
-    Source: (8)–(11) as they stand, with the exponential of (10) everywhere. The parameters are taken as the binary numbers
-    that the floats are.
+    Source: (8)–(11) as they stand, with the exponential of (10) everywhere. The parameters are
+    taken as the binary numbers that the floats are.
     """
     require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
     if not importlib.util.find_spec("flint"):
@@ -213,6 +221,7 @@ def _run(claim: dict[str, Any], patience: float) -> dict[str, Any]:
         }
     if done.returncode:
         raise ConvergenceError(
-            f"the proof stopped: {done.stderr.strip().splitlines()[-1] if done.stderr.strip() else 'no word'}"
+            "the proof stopped: "
+            f"{done.stderr.strip().splitlines()[-1] if done.stderr.strip() else 'no word'}"
         )
     return json.loads(done.stdout)

@@ -1,4 +1,6 @@
-"""Where branches of cycles meet: from one to another, and the end of a branch of doubled cycles, whose halves become one."""
+"""Where branches of cycles meet: from one to another, and the end of a branch of doubled cycles,
+whose halves become one.
+"""
 
 from __future__ import annotations
 
@@ -31,8 +33,8 @@ if TYPE_CHECKING:
 #: First steps off a branch, in states.
 STEPS = (0.02, 0.005, 0.05, 0.0015, 0.12, 4e-4, 1e-4, 2e-5)
 
-#: Halves that come closer than this share of the orbit's extent are one; those this close from the beginning are an orbit twice
-#: round.
+#: Halves that come closer than this share of the orbit's extent are one; those this close from the
+#: beginning are an orbit twice round.
 NEAREST, ONE = 1e-3, 1e-9
 
 
@@ -41,12 +43,14 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     cycle = event.cycle
     if event not in branch.events:
         raise ParameterError(
-            f"event = a {event.kind} at {event.value:.10g} is none of this branch's; give one of branch.events"
+            f"event = a {event.kind} at {event.value:.10g} is none of this branch's; give one "
+            "of branch.events"
         )
     step = as_number("step", step, POSITIVE)
     if not (event.kind in ("period_doubling", "fold") or event.how == MERGES):
         raise ParameterError(
-            f"no other branch of cycles begins at a {event.kind}{f' where {event.how}' if event.how else ''}; give a period "
+            "no other branch of cycles begins at a "
+            f"{event.kind}{f' where {event.how}' if event.how else ''}; give a period "
             "doubling, a fold, or an end where two branches meet"
         )
     if event.how == MERGES:
@@ -68,15 +72,18 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
             if rounds - 0.5 < found.period / cycle.period < rounds + 0.5:
                 return found
     raise ConvergenceError(
-        f"no cycle of the other branch was found near {branch.vary} = {event.value:.10g}, by steps from {max(step, *STEPS):g} "
+        f"no cycle of the other branch was found near {branch.vary} = {event.value:.10g}, by "
+        f"steps from {max(step, *STEPS):g} "
         f"down to {min(step, *STEPS):g}"
     )
 
 
 def _aside(point: Point, crossed: FloatArray | None, rounds: int) -> Point:
-    """Where branches meet, so many times round: the other of two directions, across that of the branch.
+    """Where branches meet, so many times round: the other of two directions, across that of the
+    branch.
 
-    It is of unit size in the first state; ``crossed`` is the branch's direction, where a tangent can't be computed.
+    It is of unit size in the first state; ``crossed`` is the branch's direction, where a tangent
+    can't be computed.
     """
     setting, guess = point.setting, point.loop.guess
     loop = setting.looped(
@@ -110,7 +117,9 @@ def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
 
 
 def parted(point: Point) -> FloatArray:
-    """How far apart the two halves of a round are: states less those half a round before, across the flow, over √their number."""
+    """How far apart the two halves of a round are: states less those half a round before, across
+    the flow, over √their number.
+    """
     states, half = point.loop.states, len(point.loop.states) // 2
     apart = states[half:] - states[:half]
     flows = np.array([point.loop.rate(state) for state in states[:half]])
@@ -119,7 +128,9 @@ def parted(point: Point) -> FloatArray:
 
 
 def meets(one: Point, other: Point) -> float | None:
-    """The share of the step from one point to the next at which their halves come together; None if they do not."""
+    """The share of the step from one point to the next at which their halves come together; None if
+    they do not.
+    """
     if len(one.loop.states) != len(other.loop.states):
         return None
     before, after = parted(one), parted(other)
@@ -132,9 +143,11 @@ def meets(one: Point, other: Point) -> float | None:
 
 
 def halved(one: Point, other: Point, share: float) -> tuple[Loop, float] | None:
-    """The doubling of the cycle of half the period at a share of a step, and the error of its parameter.
+    """The doubling of the cycle of half the period at a share of a step, and the error of its
+    parameter.
 
-    None if there is none among the states of the step: then the halves have only come near each other.
+    None if there is none among the states of the step: then the halves have only come near each
+    other.
     """
     kind, setting, a, b = "period_doubling", one.setting, one.loop.guess, other.loop.guess
     states, half = (1 - share) * a.states + share * b.states, len(a.states) // 2

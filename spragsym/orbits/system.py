@@ -1,4 +1,6 @@
-"""A model at values of its parameters, with an integrator: its motions, what they come to, its equilibria and saddles."""
+"""A model at values of its parameters, with an integrator: its motions, what they come to, its
+equilibria and saddles.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +36,8 @@ JUDGED = (2000.0, 10_000.0, 40_000.0)
 #: Tolerances of motions, the second of which tells what rounding does to those of the first.
 TOLERANCES = (1e-12, 1e-13)
 
-#: Motions have parted beyond this; where they have, so many that begin within rounding are followed as well.
+#: Motions have parted beyond this; where they have, so many that begin within rounding are followed
+#: as well.
 PARTED, BESIDE = 1e-3, 4
 
 #: What a motion comes to, where that is told, and its word.
@@ -95,7 +98,9 @@ class System:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What a motion comes to, seen at ``t``, where it is at ``end``; ``otherwise`` is what one within rounding comes to."""
+    """What a motion comes to, seen at ``t``, where it is at ``end``; ``otherwise`` is what one
+    within rounding comes to.
+    """
 
     outcome: Outcome
     end: FloatArray
@@ -128,7 +133,9 @@ class Verdict:
 def judged(
     system: System, start: FloatArray, *, times: Sequence[float] = JUDGED, rtol: float = 1e-12
 ) -> Verdict:
-    """What the motion from a state comes to, looked at later and later as long as that is undecided."""
+    """What the motion from a state comes to, looked at later and later as long as that is
+    undecided.
+    """
     state, begun = start, 0.0
     for t_end in times:
         motion = system.motion(state, t_end - begun, rtol=rtol)
@@ -144,8 +151,8 @@ def surely(
 ) -> Verdict:
     """A verdict, or an undecided one where rounding decides it.
 
-    That is where motions by two tolerances part on their way, as irregular ones do, and the finer one, or one of some that
-    begin within rounding, comes to something that is not ``alike``.
+    That is where motions by two tolerances part on their way, as irregular ones do, and the finer
+    one, or one of some that begin within rounding, comes to something that is not ``alike``.
     """
     if not verdict.decided:
         return verdict
@@ -169,8 +176,9 @@ def surely(
 class Saddle:
     """An equilibrium with one real direction of growth, and no other that is proved.
 
-    ``measure``, the left eigenvector of the eigenvalue ``growth``, is 1 along the right one's direction: ``measure @ (state −
-    saddle)`` grows as exp(growth τ). ``attracts`` is that all other eigenvalues are proved to have negative real parts.
+    ``measure``, the left eigenvector of the eigenvalue ``growth``, is 1 along the right one's
+    direction: ``measure @ (state − saddle)`` grows as exp(growth τ). ``attracts`` is that all other
+    eigenvalues are proved to have negative real parts.
     """
 
     state: FloatArray
@@ -180,12 +188,16 @@ class Saddle:
 
 
 def rounding_of(matrix: FloatArray) -> float:
-    """What rounding may add to a real part of an eigenvalue of a matrix of well separated eigenvalues."""
+    """What rounding may add to a real part of an eigenvalue of a matrix of well separated
+    eigenvalues.
+    """
     return ROUNDING * max(1.0, magnitude(matrix))
 
 
 def saddle_near(system: System, state: FloatArray) -> Saddle:
-    """The saddle near a state; ConvergenceError where the equilibrium there has no direction of growth, or several."""
+    """The saddle near a state; ConvergenceError where the equilibrium there has no direction of
+    growth, or several.
+    """
     place = system.equilibrium(state)
     eigenvalues, vectors, error = spectrum(system.linearization(place))
     growing = np.flatnonzero(eigenvalues.real > error)
@@ -198,7 +210,9 @@ def saddle_near(system: System, state: FloatArray) -> Saddle:
 
 
 def spectrum(matrix: FloatArray) -> tuple[Any, Any, FloatArray]:
-    """Eigenvalues with their vectors and errors: by how much more than the matrix each moves; infinite for a double one."""
+    """Eigenvalues with their vectors and errors: by how much more than the matrix each moves;
+    infinite for a double one.
+    """
     eigenvalues, vectors = np.linalg.eig(matrix)
     try:
         with np.errstate(over="ignore"):  # vectors that are one but for rounding: infinite, too
@@ -209,7 +223,9 @@ def spectrum(matrix: FloatArray) -> tuple[Any, Any, FloatArray]:
 
 
 def growth_of_cycle(cycle: Cycle) -> float | None:
-    """ln μ / T of the one multiplier beyond the unit circle; None unless it is proved that there is one, and one only."""
+    """ln μ / T of the one multiplier beyond the unit circle; None unless it is proved that there is
+    one, and one only.
+    """
     sizes, error = np.abs(cycle.multipliers[1:]), cycle.multiplier_errors
     which = int(np.argmax(sizes))
     if not sizes[which] - error[which] > 1 or not (np.delete(sizes + error, which) < 1).all():
@@ -219,7 +235,9 @@ def growth_of_cycle(cycle: Cycle) -> float | None:
 
 @dataclass(frozen=True)
 class Rest:
-    """Equilibria, fixed points of the map that adds to a state its rates; ``mode`` is kept where it is given."""
+    """Equilibria, fixed points of the map that adds to a state its rates; ``mode`` is kept where it
+    is given.
+    """
 
     field: Field
     mode: Mode | None = None
@@ -263,14 +281,18 @@ class Rest:
         return [complex(value) for value in np.linalg.eigvals(self.field.matrix(*there))]
 
     def pairs(self, point: Point) -> float:
-        """Product of the sums of all pairs of eigenvalues, each over its size: 0 where a pair is ± i ω."""
+        """Product of the sums of all pairs of eigenvalues, each over its size: 0 where a pair is ±
+        i ω.
+        """
         pairs = combinations(self.eigenvalues(point), 2)
         return float(
             math.prod((one + other) / (abs(one) + abs(other) or 1.0) for one, other in pairs).real
         )
 
     def inside(self, point: Point) -> bool:
-        """Whether a state is on this side of all kinks; the field jumps at the end of a torsion spring, or is smooth."""
+        """Whether a state is on this side of all kinks; the field jumps at the end of a torsion
+        spring, or is smooth.
+        """
         state, constants, mode = self.at(point.loop.state, point.loop.constants)
         kinks = (border for border in self.field.borders if border.kink and border.jumps is None)
         return all(

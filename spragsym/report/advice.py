@@ -1,4 +1,6 @@
-"""Advice that follows from the facts of a report: warnings where an answer would mislead, and at most five next steps."""
+"""Advice that follows from the facts of a report: warnings where an answer would mislead, and at
+most five next steps.
+"""
 
 from __future__ import annotations
 
@@ -28,8 +30,8 @@ FAR = 0.5
 FULL = 0.95
 #: Rms of what a fitted friction law leaves, over μ₀, from which on another law is needed.
 POOR = 0.1
-#: d times the slowest measured speed from which on no measurement is on the rising part of the friction law, and d times the
-#: fastest one up to which none is on its level part.
+#: d times the slowest measured speed from which on no measurement is on the rising part of the
+#: friction law, and d times the fastest one up to which none is on its level part.
 STEEP, FULL_AT = 8.0, 0.1
 #: Speeds in m/s that no belt has: the number was probably meant in mm/s.
 FAST = 100.0
@@ -60,7 +62,10 @@ def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
             default=0.0,
         )
         if deepest > DEEP * length:
-            yield f"the contact is {deepest:.3g} mm deep{where}; it is linear up to {DEEP:.0%} of L_0: check F_L and k_c"
+            yield (
+                f"the contact is {deepest:.3g} mm deep{where}; it is linear up to {DEEP:.0%} of "
+                "L_0: check F_L and k_c"
+            )
 
 
 def _far(report: Report) -> Iterator[str]:
@@ -68,7 +73,10 @@ def _far(report: Report) -> Iterator[str]:
     x = here.places.get("x_mm", 0.0) if here and not report.jumped else 0.0
     if abs(x) > FAR * length:
         share = f"{abs(x) / length:.0%} of L_0"
-        yield f"the followed state lies at x = {x:.3g} mm without a jump, {share}: it is no small deformation"
+        yield (
+            f"the followed state lies at x = {x:.3g} mm without a jump, {share}: it is no small "
+            "deformation"
+        )
 
 
 def _stiffness(study: Study) -> Iterator[str]:
@@ -87,9 +95,15 @@ def _stiffness(study: Study) -> Iterator[str]:
 def _friction_caution(study: Study) -> Iterator[str]:
     missing = [name for name in study.kind.of_the_law if name not in study.values]
     if missing:
-        yield f"without {' and '.join(missing)} friction is taken at full slip, and no oscillation is looked for"
+        yield (
+            f"without {' and '.join(missing)} friction is taken at full slip, and no oscillation "
+            "is looked for"
+        )
     elif study.kind.law["at_rest"] == "other" and "mu0" in study.values:
-        yield "the friction law is not proportional to mu0: friction is taken at rest, not at the belt's speed"
+        yield (
+            "the friction law is not proportional to mu0: friction is taken at rest, not at the "
+            "belt's speed"
+        )
     yield from _fit(study)
     full = study.values.get("mu0", 0.0)
     works = float(study.at_work.mu0) if full else 0.0
@@ -104,19 +118,32 @@ def _fit(study: Study) -> Iterator[str]:
     if fit is None:
         return
     if fit.rms > POOR * fit.mu0:
-        yield f"the law mu0 (1 - exp(-d v)) is {fit.rms / fit.mu0:.0%} off the measured friction: choose a model with another law"
+        yield (
+            f"the law mu0 (1 - exp(-d v)) is {fit.rms / fit.mu0:.0%} off the measured friction: "
+            "choose a model with another law"
+        )
     elif fit.d * fit.slowest > STEEP:
         level = f"friction is level from {fit.slowest:.3g} m/s on"
-        yield f"{level}, so any d above {STEEP / fit.slowest:.3g} s/m fits: measure at slower sliding"
+        yield (
+            f"{level}, so any d above {STEEP / fit.slowest:.3g} s/m fits: measure at slower sliding"
+        )
     if fit.points == 2:
-        yield "two measurements are met exactly by mu0 and d, whose errors are not known: measure at more speeds"
+        yield (
+            "two measurements are met exactly by mu0 and d, whose errors are not known: measure "
+            "at more speeds"
+        )
     if fit.d * fit.fastest < FULL_AT:
         known = f"only mu0 d = {fit.mu0 * fit.d:.3g} s/m is known"
-        yield f"friction still rises at {fit.fastest:.3g} m/s, and {known}: measure at faster sliding, and check the unit"
+        yield (
+            f"friction still rises at {fit.fastest:.3g} m/s, and {known}: measure at faster "
+            "sliding, and check the unit"
+        )
 
 
 def of_data(study: Study) -> Iterator[str]:
-    """What the numbers alone say, whatever is asked of them: a unit that was probably meant otherwise."""
+    """What the numbers alone say, whatever is asked of them: a unit that was probably meant
+    otherwise.
+    """
     friction, angle, belt = study.quantities.get("mu0"), study.quantities.get("theta0"), study.belt
     if friction is not None and friction.high > FRICTION:
         yield f"mu0 = {friction.high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
@@ -128,10 +155,15 @@ def of_data(study: Study) -> Iterator[str]:
         and math.degrees(angle.value) < FLAT
     ):
         number = f"{study.in_file('theta0', angle.value):g}"
-        yield f"theta0 = {study.shown('theta0')} looks like radians; write {number} rad if that is meant"
+        yield (
+            f"theta0 = {study.shown('theta0')} looks like radians; write {number} rad if that is "
+            "meant"
+        )
     length = study.values.get("L_0", 1.0)
     if not 1e-4 < length < 10:
-        yield f"L_0 = {study.shown('L_0')} is {length:.3g} m, outside 0.1 mm to 10 m: check its unit"
+        yield (
+            f"L_0 = {study.shown('L_0')} is {length:.3g} m, outside 0.1 mm to 10 m: check its unit"
+        )
 
 
 def _damping(report: Report) -> Iterator[str]:
@@ -140,7 +172,10 @@ def _damping(report: Report) -> Iterator[str]:
         return
     least = min(here.damping_ratio, default=0.0)
     if here.growth_per_s == 0:
-        yield "nothing damps here: whether a disturbance dies out is up to the damping of the real brake"
+        yield (
+            "nothing damps here: whether a disturbance dies out is up to the damping of the real "
+            "brake"
+        )
     else:
         goes = "settles slowly" if least > 0 else "grows slowly"
         ratio = f"with a damping ratio of {least:.1g} a disturbance {goes}"
@@ -157,7 +192,10 @@ def next_steps(report: Report) -> Rows:
         report.study,
         [*_changes(report), *_ranges(report), *_measurements(report), *_other_state(report)],
     )
-    command = f"spragsym explore --data {shlex.quote(study.source)}, to walk over the folds and let it move"
+    command = (
+        f"spragsym explore --data {shlex.quote(study.source)}, to walk over the folds and let it "
+        "move"
+    )
     run = [("run", command)] if study.source else []
     yield from (*steps[: MOST - len(run)], *run)
 
@@ -178,12 +216,14 @@ def _changes(report: Report) -> Rows:
         )
         yield (
             "change",
-            f"{values}: then {then}{', proved for all tolerances' if one.outcome == 'proved' else ''}",
+            f"{values}: then "
+            f"{then}{', proved for all tolerances' if one.outcome == 'proved' else ''}",
         )
     if report.needed and not report.redesign:
         yield (
             "allow",
-            "wider ranges in may_change, or smaller tolerances: no change within them was found that keeps it from jumping",
+            "wider ranges in may_change, or smaller tolerances: no change within them was "
+            "found that keeps it from jumping",
         )
 
 
@@ -193,7 +233,8 @@ def _ranges(report: Report) -> Rows:
     if jump is not None and low < jump <= high and low < high:
         yield (
             "narrow",
-            f"the {study.rises.word}, {study.amount(low)} to {study.amount(high)}, to less than {study.amount(jump)}",
+            f"the {study.rises.word}, {study.amount(low)} to {study.amount(high)}, to less "
+            f"than {study.amount(jump)}",
         )
         return
     # The largest total index stands first.
@@ -230,7 +271,8 @@ def _measurements(report: Report) -> Rows:
         more = f" and {len(exact) - NAMED} more" if len(exact) > NAMED else ""
         yield (
             "measure",
-            f"how far {', '.join(exact[:NAMED])}{more} may be off: without a tolerance they are taken as exact",
+            f"how far {', '.join(exact[:NAMED])}{more} may be off: without a tolerance they "
+            "are taken as exact",
         )
 
 

@@ -1,7 +1,8 @@
-"""``brake.toml``: the data of a brake with units and tolerances, read with an error for every mistake that says where it is.
+"""``brake.toml``: the data of a brake with units and tolerances, read with an error for every
+mistake that says where it is.
 
-So is the measured friction curve that it may name, to which μ₀ and d are fitted: what the head of that file says of names, units
-and order is what is read, or it is refused.
+So is the measured friction curve that it may name, to which μ₀ and d are fitted: what the head of
+that file says of names, units and order is what is read, or it is refused.
 """
 
 from __future__ import annotations
@@ -37,7 +38,8 @@ _EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N
 #: Of a file to begin with: what one of a unit of measure is, by its unit in SI, and tolerances.
 _SIZES = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038, "N": 400.0, "N/m^(3/2)": 8e6}
 _TOLERANCES = {"k": " +- 10 %", "k_t": " +- 10 %", "theta0": " +- 1 deg", "mu0": " +- 10 %"}
-#: A speed in m/s that no belt of a brake has, as the unit of a model may be; then speeds are those of the examples.
+#: A speed in m/s that no belt of a brake has, as the unit of a model may be; then speeds are those
+#: of the examples.
 _FASTEST = 10.0
 #: Keys of a file that are no quantities.
 _KEYS = (
@@ -56,13 +58,15 @@ _KEYS = (
 def read_brake(path: FilePath, trust: bool | str = False) -> Study:
     """The data of a brake from a TOML file with one table, ``[brake]``.
 
-    For each quantity it has a text with number, unit and, if there is one, a tolerance; ``correlation = [["k", "k_x", 0.9]]`` for
-    quantities that vary together; ``vary = "F_L"`` where not the friction but a quantity rises until the state jumps, with
-    ``begin = "10 N"`` if not from its least value; and ``state = { phi = "-28 deg" }`` where another state than the reference
-    state is followed; ``may_change = { k = "[100, 250] N/mm" }`` where a proposal may change these only, within these ends;
-    ``title = "Front brake"`` and ``date = 2026-03-01`` for the head of the report.
-    ``trust`` says whether the code of a model's folder may run that the file names, or the one folder whose code may. Every
-    mistake is a ParameterError that names the file, the line, the key, the value and what to write.
+    For each quantity it has a text with number, unit and, if there is one, a tolerance;
+    ``correlation = [["k", "k_x", 0.9]]`` for quantities that vary together; ``vary = "F_L"`` where
+    not the friction but a quantity rises until the state jumps, with ``begin = "10 N"`` if not from
+    its least value; and ``state = { phi = "-28 deg" }`` where another state than the reference
+    state is followed; ``may_change = { k = "[100, 250] N/mm" }`` where a proposal may change these
+    only, within these ends; ``title = "Front brake"`` and ``date = 2026-03-01`` for the head of the
+    report. ``trust`` says whether the code of a model's folder may run that the file names, or the
+    one folder whose code may. Every mistake is a ParameterError that names the file, the line, the
+    key, the value and what to write.
     """
     return _Reader(
         os.fspath(path),
@@ -125,7 +129,8 @@ class _Reader:
         if missing:
             wanted = ", ".join(f'{key} = "{example_of(key, kind.units[key])}"' for key in missing)
             raise ParameterError(
-                f"{self.table('brake')}: [brake] is without {', '.join(missing)}; add lines such as {wanted}"
+                f"{self.table('brake')}: [brake] is without {', '.join(missing)}; add lines "
+                f"such as {wanted}"
             )
         study = Study.of(
             quantities={key: found[key] for key in kind.units if key in found},
@@ -181,7 +186,9 @@ class _Reader:
         return f"{self.path}, line {number}: {line!r} is not TOML; {cure}"
 
     def _friction(self, given: Any, found: dict[str, Measured], kind: Quantities) -> FrictionFit:
-        """The fit of the measured file; its μ₀ and d go among the quantities, normal, with their standard errors."""
+        """The fit of the measured file; its μ₀ and d go among the quantities, normal, with their
+        standard errors.
+        """
         if not isinstance(given, str) or not given.strip():
             raise ParameterError('it is no file name; write friction = "measured.csv"')
         if not kind.of_mu0:
@@ -223,7 +230,8 @@ def _quantity(key: str, given: Any, unit: str, allowed: Range) -> Measured:
         given = f"[{given[0]!r}, {given[1]!r}]"
     if isinstance(given, bool) or not isinstance(given, str | int | float):
         raise ParameterError(
-            f"{key} = {given!r} is neither text nor a number; write {remedy(unit, allowed, example)}"
+            f"{key} = {given!r} is neither text nor a number; write "
+            f"{remedy(unit, allowed, example)}"
         )
     try:
         return read(given if isinstance(given, str) else repr(given), unit, allowed, example)
@@ -252,7 +260,8 @@ def _correlation(given: Any, study: Study) -> Correlation:
     found = {(one, other): value for one, other, value in rows}
     if len(set(map(frozenset, found))) < len(rows):
         raise ParameterError(
-            f"correlation = {given!r} has a pair twice, or that of the measured file; keep one of them"
+            f"correlation = {given!r} has a pair twice, or that of the measured file; keep "
+            "one of them"
         )
     dependence(list(study.tolerances), found)
     return found
@@ -272,7 +281,10 @@ def _state(given: Any, kind: Quantities) -> Numbers:
 
 def _may_change(given: Any, kind: Quantities) -> Ranges:
     if not isinstance(given, dict) or not set(given) <= set(kind.units):
-        cure = f'write may_change = {{ {next(iter(kind.units))} = "[100, 250] N/mm" }}, in the quantity\'s own unit'
+        cure = (
+            f'write may_change = {{ {next(iter(kind.units))} = "[100, 250] N/mm" }}, in the '
+            "quantity's own unit"
+        )
         raise ParameterError(f"may_change = {given!r} does not name quantities; {cure}")
     ends = {
         name: _quantity(name, text, kind.units[name], kind.ranges()[name])
@@ -291,7 +303,9 @@ def _rise(vary: Any, begin: Any, study: Study) -> Rise | None:
 
 
 def _fitted(value: float, error: float, unit: str) -> Measured:
-    """A normal distribution; cut off at three standard errors, and above 0, where it would reach 0 else."""
+    """A normal distribution; cut off at three standard errors, and above 0, where it would reach 0
+    else.
+    """
     cut = error == 0 or value <= WITHIN * error
     return Measured(
         value, max(value - ENDS * error, value / 100), value + ENDS * error, unit, error, cut
@@ -299,7 +313,8 @@ def _fitted(value: float, error: float, unit: str) -> Measured:
 
 
 def example(model: Model) -> str:
-    """The text of ``brake.toml``: the article's example, or the base values of a model in the sizes of a brake.
+    """The text of ``brake.toml``: the article's example, or the base values of a model in the sizes
+    of a brake.
 
     >>> import spragsym as ss
     >>> example(ss.load("stick_slip")).splitlines()[1:3]
@@ -352,7 +367,8 @@ def example(model: Model) -> str:
     )
 
 
-#: Names of the two columns, in small letters without hyphens; a name that is not here is that of another column.
+#: Names of the two columns, in small letters without hyphens; a name that is not here is that of
+#: another column.
 SPEED = frozenset(
     (
         "v",
@@ -422,15 +438,19 @@ EXAMPLE = "v [m/s],mu"
 
 
 class _RefusedError(Exception):
-    """Why a file can't be read with one character between columns, on which line, and how far that came."""
+    """Why a file can't be read with one character between columns, on which line, and how far that
+    came.
+    """
 
 
 def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     """Sliding speeds in m/s and friction coefficients.
 
-    The first line that is no comment names the columns in any order, with units, as in ``v [mm/s];mu``; units may stand in a line
-    of their own below the names. Columns stand between semicolons, tabs, commas, bars or blanks, with a decimal point or comma.
-    A ParameterError is raised for a file that has no such head, may be read in two ways, or has a line that is no measurement.
+    The first line that is no comment names the columns in any order, with units, as in
+    ``v [mm/s];mu``; units may stand in a line of their own below the names. Columns stand between
+    semicolons, tabs, commas, bars or blanks, with a decimal point or comma. A ParameterError is
+    raised for a file that has no such head, may be read in two ways, or has a line that is no
+    measurement.
     """
     text = text_of(path, MEASURED, "a text file with sliding speed and coefficient").splitlines()
     stripped = ((number, line.strip(" \r\n")) for number, line in enumerate(text, 1))
@@ -471,7 +491,8 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
         )
     if not friction.any():
         raise ParameterError(
-            f"{path}: all coefficients are 0; without friction there is nothing to fit, so give mu0 = 0 and d"
+            f"{path}: all coefficients are 0; without friction there is nothing to fit, so "
+            "give mu0 = 0 and d"
         )
     return speed, friction
 
@@ -517,7 +538,10 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
     if len(marks) > 1 or any(
         all(_THOUSANDS.fullmatch(cell) for cell in used if mark in cell) for mark in marks
     ):
-        said = "points and commas may stand before decimals or thousands; write all numbers with a decimal point"
+        said = (
+            "points and commas may stand before decimals or thousands; write all numbers with a "
+            "decimal point"
+        )
         raise _RefusedError(f"{said}, such as 1500 and 1.50", data[0][0], 5)
     for number, row in data:
         at, value = (one[1] * float(row[one[0]].replace(",", ".")) for one in (speed, friction))
@@ -554,7 +578,9 @@ def _cells(line: str, between: str) -> list[str]:
 
 
 def _word(name: str) -> str:
-    """What a column is called: small letters, without its unit and without a symbol behind its name."""
+    """What a column is called: small letters, without its unit and without a symbol behind its
+    name.
+    """
     parts = _HEAD.fullmatch(" ".join(name.split()))
     word = re.sub(r"[\s_\-.]+", " ", parts["name"] if parts else name).strip().lower()
     word = re.sub("[\N{MICRO SIGN}\N{GREEK SMALL LETTER MU}]", "mu", word)
@@ -563,7 +589,9 @@ def _word(name: str) -> str:
 
 
 def _number(cell: str) -> str:
-    """A cell; of a number with a minus of print, groups of thousands or Fortran's exponent, as Python writes it."""
+    """A cell; of a number with a minus of print, groups of thousands or Fortran's exponent, as
+    Python writes it.
+    """
     text = cell.replace("\N{MINUS SIGN}", "-")
     text = re.sub(r"['’\u202f\u00a0]", "", text) if _GROUPED.fullmatch(text) else text
     return re.sub(r"^([+-]?[\d.,]+)[dD]([+-]?\d+)$", r"\1e\2", text)
@@ -592,7 +620,8 @@ def _column(
     unit = (given or below).strip()
     if not unit and si == "m/s":
         raise _RefusedError(
-            f"{name!r} has no unit; write it in brackets behind the name, as in v [m/s] or v [mm/s]",
+            f"{name!r} has no unit; write it in brackets behind the name, as in v [m/s] or v "
+            "[mm/s]",
             line,
             2,
         )
@@ -604,11 +633,13 @@ def _column(
 
 @dataclass(frozen=True)
 class FrictionFit(Result):
-    """μ₀ and d of the law μ₀ (1 − exp(−d \\|v\\|)) by least squares, with their standard errors and the rms of what is left.
+    """μ₀ and d of the law μ₀ (1 − exp(−d \\|v\\|)) by least squares, with their standard errors and
+    the rms of what is left.
 
     ``correlation`` is that of the two errors: a larger μ₀ with a smaller d may fit as well.
 
-    ``slowest`` and ``fastest`` are the smallest and the largest sliding speed that was measured, in m/s.
+    ``slowest`` and ``fastest`` are the smallest and the largest sliding speed that was measured, in
+    m/s.
     """
 
     mu0: float
@@ -623,7 +654,8 @@ class FrictionFit(Result):
 
 
 def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
-    """μ₀ and d by least squares; for each d the best μ₀ is linear, so that one search over d finds the best of all.
+    """μ₀ and d by least squares; for each d the best μ₀ is linear, so that one search over d finds
+    the best of all.
 
     Source: the regularized law (10) at steady sliding.
 

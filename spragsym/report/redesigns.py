@@ -1,7 +1,9 @@
-"""Changes that move the jump beyond a target: single quantities, and the least joint change, with certificates.
+"""Changes that move the jump beyond a target: single quantities, and the least joint change, with
+certificates.
 
-A value is rounded to what stands in the report, away from the old one, and verified as it stands there. A change that a brake
-within its tolerances refutes is not given: it goes on until the proof is found, or is said to be missing.
+A value is rounded to what stands in the report, away from the old one, and verified as it stands
+there. A change that a brake within its tolerances refutes is not given: it goes on until the proof
+is found, or is said to be missing.
 """
 
 import itertools
@@ -35,12 +37,13 @@ from .units import Numbers
 
 #: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
 _SHARE, _ANGLE = 0.1, math.radians(1.0)
-#: A quantity is changed by up to this factor either way, where the data do not say how far it may change.
+#: A quantity is changed by up to this factor either way, where the data do not say how far it may
+#: change.
 FACTOR = 3.0
 #: By how much of the least joint change it may go further.
 _STRETCH = 2.0
-#: Shares of what is left of the way at which corners of the tolerances are looked at, and into how many parts, twice, the first
-#: that they leave is cut.
+#: Shares of what is left of the way at which corners of the tolerances are looked at, and into how
+#: many parts, twice, the first that they leave is cut.
 _SHARES, _PARTS = (0.0, 0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 1.0), 8
 #: Digits of a new value.
 _DIGITS = 3
@@ -48,11 +51,13 @@ _DIGITS = 3
 
 @dataclass(frozen=True)
 class Change(Result):
-    """A new design: what changes, in SI, before and after; where it jumps, as the report tells it; how far it is, in tolerances.
+    """A new design: what changes, in SI, before and after; where it jumps, as the report tells it;
+    how far it is, in tolerances.
 
-    ``outcome`` is that of the certificate that nothing jumps within the tolerances about it: ``"proved"``, or ``"undecided"`` if
-    no proof was found, and neither was a brake that jumps. ``probability`` is the share of brakes within them that jump: 0 if
-    that is proved, else what a sample gives; NaN where nothing has a tolerance.
+    ``outcome`` is that of the certificate that nothing jumps within the tolerances about it:
+    ``"proved"``, or ``"undecided"`` if no proof was found, and neither was a brake that jumps.
+    ``probability`` is the share of brakes within them that jump: 0 if that is proved, else what a
+    sample gives; NaN where nothing has a tolerance.
     """
 
     before: Numbers
@@ -64,13 +69,15 @@ class Change(Result):
 
 
 def changes(study: Study, target: float) -> tuple[Change, ...]:
-    """Changes that keep the jump at or beyond a target, and beyond the largest value given for all brakes within the tolerances.
+    """Changes that keep the jump at or beyond a target, and beyond the largest value given for all
+    brakes within the tolerances.
 
-    Single quantities, nearest first, and last the least joint change, unless that alone is without a proof; ``target`` is a
-    friction, or what rises in SI.
+    Single quantities, nearest first, and last the least joint change, unless that alone is without
+    a proof; ``target`` is a friction, or what rises in SI.
 
-    Source: :func:`spragsym.redesign`, and :func:`spragsym.certify` over the tolerances about the values as they are printed; that
-    there is none nearer is not proved. A changed quantity keeps its tolerance as a share of its value, an inclination as it is.
+    Source: :func:`spragsym.redesign`, and :func:`spragsym.certify` over the tolerances about the
+    values as they are printed; that there is none nearer is not proved. A changed quantity keeps
+    its tolerance as a share of its value, an inclination as it is.
     """
     search = _Search(study, target)
     found = search.singles()
@@ -85,7 +92,9 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
 
 
 def distance(study: Study) -> float:
-    """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without one, or a jump."""
+    """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without
+    one, or a jump.
+    """
     scale = {name: size for name, size in study.tolerances.items() if name in study.kind.of_statics}
     return (
         float(jump_margin(design(study), scale, **study.along()).distance)
@@ -95,7 +104,9 @@ def distance(study: Study) -> float:
 
 
 def design(study: Study) -> Design:
-    """The brake as drawn, with the friction that works, as a design of the model: quantities in SI."""
+    """The brake as drawn, with the friction that works, as a design of the model: quantities in
+    SI.
+    """
     kind = study.kind
     works = {"mu0": float(study.at_work.mu0)} if "mu0" in kind.model.parameters else {}
     return Design(
@@ -126,7 +137,9 @@ class _Search:
         self.within = replace(design(study), ranges=self.allowed | within)
 
     def _span(self, name: str) -> Span:
-        """Between which values it may change: as the data say, else by :data:`FACTOR`, an inclination from 1° to 179°."""
+        """Between which values it may change: as the data say, else by :data:`FACTOR`, an
+        inclination from 1° to 179°.
+        """
         start = self.study.values[name]
         if self.study.may_change:
             return self.study.may_change.get(name, (start, start))
@@ -149,7 +162,9 @@ class _Search:
         return _SHARE * (study.values[name] or min(alike, default=0.01 * study.scale(si[name])))
 
     def _keep(self, designs: Sequence[Numbers]) -> BoolArray:
-        """Whether each of some designs may be, jumps at the target at the earliest, and at no corner of its tolerances."""
+        """Whether each of some designs may be, jumps at the target at the earliest, and at no
+        corner of its tolerances.
+        """
         new = {
             i: self.study.changed(one)
             for i, one in enumerate(designs)
@@ -173,7 +188,9 @@ class _Search:
         return np.isin(np.arange(len(designs)), [*new])
 
     def singles(self) -> list[Change]:
-        """Least changes of single quantities that keep the target, the nearest first, of as many as are asked for."""
+        """Least changes of single quantities that keep the target, the nearest first, of as many as
+        are asked for.
+        """
         least = filter(None, (self._least((name,)) for name in self.scale))
         found = [
             self._first_proved(one) for one in sorted(least, key=self._distance)[: self.effort.most]
@@ -186,7 +203,9 @@ class _Search:
         )
 
     def joint(self) -> Change | None:
-        """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
+        """The least change of all that has a tolerance; where that is one alone, of the three that
+        move the jump most.
+        """
         names = tuple(name for name in self.scale if name in self.study.tolerances)
         try:
             if len(names) < 2:
@@ -201,7 +220,9 @@ class _Search:
         return self._first_proved(self._least(names))
 
     def _least(self, names: tuple[str, ...]) -> Numbers | None:
-        """The least change of some quantities whose jump is on the target, or as near to that as they may be."""
+        """The least change of some quantities whose jump is on the target, or as near to that as
+        they may be.
+        """
         study = self.study
         try:
             target = {study.rises.name: self.target}
@@ -217,7 +238,9 @@ class _Search:
         )
 
     def _further(self, after: Numbers) -> Iterator[Numbers]:
-        """A change where no corner of its tolerances jumps, and further ones, up to the end of what a quantity may be."""
+        """A change where no corner of its tolerances jumps, and further ones, up to the end of what
+        a quantity may be.
+        """
         before, way = (
             self.study.values,
             {name: value - self.study.values[name] for name, value in after.items()},
@@ -248,7 +271,9 @@ class _Search:
         yield from (at(high + share * (1 - high)) for share in self.effort.further)
 
     def _first_proved(self, least: Numbers | None) -> Change | None:
-        """A change, or the first further one with a proof; else the first without a brake that jumps among many samples."""
+        """A change, or the first further one with a proof; else the first without a brake that
+        jumps among many samples.
+        """
         open_one: Change | None = None
         tried: list[Numbers] = []
         for after in self._further(least) if least else ():
@@ -263,7 +288,9 @@ class _Search:
         return open_one
 
     def _printed(self, after: Numbers) -> Numbers | None:
-        """What changes, as it is printed, if it keeps the target; a value that does not change in print is left as it was."""
+        """What changes, as it is printed, if it keeps the target; a value that does not change in
+        print is left as it was.
+        """
         for further in range(4):
             rounded = {
                 name: _rounded(self.study, name, value, further) for name, value in after.items()
@@ -288,7 +315,9 @@ class _Search:
         return self.allowed[name].contains(value) and low - rounding <= value <= high + rounding
 
     def _verified(self, after: Numbers, proof_only: bool) -> Change | None:
-        """A change with its certificate; None if a brake within the tolerances about it jumps, or only a proof will do."""
+        """A change with its certificate; None if a brake within the tolerances about it jumps, or
+        only a proof will do.
+        """
         study, new = self.study, self.study.changed(after)
         try:
             jump = new.told(new.jump())
@@ -319,7 +348,9 @@ class _Search:
 
 
 def _rounded(study: Study, name: str, after: float, further: int) -> float:
-    """A value rounded away from the old one to few digits in its unit, and then by single units of the last digit farther."""
+    """A value rounded away from the old one to few digits in its unit, and then by single units of
+    the last digit farther.
+    """
     before, unit = study.values[name], factor(study.quantities[name].unit, study.kind.units[name])
     old, new = before / unit, after / unit
     step = 10.0 ** (math.floor(math.log10(abs(new))) - _DIGITS + 1) if new else 1.0

@@ -1,4 +1,6 @@
-"""The report of a study: facts about a brake, each computed once, which sentences, rows, pages and JSON only state."""
+"""The report of a study: facts about a brake, each computed once, which sentences, rows, pages and
+JSON only state.
+"""
 
 from __future__ import annotations
 
@@ -58,9 +60,10 @@ class Asked:
 class FoldRow:
     """One fold, or another point at which states meet.
 
-    ``friction``, ``inclination_deg`` or ``value``, of the loading parameter in SI, is where, the others None; ``ends`` and
-    ``when`` are as of :class:`~spragsym.Points`. ``before`` and ``after`` are the coordinates in the units of the file, of which
-    those after are NaN where nothing is left.
+    ``friction``, ``inclination_deg`` or ``value``, of the loading parameter in SI, is where, the
+    others None; ``ends`` and ``when`` are as of :class:`~spragsym.Points`. ``before`` and ``after``
+    are the coordinates in the units of the file, of which those after are NaN where nothing is
+    left.
     """
 
     kind: str
@@ -74,7 +77,8 @@ class FoldRow:
 
 
 class Report(Result):
-    """Report on a brake; what its model does not answer is None, with the reason among ``warnings``.
+    """Report on a brake; what its model does not answer is None, with the reason among
+    ``warnings``.
 
     What is computed is an attribute.
     """
@@ -125,21 +129,25 @@ class Report(Result):
                 f'say which quantity rises until the state jumps, as vary = "{study.kind.rises}"'
             )
             self.remarks.append(
-                f"the model has no mu0: {asked if study.kind.rises else 'no quantity moves its states'}"
+                "the model has no mu0: "
+                f"{asked if study.kind.rises else 'no quantity moves its states'}"
             )
             return None
         along = f"the jump along {study.rise.quantity} is"
         found = self._known(along, study.jump)
         if found is not None and math.isnan(found) and study.working[2] > study.top:
             self.remarks.append(
-                f"{along} not known: there is none up to {study.amount(study.top)}, where the search ends"
+                f"{along} not known: there is none up to {study.amount(study.top)}, where the "
+                "search ends"
             )
             return None
         return found
 
     @cached_property
     def jump_at(self) -> float | None:
-        """Where it jumps, as it is told: the friction of the law, or another quantity in SI; NaN where it never does."""
+        """Where it jumps, as it is told: the friction of the law, or another quantity in SI; NaN
+        where it never does.
+        """
         return None if self._jump is None else self.study.told(self._jump)
 
     @cached_property
@@ -171,7 +179,8 @@ class Report(Result):
                 else ""
             )
             self.remarks.append(
-                f"{below or 'whether some friction is too small for a jump at any angle'} is not decided"
+                f"{below or 'whether some friction is too small for a jump at any angle'} is "
+                "not decided"
             )
             return None
         if found is not None and not found.complete:
@@ -192,7 +201,9 @@ class Report(Result):
 
     @property
     def kind_lowest(self) -> str:
-        """``"cusp"``, ``"turn"`` or ``"end"``, see :class:`spragsym.LowestEnd`; empty where it never jumps, or is not known."""
+        """``"cusp"``, ``"turn"`` or ``"end"``, see :class:`spragsym.LowestEnd`; empty where it
+        never jumps, or is not known.
+        """
         return "" if self._lowest is None else str(self._lowest.kind)
 
     @cached_property
@@ -208,7 +219,9 @@ class Report(Result):
 
     @cached_property
     def speed(self) -> float:
-        """The speed of the belt in m/s above which the largest friction within the tolerances reaches the jump; else NaN."""
+        """The speed of the belt in m/s above which the largest friction within the tolerances
+        reaches the jump; else NaN.
+        """
         jump = self.jump_at
         return (
             math.nan
@@ -218,9 +231,11 @@ class Report(Result):
 
     @property
     def reach(self) -> str:
-        """How the friction of the jump compares with what works as drawn, within the tolerances, and at full slip.
+        """How the friction of the jump compares with what works as drawn, within the tolerances,
+        and at full slip.
 
-        ``"jumped"``, ``"within"``, ``"faster"``, ``"beyond"``, ``"never"``, or empty where it is not known.
+        ``"jumped"``, ``"within"``, ``"faster"``, ``"beyond"``, ``"never"``, or empty where it is
+        not known.
         """
         jump, (_, here, most) = self.jump_at, self.study.working
         if jump is None:
@@ -238,7 +253,9 @@ class Report(Result):
 
     @property
     def slow(self) -> bool:
-        """Whether friction at the belt's speed falls short of that at full slip by more than the digits that are printed."""
+        """Whether friction at the belt's speed falls short of that at full slip by more than the
+        digits that are printed.
+        """
         full = self.study.full[2]
         return self.study.working[2] < full - 0.005 * abs(full)
 
@@ -259,11 +276,14 @@ class Report(Result):
 
     @cached_property
     def others(self) -> tuple[tuple[Numbers, float | None], ...]:
-        """Other stable states, by coordinate and unit, and where each ends as the loading parameter goes on; NaN if nowhere."""
+        """Other stable states, by coordinate and unit, and where each ends as the loading parameter
+        goes on; NaN if nowhere.
+        """
         found = () if self._here is None else others(self.study, self._equilibria, self.states)
         if self._here is None and self.study.rise is None:
             self.remarks.append(
-                "which state the brake is in is not known, since nothing is said to rise: name it with state"
+                "which state the brake is in is not known, since nothing is said to rise: "
+                "name it with state"
             )
         if not self._equilibria.complete:
             self.remarks.append(f"states may be missing: {self._brief(*self._equilibria.remarks)}")
@@ -352,7 +372,9 @@ class Report(Result):
 
     @property
     def within(self) -> str:
-        """Its outcome: ``"proved"`` that none jumps, ``"refuted"``, ``"undecided"``, or empty if it was not asked."""
+        """Its outcome: ``"proved"`` that none jumps, ``"refuted"``, ``"undecided"``, or empty if it
+        was not asked.
+        """
         return "" if self.certificate is None else self.certificate.outcome
 
     @property
@@ -362,7 +384,9 @@ class Report(Result):
 
     @cached_property
     def probability(self) -> JumpProbability | None:
-        """The probability, by samples and between its proved bounds; nothing is sampled where no brake jumps, by proof."""
+        """The probability, by samples and between its proved bounds; nothing is sampled where no
+        brake jumps, by proof.
+        """
         study, n = self.study, self.asked.n
         if not self.asked.probability or study.rise is None or not varied(study):
             return None
@@ -379,13 +403,17 @@ class Report(Result):
 
     @cached_property
     def distance(self) -> float:
-        """The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has one, or that is not known."""
+        """The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has
+        one, or that is not known.
+        """
         found = self._known("the nearest jump is", lambda: distance(self.study))
         return math.nan if found is None else found
 
     @property
     def target(self) -> float:
-        """The value of the loading parameter that changes are for; of friction at full slip, if it jumps only there."""
+        """The value of the loading parameter that changes are for; of friction at full slip, if it
+        jumps only there.
+        """
         return self.asked.safety * self.largest
 
     @property
@@ -406,7 +434,8 @@ class Report(Result):
         plain = not study.of_friction or study.kind.law["at_rest"] == "mu0"
         if not plain:
             self.remarks.append(
-                "changes are not looked for: statics of this model does not take mu0 itself for the friction"
+                "changes are not looked for: statics of this model does not take mu0 itself "
+                "for the friction"
             )
         if not self.target > 0:
             times = f"{self.asked.safety:g} times {study.named(study.working[2])}"
@@ -419,7 +448,8 @@ class Report(Result):
         study = self.study.at_full_slip() if self.reach == "faster" else self.study
         return changes(study, self.target) if self.needed else ()
 
-    # ------------------------------------------------------------------------------ what is said of that
+    # ----------------------------------------------------------------------------- what is said of
+    # that
 
     @property
     def vary(self) -> str | None:
@@ -457,12 +487,16 @@ class Report(Result):
 
     @property
     def verdict(self) -> str:
-        """Whether it sprags, at what friction, and how far that is; then what other states, motion and tolerances add."""
+        """Whether it sprags, at what friction, and how far that is; then what other states, motion
+        and tolerances add.
+        """
         return " ".join(texts.verdict(self))
 
     @property
     def about(self) -> dict[str, str]:
-        """Title and date, as the file gives them, the file, its model, and the version of spragsym."""
+        """Title and date, as the file gives them, the file, its model, and the version of
+        spragsym.
+        """
         study = self.study
         return {
             "title": study.title,
@@ -478,11 +512,15 @@ class Report(Result):
         return tuple(f"{verb} {what}" for verb, what in next_steps(self))
 
     def blocks(self) -> Iterator[str]:
-        """The text of the report, piece by piece, each as soon as it is computed; the verdict first."""
+        """The text of the report, piece by piece, each as soon as it is computed; the verdict
+        first.
+        """
         return texts.blocks(self)
 
     def to_dict(self) -> texts.Json:
-        """The report as JSON has it: numbers, texts, lists and dictionaries; quantities in the units of the file."""
+        """The report as JSON has it: numbers, texts, lists and dictionaries; quantities in the
+        units of the file.
+        """
         return texts.as_json(self)
 
     def text(self) -> str:
@@ -491,7 +529,8 @@ class Report(Result):
 
     def to_html(self, path: str | os.PathLike[str]) -> None:
         """Write the report as one page with its pictures (extra ``plot``)."""
-        import spragsym  # a shorthand for what a user asks the package: no room imports one behind it
+        # a shorthand for what a user asks the package: no room imports one behind it
+        import spragsym
 
         put(path, spragsym.figures.report_page(self))
 
@@ -505,7 +544,8 @@ class Report(Result):
 
     def _for_file(self) -> Report:
         raise ParameterError(
-            "path: a report is computed anew from its study; write to_html(path), or json.dumps(to_dict())"
+            "path: a report is computed anew from its study; write to_html(path), or "
+            "json.dumps(to_dict())"
         )
 
     def table_values(self) -> texts.Json:

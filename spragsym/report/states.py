@@ -1,4 +1,6 @@
-"""States and motions of a brake in newtons, millimetres and hertz: those of sliding, the jump, and the oscillation."""
+"""States and motions of a brake in newtons, millimetres and hertz: those of sliding, the jump, and
+the oscillation.
+"""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -30,13 +32,15 @@ LEVEL = 1e9
 SAME = 1e-6
 #: Share of the way from the fold to the state that is left, at which the motion is let go.
 AWAY = 1e-2
-#: Times, in the model's unit, over which it is followed until it is half way, and instants at which forces are looked at.
+#: Times, in the model's unit, over which it is followed until it is half way, and instants at which
+#: forces are looked at.
 _T_END, _INSTANTS = (1500.0, 24_000.0), 60_000
 #: Steps of Newton's method to balance the other coordinates.
 _STEPS = 20
 #: Largest time over which a motion from rest is followed.
 T_END = 3000.0
-#: A motion whose swings are less than this share of those a quarter of the time before is on its way to rest, or beyond bounds.
+#: A motion whose swings are less than this share of those a quarter of the time before is on its
+#: way to rest, or beyond bounds.
 _FALLS, _GROWS = 0.99, 2.0
 #: Where a motion that is far out begins: its first two coordinates.
 _FAR = (1.5, 0.5)
@@ -57,13 +61,15 @@ OfSprings: TypeAlias = float | Numbers | None
 class State(Named):
     """A state of steady sliding in contact.
 
-    ``places`` are the coordinates by name and unit, ``x_mm`` or ``phi_deg``, and attributes too. Direction, length and force of
-    the inclined spring are numbers, mappings by name where there are several, and None where there is none;
-    ``contact_force_N`` is None without a contact. ``frequencies_hz`` and ``damping_ratio`` belong to the roots of the motion
-    linearized about it, slowest first, the friction law's own damping included where the belt speed is known; ``growth_per_s``
-    is their largest real part. ``stable`` says that it is negative, or zero without damping; ``statics`` is the word of (27)
-    and (28), which leave the damping out. ``settles`` is None where that calls it stable, and so little damps or drives it that
-    what the model leaves out decides.
+    ``places`` are the coordinates by name and unit, ``x_mm`` or ``phi_deg``, and attributes too.
+    Direction, length and force of the inclined spring are numbers, mappings by name where there are
+    several, and None where there is none; ``contact_force_N`` is None without a contact.
+    ``frequencies_hz`` and ``damping_ratio`` belong to the roots of the motion linearized about it,
+    slowest first, the friction law's own damping included where the belt speed is known;
+    ``growth_per_s`` is their largest real part. ``stable`` says that it is negative, or zero
+    without damping; ``statics`` is the word of (27) and (28), which leave the damping out.
+    ``settles`` is None where that calls it stable, and so little damps or drives it that what the
+    model leaves out decides.
     """
 
     held_in = "places"
@@ -93,13 +99,15 @@ class State(Named):
 
 @dataclass(frozen=True)
 class JumpPeak(Named):
-    """Least and largest values from the fold on: forces in newtons, coordinates in millimetres or degrees.
+    """Least and largest values from the fold on: forces in newtons, coordinates in millimetres or
+    degrees.
 
-    ``at`` is where it jumps, as the report tells it. ``before`` and ``after`` are the coordinates on the fold and of the state
-    that is left there, by name and unit, and ``ranges`` how far each goes, attributes too. ``spring_force_N`` is that of the
-    inclined spring, of several by their names; ``contact_force_N`` is None without a contact. ``settles`` says what the motion
-    comes to: ``"rest"``, ``"cycle"``, ``"lift-off"``, or ``"unsettled"`` in the ``followed_s`` seconds over which it was looked
-    at; ``lifts_off`` whether the contact opens.
+    ``at`` is where it jumps, as the report tells it. ``before`` and ``after`` are the coordinates
+    on the fold and of the state that is left there, by name and unit, and ``ranges`` how far each
+    goes, attributes too. ``spring_force_N`` is that of the inclined spring, of several by their
+    names; ``contact_force_N`` is None without a contact. ``settles`` says what the motion comes to:
+    ``"rest"``, ``"cycle"``, ``"lift-off"``, or ``"unsettled"`` in the ``followed_s`` seconds over
+    which it was looked at; ``lifts_off`` whether the contact opens.
     """
 
     held_in = "ranges"
@@ -119,13 +127,15 @@ class JumpPeak(Named):
 class Oscillation(Result):
     """The motion that begins at rest where all coordinates are 0, or far out, and what it comes to.
 
-    ``kind`` is ``"cycle"``, one that attracts it; ``"motion"``, if it goes on and has not repeated itself in the time it was
-    followed; ``"rest"``, if it decays to rest; ``"falls"`` or ``"grows"``, if it was not followed to its end, and became smaller
-    and smaller, so that steady sliding may hold it, or larger and larger; or ``"lift-off"``, for good. Only the first two have an
-    amplitude of the first coordinate, which is half of its range, in millimetres or degrees by ``unit``, and forces, least and
-    largest, of several springs by their names; only a cycle has a frequency. ``start`` is ``"rest"`` or ``"far out"``;
-    ``coexists`` says whether it lives although a small disturbance of steady sliding dies out, None where that is up to what the
-    model leaves out, or the state of the brake is not known.
+    ``kind`` is ``"cycle"``, one that attracts it; ``"motion"``, if it goes on and has not repeated
+    itself in the time it was followed; ``"rest"``, if it decays to rest; ``"falls"`` or
+    ``"grows"``, if it was not followed to its end, and became smaller and smaller, so that steady
+    sliding may hold it, or larger and larger; or ``"lift-off"``, for good. Only the first two have
+    an amplitude of the first coordinate, which is half of its range, in millimetres or degrees by
+    ``unit``, and forces, least and largest, of several springs by their names; only a cycle has a
+    frequency. ``start`` is ``"rest"`` or ``"far out"``; ``coexists`` says whether it lives although
+    a small disturbance of steady sliding dies out, None where that is up to what the model leaves
+    out, or the state of the brake is not known.
     """
 
     kind: str
@@ -157,7 +167,9 @@ class Oscillation(Result):
 
 
 def unit_of(study: Study, name: str = "") -> tuple[str, float]:
-    """The unit of a coordinate, by default of the first, and its size: lengths in millimetres, angles in degrees."""
+    """The unit of a coordinate, by default of the first, and its size: lengths in millimetres,
+    angles in degrees.
+    """
     si = study.kind.coordinates[name or study.kind.model.coordinates[0]]
     return ("mm", 1e3 * study.scales.length) if si == "m" else ("deg", math.degrees(1.0))
 
@@ -188,7 +200,9 @@ def _extremes(p: Any, states: FloatArray) -> Ranges:
 
 
 def states(study: Study, eq: Equilibria, here: Numbers | None) -> tuple[State, ...]:
-    """Every state of ``eq``, in contact at the friction that works, in its order; the one that is ``here`` is ``current``."""
+    """Every state of ``eq``, in contact at the friction that works, in its order; the one that is
+    ``here`` is ``current``.
+    """
     places = _places(eq)
     off = [
         max(abs(value - here[name]) for name, value in place.items()) if here else math.inf
@@ -203,8 +217,9 @@ def states(study: Study, eq: Equilibria, here: Numbers | None) -> tuple[State, .
 def others(
     study: Study, eq: Equilibria, known: Sequence[State]
 ) -> tuple[tuple[Numbers, float | None], ...]:
-    """Other stable states of ``eq``, as they are known, than the current one: each place in units, and the loading parameter
-    where it ends, NaN where it does not, None where that is not known."""
+    """Other stable states of ``eq``, as they are known, than the current one: each place in units,
+    and the loading parameter where it ends, NaN where it does not, None where that is not known.
+    """
     at, rise, found = study.at_work, study.rise, []
     for state, place in zip(known, _places(eq), strict=True):
         if state.statics != "stable" or state.current:
@@ -222,7 +237,9 @@ def others(
 
 
 def current(study: Study, eq: Equilibria) -> Numbers | None:
-    """The coordinates of the state that is reached as the loading parameter rises; where nothing does, of the only one."""
+    """The coordinates of the state that is reached as the loading parameter rises; where nothing
+    does, of the only one.
+    """
     if study.rise is None:
         return _places(eq)[0] if int(eq.count) == 1 else None
     (value,), begin = study.at_work.scalars(study.rise.name), study.begins()
@@ -273,7 +290,9 @@ def _state(study: Study, eq: Equilibria, slot: int, place: Numbers, is_here: boo
 
 
 def _roots(study: Study, q: list[float]) -> ComplexArray:
-    """λ over the unit of time, of the motion at the belt's speed; the friction law has no slope where that is not known."""
+    """λ over the unit of time, of the motion at the belt's speed; the friction law has no slope
+    where that is not known.
+    """
     p, belt = study.dimensionless, study.kind.law["belt"]
     if (
         not study.moves and belt in p.model.parameters
@@ -286,15 +305,17 @@ def _roots(study: Study, q: list[float]) -> ComplexArray:
 
 
 def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
-    """The jump as a motion; None where the belt's friction reaches none, the law is not known, or the motion creeps.
+    """The jump as a motion; None where the belt's friction reaches none, the law is not known, or
+    the motion creeps.
 
-    ``value`` is that of the parameter that rises, and ``speed`` the least one of the belt in m/s that brings a friction.
+    ``value`` is that of the parameter that rises, and ``speed`` the least one of the belt in m/s
+    that brings a friction.
 
     Notes
     -----
-    Source: (8)–(11), where the loading parameter is at the jump, of friction by a larger μ₀, or at a higher speed of the belt.
-    The motion begins at rest, where the coordinate that moves most is a hundredth of the way from the fold to the state that is
-    left, and the others are balanced.
+    Source: (8)–(11), where the loading parameter is at the jump, of friction by a larger μ₀, or at
+    a higher speed of the belt. The motion begins at rest, where the coordinate that moves most is a
+    hundredth of the way from the fold to the state that is left, and the others are balanced.
     """
     rise, at = study.rises, _moving(study, value, speed)
     if at is None:
@@ -340,7 +361,9 @@ def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
 
 
 def _moving(study: Study, value: float, speed: float) -> Any:
-    """The parameters of the motion where it jumps; None where the law is not known or brings no such friction."""
+    """The parameters of the motion where it jumps; None where the law is not known or brings no
+    such friction.
+    """
     p, law = study.dimensionless, study.kind.law
     if not study.moves or (study.slides and study.law != "friction_at_speed"):
         return None
@@ -355,7 +378,9 @@ def _moving(study: Study, value: float, speed: float) -> Any:
 
 
 def _balanced(p: Any, place: FloatArray, held: int) -> FloatArray:
-    """A place with one coordinate as it is, and the forces on all others balanced: by Newton's method."""
+    """A place with one coordinate as it is, and the forces on all others balanced: by Newton's
+    method.
+    """
     balance = Balance(p.model)
     values = balance.floats(np.array(p.scalars(*balance.parameters)))
     free, q = np.delete(np.arange(place.size), held), place.copy()
@@ -369,7 +394,8 @@ def _balanced(p: Any, place: FloatArray, held: int) -> FloatArray:
 def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillation:
     """The cycle that the motion comes to, from rest or from far out; or what it does instead.
 
-    ``settles`` is of the state that the brake is in, and ``holds`` whether that is stable in the model.
+    ``settles`` is of the state that the brake is in, and ``holds`` whether that is stable in the
+    model.
     """
     p, (unit, size) = study.dimensionless, unit_of(study)
     n = len(p.model.coordinates)

@@ -1,4 +1,6 @@
-"""A brake: its data with units and tolerances, the loading parameter, and the effective friction."""
+"""A brake: its data with units and tolerances, the loading parameter, and the effective
+friction.
+"""
 
 from __future__ import annotations
 
@@ -42,7 +44,9 @@ PLAIN_UNITS: Mapping[str, str] = {
 
 @dataclass(frozen=True)
 class Rise:
-    """The loading parameter: its quantity in the file, the parameter that it is in the model, and from where it rises, in SI."""
+    """The loading parameter: its quantity in the file, the parameter that it is in the model, and
+    from where it rises, in SI.
+    """
 
     quantity: str
     name: str
@@ -70,7 +74,8 @@ _NOTHING = Rise("", "", math.nan, False)
 def rise_of(
     kind: Quantities, vary: str | None, begin: float | None, values: Numbers
 ) -> Rise | None:
-    """The loading parameter: the quantity that is named, else the friction at full slip; None for a model without it.
+    """The loading parameter: the quantity that is named, else the friction at full slip; None for a
+    model without it.
 
     ``begin`` and the quantities are in SI; without it the quantity rises from its least value.
     """
@@ -113,23 +118,28 @@ class Study:
     Parameters
     ----------
     parameters : PhysicalParameters or mapping of str to float
-        Single numbers in SI: of the article's model, or the quantities of ``model`` by name; V and d may be left out.
+        Single numbers in SI: of the article's model, or the quantities of ``model`` by name; V and
+        d may be left out.
     tolerance : mapping, optional
-        For each quantity that is known within limits only: how far it may be off, as a number in SI; its two ends, as a tuple; or
-        text such as ``"15 %"``, ``"1 deg"``, ``"[150, 210] N/mm"`` or, for a standard deviation, ``"sd 5 %"``. Where two ends do
-        not hold the value their middle takes its place.
+        For each quantity that is known within limits only: how far it may be off, as a number in
+        SI; its two ends, as a tuple; or text such as ``"15 %"``, ``"1 deg"``, ``"[150, 210] N/mm"``
+        or, for a standard deviation, ``"sd 5 %"``. Where two ends do not hold the value their
+        middle takes its place.
     correlation : mapping of pairs of names to float, optional
         Quantities that vary together, see :func:`spragsym.jump_probability`.
     model : str, optional
         Name or folder of the model.
     vary : str, optional
-        The quantity that rises until the state jumps, where that is not the friction: a load, a stiffness, an angle.
+        The quantity that rises until the state jumps, where that is not the friction: a load, a
+        stiffness, an angle.
     begin : float, optional
         From where it rises, in SI, instead of its least value.
     may_change : mapping of str to (float, float), optional
-        Quantities that a proposal may change, each with the two ends of its range in SI; without it all, by up to a factor of 3.
+        Quantities that a proposal may change, each with the two ends of its range in SI; without it
+        all, by up to a factor of 3.
     state : mapping of str to float, optional
-        Coordinates in SI near which the state begins that is followed, in place of the reference state, as ``{"phi": -0.5}``.
+        Coordinates in SI near which the state begins that is followed, in place of the reference
+        state, as ``{"phi": -0.5}``.
 
     Attributes
     ----------
@@ -140,7 +150,8 @@ class Study:
     fit : FrictionFit or None
         The fit of the friction law, if it was measured.
     rise : Rise or None
-        The loading parameter until the state jumps; None for a model without mu0 of which that is not said.
+        The loading parameter until the state jumps; None for a model without mu0 of which that is
+        not said.
 
     Examples
     --------
@@ -197,7 +208,8 @@ class Study:
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str], *, trust: bool | str = False) -> Study:
-        """The study of a file such as ``brake.toml``; see :func:`spragsym.report.brake_files.read_brake`.
+        """The study of a file such as ``brake.toml``; see
+        :func:`spragsym.report.brake_files.read_brake`.
 
         A number whose unit was probably meant otherwise is a UserWarning.
         """
@@ -225,7 +237,9 @@ class Study:
         return study
 
     def changed(self, after: Numbers) -> Study:
-        """The study of another design: a quantity that changes keeps its tolerance as a share of its value, an angle as it is."""
+        """The study of another design: a quantity that changes keeps its tolerance as a share of
+        its value, an angle as it is.
+        """
         new = {
             name: self.quantities[name].scaled(value, self.kind.units[name] != "rad")
             for name, value in after.items()
@@ -283,7 +297,9 @@ class Study:
 
     @cached_property
     def at_work(self) -> Any:
-        """The brake with the μ₀ with which statics has the friction that works, where the model has one."""
+        """The brake with the μ₀ with which statics has the friction that works, where the model has
+        one.
+        """
         return self.risen(self.values, None)
 
     @cached_property
@@ -293,7 +309,9 @@ class Study:
 
     @property
     def belt(self) -> str | None:
-        """The quantity that is the speed of the belt, whatever the page calls it; None where none alone is that."""
+        """The quantity that is the speed of the belt, whatever the page calls it; None where none
+        alone is that.
+        """
         belt = self.kind.law["belt"]
         return next(
             (quantity for quantity, name in self.kind.parameters.items() if name == belt), None
@@ -301,7 +319,9 @@ class Study:
 
     @cached_property
     def law(self) -> str:
-        """Which friction works: that at the belt's speed where it is known and a value of μ₀ stands for it, else that at rest."""
+        """Which friction works: that at the belt's speed where it is known and a value of μ₀ stands
+        for it, else that at rest.
+        """
         law = self.kind.law
         known = law["belt"] != "0" and set(law["quantities"]) <= set(self.quantities)
         return "friction_at_speed" if known and law["at_rest"] != "other" else "friction_at_rest"
@@ -313,7 +333,9 @@ class Study:
 
     @cached_property
     def friction(self) -> Spread:
-        """The friction that works, by the law: least, as drawn, and largest within the tolerances; 0 without friction."""
+        """The friction that works, by the law: least, as drawn, and largest within the tolerances;
+        0 without friction.
+        """
         from .tolerances import friction_bounds, friction_depends_on
 
         p = self.dimensionless
@@ -350,7 +372,9 @@ class Study:
 
     @property
     def working(self) -> Spread:
-        """The loading parameter, where the brake works: least, as drawn, and largest within the tolerances."""
+        """The loading parameter, where the brake works: least, as drawn, and largest within the
+        tolerances.
+        """
         if self.rise is None or self.of_friction:
             return self.friction
         one = self.quantities[self.rise.quantity]
@@ -366,7 +390,9 @@ class Study:
 
     @property
     def rise_scale(self) -> float:
-        """What one of the parameter that rises is as it is told: in SI, in the units of the brake as drawn."""
+        """What one of the parameter that rises is as it is told: in SI, in the units of the brake
+        as drawn.
+        """
         return self.scale(self.kind.units[self.rises.quantity])
 
     def told(self, value: float) -> float:
@@ -374,7 +400,9 @@ class Study:
         return self.of_statics(value) if self.of_friction else value * self.rise_scale
 
     def begins(self, values: Mapping[str, Any] | None = None) -> Any:
-        """From where it rises, as its parameter; of other brakes in their own units, each at the same value in SI."""
+        """From where it rises, as its parameter; of other brakes in their own units, each at the
+        same value in SI.
+        """
         rise = self.rises
         allowed = self.kind.model.Parameters.ranges[rise.name]
         scale = self.kind.scale(self.kind.units[rise.quantity], values or self.values)
@@ -394,7 +422,9 @@ class Study:
         return float(told(self.ends).value)
 
     def risen(self, values: Mapping[str, Any], target: float | None) -> Any:
-        """Parameters of brakes, by their quantities in SI, with the loading parameter at a target, or at its own value."""
+        """Parameters of brakes, by their quantities in SI, with the loading parameter at a target,
+        or at its own value.
+        """
         if target is not None and not self.of_friction:
             values = {**values, self.rises.quantity: target}
         p = self.placed(self.kind.parameter_set(values))
@@ -447,7 +477,10 @@ class Study:
 
     def named(self, value: float, digits: int = 4) -> str:
         """The value in a sentence: ``a friction of 0.4`` or ``P = 20 N``."""
-        return f"{'a friction of' if self.of_friction else f'{self.rises.quantity} ='} {self.amount(value, digits)}"
+        return (
+            f"{'a friction of' if self.of_friction else f'{self.rises.quantity} ='} "
+            f"{self.amount(value, digits)}"
+        )
 
     @property
     def looked(self) -> str:
@@ -456,7 +489,9 @@ class Study:
         return word if math.isinf(self.top) else f"{word} up to {self.amount(self.top)}"
 
     def unit_of(self, si: str, name: str = "") -> tuple[str, float]:
-        """The unit of this file for an SI unit, that of a quantity if it is there, and what one of the model's is in it."""
+        """The unit of this file for an SI unit, that of a quantity if it is there, and what one of
+        the model's is in it.
+        """
         alike = (other for other in self.quantities if self.kind.units[other] == si)
         here = name if name in self.quantities else next(alike, "")
         unit = self.quantities[here].unit if here else PLAIN_UNITS.get(si, si)
@@ -505,7 +540,9 @@ class Study:
         return found
 
     def to_html(self, path: str | os.PathLike[str], report: Report | None = None) -> None:
-        """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""
+        """Write the report as one page with its pictures, which needs no other file (extra
+        ``plot``).
+        """
         (report or self.report()).to_html(path)
 
     def pairs(self, names: Sequence[str]) -> dict[tuple[str, str], float]:
@@ -526,8 +563,10 @@ def _given(parameters: Any, kind: Quantities, model: str) -> Numbers:
         parameters = parameters.known
     if not isinstance(parameters, Mapping):
         raise ParameterError(
-            f"parameters = {type(parameters).__name__}(...): a study needs PhysicalParameters, in newtons and metres, or with "
-            "model= a mapping; for dimensionless ones call jump_value, jump_margin, certify and jump_probability"
+            f"parameters = {type(parameters).__name__}(...): a study needs "
+            "PhysicalParameters, in newtons and metres, or with "
+            "model= a mapping; for dimensionless ones call jump_value, jump_margin, certify "
+            "and jump_probability"
         )
     for name in parameters:
         if name not in allowed:

@@ -1,4 +1,6 @@
-"""What a report says: the verdict, rows of a name and a value under headings for text, page and notebook, and JSON."""
+"""What a report says: the verdict, rows of a name and a value under headings for text, page and
+notebook, and JSON.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +31,9 @@ MOST_DIGITS = 8
 
 
 def percent_beyond(value: float, other: float) -> float:
-    """By how much a value exceeds another, in percent of the size of that; infinite where that is 0."""
+    """By how much a value exceeds another, in percent of the size of that; infinite where that is
+    0.
+    """
     gap = value - other
     return (
         100 * gap / abs(other) if other else math.copysign(math.inf, gap) if abs(gap) > 0 else gap
@@ -37,8 +41,9 @@ def percent_beyond(value: float, other: float) -> float:
 
 
 def verdict(report: Report) -> Iterator[str]:
-    """Whether it sprags, at what friction, and how far that is; then what other states, motion and tolerances add: line by line,
-    each as soon as it is known."""
+    """Whether it sprags, at what friction, and how far that is; then what other states, motion and
+    tolerances add: line by line, each as soon as it is known.
+    """
     for line in (_on_the_jump, _on_others, _on_the_motion, _on_the_tolerances):
         if text := line(report):
             yield text
@@ -64,7 +69,9 @@ def followed_state(study: Study) -> str:
 
 
 def _on_the_motion(report: Report) -> str:
-    """What steady sliding does not say of the brake as drawn; nothing, where it comes to rest or is not known to move."""
+    """What steady sliding does not say of the brake as drawn; nothing, where it comes to rest or is
+    not known to move.
+    """
     found = report.oscillation
     here = [state for state in report.states if state.current] or report.states
     sliding = report.study.slides
@@ -82,7 +89,10 @@ def _on_the_motion(report: Report) -> str:
         f"{found.frequency_hz:.4g} Hz",
     )
     if found.kind == "motion":
-        return f"From {found.start} it goes on swinging, and had not repeated itself when it was left{beside}."
+        return (
+            f"From {found.start} it goes on swinging, and had not repeated itself when it was "
+            f"left{beside}."
+        )
     if found.start == "rest":
         return f"From rest it comes to an oscillation of {at}{beside}."
     if found.coexists is False:
@@ -104,7 +114,10 @@ def _on_the_jump(report: Report) -> str:
     if report.reach in ("never", "beyond"):
         what = f"has no jump at any {study.looked}" if report.reach == "never" else jumps
         if report.reach == "beyond" and full:
-            what += f", {percent_beyond(jump, full):.0f} % above the largest that you have, {study.amount(full, digits)}"
+            what += (
+                f", {percent_beyond(jump, full):.0f} % above the largest that you have, "
+                f"{study.amount(full, digits)}"
+            )
         return (
             f"{'As drawn it' if study.tolerances else 'It'} does not sprag{model}: {state} {what}."
         )
@@ -122,7 +135,10 @@ def _on_the_jump(report: Report) -> str:
         )
         if study.belt is not None and report.speed < study.values[study.belt]:
             above = f"at lower speeds, from {study.shown_speed(report.speed, 3)} on"
-        return f"It sprags{model} {above}: {state} {jumps}; at {at} {works} works, and it does not jump."
+        return (
+            f"It sprags{model} {above}: {state} {jumps}; at {at} {works} works, and it does not "
+            "jump."
+        )
     ends = " to ".join(
         study.amount(end, digits) for end in ((low, high) if high > low else (high,))
     )
@@ -173,19 +189,26 @@ def _on_the_tolerances(report: Report) -> str:
     if odds is None:
         return "A proof was not found." if report.within == "undecided" else ""
     if report.within != "refuted" and not report.hits:
-        return f"Of {odds.n} brakes within the tolerances none sprags; a proof for all of them was not found."
+        return (
+            f"Of {odds.n} brakes within the tolerances none sprags; a proof for all of them was "
+            "not found."
+        )
     also = "" if report.hits else ", and at least one does"
     return f"Within the tolerances{speed} {share(odds)} of all brakes sprag{also}."
 
 
 def box(unbounded: Sequence[str]) -> str:
-    """What a certificate is about, if a part of the distribution of some quantities lies beyond it."""
+    """What a certificate is about, if a part of the distribution of some quantities lies beyond
+    it.
+    """
     beyond = f", and {ENDS:g} standard deviations of {' and '.join(unbounded)}" if unbounded else ""
     return f"the tolerances{beyond}"
 
 
 def share(odds: JumpProbability) -> str:
-    """The share of all brakes that jump, which a sample without one, or with nothing else, only bounds."""
+    """The share of all brakes that jump, which a sample without one, or with nothing else, only
+    bounds.
+    """
     if odds.probability == 0:
         return f"fewer than {_percent(odds.high)}"
     return _percent(odds.probability) if odds.probability < 1 else f"more than {_percent(odds.low)}"
@@ -198,7 +221,9 @@ def _percent(number: float) -> str:
 
 
 def blocks(report: Report) -> Iterator[str]:
-    """The verdict line by line, the numbers under headings, warnings, and what to do next: each as soon as it is known."""
+    """The verdict line by line, the numbers under headings, warnings, and what to do next: each as
+    soon as it is known.
+    """
     yield from verdict(report)
     for title, rows in sections(report):
         if rows:
@@ -279,7 +304,10 @@ def _jump(report: Report) -> Rows:
         lowest = _or_unknown(report.mu_lowest, "friction {:.6g}".format, "there is none")
         if report.kind_lowest:
             what = "to infinity" if report.kind_lowest == "infinity" else f"a {report.kind_lowest}"
-            lowest += f", {what} at {report.theta0_lowest_deg:.6g} deg; below this friction it cannot jump at any angle"
+            lowest += (
+                f", {what} at {report.theta0_lowest_deg:.6g} deg; below this friction it cannot "
+                "jump at any angle"
+            )
         yield "its lowest fold at any angle", lowest
         if report.kind_lowest != "cusp":  # it would be said twice
             yield (
@@ -303,7 +331,9 @@ def _or_unknown(value: float | None, shown: Callable[[float], str], never: str) 
 
 
 def _springs(told: Any, shown: Callable[[Any], str], of: str = "force of ") -> Rows:
-    """Rows of a number of the spring, or of several by their names; none where there is no spring."""
+    """Rows of a number of the spring, or of several by their names; none where there is no
+    spring.
+    """
     for name, value in (told if isinstance(told, Mapping) else {"the spring": told}).items():
         if value is not None:
             yield f"{of}{name}", shown(value)
@@ -358,7 +388,10 @@ def _described(state: State) -> str:
         f"; {name.removeprefix('the ')} at {at}"
         for name, at in _springs(state.direction_deg, "{:.4g} deg".format, "")
     ]
-    return f"{word}{''.join(springs)}{',' if springs else ';'} {_places(dict(list(state.places.items())[:1]))}"
+    return (
+        f"{word}{''.join(springs)}{',' if springs else ';'} "
+        f"{_places(dict(list(state.places.items())[:1]))}"
+    )
 
 
 def _peak(report: Report) -> Rows:
@@ -366,7 +399,10 @@ def _peak(report: Report) -> Rows:
     if found is None:
         return
     first = next(iter(found.before))
-    places = f"from {_places({first: found.before[first]})} to {found.after[first]:.4g} {first.rpartition('_')[2]}"
+    places = (
+        f"from {_places({first: found.before[first]})} to {found.after[first]:.4g} "
+        f"{first.rpartition('_')[2]}"
+    )
     faster = f" and {study.shown_speed(report.speed, 3)}" if report.reach == "faster" else ""
     yield (
         "the states before and after",
@@ -411,11 +447,15 @@ def _folds(report: Report) -> Rows:
         else:
             key = next(iter(row.before))
             coordinate, _, unit = key.rpartition("_")
-            goes = f"{coordinate} goes from {row.before[key]:.4g} {unit} to {row.after[key]:.4g} {unit}"
+            goes = (
+                f"{coordinate} goes from {row.before[key]:.4g} {unit} to {row.after[key]:.4g} "
+                f"{unit}"
+            )
             left = nothing if math.isnan(row.after[key]) else goes
             yield (
                 name,
-                f"the {row.ends} state ends as it {'rises' if row.when == 'up' else 'falls'}; {left}",
+                f"the {row.ends} state ends as it {'rises' if row.when == 'up' else 'falls'}; "
+                f"{left}",
             )
 
 
@@ -449,10 +489,14 @@ def _tolerances(report: Report) -> Rows:
                 math.floor(1e4 * odds.proved[0]) / 1e2,
                 math.ceil(1e4 * odds.proved[1]) / 1e2,
             )
-            what = "what is proved to jump, and all but what is proved not to; no sampling can leave that"
+            what = (
+                "what is proved to jump, and all but what is proved not to; no sampling can leave "
+                "that"
+            )
             yield "the same by proof", f"{low:g} % to {high:g} %: {what}"
     told = {name: indices for name, indices in odds.sobol.items() if not math.isnan(indices[1])}
-    # Sobol' indices are told where the samples resolve all of them: next to a certainty too few differ.
+    # Sobol' indices are told where the samples resolve all of them: next to a certainty too few
+    # differ.
     if any(not error <= RESOLVED for *_, error in told.values()):
         yield (
             "how much each of them decides",
@@ -479,7 +523,8 @@ def _oscillation(report: Report) -> Rows:
         "motion": "a motion that has not repeated itself",
         "rest": "none: it decays to rest",
         "grows": "none was found: the motion grew larger and larger, and was not followed further",
-        "falls": "none was found: the motion became smaller and smaller, and was not followed to its end",
+        "falls": "none was found: the motion became smaller and smaller, and was not followed to its "
+        "end",
         "lift-off": "none: it lifts off the belt for good",
     }
     yield "from rest" if found.start == "rest" else "from far out", what[found.kind]
@@ -510,13 +555,17 @@ def _changes(report: Report) -> Rows:
             if study.may_change
             else f"by up to a factor of {FACTOR:g}"
         )
-        kept = f"the jump at {study.amount(report.target)}{factor}{' at full slip' if report.reach == 'faster' else ''}"
+        kept = (
+            "the jump at "
+            f"{study.amount(report.target)}{factor}{' at full slip' if report.reach == 'faster' else ''}"
+        )
         yield "each of them keeps", f"{kept}, and all within the tolerances from jumping; {limits}"
     if report.needed and not report.redesign:
         yield "none", "no change of one quantity or of several was found that does it"
     for one in report.redesign:
         values = "; ".join(
-            f"{name} from {study.shown(name, one.before[name])} to {study.shown(name, one.after[name])}"
+            f"{name} from {study.shown(name, one.before[name])} to "
+            f"{study.shown(name, one.after[name])}"
             for name in one.after
         )
         then = f"then it jumps at {study.amount(one.jump_at)}"
@@ -530,7 +579,8 @@ def _changes(report: Report) -> Rows:
         known = "undecided within the tolerances: of the brakes that were tried none jumps"
         yield (
             values,
-            f"{then}; {f'proved for everything within {box(report.unbounded)}' if one.outcome == 'proved' else known}",
+            f"{then}; "
+            f"{f'proved for everything within {box(report.unbounded)}' if one.outcome == 'proved' else known}",
         )
 
 
@@ -563,7 +613,9 @@ _PEAK = ("spring_force_N", "contact_force_N", "lifts_off", "settles", "followed_
 
 
 def as_json(report: Report) -> Json:
-    """The keys of the report; numbers that don't exist are NaN, which the command writes as null."""
+    """The keys of the report; numbers that don't exist are NaN, which the command writes as
+    null.
+    """
     study, state, lives, odds, reached = (
         report.study,
         report.current,

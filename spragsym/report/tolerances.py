@@ -1,4 +1,6 @@
-"""Variation within the tolerances of a brake: the friction that works, brakes at shares, corners, proofs, probabilities."""
+"""Variation within the tolerances of a brake: the friction that works, brakes at shares, corners,
+proofs, probabilities.
+"""
 
 import math
 from collections.abc import Mapping
@@ -22,7 +24,8 @@ from ..statics.forces import as_intervals
 from .study import Study
 from .units import Measured, Numbers
 
-#: Quantities with tolerances up to which their probability is bracketed by proof, and parts of them.
+#: Quantities with tolerances up to which their probability is bracketed by proof, and parts of
+#: them.
 _MOST_SIDES, _PARTS = 4, 200
 #: What a share of a distribution is rounded by, where values go over its width.
 _ROUNDING = 2.0**-50
@@ -32,9 +35,10 @@ _NOTHING = 1e-300
 
 @dataclass(frozen=True)
 class Effort:
-    """How much is looked at where states are followed: ``samples`` of a probability, ``boxes`` of a proof and the ``points`` at
-    which it is refuted; of a change, ``shares`` that are sampled where it is not proved, and ``many`` where not even a sample
-    jumps; the ``most`` single quantities that are the nearest are proved, each ``further`` by these shares of what is left.
+    """How much is looked at where states are followed: ``samples`` of a probability, ``boxes`` of a
+    proof and the ``points`` at which it is refuted; of a change, ``shares`` that are sampled where
+    it is not proved, and ``many`` where not even a sample jumps; the ``most`` single quantities
+    that are the nearest are proved, each ``further`` by these shares of what is left.
     """
 
     samples: int = 2048
@@ -48,7 +52,8 @@ class Effort:
     further: tuple[float, ...] = (0.0, 0.03, 0.3)
 
 
-#: Where a jump is looked for without end, and so by closed forms, thousands of points in a second: more.
+#: Where a jump is looked for without end, and so by closed forms, thousands of points in a second:
+#: more.
 _ENDLESS = Effort(
     samples=4096,
     boxes=20_000,
@@ -68,7 +73,9 @@ def effort(study: Study) -> Effort:
 
 
 def deciding(study: Study) -> tuple[str, ...]:
-    """The quantities that decide whether it jumps: those of the balance of forces, and of the friction that works."""
+    """The quantities that decide whether it jumps: those of the balance of forces, and of the
+    friction that works.
+    """
     names = {*study.kind.balanced, *friction_depends_on(study)}
     return tuple(name for name in study.quantities if name in names)
 
@@ -79,7 +86,9 @@ def varied(study: Study) -> list[str]:
 
 
 def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
-    """All quantities in SI, within their ranges, at shares of what is :func:`varied`, of shape (n, varied)."""
+    """All quantities in SI, within their ranges, at shares of what is :func:`varied`, of shape (n,
+    varied).
+    """
     values = {name: np.full(len(shares), value) for name, value in study.values.items()}
     allowed = study.kind.ranges(study.values)
     for j, name in enumerate(varied(study)):
@@ -91,8 +100,9 @@ def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
 
 
 def corners(study: Study) -> FloatArray:
-    """Shares of the brake as drawn with most of what rises, and of all corners of the tolerances that may occur, at its upper
-    end only."""
+    """Shares of the brake as drawn with most of what rises, and of all corners of the tolerances
+    that may occur, at its upper end only.
+    """
     names, rises = varied(study), study.rises.quantity
     together = study.together(names)
     found = together.corners()
@@ -118,12 +128,16 @@ def samples(study: Study, number: int) -> FloatArray:
 def ending(
     study: Study, values: Mapping[str, Any], target: float | None = None, *, hasty: bool = False
 ) -> FloatArray:
-    """1 for brakes, by their quantities in SI, that jump up to a target, or to the own value of each; 0 or NaN for others."""
+    """1 for brakes, by their quantities in SI, that jump up to a target, or to the own value of
+    each; 0 or NaN for others.
+    """
     return have_jumped(study.risen(values, target), **study.along(values), hasty=hasty)
 
 
 def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
-    """Corners between which all brakes lie, with the μ₀ of the friction that works; what rises has begun to."""
+    """Corners between which all brakes lie, with the μ₀ of the friction that works; what rises has
+    begun to.
+    """
     low, high, units = parameter_ends(study)
     name = study.rises.name
     low = low.replace(**{name: max(study.begins(), float(getattr(low, name)))})
@@ -145,12 +159,14 @@ def _all_works(study: Study) -> bool:
 
 
 def certificate(study: Study, *, hasty: bool = False) -> Certificate:
-    """Whether no brake within the tolerances jumps: proved, refuted by one in SI, or undecided; ``hasty`` ends earlier.
+    """Whether no brake within the tolerances jumps: proved, refuted by one in SI, or undecided;
+    ``hasty`` ends earlier.
 
-    Of a normal distribution that is not cut off the box holds three standard deviations on either side, and nothing is said of
-    what lies beyond.
+    Of a normal distribution that is not cut off the box holds three standard deviations on either
+    side, and nothing is said of what lies beyond.
 
-    Source: :func:`spragsym.certify` over a box of the model's parameters and of the quantities that are their units.
+    Source: :func:`spragsym.certify` over a box of the model's parameters and of the quantities that
+    are their units.
     """
     amount = effort(study)
     point = counterexample(study, amount.points_of_change if hasty else amount.points)
@@ -161,7 +177,8 @@ def certificate(study: Study, *, hasty: bool = False) -> Certificate:
     found = certify(
         low, high, "no jump", max_boxes=most, refute=False, units=units, **study.along()
     )
-    # A part of the box where all jump need not hold a brake: the bounds of its friction may be loose.
+    # A part of the box where all jump need not hold a brake: the bounds of its friction may be
+    # loose.
     return (
         found
         if found.outcome == "proved"
@@ -170,7 +187,9 @@ def certificate(study: Study, *, hasty: bool = False) -> Certificate:
 
 
 def counterexample(study: Study, number: int) -> Numbers | None:
-    """A brake within the tolerances that jumps, in SI: a corner if there is one, or one of some points."""
+    """A brake within the tolerances that jumps, in SI: a corner if there is one, or one of some
+    points.
+    """
     for shares in (corners(study), samples(study, number)):
         values = values_at(study, shares)
         found = np.flatnonzero(ending(study, values) == 1)
@@ -192,7 +211,9 @@ def chance(study: Study, n: int) -> JumpProbability:
 
 
 def begins_alike(study: Study, after: Numbers) -> bool:
-    """Whether the state that is followed in a changed brake is the one of the brake as drawn, not one behind its end."""
+    """Whether the state that is followed in a changed brake is the one of the brake as drawn, not
+    one behind its end.
+    """
     if study.of_friction:
         return True
     moved = {}
@@ -212,10 +233,12 @@ def begins_alike(study: Study, after: Numbers) -> bool:
 
 
 def bracket(study: Study) -> Span:
-    """Bounds of the probability of a jump, by proof: what is proved to jump, and one minus what is proved not to.
+    """Bounds of the probability of a jump, by proof: what is proved to jump, and one minus what is
+    proved not to.
 
-    (0, 1) where quantities vary together, or too many vary, and where friction that works less than fully is not what rises.
-    Of the belt's speed and the law's steepness only how much of μ₀ works is taken, from least to most.
+    (0, 1) where quantities vary together, or too many vary, and where friction that works less than
+    fully is not what rises. Of the belt's speed and the law's steepness only how much of μ₀ works
+    is taken, from least to most.
     """
     names = [name for name in varied(study) if name in study.kind.of_statics]
     if (
@@ -249,9 +272,11 @@ def _shares_that_work(study: Study) -> Span:
     return max(_NOTHING, least), max(_NOTHING, most)
 
 
-#: How closely the ends of the friction are enclosed, relative; in how many halvings, and in how many boxes at once, or few.
+#: How closely the ends of the friction are enclosed, relative; in how many halvings, and in how
+#: many boxes at once, or few.
 CLOSE, HALVINGS, MOST, FEW = 1e-9, 60, 1 << 12, 1 << 6
-#: Times the belt's own speed up to which a speed is looked for, as a power of two; how closely; and parts that are looked at.
+#: Times the belt's own speed up to which a speed is looked for, as a power of two; how closely; and
+#: parts that are looked at.
 OCTAVES, SHARP, SPANS = 30, 2.0**-44, 1 << 12
 
 
@@ -274,9 +299,11 @@ def friction_bounds(study: Study) -> Span:
 
 
 def speed_for(study: Study, friction: float) -> float:
-    """The least speed of the belt in m/s at which the largest friction within the tolerances is this one; NaN where none is.
+    """The least speed of the belt in m/s at which the largest friction within the tolerances is
+    this one; NaN where none is.
 
-    It is a little less where the law neither rises nor falls over the tolerances, where bounds over intervals are loose.
+    It is a little less where the law neither rises nor falls over the tolerances, where bounds over
+    intervals are loose.
     """
     if (
         not study.moves
@@ -308,7 +335,9 @@ def speed_for(study: Study, friction: float) -> float:
 
 
 class _Law:
-    """The law that works, and corners within the tolerances of all on which it depends; units of measure cancel in it."""
+    """The law that works, and corners within the tolerances of all on which it depends; units of
+    measure cancel in it.
+    """
 
     def __init__(self, study: Study) -> None:
         names = study.kind.law["quantities"]
@@ -328,7 +357,9 @@ class _Law:
         return found if sign > 0 else -found
 
     def largest(self, sign: int = 1, most: int = MOST) -> float:
-        """A bound of ± the law over the box: parts are halved along the side over which it moves most, until it is close."""
+        """A bound of ± the law over the box: parts are halved along the side over which it moves
+        most, until it is close.
+        """
         low, high, above, done = self.low, self.high, np.full(1, np.inf), -np.inf
         for _ in range(HALVINGS):
             above = self.over(low, high, sign).high
@@ -357,7 +388,9 @@ ROUNDED = 2.0**-48
 
 
 def parameter_ends(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
-    """Two sets of parameters at the study's own units, rounded outward, and units of measure that have tolerances too."""
+    """Two sets of parameters at the study's own units, rounded outward, and units of measure that
+    have tolerances too.
+    """
     kind, low, high = study.kind, dict[str, float](), dict[str, float]()
     of_units: dict[str, dict[str, float]] = {name: {} for name in kind.bases}
     for quantity, name in kind.parameters.items():

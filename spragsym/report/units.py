@@ -1,4 +1,6 @@
-"""Numbers with units: read from text, checked for their dimension and range, and given back in the unit in which they came."""
+"""Numbers with units: read from text, checked for their dimension and range, and given back in the
+unit in which they came.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +32,8 @@ EXAMPLES: Mapping[str, tuple[str, str]] = {
     "m/s^2": ("9.81 m/s^2", "[9, 10] m/s^2"),
     "1": ("0.45 ± 10 %", "[0.3, 0.6]"),
 }
-#: Standard deviations on either side of a normal distribution's mean that its ends are, and that lie within its range.
+#: Standard deviations on either side of a normal distribution's mean that its ends are, and that
+#: lie within its range.
 ENDS, WITHIN = 3.0, 6.0
 _POSITIVE = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 _NUMBER = rf"[+-]?{_POSITIVE}"
@@ -51,8 +54,9 @@ _PERCENT = {"percent": "%", "per cent": "%", "pct": "%"}
 class Measured:
     """A quantity with its tolerance: value and ends in SI, and the unit in which it was given.
 
-    Without ``sd`` every value between the ends is as probable. With it the distribution is normal with that standard deviation:
-    cut off at the ends if ``cut``, and else three standard deviations are the ends, beyond which lie 0.27 % of it.
+    Without ``sd`` every value between the ends is as probable. With it the distribution is normal
+    with that standard deviation: cut off at the ends if ``cut``, and else three standard deviations
+    are the ends, beyond which lie 0.27 % of it.
     """
 
     value: float
@@ -69,7 +73,9 @@ class Measured:
 
     @property
     def whole(self) -> Measured:
-        """Its distribution; a normal one that is not cut off is taken to six standard deviations, beyond which lie 2e-9 of it."""
+        """Its distribution; a normal one that is not cut off is taken to six standard deviations,
+        beyond which lie 2e-9 of it.
+        """
         low, high = (self.value + sign * WITHIN * self.sd for sign in (-1, 1))
         return self if self.cut else replace(self, low=low, high=high)
 
@@ -99,11 +105,13 @@ class Measured:
 
 
 def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Measured:
-    """A quantity from text such as ``"180 N/mm ± 15 %"``, ``"[150, 210] N/mm"`` or ``"180 N/mm sd 5 %"``.
+    """A quantity from text such as ``"180 N/mm ± 15 %"``, ``"[150, 210] N/mm"`` or
+    ``"180 N/mm sd 5 %"``.
 
-    It has a number and a unit, and a tolerance if there is one: an amount, a share, two ends; or a standard deviation, with the
-    ends at which the distribution is cut off if it is, as in ``"180 N/mm sd 5 % in [160, 200] N/mm"``. Anything else, a tolerance
-    that may be read in two ways and what is not ``allowed`` is a ParameterError with examples of what can be read.
+    It has a number and a unit, and a tolerance if there is one: an amount, a share, two ends; or a
+    standard deviation, with the ends at which the distribution is cut off if it is, as in
+    ``"180 N/mm sd 5 % in [160, 200] N/mm"``. Anything else, a tolerance that may be read in two
+    ways and what is not ``allowed`` is a ParameterError with examples of what can be read.
 
     >>> read("180 N/mm +- 15 %", "N/m")
     Measured(value=180000.0, low=153000.0, high=207000.0, unit='N/mm', sd=0.0, cut=True)
@@ -185,7 +193,8 @@ def _about(found: re.Match[str], si: str, ends: Measured | None) -> Measured:
         width = abs(value) * float(off) / 100
     elif of == "%" and "of" in parts:
         raise ParameterError(
-            "the tolerance may be points or a share of the value: put it in brackets, (45 ± 5) %, for points"
+            "the tolerance may be points or a share of the value: put it in brackets, (45 ± "
+            "5) %, for points"
         )
     elif not of and (si != "1" or unit == "%"):
         raise ParameterError("the tolerance has no unit")
@@ -196,7 +205,8 @@ def _about(found: re.Match[str], si: str, ends: Measured | None) -> Measured:
     if ends is not None:
         if not ends.low < value < ends.high or not 0 < width < math.inf:
             raise ParameterError(
-                "the mean does not lie between the ends at which it is cut off, or sd is not above 0 and finite"
+                "the mean does not lie between the ends at which it is cut off, or sd is not "
+                "above 0 and finite"
             )
         return Measured(value, ends.low, ends.high, unit, width)
     return Measured(value, value - ENDS * width, value + ENDS * width, unit, width, width == 0)

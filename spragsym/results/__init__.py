@@ -1,4 +1,6 @@
-"""Results on equilibria, and on the points, curves and paths on which they change: one class each, for every model."""
+"""Results on equilibria, and on the points, curves and paths on which they change: one class each,
+for every model.
+"""
 
 from .equilibria import Equilibria, Stability, Undecided
 from .points import BifurcationSet, Curve, Jump, LowestEnd, Path, Points

@@ -42,14 +42,17 @@ class Undecided(Result):
 class Source(Protocol):
     """Where equilibria have their columns from, each made when it is asked for.
 
-    It must bring ``stability``, ``marginal``, ``error``, ``eigenvalues`` and the coordinates; it may bring others.
+    It must bring ``stability``, ``marginal``, ``error``, ``eigenvalues`` and the coordinates; it
+    may bring others.
     """
 
     def column(self, name: str) -> NDArray[Any] | None:
         """A column; None if it is not known here."""
 
     def linearized(self, eq: Equilibria, states: tuple[IntArray, ...]) -> Any:
-        """The full linearization of some states, by their indices into the columns: ``growth``, ``kind`` and ``eigenvalues``."""
+        """The full linearization of some states, by their indices into the columns: ``growth``,
+        ``kind`` and ``eigenvalues``.
+        """
 
     def held(self, columns: Mapping[str, NDArray[Any]]) -> Source:
         """The source with these columns made, for a file."""
@@ -70,12 +73,14 @@ _LINEARIZED: Mapping[str, tuple[str, Any]] = {
 class Equilibria(OfStates):
     """The equilibria of every parameter point, and whether these are all.
 
-    Each coordinate is an attribute under its own name: an array of the shape of the parameters with one more axis, along which
-    equilibria stand in ascending order of the first coordinate, NaN beyond ``count``; closed forms order them by ``theta``, which
-    in contact is the same and in lift-off is not. So are, for each inclined spring, its direction in radians and its length:
-    ``theta`` and ``L`` where there is one, ``theta_1``, ``L_1``, … where there are several; and its tension ``spring_force``, or
-    ``spring_force_1``, …, negative where it pushes, and the normal force of the contact, ``contact_force``, in units of force of
-    the model. Columns are made when they are first asked for.
+    Each coordinate is an attribute under its own name: an array of the shape of the parameters with
+    one more axis, along which equilibria stand in ascending order of the first coordinate, NaN
+    beyond ``count``; closed forms order them by ``theta``, which in contact is the same and in
+    lift-off is not. So are, for each inclined spring, its direction in radians and its length:
+    ``theta`` and ``L`` where there is one, ``theta_1``, ``L_1``, … where there are several; and its
+    tension ``spring_force``, or ``spring_force_1``, …, negative where it pushes, and the normal
+    force of the contact, ``contact_force``, in units of force of the model. Columns are made when
+    they are first asked for.
 
     Attributes
     ----------
@@ -86,25 +91,31 @@ class Equilibria(OfStates):
     undecided : tuple of Undecided
         The other points' boxes, with the reason for each.
     remarks : tuple of str
-        Why the result is not complete: what is known of these boxes, and what was searched where that is not everything.
+        Why the result is not complete: what is known of these boxes, and what was searched where
+        that is not everything.
     stability : ndarray of int8
-        Codes of :class:`Stability` by det(λ² M + K) = 0, as (27): without dampers and slope of the friction law.
+        Codes of :class:`Stability` by det(λ² M + K) = 0, as (27): without dampers and slope of the
+        friction law.
     marginal : ndarray of bool
-        Where the code is not proved: no number of digits that was tried tells a sign behind it from that of 0.
+        Where the code is not proved: no number of digits that was tried tells a sign behind it from
+        that of 0.
     eigenvalues : ndarray of complex
         The λ of it, on one more axis; NaN beyond ``count``.
     damped_eigenvalues : ndarray of complex
-        The λ of det(λ² M + λ C + K) = 0, with dampers and slope of the friction law, on one more axis by falling real part.
+        The λ of det(λ² M + λ C + K) = 0, with dampers and slope of the friction law, on one more
+        axis by falling real part.
     growth : ndarray
         Largest real part of the λ of it.
     damped : ndarray of str
-        What small deviations do by that linearization: ``"decays"``, ``"grows"``, or ``"neutral"``, practically neutral: growth
-        below 1e-4 of the frequency, so that damping that no model knows decides. Empty beyond ``count``, and where
-        no float holds the rate.
+        What small deviations do by that linearization: ``"decays"``, ``"grows"``, or ``"neutral"``,
+        practically neutral: growth below 1e-4 of the frequency, so that damping that no model knows
+        decides. Empty beyond ``count``, and where no float holds the rate.
     growth_sign : ndarray of int8
-        1 where it is proved that something grows by it, −1 that nothing does, 0 where 256 bits do not tell.
+        1 where it is proved that something grows by it, −1 that nothing does, 0 where 256 bits do
+        not tell.
     error : ndarray
-        Bound on |error| / max(1, |value|), of coordinates and, in closed forms, of theta and L, the largest of them.
+        Bound on |error| / max(1, |value|), of coordinates and, in closed forms, of theta and L, the
+        largest of them.
     region : ndarray
         Lower and upper ends of the box that was searched, shape (…, coordinates, 2).
     whole : ndarray of bool
@@ -112,7 +123,8 @@ class Equilibria(OfStates):
     escalated : ndarray of bool
         Of closed forms only: points that float64 could not settle and more digits did.
     fold : ndarray of bool
-        Of closed forms only: points that are a fold to the last digit that could be tried: one state stands in two slots.
+        Of closed forms only: points that are a fold to the last digit that could be tried: one
+        state stands in two slots.
     """
 
     table_codes = ("stability", Stability)
@@ -127,12 +139,16 @@ class Equilibria(OfStates):
 
     @property
     def complete(self) -> bool:
-        """Whether these are all equilibria of every point: each is decided, and nothing is beyond the region."""
+        """Whether these are all equilibria of every point: each is decided, and nothing is beyond
+        the region.
+        """
         return bool((self.decided & self.whole).all())
 
     @property
     def regime(self) -> str:
-        """``"contact"`` or ``"lift-off"``; of a model without a contact ``"sliding"``, or ``"rest"`` without friction too."""
+        """``"contact"`` or ``"lift-off"``; of a model without a contact ``"sliding"``, or
+        ``"rest"`` without friction too.
+        """
         return self.parameters.model.regimes[self.contact]
 
     @property
@@ -147,7 +163,9 @@ class Equilibria(OfStates):
         return "; ".join(dict.fromkeys(box.reason for box in boxes))
 
     def require_decided(self) -> Self:
-        """This result, if every point has an answer; otherwise raise :class:`ConvergenceError` with the first reason."""
+        """This result, if every point has an answer; otherwise raise :class:`ConvergenceError` with
+        the first reason.
+        """
         if self.undecided:
             raise ConvergenceError(self.undecided[0].reason)
         return self
@@ -171,7 +189,9 @@ class Equilibria(OfStates):
         return in_rows(caption + not_all(self), words(self), every[0].size, columns)
 
     def data(self) -> dict[str, NDArray[Any]]:
-        """A row for each equilibrium: the parameters that vary over the points, its stability and place, growth and error."""
+        """A row for each equilibrium: the parameters that vary over the points, its stability and
+        place, growth and error.
+        """
         return self._rows(self.states)
 
     def _rows(self, states: tuple[IntArray, ...]) -> dict[str, NDArray[Any]]:
@@ -217,7 +237,9 @@ class Equilibria(OfStates):
         return self._source.linearized(self, self.states)
 
     def _asked(self, name: str) -> Any:
-        """A column: as it was found, by the linearization, or what follows from where the states are."""
+        """A column: as it was found, by the linearization, or what follows from where the states
+        are.
+        """
         known = self._source.column(name)
         if known is not None:
             return known

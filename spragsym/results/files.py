@@ -1,7 +1,7 @@
 """Results as files: all that a result holds as JSON, and read back as the same class, bit for bit.
 
-Only data classes of this package are made from a file, from their fields: it runs no code and loads no folder. It has a digest,
-so that a damaged one is refused.
+Only data classes of this package are made from a file, from their fields: it runs no code and loads
+no folder. It has a digest, so that a damaged one is refused.
 """
 
 import base64
@@ -59,12 +59,14 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     ----------
     path : str or path-like
     model : Model, optional
-        The model that the result is of, needed if it is none of the shipped ones: a file never loads a folder by itself.
+        The model that the result is of, needed if it is none of the shipped ones: a file never
+        loads a folder by itself.
 
     Raises
     ------
     ParameterError
-        If the file can't be read, is damaged, holds no result of this version, or is of a model that is not known.
+        If the file can't be read, is damaged, holds no result of this version, or is of a model
+        that is not known.
 
     Examples
     --------
@@ -112,7 +114,8 @@ def _array(thing: Any) -> list[Any]:
     array = np.ascontiguousarray(thing)
     if array.dtype.hasobject:
         raise ParameterError(
-            f"{array.dtype} is no kind of numbers or words that a file holds; write its columns to *.csv"
+            f"{array.dtype} is no kind of numbers or words that a file holds; write its "
+            "columns to *.csv"
         )
     return [array.dtype.str, list(np.shape(thing)), base64.b64encode(array.tobytes()).decode()]
 
@@ -177,7 +180,9 @@ def _place(kind: type) -> tuple[str, str]:
 
 
 def _read(given: Model | None, held: dict[str, Any]) -> Any:
-    """What :func:`_written` wrote under the name of its kind, of which the parts are read before."""
+    """What :func:`_written` wrote under the name of its kind, of which the parts are read
+    before.
+    """
     ((kind, value),) = held.items()
 
     def model(where: str) -> Model:
@@ -185,7 +190,8 @@ def _read(given: Model | None, held: dict[str, Any]) -> Any:
             return given
         if where not in shipped():
             raise ParameterError(
-                f"model: the result is of {where}, which is no shipped model; give model=spragsym.load(...)"
+                f"model: the result is of {where}, which is no shipped model; give "
+                "model=spragsym.load(...)"
             )
         return load(where)
 

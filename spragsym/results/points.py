@@ -1,4 +1,6 @@
-"""Points, curves and paths on which equilibria change: one class each for every model, however they were found."""
+"""Points, curves and paths on which equilibria change: one class each for every model, however they
+were found.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,9 @@ from .result import Named, OfStates, Result, Rows
 
 @dataclass(frozen=True, eq=False)
 class Ended(Result):
-    """What happens at folds: columns of :class:`Points` under these names; ``after``, or what makes it when asked."""
+    """What happens at folds: columns of :class:`Points` under these names; ``after``, or what makes
+    it when asked.
+    """
 
     ends: NDArray[np.str_]
     when: NDArray[np.str_]
@@ -44,8 +48,9 @@ def nowhere(points: Points) -> dict[str, FloatArray]:
 class Points(OfStates, Rows):
     """Points at which equilibria change, sorted by the first parameter that varies.
 
-    Every parameter and coordinate is an attribute under its own name, one number a point; so are the direction and the length of
-    each inclined spring, as of :class:`spragsym.Equilibria`. Columns are made when they are first asked for. Angles are radians.
+    Every parameter and coordinate is an attribute under its own name, one number a point; so are
+    the direction and the length of each inclined spring, as of :class:`spragsym.Equilibria`.
+    Columns are made when they are first asked for. Angles are radians.
 
     Attributes
     ----------
@@ -54,32 +59,39 @@ class Points(OfStates, Rows):
     vary : tuple of str
         The parameters that were unknowns.
     kind : ndarray of str
-        What happens as the parameter passes. ``"fold"``: two equilibria appear or vanish together. ``"pitchfork"``: one becomes
-        three, or three become one, all of them in one point, in a system that is its own mirror image. ``"cusp"``: two folds
-        meet; along one parameter three equilibria meet, and one is left on both sides. ``"touch"``: two meet, and there are as
-        many on both sides. ``"hopf"``, ``"flutter"`` and ``"detected"`` are onsets, see :class:`spragsym.Onsets`.
+        What happens as the parameter passes. ``"fold"``: two equilibria appear or vanish together.
+        ``"pitchfork"``: one becomes three, or three become one, all of them in one point, in a
+        system that is its own mirror image. ``"cusp"``: two folds meet; along one parameter three
+        equilibria meet, and one is left on both sides. ``"touch"``: two meet, and there are as many
+        on both sides. ``"hopf"``, ``"flutter"`` and ``"detected"`` are onsets, see
+        :class:`spragsym.Onsets`.
     error : ndarray
-        Bound on |error| / max(1, |value|) of coordinates and of the parameters that vary, in closed forms of theta and L too.
+        Bound on |error| / max(1, |value|) of coordinates and of the parameters that vary, in closed
+        forms of theta and L too.
     ends : ndarray of str
-        At a fold a stable state by (27) and another one meet, as a rule: whether the stable one is the ``"lower"`` or the
-        ``"upper"`` of the two in the first coordinate, in closed forms in theta; ``"undecided"``; empty where none of them is
-        stable, and for other kinds.
+        At a fold a stable state by (27) and another one meet, as a rule: whether the stable one is
+        the ``"lower"`` or the ``"upper"`` of the two in the first coordinate, in closed forms in
+        theta; ``"undecided"``; empty where none of them is stable, and for other kinds.
     when : ndarray of str
-        The two vanish as the parameter goes ``"up"`` or ``"down"``; ``"undecided"``; empty for other kinds.
+        The two vanish as the parameter goes ``"up"`` or ``"down"``; ``"undecided"``; empty for
+        other kinds.
     after : mapping of str to ndarray
-        Where the state that ends jumps to, by the names of ``columns``: the nearest equilibrium that is stable there by (27), of
-        closed forms the only one that is left. NaN where there is none or a search does not decide it, and for other kinds. Each
-        is a search of its own, with the budget of one, where there is no closed form: ``print`` shows what was asked for before.
+        Where the state that ends jumps to, by the names of ``columns``: the nearest equilibrium
+        that is stable there by (27), of closed forms the only one that is left. NaN where there is
+        none or a search does not decide it, and for other kinds. Each is a search of its own, with
+        the budget of one, where there is no closed form: ``print`` shows what was asked for before.
     region : ndarray
-        Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then parameters. A parameter that is
-        larger than 0 may begin at 2⁻³⁰⁰, where nothing is known of what is below. Closed forms need no box: ends are infinite.
+        Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then
+        parameters. A parameter that is larger than 0 may begin at 2⁻³⁰⁰, where nothing is known of
+        what is below. Closed forms need no box: ends are infinite.
     whole : bool
         Whether that box is proved to hold all equilibria for all parameters in it.
     endless : tuple of str
-        Parameters whose range has no end, and no ``between``: they were searched to the end that ``region`` says, no farther.
+        Parameters whose range has no end, and no ``between``: they were searched to the end that
+        ``region`` says, no farther.
     undecided : ndarray
-        Lower and upper ends of the boxes that are not decided, shape (boxes, unknowns, 2); many of them as the boxes around those
-        whose ranges of the parameter touch.
+        Lower and upper ends of the boxes that are not decided, shape (boxes, unknowns, 2); many of
+        them as the boxes around those whose ranges of the parameter touch.
     remarks : tuple of str
         What is known of these boxes, and what was not searched: why the result is not complete.
     """
@@ -106,7 +118,9 @@ class Points(OfStates, Rows):
 
     @property
     def complete(self) -> bool:
-        """Whether these are all: everywhere, for all values of the parameters, or for those of ``between``."""
+        """Whether these are all: everywhere, for all values of the parameters, or for those of
+        ``between``.
+        """
         return self.decided and self.whole and not self.endless
 
     @property
@@ -131,12 +145,16 @@ class Points(OfStates, Rows):
         return {"kind": self.kind}
 
     def data(self) -> dict[str, NDArray[Any]]:
-        """The parameters that vary, the state, what happens there and the bound on the errors, by name."""
+        """The parameters that vary, the state, what happens there and the bound on the errors, by
+        name.
+        """
         where = {name: getattr(self, name) for name in (*self.vary, *self.columns)}
         return {**where, **self.table_columns, "error": self.error}
 
     def as_table(self) -> Table:
-        """A row for each point: the parameters that vary, the state, what ends there or begins, and what else is known of it."""
+        """A row for each point: the parameters that vary, the state, what ends there or begins, and
+        what else is known of it.
+        """
         said = words(self)
         columns = self.data()
         error = columns.pop("error")
@@ -163,7 +181,9 @@ class Points(OfStates, Rows):
         )
 
     def between(self, spans: FloatArray) -> Self:
-        """The points in ranges of what varies, shape (number, 2), which take the place of those that were searched."""
+        """The points in ranges of what varies, shape (number, 2), which take the place of those
+        that were searched.
+        """
         values = np.array([getattr(self, name) for name in self.vary])
         inside = np.asarray(((spans[:, :1] <= values) & (values <= spans[:, 1:])).all(axis=0))
         return replace(
@@ -204,9 +224,11 @@ def after_if_known(points: Points) -> Mapping[str, FloatArray]:
 
 @dataclass(frozen=True, eq=False)
 class StickingStates(Named, Rows):
-    """Connected sets of states in which friction holds the mass, a row for each, in the order of the first coordinate.
+    """Connected sets of states in which friction holds the mass, a row for each, in the order of
+    the first coordinate.
 
-    Of every coordinate ``x`` the least and the largest value in a set are ``x_low`` and ``x_high``; angles are radians.
+    Of every coordinate ``x`` the least and the largest value in a set are ``x_low`` and ``x_high``;
+    angles are radians.
 
     Attributes
     ----------
@@ -229,11 +251,13 @@ class StickingStates(Named, Rows):
 
 @dataclass(frozen=True, eq=False)
 class Curve(Named, Rows):
-    """Folds in order along a curve: the parameters that vary and the coordinates are attributes under their own names.
+    """Folds in order along a curve: the parameters that vary and the coordinates are attributes
+    under their own names.
 
-    Curves of closed forms also say what ends there and where it jumps to: ``upper``, that the stable state that ends is the upper
-    one of the two in θ, which changes at a cusp; ``when_theta0`` and ``when_mu0``, 1 where it ends as that parameter rises and −1
-    where it ends as it falls; and ``theta_after``, ``x_after``, ``y_after``. Angles are radians.
+    Curves of closed forms also say what ends there and where it jumps to: ``upper``, that the
+    stable state that ends is the upper one of the two in θ, which changes at a cusp;
+    ``when_theta0`` and ``when_mu0``, 1 where it ends as that parameter rises and −1 where it ends
+    as it falls; and ``theta_after``, ``x_after``, ``y_after``. Angles are radians.
     """
 
     held_in = "values"
@@ -243,25 +267,30 @@ class Curve(Named, Rows):
 
 @dataclass(frozen=True, eq=False)
 class BifurcationSet(Result):
-    """Curves of folds in the plane of two parameters, and the cusps on them; ``complete`` says whether these are all.
+    """Curves of folds in the plane of two parameters, and the cusps on them; ``complete`` says
+    whether these are all.
 
     Attributes
     ----------
     vary : tuple of str
         The two parameters.
     curves : tuple of Curve
-        Folds in the order in which they follow each other, as many as make straight lines between them look smooth. Of closed
-        forms they are float64, and none of the curves is missed; of a search each point is proved, cusps stand among them, and
-        that they are joined in the right order is not proved.
+        Folds in the order in which they follow each other, as many as make straight lines between
+        them look smooth. Of closed forms they are float64, and none of the curves is missed; of a
+        search each point is proved, cusps stand among them, and that they are joined in the right
+        order is not proved.
     cusps : Points
         All cusps of the region, proved.
     complete : bool
-        Whether these are all: of closed forms always; of a search where all folds on all ``lines``, and all extrema and ends of
-        curves, cusps among them, are proved: between two of these is a line, so that no curve is missed, however small.
+        Whether these are all: of closed forms always; of a search where all folds on all ``lines``,
+        and all extrema and ends of curves, cusps among them, are proved: between two of these is a
+        line, so that no curve is missed, however small.
     lines : mapping
-        For each parameter the values at which all folds along the other one are known; empty where closed forms need none.
+        For each parameter the values at which all folds along the other one are known; empty where
+        closed forms need none.
     undecided : ndarray
-        Lower and upper ends of the boxes on lines that are not decided, shape (boxes, unknowns, 2): coordinates, then parameters.
+        Lower and upper ends of the boxes on lines that are not decided, shape (boxes, unknowns, 2):
+        coordinates, then parameters.
     remarks : tuple of str
         Why the result is not complete: what is known of these boxes, and what was not searched.
     """
@@ -285,13 +314,17 @@ class BifurcationSet(Result):
 
 @dataclass(frozen=True)
 class Jump(Result):
-    """A state that vanishes at a fold, leaves the contact or runs to infinity, and the one that takes its place.
+    """A state that vanishes at a fold, leaves the contact or runs to infinity, and the one that
+    takes its place.
 
-    ``before`` and ``after`` say where they are, by the names of ``Path.columns``: numbers, angles in radians.
+    ``before`` and ``after`` say where they are, by the names of ``Path.columns``: numbers, angles
+    in radians.
     """
 
     value: float  #: of the parameter, at the fold, on the border or in the limit
-    kind: str  #: ``"fold"``, ``"pitchfork"``, ``"border"`` where the state leaves the contact, or ``"infinity"``
+    # ``"fold"``, ``"pitchfork"``, ``"border"`` where the state leaves the contact, or
+    # ``"infinity"``
+    kind: str
     before: Mapping[str, float]
     after: Mapping[str, float]
     stability_after: Stability
@@ -304,11 +337,13 @@ _OF_STATES = ("growth", "growth_sign", "damped")
 
 @dataclass(frozen=True, eq=False)
 class Path(OfStates, Rows):
-    """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
+    """States along the values of the parameter, in the order in which they are passed, and the
+    jumps between them.
 
-    Each coordinate is an attribute under its own name, of the shape of ``values``; so are the direction and the length of each
-    inclined spring, as of :class:`spragsym.Equilibria`. Angles are radians. ``stability`` has the codes of (27); ``growth``,
-    ``growth_sign`` and ``damped`` are those of the full linearization, made when they are asked for.
+    Each coordinate is an attribute under its own name, of the shape of ``values``; so are the
+    direction and the length of each inclined spring, as of :class:`spragsym.Equilibria`. Angles are
+    radians. ``stability`` has the codes of (27); ``growth``, ``growth_sign`` and ``damped`` are
+    those of the full linearization, made when they are asked for.
     """
 
     held_in = "places"
@@ -332,7 +367,8 @@ class Path(OfStates, Rows):
 
 @dataclass(frozen=True, eq=False)
 class LowestEnd(Shown, NDArrayOperatorsMixin):
-    """Where the state that is followed ends first over a range of another parameter; a number, or an array, as ``value``.
+    """Where the state that is followed ends first over a range of another parameter; a number, or
+    an array, as ``value``.
 
     Numbers for one point, arrays of the shape of the parameters for many; angles are radians.
 
@@ -341,12 +377,14 @@ class LowestEnd(Shown, NDArrayOperatorsMixin):
     vary, over : str
         The parameter along which the state is followed, and the one over whose range.
     value, where : float or ndarray
-        Of ``vary`` and of ``over``; both are attributes under these names, too, as ``mu0`` and ``theta0``.
+        Of ``vary`` and of ``over``; both are attributes under these names, too, as ``mu0`` and
+        ``theta0``.
     kind : str or ndarray of str
-        ``"cusp"``; ``"turn"`` where a curve of folds turns back in ``vary``; ``"border"`` where the state leaves the contact;
-        ``"end"`` where it is lowest at an end of the range of ``over``; ``"infinity"`` where the state runs to
-        infinity; empty where the state ends nowhere: then ``value`` is
-        infinite and ``where`` NaN; ``"undecided"`` where nothing is known above ``value``, below which the state does not end.
+        ``"cusp"``; ``"turn"`` where a curve of folds turns back in ``vary``; ``"border"`` where the
+        state leaves the contact; ``"end"`` where it is lowest at an end of the range of ``over``;
+        ``"infinity"`` where the state runs to infinity; empty where the state ends nowhere: then
+        ``value`` is infinite and ``where`` NaN; ``"undecided"`` where nothing is known above
+        ``value``, below which the state does not end.
     error : float or ndarray
         Bound on \\|error\\| / max(1, \\|value\\|) of both.
     complete : bool

@@ -17,7 +17,9 @@ from .equilibria import Stability
 
 @dataclass(frozen=True, repr=False)
 class Written(ABC):
-    """Numbers by name, each an attribute too and written in decimals, with a ``repr`` that is made of these."""
+    """Numbers by name, each an attribute too and written in decimals, with a ``repr`` that is made
+    of these.
+    """
 
     numbers: Mapping[str, mpmath.mpf]
 
@@ -36,7 +38,8 @@ class Written(ABC):
         """A bound on the error of one of them."""
 
     def decimals(self, digits: int | None = None) -> dict[str, Decimal]:
-        """The numbers in decimals, each with a bound on its error that covers the rounding to these digits too.
+        """The numbers in decimals, each with a bound on its error that covers the rounding to these
+        digits too.
 
         ``digits`` are significant ones; by default as many as are proved.
         """
@@ -56,12 +59,14 @@ class Written(ABC):
 
 @dataclass(frozen=True, repr=False)
 class PreciseEquilibrium(Written):
-    """One equilibrium; ``error`` is a proved bound on |error| / max(1, |value|) of all of its numbers as they stand.
+    """One equilibrium; ``error`` is a proved bound on |error| / max(1, |value|) of all of its
+    numbers as they stand.
 
-    ``numbers`` are mpmath numbers by name, each an attribute too: angle in radians and length of each inclined spring, ``theta``
-    and ``L`` where there is one, ``theta_1``, ``L_1``, … where there are several, then the coordinates. ``print`` writes decimals
-    with bounds that hold for these digits, and so does :meth:`decimals`. ``fold`` says that it is a fold to the last digit that
-    could be tried; only then may ``error`` be above 10^−dps.
+    ``numbers`` are mpmath numbers by name, each an attribute too: angle in radians and length of
+    each inclined spring, ``theta`` and ``L`` where there is one, ``theta_1``, ``L_1``, … where
+    there are several, then the coordinates. ``print`` writes decimals with bounds that hold for
+    these digits, and so does :meth:`decimals`. ``fold`` says that it is a fold to the last digit
+    that could be tried; only then may ``error`` be above 10^−dps.
     """
 
     stability: Stability
@@ -101,8 +106,9 @@ class PreciseEquilibria(Sequence[PreciseEquilibrium]):
 class PreciseCusp(Written):
     """One cusp; ``radius`` bounds |error| of each of its numbers as they stand, angles in radians.
 
-    ``numbers`` are the two parameters that vary and then those of an equilibrium, each an attribute too. ``versal`` says that it
-    is one in the sense of catastrophe theory: of third order, and unfolded by the two parameters, both proved.
+    ``numbers`` are the two parameters that vary and then those of an equilibrium, each an attribute
+    too. ``versal`` says that it is one in the sense of catastrophe theory: of third order, and
+    unfolded by the two parameters, both proved.
     """
 
     radius: mpmath.mpf
@@ -119,18 +125,21 @@ class CuspProof(Sequence[PreciseCusp]):
     Attributes
     ----------
     cusps : tuple of PreciseCusp
-        Those in contact with L > 0, sorted by the second of the parameters that vary, ``mu0`` unless told otherwise.
+        Those in contact with L > 0, sorted by the second of the parameters that vary, ``mu0``
+        unless told otherwise.
     complete : bool
-        Whether it is proved that these are all: everywhere by the polynomial, in ``region`` by search.
+        Whether it is proved that these are all: everywhere by the polynomial, in ``region`` by
+        search.
     region : mapping of str to (float, float)
         The box that was searched, by coordinate and parameter; empty where the polynomial answers.
     polynomial : tuple of Fraction
-        Lowest power first; its roots s = sin θ in [−1, 1] (without ±1 for α = 0) are all cusps. Empty for α = 1 + β, where
-        3 s² = 2 instead, and by search.
+        Lowest power first; its roots s = sin θ in [−1, 1] (without ±1 for α = 0) are all cusps.
+        Empty for α = 1 + β, where 3 s² = 2 instead, and by search.
     sines : tuple of (Fraction, Fraction)
         Disjoint intervals, each proved to hold one of its real roots.
     count : int or None
-        Number of different real roots there by Descartes' rule of signs: the proof. None without a polynomial.
+        Number of different real roots there by Descartes' rule of signs: the proof. None without a
+        polynomial.
     """
 
     cusps: tuple[PreciseCusp, ...]

@@ -22,7 +22,9 @@ WHOLE = 6
 
 
 class Result(Shown):
-    """A result: ``print`` gives its table as well; ``repr`` is that of the dataclass, long arrays by their shapes."""
+    """A result: ``print`` gives its table as well; ``repr`` is that of the dataclass, long arrays
+    by their shapes.
+    """
 
     def __init_subclass__(cls, **options: Any) -> None:
         super().__init_subclass__(**options)
@@ -46,11 +48,15 @@ class Result(Shown):
         return True
 
     def data(self) -> dict[str, NDArray[Any]]:
-        """The columns of its table by name, whole: arrays of one shape, angles in radians; none where it has no rows."""
+        """The columns of its table by name, whole: arrays of one shape, angles in radians; none
+        where it has no rows.
+        """
         return sorted_out(self, words(self))[0]
 
     def to_dataframe(self) -> Any:
-        """A ``pandas.DataFrame`` of :meth:`data`, a row a point, angles in radians; pandas must be installed."""
+        """A ``pandas.DataFrame`` of :meth:`data`, a row a point, angles in radians; pandas must be
+        installed.
+        """
         try:
             from pandas import DataFrame  # type: ignore[import-untyped]  # it brings no types
         except ModuleNotFoundError as error:
@@ -58,7 +64,9 @@ class Result(Shown):
         return DataFrame({name: column.ravel() for name, column in self.data().items()})
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of :meth:`data`, with unit and meaning where the model knows them (extra ``sweep``)."""
+        """An ``xarray.Dataset`` of :meth:`data`, with unit and meaning where the model knows them
+        (extra ``sweep``).
+        """
         variables = {}
         for name, column in self.data().items():
             dims = (
@@ -70,7 +78,9 @@ class Result(Shown):
         return storage.dataset(variables, {}, {}, self._explained, {})
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write all of it to ``*.json``, which :func:`spragsym.open` reads, or its columns to ``*.csv`` or ``*.nc``."""
+        """Write all of it to ``*.json``, which :func:`spragsym.open` reads, or its columns to
+        ``*.csv`` or ``*.nc``.
+        """
         from .files import save
 
         save(self, path)
@@ -103,8 +113,11 @@ class Result(Shown):
         }
 
     def plot(self, ax: Any = None, **options: Any) -> Any:
-        """Draw it into ``ax``, by default pyplot's current axes, and return what was drawn (extra ``plot``)."""
-        import spragsym  # a shorthand for what a user asks the package: no room imports one behind it
+        """Draw it into ``ax``, by default pyplot's current axes, and return what was drawn (extra
+        ``plot``).
+        """
+        # a shorthand for what a user asks the package: no room imports one behind it
+        import spragsym
 
         return spragsym.figures.plot(self, ax, **options)
 
@@ -130,7 +143,9 @@ def _named(value: Any) -> str:
 
 
 class Rows(Result):
-    """A result whose rows can be counted, indexed and gone through: each is a mapping of its columns to numbers or words."""
+    """A result whose rows can be counted, indexed and gone through: each is a mapping of its
+    columns to numbers or words.
+    """
 
     def __len__(self) -> int:
         return len(next(iter(self.data().values()), ()))
@@ -143,7 +158,8 @@ class Rows(Result):
 
 
 class Named(Result):
-    """A result whose columns are attributes under their names, each made when it is first asked for.
+    """A result whose columns are attributes under their names, each made when it is first asked
+    for.
 
     Examples
     --------
@@ -182,7 +198,9 @@ class OfStates(Named):
 
     @property
     def columns(self) -> tuple[str, ...]:
-        """Names of the columns that say where a state is: directions and lengths of springs, and the coordinates."""
+        """Names of the columns that say where a state is: directions and lengths of springs, and
+        the coordinates.
+        """
         return columns_of(self.parameters.model)
 
     @property

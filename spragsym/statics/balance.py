@@ -1,4 +1,6 @@
-"""The balance of forces of a model over boxes of coordinates and parameters, as the search asks for it, and with many digits."""
+"""The balance of forces of a model over boxes of coordinates and parameters, as the search asks for
+it, and with many digits.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +26,8 @@ from ..numerics.precise_roots import Digits
 from .forces import Forces, State, Values, filled
 from .namespaces import FREE, XP
 
-#: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
+#: Sizes of a box from an anchor up to which it is asked whether any direction of the spring
+#: balances the forces.
 AWAY = 1.0
 #: Steps of Newton's method from the middle of a box that has one root.
 GUESSES = 4
@@ -44,7 +47,9 @@ Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
 
 
 class StateSystem(System):
-    """A system of which the roots are states of a model: what vanishes at a state, over boxes or with many digits."""
+    """A system of which the roots are states of a model: what vanishes at a state, over boxes or
+    with many digits.
+    """
 
     balance: Balance
 
@@ -87,7 +92,9 @@ class StateSystem(System):
         return self.values(unknowns, parameters, self.balance.anywhere)
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes where no state is; where a torsion angle jumps in a box, what vanishes is asked on each side of the jump."""
+        """Boxes where no state is; where a torsion angle jumps in a box, what vanishes is asked on
+        each side of the jump.
+        """
         at = self.state(unknowns, parameters)
         out, torsions = self.nothing_at(at), self.balance.torsions
         if torsions:
@@ -111,8 +118,8 @@ class StateSystem(System):
 class Balance(Forces, StateSystem):
     """Forces as the search asks for them: unknowns are the coordinates.
 
-    Parameters of the search are those of the model, in its order; :meth:`prepared` turns them into the arguments of the
-    generated functions, once for each node of the tree of points.
+    Parameters of the search are those of the model, in its order; :meth:`prepared` turns them into
+    the arguments of the generated functions, once for each node of the tree of points.
     """
 
     def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
@@ -121,7 +128,9 @@ class Balance(Forces, StateSystem):
 
     @property
     def anywhere(self) -> list[int]:
-        """``sides`` for what needs no derivatives: turnings that jump in a box have any value there."""
+        """``sides`` for what needs no derivatives: turnings that jump in a box have any value
+        there.
+        """
         return [0] * len(self.torsions)
 
     def guessed(self, middles: FloatArray, parameters: Intervals) -> FloatArray:
@@ -142,14 +151,18 @@ class Balance(Forces, StateSystem):
         return matrix(self.state(unknowns, parameters).slopes, unknowns.shape[1:])
 
     def nothing_at(self, at: State) -> BoolArray:
-        """Boxes on the other side of the contact's border, or where no unit vector balances the other forces."""
+        """Boxes on the other side of the contact's border, or where no unit vector balances the
+        other forces.
+        """
         out = super().nothing_at(at)
         return out | at_anchors(at, ~out, _no_direction)
 
     def given_up(
         self, unknowns: Intervals, parameters: Intervals, width: float = POLE
     ) -> BoolArray:
-        """Small boxes around the anchor of a spring that resists turning: its force has no bound there."""
+        """Small boxes around the anchor of a spring that resists turning: its force has no bound
+        there.
+        """
         return self.at_poles(self.state(unknowns, parameters), width)
 
     def at_poles(self, at: State, width: float) -> BoolArray:
@@ -159,39 +172,49 @@ class Balance(Forces, StateSystem):
             out |= dx.holds_zero() & dy.holds_zero() & (np.maximum(dx.width, dy.width) < width)
         return out
 
-    # -------------------------------------------------------------------------------------------- contraction
+    # --------------------------------------------------------------------------------------------
+    # contraction
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
-        """Smaller boxes with the same roots: the coordinates that balance the forces of springs with these directions."""
+        """Smaller boxes with the same roots: the coordinates that balance the forces of springs
+        with these directions.
+        """
         return self.with_directions(self.state(unknowns, parameters, self.anywhere))
 
     def with_directions(self, at: State) -> FloatArray:
-        """Smaller boxes with the same roots, for springs of the given directions, whatever their lengths."""
+        """Smaller boxes with the same roots, for springs of the given directions, whatever their
+        lengths.
+        """
         step = contractors.newton(
             *self._linear(at, at.box.middle, State.forces, lambda at: at.slopes)
         )
         return np.fmin(step.ends, at.box.ends)
 
     def by_rows(self, at: State) -> FloatArray:
-        """Bounds on each coordinate from its own row and from forces near 0, where slopes are unknown."""
+        """Bounds on each coordinate from its own row and from forces near 0, where slopes are
+        unknown.
+        """
         given = self._linear(at, at.box.nearest_to_zero, State.rows, State.stiffness)
         return np.fmin(contractors.by_rows(*given), at.box.ends)
 
     def _linear(
         self, at: State, near: FloatArray, forces: Rows, slopes: Callable[[State], Matrix]
     ) -> Linear:
-        """:meth:`linear` by the generated slopes, where no length counts and no wave is a free unknown."""
+        """:meth:`linear` by the generated slopes, where no length counts and no wave is a free
+        unknown.
+        """
         if at.xp is FREE or self.torsions:  # forces of torsion springs contain a length
             return linear(at, near, forces)
-        # What directions change by goes with one over the length, and of these lengths that is 0 to rounding. So no law is asked
-        # for a derivative that its stiffness has in a sharper form.
+        # What directions change by goes with one over the length, and of these lengths that is 0 to
+        # rounding. So no law is asked for a derivative that its stiffness has in a sharper form.
         lengths = range(2, 3 * self.springs, 3)
         fixed = [ENDLESS if place in lengths else part for place, part in enumerate(at.directions)]
         return _from(at, near, forces, matrix(slopes(replace(at, fixed=fixed)), at.shape))
 
 
 def linear(at: State, near: FloatArray, forces: Rows) -> Linear:
-    """What contractors take: forces at points of the boxes, slopes over the boxes, the points and distances from them.
+    """What contractors take: forces at points of the boxes, slopes over the boxes, the points and
+    distances from them.
 
     Directions and lengths are those of the boxes.
     """
@@ -222,7 +245,9 @@ def at_anchors(at: State, among: BoolArray, told: Callable[[State, int], BoolArr
 
 
 def _no_direction(at: State, spring: int) -> BoolArray:
-    """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its anchor is."""
+    """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its
+    anchor is.
+    """
     place, cover = 3 * spring, Intervals(np.ones((2, *at.shape)))
 
     def forces(*direction: Any) -> Sequence[Any]:
@@ -237,9 +262,11 @@ def _no_direction(at: State, spring: int) -> BoolArray:
 
 
 class PreciseBalance(Digits):
-    """A system of states at one point of the parameters that do not vary, of balls or jets of balls.
+    """A system of states at one point of the parameters that do not vary, of balls or jets of
+    balls.
 
-    ``given`` are those parameters, of a system with a scale with that behind them, and ``spans`` parameters that lie in a range.
+    ``given`` are those parameters, of a system with a scale with that behind them, and ``spans``
+    parameters that lie in a range.
     """
 
     def __init__(
@@ -276,11 +303,12 @@ class PreciseBalance(Digits):
 
 
 class BalanceInUnits(Balance):
-    """The balance with units among its parameters, after those of the model: dimensional analysis, p = P u₁^e₁ u₂^e₂ ….
+    """The balance with units among its parameters, after those of the model: dimensional analysis,
+    p = P u₁^e₁ u₂^e₂ ….
 
-    P is a parameter as the base values of the page's units make it dimensionless, and u is a unit's value over its base value.
-    Many parameters depend on one unit; the chain rule keeps that, where boxes of the parameters themselves would take each for
-    its own.
+    P is a parameter as the base values of the page's units make it dimensionless, and u is a unit's
+    value over its base value. Many parameters depend on one unit; the chain rule keeps that, where
+    boxes of the parameters themselves would take each for its own.
     """
 
     def __init__(
@@ -292,7 +320,8 @@ class BalanceInUnits(Balance):
             unit: [name for name in self.balanced if name in one.powers]
             for unit, one in units.items()
         }
-        #: Parameters of the balance that depend on each unit; a unit on which none does matters to the motion alone.
+        #: Parameters of the balance that depend on each unit; a unit on which none does matters to
+        #: the motion alone.
         self.scaling = {unit: names for unit, names in powers.items() if names}
         #: p/P as arguments of their own, by parameter.
         self.factors = {
@@ -310,7 +339,9 @@ class BalanceInUnits(Balance):
     def scaled(
         self, values: Values, xp: Any = np, names: Iterable[str] | None = None
     ) -> dict[str, Any]:
-        """P and u by name, of any number type, with the page's parameters p in place of P, all or some, and beside them p/P."""
+        """P and u by name, of any number type, with the page's parameters p in place of P, all or
+        some, and beside them p/P.
+        """
         found = dict(values)
         for name in self.factors if names is None else names:
             code = self.factors[name]

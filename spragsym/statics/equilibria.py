@@ -13,44 +13,48 @@ from ..results import Equilibria
 def equilibria(
     p: ParameterSet, contact: bool = True, within: Ranges | None = None, *, method: Method = "auto"
 ) -> Equilibria:
-    """All equilibria: steady sliding in contact, or at rest in lift-off, each proved, with its stability.
+    """All equilibria: steady sliding in contact, or at rest in lift-off, each proved, with its
+    stability.
 
     Parameters
     ----------
     p : Parameters
         Of any model, of any shape; θ₀ and μ₀ of the article's model are needed.
     contact : bool
-        True for states with a gap ≤ 0, False for states with a gap ≥ 0 without the contact's force: n̄ = 1 and n̄ = 0 of the
-        article.
+        True for states with a gap ≤ 0, False for states with a gap ≥ 0 without the contact's force:
+        n̄ = 1 and n̄ = 0 of the article.
     within : mapping, optional
-        Ranges of coordinates that are searched, as ``{"x": (-5.0, 5.0)}``. Without it a box that is proved to hold all of them;
-        where there is no such proof, ten times the largest length that the model has at these parameters.
+        Ranges of coordinates that are searched, as ``{"x": (-5.0, 5.0)}``. Without it a box that is
+        proved to hold all of them; where there is no such proof, ten times the largest length that
+        the model has at these parameters.
     method : {"auto", "closed", "search"}
         A closed form if the model brings one, the closed form only, or the search.
 
     Returns
     -------
     Equilibria
-        Of the article's model one or three in contact, up to four in lift-off, with |error| ≤ 1e-12 max(1, |value|). Points of
-        an array that have no answer are not ``decided``. On a belt that stands still nothing slides: where friction holds the
-        mass, :func:`spragsym.sticking_states` has all states of rest.
+        Of the article's model one or three in contact, up to four in lift-off, with |error| ≤ 1e-12
+        max(1, |value|). Points of an array that have no answer are not ``decided``. On a belt that
+        stands still nothing slides: where friction holds the mass, :func:`spragsym.sticking_states`
+        has all states of rest.
 
     Raises
     ------
     ParameterError, ParameterTypeError
         For arguments that make no sense.
     ConvergenceError
-        For a single point of the article's model on a border that no number of digits can settle, as where L = 0, or whose
-        length or displacement float64 can't carry.
+        For a single point of the article's model on a border that no number of digits can settle,
+        as where L = 0, or whose length or displacement float64 can't carry.
 
     Notes
     -----
-    Source: branch and prune over boxes of coordinates and of parameters, see :mod:`spragsym.numerics.boxes`, in a region with all
-    equilibria since the springs pull back harder than all else pushes, see :mod:`spragsym.statics.regions`. A stiff spring
-    is looked at in its angle and tension, see :mod:`spragsym.statics.polar`. What float64 does not decide is reduced to
-    one unknown and decided with many digits, see :mod:`spragsym.numerics.precise_roots`. Of the article's model: the quartic in
-    t = tan(θ/2) of f(θ) = q sin θ F_x, (12)–(13) eliminated, and stability by (27)–(28), see
-    :mod:`spragsym.kang_nam.quartic.solver`.
+    Source: branch and prune over boxes of coordinates and of parameters, see
+    :mod:`spragsym.numerics.boxes`, in a region with all equilibria since the springs pull back
+    harder than all else pushes, see :mod:`spragsym.statics.regions`. A stiff spring is looked at in
+    its angle and tension, see :mod:`spragsym.statics.polar`. What float64 does not decide is
+    reduced to one unknown and decided with many digits, see :mod:`spragsym.numerics.precise_roots`.
+    Of the article's model: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x, (12)–(13) eliminated,
+    and stability by (27)–(28), see :mod:`spragsym.kang_nam.quartic.solver`.
 
     Examples
     --------
@@ -73,7 +77,8 @@ def equilibria(
 
 @question
 def count(p: ParameterSet, *, method: Method = "auto") -> Int8Array:
-    """The number of equilibria in contact of every point; for the article's model without solving for the states.
+    """The number of equilibria in contact of every point; for the article's model without solving
+    for the states.
 
     Parameters
     ----------
@@ -101,6 +106,7 @@ def count(p: ParameterSet, *, method: Method = "auto") -> Int8Array:
     found = equilibria(p)
     if not found.complete:
         raise ConvergenceError(
-            f"{int((~found.decided).sum())} points are not decided; equilibria(p) has what is known of them"
+            f"{int((~found.decided).sum())} points are not decided; equilibria(p) has what is "
+            "known of them"
         )
     return found.count

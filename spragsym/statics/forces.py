@@ -32,24 +32,27 @@ from .namespaces import XP
 
 #: Arguments of generated functions by name, of any number type.
 Values: TypeAlias = Mapping[str, Any]
-#: Where an angle is searched that comes around after a turn: beyond π to either side, so that no state is near the border.
+#: Where an angle is searched that comes around after a turn: beyond π to either side, so that no
+#: state is near the border.
 TURN = np.pi + 0.02
 
 
 class Forces:
     """Forces of a model in contact or in lift-off, and all else that is generated for it.
 
-    Parameters of the search are those of the model, in its order; :meth:`prepared` turns them into the arguments of the
-    generated functions, once for each node of the tree of points.
+    Parameters of the search are those of the model, in its order; :meth:`prepared` turns them into
+    the arguments of the generated functions, once for each node of the tree of points.
     """
 
     def __init__(
         self, model: Model, contact: bool = True, law: str = "friction_at_rest", room: float = 0.0
     ) -> None:
         about = model.about
-        #: How far beyond the contact's border states count, too: 0 but where those on it are looked for.
+        #: How far beyond the contact's border states count, too: 0 but where those on it are looked
+        #: for.
         self.room = room
-        #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has come to rest.
+        #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has
+        #: come to rest.
         self.law = law
         self.model, self.contact = model, contact
         #: As a system of states it is its own balance.
@@ -67,7 +70,8 @@ class Forces:
             for entry in about["parameters"]
             if entry["name"] not in self.angles and not (entry["low"] == 0 and entry["low_open"])
         ]
-        #: Arguments of the functions: cosines and sines of angles, and these too where they stand by themselves.
+        #: Arguments of the functions: cosines and sines of angles, and these too where they stand
+        #: by themselves.
         self.codes: list[str] = list(
             dict.fromkeys(itertools.chain(*reversed(about["arguments"].values())))
         )
@@ -76,13 +80,15 @@ class Forces:
         #: Of each torsion spring the number of the spring that it turns with.
         self.torsions: list[int] = [entry["spring"] for entry in about["torsions"]]
         self.pushing = int(contact)
-        #: −low and high of each coordinate: on which side of the border the contact's gap is, where that is a coordinate.
+        #: −low and high of each coordinate: on which side of the border the contact's gap is, where
+        #: that is a coordinate.
         self.border = np.full((2, self.n), np.inf)
         gap = about["contact"]["gap"]
         self.opens = bool(gap and about["contact"]["unilateral"])
         if self.opens and gap in self.coordinates:
             self.border[self.pushing, self.coordinates.index(gap)] = 0.0
-        #: Numbers of coordinates that are angles after a turn of which all is as before: one turn of each is searched.
+        #: Numbers of coordinates that are angles after a turn of which all is as before: one turn
+        #: of each is searched.
         self.around = [
             place for place, entry in enumerate(about["coordinates"]) if entry.get("comes_around")
         ]
@@ -92,18 +98,21 @@ class Forces:
             np.full((2, self.n), np.inf) if about["contact"]["polynomial"] else self.border.copy()
         )
         self.border += room
-        #: Sums of rows without forces between coordinates, where there are such: they vanish together with the forces, and what
-        #: cancels in them is not lost in boxes.
+        #: Sums of rows without forces between coordinates, where there are such: they vanish
+        #: together with the forces, and what cancels in them is not lost in boxes.
         self.sums = (
             {"forces": "balance", "forces_jacobian": "balance_jacobian"}
             if hasattr(model.algebra, "balance")
             else {}
         )
 
-    # ------------------------------------------------------------------------------------------- arguments
+    # -------------------------------------------------------------------------------------------
+    # arguments
 
     def prepared(self, bounds: Intervals) -> Intervals:
-        """Arguments of the generated functions, shape (arguments, N), from parameters of shape (P, N)."""
+        """Arguments of the generated functions, shape (arguments, N), from parameters of shape (P,
+        N).
+        """
         with quiet():
             values = self.arguments_of(dict(zip(self.parameters, bounds, strict=True)), XP)
         return stacked([values[code] for code in self.codes], bounds.shape[1:])
@@ -126,7 +135,8 @@ class Forces:
     def arguments(self, prepared: Intervals) -> dict[str, Any]:
         """By name.
 
-        A parameter that is 0 everywhere, and may be, is the number 0: products with it and exponentials of it are exact.
+        A parameter that is 0 everywhere, and may be, is the number 0: products with it and
+        exponentials of it are exact.
         """
         values: dict[str, Any] = dict(zip(self.codes, prepared, strict=False))
         return values | {name: 0 for name in self.may_vanish if _is_nothing(values[name])}
@@ -140,7 +150,9 @@ class Forces:
         return State(self, q if len(q) else [0] * self.n, values, shape, xp)
 
     def sides(self, gap: Intervals) -> tuple[BoolArray, BoolArray]:
-        """Gaps on this side of the contact's border or on it, and gaps beyond it; all on this side where it never opens."""
+        """Gaps on this side of the contact's border or on it, and gaps beyond it; all on this side
+        where it never opens.
+        """
         if not self.opens:
             return np.ones(gap.shape, dtype=np.bool_), np.zeros(gap.shape, dtype=np.bool_)
         if self.contact:
@@ -148,7 +160,9 @@ class Forces:
         return gap.low >= -self.room, gap.high < -self.room
 
     def by_parameters(self, at: State, names: Sequence[str]) -> list[list[Any]]:
-        """Derivatives of the forces along each coordinate by parameters, through the friction law too; an angle as the angle."""
+        """Derivatives of the forces along each coordinate by parameters, through the friction law
+        too; an angle as the angle.
+        """
         law, own = at.call("friction_by_parameters", ()), self.model.about["by_parameters"]
         return [
             [
@@ -162,10 +176,12 @@ class Forces:
 
 @dataclass
 class State:
-    """Coordinates and arguments of one evaluation, all of one number type, and what follows from them.
+    """Coordinates and arguments of one evaluation, all of one number type, and what follows from
+    them.
 
-    ``upright`` are springs with dx = 0. ``sides`` tell for each torsion spring what its turning is in boxes that meet the ray
-    where it jumps: NaN without it, with 1 or −1 that on one side of the ray, with 0 anything from −π to π.
+    ``upright`` are springs with dx = 0. ``sides`` tell for each torsion spring what its turning is
+    in boxes that meet the ray where it jumps: NaN without it, with 1 or −1 that on one side of the
+    ray, with 0 anything from −π to π.
     """
 
     balance: Forces
@@ -185,7 +201,9 @@ class State:
         return stacked(self.q, self.shape)
 
     def call(self, name: str, first: Iterable[Any], *last: Any, kind: str = "motion") -> Any:
-        """A generated function of coordinates, and directions perhaps, of arguments of a kind, and of what comes behind these."""
+        """A generated function of coordinates, and directions perhaps, of arguments of a kind, and
+        of what comes behind these.
+        """
         arguments = self.balance.model.about["arguments"]
         listed = [self.values[code] for code in arguments.get(name, arguments[kind])]
         return undecorated(getattr(self.balance.model.algebra, name))(
@@ -201,7 +219,8 @@ class State:
         q, fixed = ([part[rows] for part in parts] for parts in (self.q, self.directions))
         return replace(self, q=q, values=values, shape=rows.shape, fixed=fixed)
 
-    # ------------------------------------------------------------------------------------------ directions
+    # ------------------------------------------------------------------------------------------
+    # directions
 
     @cached_property
     def geometry(self) -> Any:
@@ -209,12 +228,16 @@ class State:
         return self.call("geometry", self.q, kind="statics")
 
     def of_springs(self, name: str) -> Sequence[Any]:
-        """A function of parameters only: ``"stiffnesses"`` of springs, ``"torsions"`` of turning."""
+        """A function of parameters only: ``"stiffnesses"`` of springs, ``"torsions"`` of
+        turning.
+        """
         return self.call(name, self.q, kind="statics")
 
     @property
     def at_rest(self) -> list[tuple[Any, Any]]:
-        """Cosine and sine of the direction in which each torsion spring rests: a line along x has turned by minus its angle."""
+        """Cosine and sine of the direction in which each torsion spring rests: a line along x has
+        turned by minus its angle.
+        """
         pairs = self.call("turnings", [*self.q, *[1, 0, 1] * self.balance.springs], kind="statics")
         return [(cosine, -sine) for cosine, sine in pairs]
 
@@ -241,7 +264,9 @@ class State:
         return parts + self._turnings(steps, parts)
 
     def direction(self, dx: Any, dy: Any) -> tuple[Any, Any, Any]:
-        """Cosine, sine and length of a vector: of boxes sharp enclosures, of narrow numbers quotients."""
+        """Cosine, sine and length of a vector: of boxes sharp enclosures, of narrow numbers
+        quotients.
+        """
         if self.xp is XP:
             return direction(dx, dy, self.shape)
         size = self.xp.sqrt(dx**2 + dy**2)
@@ -266,10 +291,13 @@ class State:
             for value, k, spring, rest, side in each
         ]
 
-    # ---------------------------------------------------------------------------------------------- forces
+    # ---------------------------------------------------------------------------------------------
+    # forces
 
     def rows(self, name: str = "forces", pushing: Any = None) -> Sequence[Any]:
-        """Rows by coordinate of a function that has the arguments of ``forces``; with ``pushing`` 0 as in lift-off."""
+        """Rows by coordinate of a function that has the arguments of ``forces``; with ``pushing`` 0
+        as in lift-off.
+        """
         pushing = self.balance.pushing if pushing is None else pushing
         return self.call(name, [*self.q, *self.directions], self.friction, pushing, kind="statics")
 
@@ -279,7 +307,9 @@ class State:
 
     @cached_property
     def slopes(self) -> Matrix:
-        """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where theirs is."""
+        """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where
+        theirs is.
+        """
         return self.rows(self.balance.sums.get("forces_jacobian", "forces_jacobian"))
 
     def stiffness(self) -> Matrix:
@@ -311,7 +341,9 @@ class State:
         return self.call("friction_slope", ())
 
     def slope_has_a_sign(self) -> BoolArray:
-        """Whether the slope is shown not to be 0, over one of its exponentials: also where that is too small for floats."""
+        """Whether the slope is shown not to be 0, over one of its exponentials: also where that is
+        too small for floats.
+        """
         out = np.zeros(self.shape, dtype=np.bool_)
         for terms in self.call("friction_slope_by_sizes", ()):
             kept = [
@@ -349,10 +381,12 @@ def _is_none(stiffness: Any) -> bool:
 
 
 def direction(dx: Any, dy: Any, shape: Shape) -> tuple[Any, Any, Any]:
-    """Cosine, sine and length of the vector (dx, dy): arrays of intervals of that shape, or jets of them.
+    """Cosine, sine and length of the vector (dx, dy): arrays of intervals of that shape, or jets of
+    them.
 
-    With the turned and scaled change u + i v of the vector, (c + i s) (1 + u + i v) l is the vector. So all derivatives come from
-    the sharp enclosures of c, s and l, not from quotients of intervals.
+    With the turned and scaled change u + i v of the vector, (c + i s) (1 + u + i v) l is the
+    vector. So all derivatives come from the sharp enclosures of c, s and l, not from quotients of
+    intervals.
     """
     c, s, L = _at(dx, dy, shape)
     order = order_of(dx, dy)
@@ -372,12 +406,15 @@ def turning(
     shape: Shape,
     side: int | None,
 ) -> Any:
-    """The turning φ of a spring in [−π, π], an array of intervals or a jet of them; NaN where boxes meet the ray φ = ±π.
+    """The turning φ of a spring in [−π, π], an array of intervals or a jet of them; NaN where boxes
+    meet the ray φ = ±π.
 
-    ``value`` holds cosine and sine of φ without their changes, ``rest`` those of the inclination at rest; ``side`` says what is
-    given on the ray instead, see :func:`spragsym.numerics.interval_arrays.atan2`. Its derivatives are those of the spring's
-    angle less those of the angle at rest: algebra in sharp enclosures of direction and length. They hold at every point off the
-    ray, and so on either side of it, but no mean value theorem holds across it.
+    ``value`` holds cosine and sine of φ without their changes, ``rest`` those of the inclination at
+    rest; ``side`` says what is given on the ray instead, see
+    :func:`spragsym.numerics.interval_arrays.atan2`. Its derivatives are those of the spring's angle
+    less those of the angle at rest: algebra in sharp enclosures of direction and length. They hold
+    at every point off the ray, and so on either side of it, but no mean value theorem holds across
+    it.
     """
     cosine, sine = (as_intervals(part, shape) for part in value)
     phi: Any = atan2(sine, cosine, side)

@@ -1,11 +1,14 @@
-"""Namespaces ``xp`` of a model's functions: over boxes, at states that run to infinity, and of mirror symmetries.
+"""Namespaces ``xp`` of a model's functions: over boxes, at states that run to infinity, and of
+mirror symmetries.
 
-At infinity coordinates are q = u/w with w → 0. A number a w^−k is a pair of a, regular at w = 0, and the integer k. Sums,
-products, quotients, even roots and lengths of springs are such numbers again; so the algebra that is generated for the balance
-gives each row as w^−k G(u, w) with G regular at w = 0, where it is the part of highest degree. An exponential or a cosine of what
-runs away is none: :class:`NoChart`.
+At infinity coordinates are q = u/w with w → 0. A number a w^−k is a pair of a, regular at w = 0,
+and the integer k. Sums, products, quotients, even roots and lengths of springs are such numbers
+again; so the algebra that is generated for the balance gives each row as w^−k G(u, w) with G
+regular at w = 0, where it is the part of highest degree. An exponential or a cosine of what runs
+away is none: :class:`NoChart`.
 
-Of a mirror symmetry, by which coordinates may change sign with all forces following, parity is a number type of the algebra.
+Of a mirror symmetry, by which coordinates may change sign with all forces following, parity is a
+number type of the algebra.
 """
 
 from __future__ import annotations
@@ -28,9 +31,10 @@ if TYPE_CHECKING:
 class LawFunctions(Functions):
     """Interval functions in which roots and logarithms are taken of what is not negative.
 
-    A law of contact that is no polynomial is asked for on its own side of the border only (``Balance.limits``), and what else has
-    roots or logarithms has them of what is seen to be positive when its page is read. So their arguments are not negative, and
-    where an enclosure reaches below 0 that is rounding, or an enclosure that is not sharp.
+    A law of contact that is no polynomial is asked for on its own side of the border only
+    (``Balance.limits``), and what else has roots or logarithms has them of what is seen to be
+    positive when its page is read. So their arguments are not negative, and where an enclosure
+    reaches below 0 that is rounding, or an enclosure that is not sharp.
     """
 
     #: π.
@@ -172,7 +176,9 @@ EVEN, ODD = ("cos", "cosh"), ("sin", "sinh", "tanh", "atan")
 
 
 class Parity(Arithmetic):
-    """A number that changes its sign (``odd``), does not, or does neither (None); numbers beside it are even, and 0 is both."""
+    """A number that changes its sign (``odd``), does not, or does neither (None); numbers beside it
+    are even, and 0 is both.
+    """
 
     __slots__ = ("odd",)
     __array_ufunc__ = None
@@ -219,7 +225,9 @@ class _ParityFunctions:
 
 
 def follows(balance: Balance, values: Values, odd: Collection[int]) -> bool:
-    """Whether the rows of these coordinates, and no others, change their signs with them; the gap does not."""
+    """Whether the rows of these coordinates, and no others, change their signs with them; the gap
+    does not.
+    """
     xp: Any = _ParityFunctions()
     q = [Parity(i in odd) for i in range(balance.n)]
     given = {name: 0 if is_zero(value) else Parity(False) for name, value in values.items()}

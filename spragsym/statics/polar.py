@@ -1,36 +1,40 @@
-"""The balance around a spring's anchor, in the angle φ and the length l of the spring's line in place of its end's coordinates.
+"""The balance around a spring's anchor, in the angle φ and the length l of the spring's line in
+place of its end's coordinates.
 
-Let the vector from the mass to the anchor be l (c, s), with (c, s) at the angle φ (from the angle at rest, where a torsion
-spring resists turning), let T be the tension of the spring, and A_x, A_y the sums of all other forces, on the side of the
-balance. Then
+Let the vector from the mass to the anchor be l (c, s), with (c, s) at the angle φ (from the angle
+at rest, where a torsion spring resists turning), let T be the tension of the spring, and A_x, A_y
+the sums of all other forces, on the side of the balance. Then
 
     along the line:                 A_x c + A_y s − T = 0,
     across the line:                A_y c − A_x s = 0.
 
-A stiff spring with little else to hold the mass has near-equilibria on the whole circle of its undeformed length, which is
-straight here; with the elongation l − r for an unknown, the tension k (l − r) is no difference of two large forces. At the
-anchor, where x and y do not say the direction, φ does.
+A stiff spring with little else to hold the mass has near-equilibria on the whole circle of its
+undeformed length, which is straight here; with the elongation l − r for an unknown, the tension k
+(l − r) is no difference of two large forces. At the anchor, where x and y do not say the direction,
+φ does.
 
-A torsion spring pulls across its line with k_t φ/l, which has no bound at the anchor. There the balance
+A torsion spring pulls across its line with k_t φ/l, which has no bound at the anchor. There the
+balance
 
     across the line, times l:       l (A_y c − A_x s) − k_t φ = 0
 
-is smooth at l = 0, too. A third coordinate z, by which the vector changes by (a, b), has
-A_z + T (c a + s b) + (c b − s a) k_t φ/l = 0, where the balance across gives k_t φ/l = A_y c − A_x s. For l > 0 these equations
-have the same roots as the balance of forces, since the one are regular combinations of the other; so exclusion and interval
-Newton decide there as anywhere else.
+is smooth at l = 0, too. A third coordinate z, by which the vector changes by (a, b), has A_z + T (c
+a + s b) + (c b − s a) k_t φ/l = 0, where the balance across gives k_t φ/l = A_y c − A_x s. For l >
+0 these equations have the same roots as the balance of forces, since the one are regular
+combinations of the other; so exclusion and interval Newton decide there as anywhere else.
 
 What a root of them means:
 
 - l > 0, and with a torsion spring −π < φ < π: an equilibrium.
 - l < 0: none, since the line's angle is another one there.
-- l = 0: none. These are two equations for φ alone; the page's energy has no derivative at the anchor, with a torsion spring no
-  value. At such parameters an equilibrium arrives at the anchor and is no more.
-- |φ| > π with a torsion spring: none, since φ is the least turning. At φ = ±π the energy has a ridge: its slopes on both sides,
-  ∓k_t π, lead away.
+- l = 0: none. These are two equations for φ alone; the page's energy has no derivative at the
+  anchor, with a torsion spring no value. At such parameters an equilibrium arrives at the anchor
+  and is no more.
+- |φ| > π with a torsion spring: none, since φ is the least turning. At φ = ±π the energy has a
+  ridge: its slopes on both sides, ∓k_t π, lead away.
 
-So a search goes a little beyond l = 0 and |φ| = π; roots that are proved to lie there are dropped, and those that can't be told
-from one on the border are undecided.
+So a search goes a little beyond l = 0 and |φ| = π; roots that are proved to lie there are dropped,
+and those that can't be told from one on the border are undecided.
 """
 
 from __future__ import annotations
@@ -60,10 +64,12 @@ from .forces import State, Values, as_intervals
 from .namespaces import XP
 from .precise_balance import once_around, refined, settled_by_digits
 
-#: Stiffness over that of the contact from which on a point is looked at in polar coordinates first. In lift-off, where nothing
-#: else may hold the mass across, the line of a single spring is the better guide however soft it is.
+#: Stiffness over that of the contact from which on a point is looked at in polar coordinates first.
+#: In lift-off, where nothing else may hold the mass across, the line of a single spring is the
+#: better guide however soft it is.
 STIFF = 3e3
-#: What is searched beyond φ = ±π, more than where a turn is cut, and beyond l = 0 in parts of the largest length.
+#: What is searched beyond φ = ±π, more than where a turn is cut, and beyond l = 0 in parts of the
+#: largest length.
 BEYOND = 2.0**-6
 #: Upper bound of π.
 HALF_TURN = 3.1415926535897936
@@ -73,11 +79,12 @@ ROOM = 1.0 + 2.0**-10
 
 @dataclass(frozen=True)
 class Polar(StateSystem):
-    """The balance along and across a spring's line; unknowns are φ, the length, and the other coordinates.
+    """The balance along and across a spring's line; unknowns are φ, the length, and the other
+    coordinates.
 
-    The unknown for the length is l over a scale, or where the spring is so stiff that l stays beyond half of its undeformed
-    length, the elongation over a scale (``tight``). The scale is one more parameter, the last. ``turns`` where a torsion spring
-    resists φ.
+    The unknown for the length is l over a scale, or where the spring is so stiff that l stays
+    beyond half of its undeformed length, the elongation over a scale (``tight``). The scale is one
+    more parameter, the last. ``turns`` where a torsion spring resists φ.
     """
 
     balance: Balance
@@ -117,11 +124,15 @@ class Polar(StateSystem):
         return at
 
     def turned(self, directions: Iterable[Any], angle: Any) -> list[Any]:
-        """Directions with the angle behind by which the torsion spring turns; without stiffness it does not matter."""
+        """Directions with the angle behind by which the torsion spring turns; without stiffness it
+        does not matter.
+        """
         return [*directions, *(angle if self.turns else 0 for _ in self.balance.torsions)]
 
     def conditions(self, at: State, unknowns: Sequence[Any]) -> list[Any]:
-        """Balance along, and across times l, in the rows of the line's end; of the other coordinates."""
+        """Balance along, and across times l, in the rows of the line's end; of the other
+        coordinates.
+        """
         far = unknowns[1] * at.values[SCALE]
         elongation = far if self.tight else far - at.geometry[self.spring][2]
         c, s, length = at.directions[3 * self.spring : 3 * self.spring + 3]
@@ -162,7 +173,8 @@ class Polar(StateSystem):
                 ]
         return forces
 
-    # ------------------------------------------------------------------------------------------ over boxes
+    # ------------------------------------------------------------------------------------------
+    # over boxes
 
     def state(
         self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None
@@ -175,7 +187,9 @@ class Polar(StateSystem):
         )
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes beyond the contact's border, and boxes with no coordinates that balance the forces of their directions."""
+        """Boxes beyond the contact's border, and boxes with no coordinates that balance the forces
+        of their directions.
+        """
         at = self.state(unknowns, parameters)
         return at.beside_border()[1] | np.logical_or.reduce(
             width_of(self.balance.with_directions(at)) < 0
@@ -187,7 +201,9 @@ class Polar(StateSystem):
 
 
 def end_slopes(at: State, near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
-    """How the vector of every spring changes with the coordinates: for ends that are linear in them the same everywhere."""
+    """How the vector of every spring changes with the coordinates: for ends that are linear in them
+    the same everywhere.
+    """
     n = at.balance.n
     rows = replace(at, q=jets.variables([near] * n, 1), xp=XP).geometry
     return [(jets.gradient(dx, n), jets.gradient(dy, n)) for dx, dy, _ in rows]
@@ -206,8 +222,9 @@ def turned_points(
 ) -> tuple[Roots, BoolArray]:
     """Roots and undecided boxes of points with a torsion spring, and which points these are.
 
-    A model with torsion springs along several lines, or along one whose first end is not at two coordinates, has none of them.
-    ``given`` are parameters, shape (parameters, points), and ``regions`` have the shape (2, n, points).
+    A model with torsion springs along several lines, or along one whose first end is not at two
+    coordinates, has none of them. ``given`` are parameters, shape (parameters, points), and
+    ``regions`` have the shape (2, n, points).
     """
     done = np.zeros(given.shape[1], dtype=np.bool_)
     system = (
@@ -222,20 +239,26 @@ def turned_points(
 def stiff_points(
     balance: Balance, given: FloatArray, regions: FloatArray
 ) -> tuple[Roots, BoolArray]:
-    """Roots of points with a stiff spring that are decided around one of the springs, and which points these are."""
+    """Roots of points with a stiff spring that are decided around one of the springs, and which
+    points these are.
+    """
     least = 0.0 if balance.springs == 1 and not balance.contact else STIFF
     stiff = _stiffnesses(balance, given).high.max(axis=0, initial=0.0) > least
     return _of_any_spring(balance, given, regions, np.flatnonzero(stiff))
 
 
 def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, found: Roots) -> Roots:
-    """What a search has left, as along circles around anchors, decided in polar coordinates where that succeeds."""
+    """What a search has left, as along circles around anchors, decided in polar coordinates where
+    that succeeds.
+    """
     again, done = _of_any_spring(balance, given, regions, np.unique(found.left_point))
     return found.of(np.flatnonzero(done), others=True).then(again)
 
 
 def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses") -> Intervals:
-    """Stiffnesses of all springs, or for ``"torsions"`` of all torsion springs, shape (springs, points)."""
+    """Stiffnesses of all springs, or for ``"torsions"`` of all torsion springs, shape (springs,
+    points).
+    """
     with quiet():
         return stacked(
             balance.at((), balance.over(Intervals.point(given))).of_springs(name), given.shape[1:]
@@ -245,7 +268,9 @@ def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses")
 def _of_any_spring(
     balance: Balance, given: FloatArray, around: FloatArray, points: IntArray
 ) -> tuple[Roots, BoolArray]:
-    """Roots of the points of which all is decided around one of the springs, and which these are."""
+    """Roots of the points of which all is decided around one of the springs, and which these
+    are.
+    """
     done, roots = np.zeros(given.shape[1], dtype=np.bool_), Roots.none(balance.n)
     if balance.torsions:
         points = points[_stiffnesses(balance, given[:, points], "torsions").high.max(axis=0) <= 0]
@@ -288,7 +313,9 @@ def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: Int
 def _sides(
     system: Polar, given: FloatArray, around: FloatArray
 ) -> tuple[FloatArray, FloatArray, BoolArray]:
-    """For each point the region in the unknowns, the scale, and whether the length stays away from 0."""
+    """For each point the region in the unknowns, the scale, and whether the length stays away from
+    0.
+    """
     balance, shape = system.balance, given.shape[1:]
     nowhere = balance.at((), balance.over(Intervals.point(given)), shape)
     k = as_intervals(nowhere.of_springs("stiffnesses")[system.spring], shape)
@@ -339,7 +366,9 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
 
 
 def _are_equilibria(system: Polar, ends: FloatArray) -> tuple[BoolArray, BoolArray]:
-    """Boxes that may hold an equilibrium; and those of which lengths are proved to be positive, angles those of least turning."""
+    """Boxes that may hold an equilibrium; and those of which lengths are proved to be positive,
+    angles those of least turning.
+    """
     possible = np.ones((2, ends.shape[2]), dtype=np.bool_)
     if system.turns:
         angle = Intervals(ends[:, 0])
@@ -350,7 +379,9 @@ def _are_equilibria(system: Polar, ends: FloatArray) -> tuple[BoolArray, BoolArr
 
 
 def _apart(found: Roots, around: FloatArray) -> Roots:
-    """Roots of the region, each in a box of its own; those in boxes that meet are among what is left."""
+    """Roots of the region, each in a box of its own; those in boxes that meet are among what is
+    left.
+    """
     found = found.kept(np.lexsort((-found.ends[0, 0], found.point)))
     found = found.kept(~contractors.apart(found.ends, around[:, :, found.point]))
     roots, point = found.ends, found.point

@@ -1,10 +1,13 @@
-"""Acceptance of what a search finds: with many digits near folds and cusps, on one side of the contact's border, within one turn.
+"""Acceptance of what a search finds: with many digits near folds and cusps, on one side of the
+contact's border, within one turn.
 
-What float64 does not decide is decided by the balance of forces with many digits, at one point of parameters.
+What float64 does not decide is decided by the balance of forces with many digits, at one point of
+parameters.
 
-A search excludes boxes that lie beyond the border; a box that meets it may hold a root on either side. So the sign of the gap is
-proved at the root itself: over the box in which it is known to floats, and where that meets the border over one of many digits.
-What digits do not tell from a root on the border is among the boxes that are left.
+A search excludes boxes that lie beyond the border; a box that meets it may hold a root on either
+side. So the sign of the gap is proved at the root itself: over the box in which it is known to
+floats, and where that meets the border over one of many digits. What digits do not tell from a root
+on the border is among the boxes that are left.
 """
 
 from collections.abc import Sequence
@@ -46,7 +49,9 @@ END = BEGIN + TURN
 def refined(
     system: StateSystem, given: FloatArray, found: Roots, among: BoolArray | bool = False
 ) -> Roots:
-    """Roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among`` them."""
+    """Roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among``
+    them.
+    """
     ends = found.ends.copy()
     for root in np.flatnonzero(~(found.error <= TOLERANCE) | among):
         box = narrowed(
@@ -95,7 +100,9 @@ def settled_by_digits(
 
 
 def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
-    """What many digits tell of a cluster; where they leave something, roots that are known already, to few digits."""
+    """What many digits tell of a cluster; where they leave something, roots that are known already,
+    to few digits.
+    """
     inside = contractors.within(found.ends, hull[:, :, None])
     if (
         not part.left.shape[2]
@@ -107,7 +114,9 @@ def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
 
 
 def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: int = 0) -> Roots:
-    """Roots of a system in a cluster, at one point of that number, with more bits if fewer leave something."""
+    """Roots of a system in a cluster, at one point of that number, with more bits if fewer leave
+    something.
+    """
     cluster = cluster + (0.25 * width_of(cluster) + 1e-9)
     middle = Intervals(cluster).middle
     with quiet():
@@ -129,7 +138,8 @@ def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: 
 
 
 def clusters(boxes: FloatArray, point: IntArray) -> tuple[FloatArray, IntArray]:
-    """Hulls of boxes of the same point, shape (2, n, N), that meet each other, until no two hulls meet; and the point of each.
+    """Hulls of boxes of the same point, shape (2, n, N), that meet each other, until no two hulls
+    meet; and the point of each.
 
     Two meet if one of them, widened by half of itself, meets the other.
     """
@@ -157,7 +167,8 @@ def _around(boxes: FloatArray) -> FloatArray:
 
 
 def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
-    """Roots on the side of the border that was asked for; those that may lie on it among the boxes that are left.
+    """Roots on the side of the border that was asked for; those that may lie on it among the boxes
+    that are left.
 
     ``given`` are parameters, shape (parameters, points).
     """
@@ -182,7 +193,9 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
 def on_side(
     system: StateSystem, parameters: Intervals, ends: FloatArray
 ) -> tuple[BoolArray, BoolArray]:
-    """Boxes, shape (2, n, N), that lie on the side asked for, its border included, and boxes that lie beyond it."""
+    """Boxes, shape (2, n, N), that lie on the side asked for, its border included, and boxes that
+    lie beyond it.
+    """
     with quiet():
         return system.state(Intervals(ends), parameters).beside_border()
 
@@ -190,7 +203,8 @@ def on_side(
 def once_around(around: Sequence[int], found: Roots) -> Roots:
     """Roots and boxes that are left, without those whose image after a turn is there too.
 
-    What meets an end of the turn itself, of which this can't be said, is among the boxes that are left.
+    What meets an end of the turn itself, of which this can't be said, is among the boxes that are
+    left.
     """
     if not around:
         return found
@@ -200,7 +214,9 @@ def once_around(around: Sequence[int], found: Roots) -> Roots:
 
 
 def _parted(ends: FloatArray, around: Sequence[int]) -> tuple[BoolArray, BoolArray]:
-    """Boxes that lie beyond the turn with one of these unknowns, and boxes that meet an end of it."""
+    """Boxes that lie beyond the turn with one of these unknowns, and boxes that meet an end of
+    it.
+    """
     low, high = -ends[0, around], ends[1, around]
     beyond = np.logical_or.reduce((low > END) | (high < BEGIN))
     across = np.logical_or.reduce((low <= END) & (high >= END) | (low <= BEGIN) & (high >= BEGIN))

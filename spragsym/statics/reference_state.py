@@ -1,7 +1,8 @@
-"""The reference state, that of small deformation, from which a state is followed unless another one is chosen; the states' order.
+"""The reference state, that of small deformation, from which a state is followed unless another one
+is chosen; the states' order.
 
-Which is "the smallest" or "the nearest" state, and which the first, does not depend on rounding where two are alike to within
-their errors.
+Which is "the smallest" or "the nearest" state, and which the first, does not depend on rounding
+where two are alike to within their errors.
 """
 
 from collections.abc import Mapping, Sequence
@@ -28,24 +29,29 @@ from ..results import Equilibria, Stability
 from .equilibria import equilibria
 from .namespaces import XP
 
-#: Strain energies that differ by less than this, relative to the largest, are equal: those of mirror images differ by rounding.
+#: Strain energies that differ by less than this, relative to the largest, are equal: those of
+#: mirror images differ by rounding.
 EQUAL_ENERGIES = 1e-9
 #: Least eigenvalue of a stiffness, over the largest, that counts as positive.
 POSITIVE = 1e-6
-#: Numbers that differ by less than so many bounds of their errors are taken as alike: their sizes and distances are rounded, too.
+#: Numbers that differ by less than so many bounds of their errors are taken as alike: their sizes
+#: and distances are rounded, too.
 ALIKE = 8.0
 #: Numbers that differ by less than this, over 1 and their size, are equal.
 EQUAL = 1e-12
 
 
 def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> IndexArray:
-    """The slot of the stable equilibrium of least strain energy, for each point; where none is stable, of any of least strain.
+    """The slot of the stable equilibrium of least strain energy, for each point; where none is
+    stable, of any of least strain.
 
-    ``eq`` is in contact, of any shape, slots are the last axis; ``near`` are coordinates to which it is the nearest, instead.
-    Strain energy is that of springs, torsion springs, contact and the page's potentials, without applied forces. Where it is
-    convex at the origin of the coordinates, it is taken to second order there, so that a spring that flipped over, as that of a
-    truss which snapped, counts as deformed though it may be relaxed again. Of equal energies, as those of mirror images, the
-    state of smaller first coordinate is taken, by size, then the one of larger coordinates.
+    ``eq`` is in contact, of any shape, slots are the last axis; ``near`` are coordinates to which
+    it is the nearest, instead. Strain energy is that of springs, torsion springs, contact and the
+    page's potentials, without applied forces. Where it is convex at the origin of the coordinates,
+    it is taken to second order there, so that a spring that flipped over, as that of a truss which
+    snapped, counts as deformed though it may be relaxed again. Of equal energies, as those of
+    mirror images, the state of smaller first coordinate is taken, by size, then the one of larger
+    coordinates.
     """
     q = list(eq.coordinates.values())
     stable = eq.stability == Stability.STABLE
@@ -54,7 +60,9 @@ def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> 
 
 
 def taken_up(p: ParameterSet, near: Mapping[str, float] | None, where: str) -> FloatArray:
-    """Coordinates of the reference state of one point; an error, which says ``where``, if none is known to be stable."""
+    """Coordinates of the reference state of one point; an error, which says ``where``, if none is
+    known to be stable.
+    """
     eq = equilibria(p)
     if not eq.decided or not (eq.stability == Stability.STABLE).any():
         raise ConvergenceError(f"no state {where}")
@@ -68,7 +76,9 @@ def nearest_state(
     among: BoolArray | bool = True,
     error: float | FloatArray = 0.0,
 ) -> IndexArray:
-    """The slot of the equilibrium that is nearest to a state, for each point, among all or some; distances have these errors."""
+    """The slot of the equilibrium that is nearest to a state, for each point, among all or some;
+    distances have these errors.
+    """
     q = [eq.coordinates[name] for name in near]
     return _nearest(
         q,
@@ -91,7 +101,9 @@ def chosen_state(
     among: BoolArray,
     near: Mapping[str, float] | None,
 ) -> IndexArray:
-    """The chosen state from coordinates, slots last, bounds on their errors, and the slots to choose from."""
+    """The chosen state from coordinates, slots last, bounds on their errors, and the slots to
+    choose from.
+    """
     model = p.model
     if near is not None:
         return _nearest(
@@ -128,10 +140,12 @@ def chosen_state(
 
 
 def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> IndexArray:
-    """The slot of the least measure, and of those that are alike the one of larger coordinates, the first one first.
+    """The slot of the least measure, and of those that are alike the one of larger coordinates, the
+    first one first.
 
-    ``measure`` and ``error``, bounds over max(1, |coordinate|), have the shape (..., slots), the coordinates ``states`` have
-    (n, ..., slots); slots that are not asked for have an infinite measure.
+    ``measure`` and ``error``, bounds over max(1, |coordinate|), have the shape (..., slots), the
+    coordinates ``states`` have (n, ..., slots); slots that are not asked for have an infinite
+    measure.
 
     Examples
     --------
@@ -150,10 +164,12 @@ def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> In
 
 
 def in_order(rows: FloatArray, error: FloatArray, point: IntArray) -> IndexArray:
-    """Numbers of states of some points in their order: by the rows from the first on, of which those that agree decide nothing.
+    """Numbers of states of some points in their order: by the rows from the first on, of which
+    those that agree decide nothing.
 
-    Two states that mirror each other have equal coordinates, of which rounding would make a first and a second. ``rows`` are
-    coordinates, shape (n, states), ``error`` bounds over max(1, |coordinate|); states of one ``point`` are compared.
+    Two states that mirror each other have equal coordinates, of which rounding would make a first
+    and a second. ``rows`` are coordinates, shape (n, states), ``error`` bounds over max(1,
+    |coordinate|); states of one ``point`` are compared.
     """
     keys = []
     for row in rows:

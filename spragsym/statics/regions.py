@@ -1,16 +1,18 @@
-"""A box of coordinates that holds all equilibria: springs to ground and inclined springs pull back harder than all else pushes.
+"""A box of coordinates that holds all equilibria: springs to ground and inclined springs pull back
+harder than all else pushes.
 
-A spring's force is its stiffness times the vector between its ends, linear in the coordinates, less its stiffness times its
-undeformed length along a unit vector, which is bounded. So with unit vectors left free in [−1, 1]² the balance bounds the
-coordinates.
+A spring's force is its stiffness times the vector between its ends, linear in the coordinates, less
+its stiffness times its undeformed length along a unit vector, which is bounded. So with unit
+vectors left free in [−1, 1]² the balance bounds the coordinates.
 
-A torsion spring pulls across its line with k_t φ/l, |φ| ≤ π. Either l is less than 1 (:data:`LENGTH`), and the mass is that near
-to the anchor, or the force is at most k_t π, and the coordinates are bounded as without it. The hull of both holds all
-equilibria.
+A torsion spring pulls across its line with k_t φ/l, |φ| ≤ π. Either l is less than 1
+(:data:`LENGTH`), and the mass is that near to the anchor, or the force is at most k_t π, and the
+coordinates are bounded as without it. The hull of both holds all equilibria.
 
-Where the gap of a contact is an expression, it has both signs over a wide box, and a law that hardens makes a large negative
-force of depths that no state in contact has. There the depth is cut off at 0, and the contact's force is a number of its own
-beside the forces of lift-off. So no slope is needed of what is cut off, which has none at the border.
+Where the gap of a contact is an expression, it has both signs over a wide box, and a law that
+hardens makes a large negative force of depths that no state in contact has. There the depth is cut
+off at 0, and the contact's force is a number of its own beside the forces of lift-off. So no slope
+is needed of what is cut off, which has none at the border.
 """
 
 from __future__ import annotations
@@ -39,7 +41,8 @@ from .namespaces import FREE
 
 #: The plane, as far as it is looked at.
 FAR = 1e60
-#: Half-width of the region where no bound can be shown, in units of the largest length of the model.
+#: Half-width of the region where no bound can be shown, in units of the largest length of the
+#: model.
 NEAR = 10.0
 #: Bound on these lengths, and on what proved parts of a range may widen the region by.
 FARTHEST, MOST = 1e6, 10.0
@@ -47,20 +50,23 @@ FARTHEST, MOST = 1e6, 10.0
 PIECES = 7
 #: What the region is wider than it had to be, at each end.
 ROOM = 1e-6
-#: Length of the line of a torsion spring from which on its force is bounded, in units of the scale of length.
+#: Length of the line of a torsion spring from which on its force is bounded, in units of the scale
+#: of length.
 LENGTH = 1.0
 #: Upper bound of the angle that it turns by.
 HALF_TURN = 3.1415926535897936
 #: Rounds of contraction: each row bounds its coordinate from those that are bounded already.
 ROUNDS = 200
-#: No more rounds where one leaves so much of all widths: before all are bounded, and then, since the search contracts on its own.
+#: No more rounds where one leaves so much of all widths: before all are bounded, and then, since
+#: the search contracts on its own.
 ENOUGH, BOUNDED = 0.999, 0.8
 
 
 def region(
     balance: Balance, bounds: Intervals, asked: FloatArray | None = None
 ) -> tuple[FloatArray, BoolArray]:
-    """A box for each point, as −low and high, shape (2, n, N), and whether each is proved to hold all equilibria of its point.
+    """A box for each point, as −low and high, shape (2, n, N), and whether each is proved to hold
+    all equilibria of its point.
 
     ``bounds`` are parameters, shape (P, N), ``asked`` is the box from :func:`by_hand`.
     """
@@ -81,7 +87,8 @@ def region(
     whole: BoolArray = proved & (wider <= box).all(axis=(0, 1))
     given = np.asarray(np.isfinite(asked).all(axis=0))[:, None]
     both = np.minimum(wider, box)
-    # Where the forces bound nothing, and where they show that nothing is in the box, it is looked at as it is.
+    # Where the forces bound nothing, and where they show that nothing is in the box, it is looked
+    # at as it is.
     apart = ~proved | (width_of(both) < 0).any(axis=0)
     return np.where(given & apart, box, both), whole
 
@@ -102,7 +109,8 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArr
         parameters = balance.prepared(bounds)
         border = np.broadcast_to(balance.border[:, :, None], (2, balance.n, count))
         ends = np.minimum(FAR, border)
-        # A force that nothing can balance, wherever the mass is: the sum of a row that is NaN holds everything.
+        # A force that nothing can balance, wherever the mass is: the sum of a row that is NaN holds
+        # everything.
         nowhere = ~np.logical_and.reduce(
             balance.residuals(Intervals(ends), parameters).holds_zero()
         )
@@ -132,7 +140,9 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArr
 def _in_pieces(
     balance: Balance, bounds: Intervals, known: FloatArray
 ) -> tuple[FloatArray, BoolArray]:
-    """Regions of boxes of parameters, as hulls over parts of these; by scales where there is no bound."""
+    """Regions of boxes of parameters, as hulls over parts of these; by scales where there is no
+    bound.
+    """
     count = bounds.shape[1]
     by_scales = np.where(
         known < FAR * 1e-6,
@@ -163,7 +173,9 @@ def _halved(bounds: Intervals, row: int) -> Intervals:
 
 
 def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
-    """For each point the largest length of the model: of springs, to anchors, to where forces balance; at least 1."""
+    """For each point the largest length of the model: of springs, to anchors, to where forces
+    balance; at least 1.
+    """
     scale = np.ones(bounds.shape[1])
     origin = np.zeros((balance.n, bounds.shape[1]))
     with quiet():
@@ -184,7 +196,9 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
 
 
 def _any_direction(balance: Balance, count: int) -> list[Intervals]:
-    """Cosines, sines and lengths of all lines, and angles by which torsion springs turn, as far as they can be."""
+    """Cosines, sines and lengths of all lines, and angles by which torsion springs turn, as far as
+    they can be.
+    """
     directions = [Intervals(np.ones((2, count))) for _ in range(3 * balance.springs)]
     for place in range(balance.springs):
         shortest = LENGTH if place in balance.torsions else 0.0
@@ -193,7 +207,9 @@ def _any_direction(balance: Balance, count: int) -> list[Intervals]:
 
 
 def _near_anchors(at: State, ends: FloatArray) -> FloatArray:
-    """Hull of the places where a torsion spring's line is shorter than :data:`LENGTH`; without bounds where that is not known."""
+    """Hull of the places where a torsion spring's line is shorter than :data:`LENGTH`; without
+    bounds where that is not known.
+    """
     balance = at.balance
     hull = np.full(ends.shape, -np.inf)
     for spring in balance.torsions:
@@ -210,7 +226,9 @@ def _near_anchors(at: State, ends: FloatArray) -> FloatArray:
 
 
 class _Pressed:
-    """``pushing`` = 1 in generated functions, whose depth (1 − pushing)² TOUCH − pushing · gap is then cut off at 0."""
+    """``pushing`` = 1 in generated functions, whose depth (1 − pushing)² TOUCH − pushing · gap is
+    then cut off at 0.
+    """
 
     def __mul__(self, other: Any) -> Any:
         return other
@@ -245,7 +263,9 @@ def _cut_off(value: Intervals) -> Intervals:
 
 
 def _presses(balance: Balance) -> bool:
-    """Whether the contact opens, its gap is an expression, and no state beyond the border counts."""
+    """Whether the contact opens, its gap is an expression, and no state beyond the border
+    counts.
+    """
     return (
         balance.contact
         and balance.opens
@@ -255,11 +275,14 @@ def _presses(balance: Balance) -> bool:
 
 
 def _by_contact_force(at: State) -> FloatArray:
-    """Smaller boxes with the same states in contact: each coordinate from its row, with cosines and sines left free."""
+    """Smaller boxes with the same states in contact: each coordinate from its row, with cosines and
+    sines left free.
+    """
     at = replace(at, xp=FREE)
     shape = at.shape
     force = _cut_off(as_intervals(at.contact_force(_Pressed()), shape))
-    # Slopes by pushing, where that is 0: the force of a touch, and what of it goes along each coordinate.
+    # Slopes by pushing, where that is 0: the force of a touch, and what of it goes along each
+    # coordinate.
     pushing = jets.Jet.variable(Intervals(np.zeros((2, *shape))), 0, 1)
     touch = jets.gradient(at.contact_force(pushing), 1)[0]
     along = stacked([jets.gradient(row, 1)[0] / touch for row in at.rows("forces", pushing)], shape)
@@ -273,7 +296,9 @@ def _by_contact_force(at: State) -> FloatArray:
 
 
 def _closed(at: State) -> FloatArray:
-    """Smaller boxes with all points of a gap ≤ 0: each coordinate from the gap's slopes by it and the others."""
+    """Smaller boxes with all points of a gap ≤ 0: each coordinate from the gap's slopes by it and
+    the others.
+    """
     near, ends = at.box.nearest_to_zero, at.box.ends
     at_near, slopes, *_ = linear(replace(at, xp=FREE), near, lambda at: [at.gap()])
     shift = at.box - Intervals.point(near)
@@ -290,7 +315,9 @@ def _closed(at: State) -> FloatArray:
 
 
 def _balancing(force: Intervals, apart: Intervals, along: Intervals) -> Intervals:
-    """What is left of the contact's force where it balances the others in each row that it has a known direction in."""
+    """What is left of the contact's force where it balances the others in each row that it has a
+    known direction in.
+    """
     ends = force.ends
     for row in range(apart.shape[0]):
         other = (-apart[row] / along[row]).ends

@@ -1,4 +1,6 @@
-"""All equilibria of any model by a search over boxes, proved, with bounds on their errors; what is undecided, in plain words."""
+"""All equilibria of any model by a search over boxes, proved, with bounds on their errors; what is
+undecided, in plain words.
+"""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -38,9 +40,11 @@ from .reference_state import in_order
 from .regions import by_hand, region
 from .states import Held
 
-#: Relative width of boxes down to which a point is searched; what is left is looked at with many digits.
+#: Relative width of boxes down to which a point is searched; what is left is looked at with many
+#: digits.
 NARROW = 2.0**-19
-#: Boxes of a point that a search leaves where roots form a line: they are told as the one box around them.
+#: Boxes of a point that a search leaves where roots form a line: they are told as the one box
+#: around them.
 ALL_OVER = 2000
 #: Boxes of a point that are looked at where floats only look for what is there.
 SEEN_BUDGET = 8000
@@ -64,7 +68,8 @@ def balance_of(model: Model, contact: bool) -> Balance:
     """The balance in contact or in lift-off, if there is one."""
     if not isinstance(contact, int | np.bool_) or contact not in (0, 1):
         raise ParameterTypeError(
-            f"contact = {contact!r:.60} is neither True, for states in contact, nor False, for lift-off"
+            f"contact = {contact!r:.60} is neither True, for states in contact, nor False, "
+            "for lift-off"
         )
     balance = Balance(model, bool(contact))
     if not contact and not balance.opens:
@@ -81,9 +86,11 @@ def balance_of(model: Model, contact: bool) -> Balance:
 
 @question
 def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
-    """Slots of motions that have come to rest, among the equilibria at the friction μ(V); −1 where there is none.
+    """Slots of motions that have come to rest, among the equilibria at the friction μ(V); −1 where
+    there is none.
 
-    ``places`` are the coordinates of each, in the shape of ``p`` behind the first axis; NaN for motions that do not rest.
+    ``places`` are the coordinates of each, in the shape of ``p`` behind the first axis; NaN for
+    motions that do not rest.
     """
     places = np.broadcast_to(
         places, (len(places), *np.broadcast_shapes(p.shape, np.shape(places)[1:]))
@@ -118,7 +125,9 @@ def columns(p: Any, names: list[str]) -> FloatArray:
 
 
 def seen(balance: Balance, given: FloatArray, asked: FloatArray | None) -> Roots:
-    """The roots of all points that one search in floats decides, on either side of the border; those it leaves are missing."""
+    """The roots of all points that one search in floats decides, on either side of the border;
+    those it leaves are missing.
+    """
     around, _ = region(balance, Intervals.point(given), asked)
     return certified_roots.search(balance, around, given, given, budget=SEEN_BUDGET)
 
@@ -126,7 +135,9 @@ def seen(balance: Balance, given: FloatArray, asked: FloatArray | None) -> Roots
 def solved(
     balance: Balance, given: FloatArray, asked: FloatArray | None = None
 ) -> tuple[Roots, FloatArray, BoolArray]:
-    """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by hand."""
+    """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by
+    hand.
+    """
     around, whole = region(balance, Intervals.point(given), asked)
     turned, turning = turned_points(balance, given, around)
     stiff, done = stiff_points(balance, given, around)
@@ -143,7 +154,9 @@ def _in_slots(found: Roots) -> tuple[Roots, IntArray]:
 
 
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
-    """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
+    """The roots of all points by a search over boxes, and what that leaves open in polar
+    coordinates and with many digits.
+    """
     if not given.shape[1]:
         return Roots.none(balance.n)
     found = certified_roots.search(balance, around, given, given, narrow=NARROW)
@@ -203,15 +216,33 @@ def _arranged(
     return Equilibria(p, balance.contact, counts, known, undecided, remarks, Held(made, found.ends))
 
 
-ANCHOR = "at the anchor of a spring, where its force has no value: an equilibrium may be nearer to it than floats tell"
-POLE = "at an end of a spring that resists turning: its force has no bound there, and no search decides what is beside it"
-BORDER = "where the contact just touches: whether what is there lies on this side of the border is not known"
+ANCHOR = (
+    "at the anchor of a spring, where its force has no value: an equilibrium may be nearer to it "
+    "than floats tell"
+)
+POLE = (
+    "at an end of a spring that resists turning: its force has no bound there, and no search "
+    "decides what is beside it"
+)
+BORDER = (
+    "where the contact just touches: whether what is there lies on this side of the border is not "
+    "known"
+)
 PLACE = (
     "no wider than one place is to floats: a double root may be there, two very near ones, or none"
 )
-LINE = "where the equations nearly hold: a line of roots, a degenerate one as of a pitchfork that changes its side, or none"
-FREE = "along which no force acts on one of the coordinates at these parameters: a line of states, or none"
-WIDE = "left from a search that ended before it was small enough to be decided: a smaller range or a smaller box helps"
+LINE = (
+    "where the equations nearly hold: a line of roots, a degenerate one as of a pitchfork that "
+    "changes its side, or none"
+)
+FREE = (
+    "along which no force acts on one of the coordinates at these parameters: a line of states, "
+    "or none"
+)
+WIDE = (
+    "left from a search that ended before it was small enough to be decided: a smaller range or a "
+    "smaller box helps"
+)
 
 
 def summed(kinds: Sequence[str]) -> tuple[str, ...]:
@@ -228,8 +259,9 @@ def kinds_of(
 ) -> list[str]:
     """Kind of each box: where it is, and what is known of it.
 
-    ``given`` are parameters, shape (parameters, boxes), ``left`` −low and high of the unknowns, shape (2, unknowns, boxes):
-    coordinates, and behind them parameters that vary, which ``varied`` has by their names.
+    ``given`` are parameters, shape (parameters, boxes), ``left`` −low and high of the unknowns,
+    shape (2, unknowns, boxes): coordinates, and behind them parameters that vary, which ``varied``
+    has by their names.
     """
     count, n = left.shape[2], balance.n
     if not count:
@@ -263,7 +295,9 @@ def kinds_of(
 
 
 def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[str, ...]:
-    """Said where a region is not proved to hold all equilibria; ``region`` as −low and high, shape (2, n, points)."""
+    """Said where a region is not proved to hold all equilibria; ``region`` as −low and high, shape
+    (2, n, points).
+    """
     if whole.all():
         return ()
     open_ = np.flatnonzero(~whole)
@@ -285,7 +319,9 @@ def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[s
 
 
 def of_ranges(cut: Sequence[str], names: Sequence[str], ends: FloatArray) -> tuple[str, ...]:
-    """Remarks on the parameters ``cut``, whose ranges have no end: up to where they were searched; all ``ends``, (number, 2)."""
+    """Remarks on the parameters ``cut``, whose ranges have no end: up to where they were searched;
+    all ``ends``, (number, 2).
+    """
     return tuple(
         Remark(
             "searched {}, a part of its range, which has no end; there may be others beyond it",

@@ -1,9 +1,12 @@
-"""Type of an equilibrium by the roots λ of its linearization, with and without damping, and what damps a model.
+"""Type of an equilibrium by the roots λ of its linearization, with and without damping, and what
+damps a model.
 
-Types are told by signs that are proved: whether all roots κ = −λ² of det(K − κ M) are real, and whether one is negative. All are
-real where the leading minors of the Hankel matrix of their sums of powers are positive, and not all where one is negative
-(Hermite); where K is symmetric they are in any case. Of a polynomial whose roots are all real, one is negative just if one of
-their elementary symmetric functions is. Signs come from intervals around the state, and where these hold 0 from many digits.
+Types are told by signs that are proved: whether all roots κ = −λ² of det(K − κ M) are real, and
+whether one is negative. All are real where the leading minors of the Hankel matrix of their sums of
+powers are positive, and not all where one is negative (Hermite); where K is symmetric they are in
+any case. Of a polynomial whose roots are all real, one is negative just if one of their elementary
+symmetric functions is. Signs come from intervals around the state, and where these hold 0 from many
+digits.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -58,15 +61,17 @@ class Linearized:
     """N states by the full linearization, with dampers and the slope of the friction law."""
 
     growth: FloatArray  #: largest real part of the λ
-    sign: Int8Array  #: 1 where it is proved that something grows, −1 that nothing does, 0 where neither is
+    # 1 where it is proved that something grows, −1 that nothing does, 0 where neither is
+    sign: Int8Array
     eigenvalues: ComplexArray  #: all λ, shape (N, 2 n), by falling real part
 
     @property
     def damped(self) -> NDArray[np.str_]:
-        """``"decays"``, ``"grows"``, or ``"neutral"`` where the rate is below :data:`NEUTRAL` of the frequency.
+        """``"decays"``, ``"grows"``, or ``"neutral"`` where the rate is below :data:`NEUTRAL` of
+        the frequency.
 
-        That is the one of the λ of the largest real part, or the lowest one where that λ does not oscillate. Empty where no float
-        holds the rate.
+        That is the one of the λ of the largest real part, or the lowest one where that λ does not
+        oscillate. Empty where no float holds the rate.
         """
         frequency = np.abs(self.eigenvalues.imag)
         frequency = np.where(frequency > REAL * np.abs(self.eigenvalues), frequency, np.inf)
@@ -80,9 +85,11 @@ class Linearized:
 def linearized(
     eq: Equilibria, states: tuple[IntArray, ...], around: FloatArray | None
 ) -> Linearized:
-    """The full linearization at some states, by their indices; ``around`` are boxes around all states, each alone in its own.
+    """The full linearization at some states, by their indices; ``around`` are boxes around all
+    states, each alone in its own.
 
-    Source: det(λ² M + λ C + K) = 0; whether something grows by Hurwitz's determinants, see :func:`decay`.
+    Source: det(λ² M + λ C + K) = 0; whether something grows by Hurwitz's determinants, see
+    :func:`decay`.
     """
     balance = Balance(eq.parameters.model, eq.contact)
     columns = (
@@ -135,10 +142,11 @@ def _linearized(
 def classified(
     balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray
 ) -> tuple[Int8Array, BoolArray, ComplexArray]:
-    """Codes of :class:`spragsym.Stability`, whether each is proved; and the 2 n roots without damping, floats.
+    """Codes of :class:`spragsym.Stability`, whether each is proved; and the 2 n roots without
+    damping, floats.
 
-    States have the shape (n, N), parameters (P, N), boxes ``ends`` with one equilibrium each (2, n, N). A sign that is not known
-    counts as that of 0.
+    States have the shape (n, N), parameters (P, N), boxes ``ends`` with one equilibrium each (2, n,
+    N). A sign that is not known counts as that of 0.
     """
     with quiet():
         elementary, minors, conservative = _over(balance, balance.prepared_at(given), ends)
@@ -153,7 +161,9 @@ def classified(
 
 
 def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> ComplexArray:
-    """The roots of det(λ² M + λ C + K), of matrices of shape (…, n, n); NaN where an entry is not finite."""
+    """The roots of det(λ² M + λ C + K), of matrices of shape (…, n, n); NaN where an entry is not
+    finite.
+    """
     n = M.shape[-1]
     zero, unit = np.zeros_like(M), np.broadcast_to(np.eye(n), M.shape)
     companion = np.block([[zero, unit], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
@@ -193,7 +203,9 @@ def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
 
 
 def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray:
-    """Boxes of coordinates and prepared parameters all over which all κ are proved to be real, those that meet included."""
+    """Boxes of coordinates and prepared parameters all over which all κ are proved to be real,
+    those that meet included.
+    """
     _, minors, conservative = _over(balance, parameters, ends)
     return np.asarray(conservative | (minors > 0).all(axis=0))
 
@@ -201,21 +213,27 @@ def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray
 def _over(
     balance: Balance, parameters: Intervals, ends: FloatArray
 ) -> tuple[Int8Array, Int8Array, BoolArray]:
-    """Signs of the elementary symmetric functions and of Hermite's minors over boxes, and where K is symmetric."""
+    """Signs of the elementary symmetric functions and of Hermite's minors over boxes, and where K
+    is symmetric.
+    """
     at = balance.state(Intervals(ends), parameters)
     elementary, minors = _signs_over(at, _types)
     return elementary, minors, without_flutter(balance, parameters)
 
 
 def without_flutter(balance: Balance, parameters: Intervals) -> BoolArray:
-    """Parameters, of shape (…, N), for which all κ are real whatever the state is: K is symmetric, or one number."""
+    """Parameters, of shape (…, N), for which all κ are real whatever the state is: K is symmetric,
+    or one number.
+    """
     shape = parameters.shape[1:]
     friction = as_intervals(balance.at((), balance.arguments(parameters), shape).friction, shape)
     return _all_real(balance, friction.magnitude <= NOTHING)
 
 
 def _all_real(balance: Balance, frictionless: BoolArray) -> BoolArray:
-    """:func:`without_flutter`: without friction K is symmetric if the page's other forces have a potential."""
+    """:func:`without_flutter`: without friction K is symmetric if the page's other forces have a
+    potential.
+    """
     lifted_off = balance.opens and not balance.contact
     return (balance.model.about["symmetric"] & (frictionless | lifted_off)) | (balance.n == 1)
 
@@ -223,13 +241,15 @@ def _all_real(balance: Balance, frictionless: BoolArray) -> BoolArray:
 def decay(
     balance: Balance, given: FloatArray, ends: FloatArray, undamped: Int8Array, growth: FloatArray
 ) -> Int8Array:
-    """What all λ of det(λ² M + λ C + K) = 0 do: 1 where it is proved that none grows, −1 that one does, 0 where it is not known.
+    """What all λ of det(λ² M + λ C + K) = 0 do: 1 where it is proved that none grows, −1 that one
+    does, 0 where it is not known.
 
-    All decay just where the coefficients of that polynomial and Hurwitz's determinants are positive; where one of these is
-    negative some λ has a positive real part, since without such all would be limits of positive ones. Where these are not told
-    from 0, as of damping that is next to nothing, the same test right of half the ``growth`` of floats tells that one grows.
-    Arguments as for :func:`classified`; ``undamped`` says the same of λ² M + K, which counts where C is 0: there every second
-    coefficient is 0.
+    All decay just where the coefficients of that polynomial and Hurwitz's determinants are
+    positive; where one of these is negative some λ has a positive real part, since without such all
+    would be limits of positive ones. Where these are not told from 0, as of damping that is next to
+    nothing, the same test right of half the ``growth`` of floats tells that one grows. Arguments as
+    for :func:`classified`; ``undamped`` says the same of λ² M + K, which counts where C is 0: there
+    every second coefficient is 0.
     """
 
     def asked(shift: Any) -> Ask:
@@ -268,13 +288,17 @@ def _routh_twice(shift: Any, M: Matrix, C: Matrix, K: Matrix) -> Matrix:
 
 
 def _routh(M: Matrix, C: Matrix, K: Matrix) -> list[Any]:
-    """The coefficients, and all determinants of Hurwitz but the first and the last, which add nothing."""
+    """The coefficients, and all determinants of Hurwitz but the first and the last, which add
+    nothing.
+    """
     a = characteristic(K, C, M)
     return [*a, *(hurwitz(a, size) for size in range(2, len(a) - 1))]
 
 
 def _told_to_decay(signs: Sequence[Int8Array]) -> Int8Array:
-    """1 where nothing grows, −1 where something does, by the signs of :func:`_routh_twice`; of the second that it grows only."""
+    """1 where nothing grows, −1 where something does, by the signs of :func:`_routh_twice`; of the
+    second that it grows only.
+    """
     here, beyond = (
         np.where((part > 0).all(axis=0), 1, np.where((part < 0).any(axis=0), -1, 0))
         for part in signs
@@ -283,7 +307,9 @@ def _told_to_decay(signs: Sequence[Int8Array]) -> Int8Array:
 
 
 def invariants(K: Matrix, M: Matrix) -> Matrix:
-    """Elementary symmetric functions e₁ … eₙ of the κ, and the minors of sizes 2 to n of Hermite's matrix, of any number type."""
+    """Elementary symmetric functions e₁ … eₙ of the κ, and the minors of sizes 2 to n of Hermite's
+    matrix, of any number type.
+    """
     n = len(K)
     # det(K + κ M) = det M Π (κ_i + κ): the coefficient of κᵏ is e_{n−k} det M.
     coefficients = characteristic(K, M)
@@ -324,7 +350,9 @@ def _with_digits(
     among: BoolArray,
     ask: Callable[[int], Ask],
 ) -> Iterator[tuple[slice, list[Int8Array]]]:
-    """Signs by many digits for states ``among`` all, by row; none where the box of a state can't be made smaller."""
+    """Signs by many digits for states ``among`` all, by row; none where the box of a state can't be
+    made smaller.
+    """
     for row in np.flatnonzero(among).tolist():
         precise = PreciseBalance(balance, given[:, row], BITS)
         q = narrowed(precise, ends[:, :, row], ends[:, :, row])
@@ -334,7 +362,9 @@ def _with_digits(
 
 
 def type_at(precise: PreciseBalance, q: Sequence[Any]) -> Stability:
-    """The type of a state of balls; :class:`Undecided` where a sign that it takes is not decided."""
+    """The type of a state of balls; :class:`Undecided` where a sign that it takes is not
+    decided.
+    """
     balance, (elementary, minors) = precise.balance, _signs_at(precise, q, _types)
     low, high = balls.ends(as_balls([[precise.state(q).friction]], precise.bits)[0][0])
     code, proved = _told(elementary, minors, _all_real(balance, np.array([low == 0 == high])))
@@ -350,7 +380,8 @@ def _signs_at(precise: PreciseBalance, q: Sequence[Any], ask: Ask) -> list[Int8A
 
 
 def only_damped(balance: Balance, over: Intervals) -> int | None:
-    """The coordinate of the only entry of C that is not 0 by structure, on the diagonal; None if there is no such, or others.
+    """The coordinate of the only entry of C that is not 0 by structure, on the diagonal; None if
+    there is no such, or others.
 
     Dampers and slopes that are exactly 0 by the given parameters have no entry.
     """
@@ -381,7 +412,9 @@ def is_damped(balance: Balance, over: Intervals) -> bool:
 
 
 def damped_by_friction_alone(balance: Balance, over: Intervals) -> int | None:
-    """The coordinate that friction opposes, if nothing else damps for any parameter of the range; None if that is not known."""
+    """The coordinate that friction opposes, if nothing else damps for any parameter of the range;
+    None if that is not known.
+    """
     friction = balance.model.about["friction"]
     if friction is None or friction["along"] not in balance.coordinates:
         return None
@@ -400,6 +433,8 @@ def slope_over(balance: Balance, over: Intervals) -> Intervals:
 
 
 def is_conservative(balance: Balance, over: Intervals) -> bool:
-    """Whether all κ are real all over the ranges, whatever the state is: K is symmetric, or one number."""
+    """Whether all κ are real all over the ranges, whatever the state is: K is symmetric, or one
+    number.
+    """
     with quiet():
         return bool(without_flutter(balance, balance.prepared(over)).all())

@@ -1,4 +1,6 @@
-"""Sources of equilibria from columns already computed, and equilibria with single points decided."""
+"""Sources of equilibria from columns already computed, and equilibria with single points
+decided.
+"""
 
 from __future__ import annotations
 
@@ -50,7 +52,9 @@ class Held(Linearizing):
 def one_each(
     p: Any, places: Mapping[str, NDArray[Any]], stability: Int8Array, error: NDArray[Any] | float
 ) -> Equilibria:
-    """One state in contact of every point, known from elsewhere: columns of the shape of the points."""
+    """One state in contact of every point, known from elsewhere: columns of the shape of the
+    points.
+    """
     ones, known = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
     columns = {
         **places,

@@ -1,4 +1,6 @@
-"""The check: its rows, and that it goes red for every small change in what is printed or said about it."""
+"""The check: its rows, and that it goes red for every small change in what is printed or said about
+it.
+"""
 
 import dataclasses
 import importlib
@@ -41,7 +43,8 @@ def check_with(id: str, expression: article.Expression) -> Row:
     return check.check(dataclasses.replace(PRINTED[id], expression=expression), derived_forms()[id])
 
 
-# ------------------------------------------------------------------------------------------------------- rows
+# ------------------------------------------------------------------------------------------------
+# rows
 
 
 def test_every_printed_statement_has_a_row(rows: dict[str, Row]) -> None:
@@ -77,7 +80,8 @@ def test_rows_say_what_their_status_asks_for(rows: dict[str, Row]) -> None:
     assert re.search(r"x = 1\.217\d+", rows["eq-9"].consequence), "a number at the base values"
 
 
-# -------------------------------------------------------------------------- typesetting against transcription
+# -------------------------------------------------------------------------- typesetting against
+# transcription
 
 _ATOMS: dict[str, sp.Symbol] = {
     "x''": AX,
@@ -113,7 +117,8 @@ _ATOMS: dict[str, sp.Symbol] = {
     "k": nm.k,
     "m": nm.m_mass,
 }
-#: One letter for each: the parser knows neither σ nor all products without a sign; e, i, d, S mean something.
+#: One letter for each: the parser knows neither σ nor all products without a sign; e, i, d, S mean
+#: something.
 _LETTERS = dict(zip(_ATOMS, "ABCDFGHJKMOPQRTUVWXYZabcfghjkmpqrlvwz", strict=False))
 
 
@@ -150,7 +155,8 @@ def typeset(entry: Printed) -> tuple[sp.Expr, ...]:
     return (parse(sides[1]),) if is_definition else (parse(sides[0]) - parse(sides[1]),)
 
 
-# Cases, exp and sgn, the arrows of the scaling. Relations between whole matrices are printed as functions.
+# Cases, exp and sgn, the arrows of the scaling. Relations between whole matrices are printed as
+# functions.
 NOT_ALGEBRA = {"eq-7", "eq-10", "eq-29", "def-tau", "def-prime", "def-x", "def-y", "def-L"}
 
 
@@ -202,7 +208,8 @@ def test_the_right_form_is_typeset_as_it_is_transcribed(id: str) -> None:
     assert sp.expand(read - correction.expression) == 0
 
 
-# -------------------------------------------------------------------------------------------------- mutations
+# ------------------------------------------------------------------------------------------------
+# mutations
 
 #: What a compositor might set instead of each symbol.
 _SWAPS: dict[sp.Symbol, tuple[sp.Symbol, ...]] = {
@@ -243,7 +250,9 @@ _SWAPS: dict[sp.Symbol, tuple[sp.Symbol, ...]] = {
 
 
 def mutations(node: sp.Expr, in_exponent: bool = False) -> Iterator[tuple[str, sp.Expr]]:
-    """Each way to change one sign, one index, one exponent or one number of an expression, with a name."""
+    """Each way to change one sign, one index, one exponent or one number of an expression, with a
+    name.
+    """
     if node.is_Symbol:
         for other in _SWAPS[node]:
             yield f"{node} → {other}", other
@@ -266,7 +275,9 @@ def mutations(node: sp.Expr, in_exponent: bool = False) -> Iterator[tuple[str, s
 
 
 def rational_points(count: int = 4) -> Iterator[dict[sp.Symbol, sp.Rational]]:
-    """Random rationals for every symbol, on the unit circles, with b₁ … b₄ and Δ as they are defined."""
+    """Random rationals for every symbol, on the unit circles, with b₁ … b₄ and Δ as they are
+    defined.
+    """
     generator = random.Random(20200416)
 
     def rational() -> sp.Rational:
@@ -290,7 +301,9 @@ POINTS = tuple(rational_points())
 
 
 def same_numbers(left: sp.Expr, right: sp.Expr) -> bool:
-    """Whether two expressions agree at all random points, exactly or, with an exponential, to 40 digits."""
+    """Whether two expressions agree at all random points, exactly or, with an exponential, to 40
+    digits.
+    """
     for point in POINTS:
         gap = (left - right).xreplace(point)
         if gap != 0 if gap.is_Rational else abs(sp.N(gap, 50)) > sp.Float("1e-40"):
@@ -307,7 +320,9 @@ MUTATED = sorted(
 def mutated(
     id: str, components: tuple[sp.Expr, ...]
 ) -> Iterator[tuple[str, tuple[sp.Expr, ...], bool]]:
-    """Every mutation of a statement: name, changed components, and whether numbers say that it is neutral."""
+    """Every mutation of a statement: name, changed components, and whether numbers say that it is
+    neutral.
+    """
     for place, component in enumerate(components):
         for name, changed in mutations(component):
             neutral = same_numbers(component, changed)
@@ -321,12 +336,15 @@ def components_of(id: str) -> tuple[sp.Expr, ...]:
 
 @pytest.fixture
 def plain_differences(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Leave a difference that is not zero as it is: arranging it for the ledger takes most of the time."""
+    """Leave a difference that is not zero as it is: arranging it for the ledger takes most of the
+    time.
+    """
     derived_forms()
     monkeypatch.setattr(sp, "simplify", lambda expression: expression)
 
 
-#: Those that take long, by the same code as one of each kind, which CI runs: scalar, matrix, approximation, law, misprint.
+#: Those that take long, by the same code as one of each kind, which CI runs: scalar, matrix,
+#: approximation, law, misprint.
 LONG_ONES = (
     "def-n",
     "A11",
@@ -392,7 +410,8 @@ def test_every_mutation_of_a_right_form_is_caught(id: str, monkeypatch: pytest.M
         assert (row.status == check.FAILED) != same_numbers(right, changed), f"{id}: {name}"
 
 
-# ----------------------------------------------------------------------------------------------- explanations
+# -----------------------------------------------------------------------------------------------
+# explanations
 
 
 def test_an_approximation_that_does_not_vanish_fails() -> None:
@@ -407,7 +426,9 @@ C, A = explanations.CORRECTIONS, explanations.APPROXIMATIONS
 
 
 def test_evidence_feels_the_physics(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The second route feels a change of physics: without the preload its forces do not fit its energy."""
+    """The second route feels a change of physics: without the preload its forces do not fit its
+    energy.
+    """
     original = free_body.forces
 
     def without_preload(point: Any, *at: Any) -> Any:
@@ -436,7 +457,9 @@ def test_a_row_names_the_function_that_derives_it_and_that_function_names_the_ro
 
 
 def _names(text: str, asked: str) -> bool:
-    """Whether a number, ``(26)`` or ``(A3)`` or ``after (9)``, stands in a text, by itself or inside a range such as (1)–(11)."""
+    """Whether a number, ``(26)`` or ``(A3)`` or ``after (9)``, stands in a text, by itself or
+    inside a range such as (1)–(11).
+    """
     if asked in text:
         return True
     letter, number = re.fullmatch(r"(?:after )?\((A?)(\d+)\)", asked).groups()  # type: ignore[union-attr]

@@ -35,7 +35,8 @@ def value(id: str, name: str) -> Any:
     return record()[id]["values"][name]
 
 
-# ------------------------------------------------------------------- the article's balance, written by hand
+# ----------------------------------------------------------------- the article's balance, written
+# by hand
 
 
 def constants(
@@ -76,7 +77,9 @@ def counted(theta0: float, **p: float) -> int:
 
 
 def refined(unknowns: dict[str, float], orders: int, **fixed: Any) -> dict[str, mpmath.mpf]:
-    """The point near ``unknowns`` where the force along the belt and its first derivatives by θ are zero, to 30 digits."""
+    """The point near ``unknowns`` where the force along the belt and its first derivatives by θ are
+    zero, to 30 digits.
+    """
     with mpmath.workdps(40):
         exact = {name: mpmath.mpf(number) for name, number in (EXACT | fixed).items()}
 
@@ -100,7 +103,8 @@ def near(theta0_deg: float, **changes: float) -> float:
     return float(theta[i] + gap[i] / 2)
 
 
-# --------------------------------------------------------------------------------------------- folds and cusps
+# ---------------------------------------------------------------------------------------------
+# folds and cusps
 
 
 @pytest.mark.parametrize(
@@ -158,7 +162,9 @@ def test_cusp_by_residuals() -> None:
     ],
 )
 def test_yes_or_no_of_figures_8_to_10(name: str, id: str) -> None:
-    """At the critical value there is a cusp at μ₀ = 0.5; and each curve, followed by the nearest state, jumps or does not."""
+    """At the critical value there is a cusp at μ₀ = 0.5; and each curve, followed by the nearest
+    state, jumps or does not.
+    """
     critical = value(id, f"critical {name}")
     cusp = ss.cusps(ss.Parameters.article(**{name: critical}))
     at = int(np.argmin(np.abs(cusp.mu0 - 0.5)))
@@ -193,7 +199,8 @@ def test_bifurcation_set_by_counts() -> None:
             assert counts == set(value("fig-12-set", "equilibria on the two sides")), (angle, mu0)
 
 
-# ------------------------------------------------------------------------------------------------------- jumps
+# ------------------------------------------------------------------------------------------------
+# jumps
 
 
 @pytest.mark.thorough
@@ -240,7 +247,8 @@ def test_jumps_of_figure_13(id: str, name: str, theta0_deg: float, step: float) 
     assert (ss.equilibria(p.replace(mu0=alone)).count == 1).all()
 
 
-# --------------------------------------------------------------------------------------------------- stability
+# ------------------------------------------------------------------------------------------------
+# stability
 
 
 @pytest.mark.parametrize("sigma", [0.1, 1.0])
@@ -302,7 +310,8 @@ def test_lift_off() -> None:
     assert kind(spring_eigenvalues(x, y, theta0, contact=False, **BASE)) == ss.Stability.DIVERGENT
 
 
-# --------------------------------------------------------------------------------------------- counts and bounds
+# ---------------------------------------------------------------------------------------------
+# counts and bounds
 
 
 @pytest.mark.thorough
@@ -319,7 +328,9 @@ def test_one_or_three_by_companion_matrix() -> None:
 
 
 def test_equation_21_has_one_root_too_many() -> None:
-    """The quartic as the determinant condition |adj(D) b|² = det(D)², with NumPy's polynomials in L."""
+    """The quartic as the determinant condition |adj(D) b|² = det(D)², with NumPy's polynomials in
+    L.
+    """
     P = np.polynomial.Polynomial
     for angle, real, count in zip(
         *(value("claim-roots-of-21", name) for name in ("theta0_deg", "real roots", "equilibria")),
@@ -363,7 +374,8 @@ def test_contact_force_is_bounded() -> None:
     )
 
 
-# ------------------------------------------------------------------------------------------------- linear model
+# ------------------------------------------------------------------------------------------------
+# linear model
 
 
 def linear_stiffness(theta0: float, mu0: float) -> Any:
@@ -379,7 +391,8 @@ def test_critical_friction_of_the_linear_model() -> None:
     angles = np.linspace(1.29, 1.33, 801)
     critical = value("claim-mu-cr", "mu_cr")
     assert value("claim-mu-cr", "0.58 - mu_cr") == pytest.approx(0.58 - critical, abs=1e-12)
-    # det K is a + μ₀ b for each angle; the smallest −a/b with b < 0 is the friction at which a pole appears.
+    # det K is a + μ₀ b for each angle; the smallest −a/b with b < 0 is the friction at which a pole
+    # appears.
     at_zero, at_one = (
         [np.linalg.det(linear_stiffness(angle, mu0)) for angle in angles] for mu0 in (0.0, 1.0)
     )
@@ -422,7 +435,8 @@ def test_where_the_linear_model_is_good(mu0: float) -> None:
         assert abs(x - state[0]) / abs(state[0]) == pytest.approx(0.1, abs=1e-6)
 
 
-# ------------------------------------------------------------------------------------------------------ motion
+# ------------------------------------------------------------------------------------------------
+# motion
 
 
 def motion(
@@ -447,7 +461,9 @@ def test_friction_at_steady_sliding() -> None:
 
 
 def test_limit_cycle_by_another_integrator() -> None:
-    """One period from a late state of the motion leads back to it; the equilibrium's fastest mode grows as stated."""
+    """One period from a late state of the motion leads back to it; the equilibrium's fastest mode
+    grows as stated.
+    """
     late = simulate(
         ss.Parameters.article(theta0=np.radians(49)), V=0.5, d=10.0, t_end=8500.0
     ).after(8000.0)
@@ -528,7 +544,9 @@ def test_the_oscillation_far_below_the_fold() -> None:
 
 
 def test_equilibria_without_d() -> None:
-    """Their number by a companion matrix, in which there is no d; how the first grows with ours, by hand."""
+    """Their number by a companion matrix, in which there is no d; how the first grows with ours, by
+    hand.
+    """
     for degrees, count, x, growth in zip(
         *record()["fig-4-dry-friction"]["values"].values(), strict=True
     ):
@@ -538,7 +556,9 @@ def test_equilibria_without_d() -> None:
 
 @pytest.mark.validate
 def test_the_oscillation_under_dry_friction() -> None:
-    """One round by the event-driven driver leads back; what sticks does so for as long as is said."""
+    """One round by the event-driven driver leads back; what sticks does so for as long as is
+    said.
+    """
     found = record()["fig-7-dry-friction"]["values"]
     rounds = [*zip(found["theta0_deg"], found["periods"], strict=True), (60.0, found["its period"])]
     near: Any = (2.9429144682, 3.3611284180, 0.0, 0.3671196394)
@@ -554,7 +574,8 @@ def test_the_oscillation_under_dry_friction() -> None:
         )
 
 
-# ------------------------------------------------------------------------------------------------- the ledger
+# ------------------------------------------------------------------------------------------------
+# the ledger
 
 
 def test_cross_references() -> None:

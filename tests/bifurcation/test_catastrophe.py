@@ -15,7 +15,8 @@ from tests.oracles.families import random_fixed
 from tests.support import few
 
 BASE = ss.Parameters.article()
-#: Left fold and cusp as AUTO-07p prints them, right fold by Newton's method at 40 digits (stated by peers, degrees).
+#: Left fold and cusp as AUTO-07p prints them, right fold by Newton's method at 40 digits (stated by
+#: peers, degrees).
 AUTO_FOLD, AUTO_CUSP, NEWTON_RIGHT_FOLD = "44.559317703", "68.020958508", "155.059418789789"
 
 
@@ -24,7 +25,9 @@ def _counts(p: ss.Parameters) -> np.ndarray:
 
 
 def _derivatives(orders: int, *values: float) -> list[float]:
-    """Sizes of f and its derivatives by θ, from the balance of forces, at θ and the six parameters."""
+    """Sizes of f and its derivatives by θ, from the balance of forces, at θ and the six
+    parameters.
+    """
     with mpmath.workdps(60):
         theta, *given = (mpmath.mpf(float(value)) for value in values)
         return [
@@ -33,7 +36,8 @@ def _derivatives(orders: int, *values: float) -> list[float]:
         ]
 
 
-# --------------------------------------------------------------------------------------- residuals and other codes
+# -------------------------------------------------------------------------------------- residuals
+# and other codes
 
 
 @pytest.mark.parametrize("vary", NAMES)
@@ -56,7 +60,8 @@ def test_agreement_with_continuation_codes() -> None:
     assert abs(cusp.mu0[2] - 0.200931781805090) < 5e-16
 
 
-# ------------------------------------------------------------------------------------------- completeness
+# -------------------------------------------------------------------------------------------
+# completeness
 
 
 @pytest.mark.thorough
@@ -119,7 +124,8 @@ def test_surface_puts_equilibria_back() -> None:
     np.testing.assert_allclose(eq.x[rows, slot][clear], s.x[good][clear], atol=1e-6)
 
 
-# ------------------------------------------------------------------------------------------------------ paths
+# ------------------------------------------------------------------------------------------------
+# paths
 
 
 @pytest.mark.parametrize("vary", few(NAMES, "theta0"))
@@ -129,7 +135,8 @@ def test_paths_through_folds_are_those_of_a_creeping_particle(vary: str) -> None
 
 
 def _xs(p: ss.Parameters, values: list[float], **start: object) -> tuple[list[float], int]:
-    path = ss.quasi_static_path(p, "theta0", values, **start)  # type: ignore[arg-type]  # starts of several types
+    # starts of several types
+    path = ss.quasi_static_path(p, "theta0", values, **start)  # type: ignore[arg-type]
     return path.x.tolist(), len(path.jumps)
 
 
@@ -208,7 +215,8 @@ def test_a_pitchfork_along_beta_is_where_the_count_changes() -> None:
         assert (ss.folds(p, vary).kind == "fold").all()
 
 
-# cos θ₀ = 0, sin θ₀ = 0, sin θ = 0, cos θ = 0 on a cusp, α = 1 + β, α = σ. A pair that meets its mirror image there counts once.
+# cos θ₀ = 0, sin θ₀ = 0, sin θ = 0, cos θ = 0 on a cusp, α = 1 + β, α = σ. A pair that meets its
+# mirror image there counts once.
 @pytest.mark.parametrize(
     ("values", "number"),
     [
@@ -232,7 +240,8 @@ def test_cusps_at_coincidences(values: tuple[float, ...], number: int) -> None:
         assert max(_derivatives(3, *row, *values)) < 1e-9
 
 
-# ------------------------------------------------------------------------------------------------ linear model
+# ------------------------------------------------------------------------------------------------
+# linear model
 
 
 def test_linear_model_is_a_linear_solve() -> None:

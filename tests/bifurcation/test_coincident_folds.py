@@ -1,4 +1,6 @@
-"""Folds at one value of the parameter, by a mirror or by chance: which state ends at which, and where it jumps to."""
+"""Folds at one value of the parameter, by a mirror or by chance: which state ends at which, and
+where it jumps to.
+"""
 
 from typing import Any
 
@@ -11,7 +13,8 @@ from tests.oracles.user_pages import model_of
 
 pytest.importorskip("sympy")
 
-#: States x = 0 and p = (u − 1)(u − 2)(u − 3), u = x²: folds at p = ∓ 2/√27, u = 2 ± 1/√3, each with its mirror image.
+#: States x = 0 and p = (u − 1)(u − 2)(u − 3), u = x²: folds at p = ∓ 2/√27, u = 2 ± 1/√3, each with
+#: its mirror image.
 TWINS = r'''r"""A mass in a potential of eighth degree."""
 from spragsym.derive.model import Page
 
@@ -23,7 +26,8 @@ page.kinetic(m * page.rate(x) ** 2 / 2)
 u = (x / L) ** 2
 page.force(k * x * (p - (u - 1) * (u - 2) * (u - 3)), along=x)
 '''
-#: 2 sin a = T and sin b = 0: at T = 2 states with b = 0, stable below, and with b = π end, which nothing mirrors.
+#: 2 sin a = T and sin b = 0: at T = 2 states with b = 0, stable below, and with b = π end, which
+#: nothing mirrors.
 PENDULUM = r'''r"""A double pendulum under a torque."""
 from spragsym.derive.model import Page, cos
 

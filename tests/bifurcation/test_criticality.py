@@ -1,4 +1,6 @@
-"""How dangerous an onset is: against closed forms, 50 digits of equations written by hand, and cycles on both sides."""
+"""How dangerous an onset is: against closed forms, 50 digits of equations written by hand, and
+cycles on both sides.
+"""
 
 import doctest
 from fractions import Fraction
@@ -126,7 +128,9 @@ def test_eigenvectors_of_all_matrices_in_a_box_lie_in_the_enclosure() -> None:
 
 
 def test_a_linear_mode_has_cycles_of_every_size_at_one_friction() -> None:
-    """In mode_coupling y oscillates alone at the onset, under linear forces: l₁ = 0, and its sign is not claimed."""
+    """In mode_coupling y oscillates alone at the onset, under linear forces: l₁ = 0, and its sign
+    is not claimed.
+    """
     onsets = onsets_of("mode_coupling", "mu0")
     assert onsets.criticality.tolist() == ["undecided"]
     assert abs(onsets.lyapunov[0]) <= onsets.lyapunov_error[0] < 1e-15
@@ -146,7 +150,9 @@ def test_a_linear_mode_has_cycles_of_every_size_at_one_friction() -> None:
 def test_amplitude_over_the_root_of_the_distance(
     name: str, vary: str, values: dict[str, float], row: int, amplitudes: tuple[float, ...]
 ) -> None:
-    """|z|² = −(d Re λ/dp) (p − p*)/(ω l₁), with a relative error that falls with the square of the amplitude."""
+    """|z|² = −(d Re λ/dp) (p − p*)/(ω l₁), with a relative error that falls with the square of the
+    amplitude.
+    """
     onsets = onsets_of(name, vary, **values)
     form = onsets.normal_forms[row]
     moves = int(np.abs(form.q[: len(form.q) // 2]).argmax())
@@ -162,14 +168,17 @@ def test_amplitude_over_the_root_of_the_distance(
     if name == "stick_slip":
         assert off[1] < 0.4 * off[0]
         assert off[2] < 0.4 * off[1]
-    # On stribeck's page a pair hardly crosses, and the multiplier is 1 but for 1e-7: rounding is all that is seen.
+    # On stribeck's page a pair hardly crosses, and the multiplier is 1 but for 1e-7: rounding is
+    # all that is seen.
     assert off[-1] < (0.02 if name == "stick_slip" else 2e-3)
 
 
 @pytest.mark.thorough
 @needs_a_quick_integrator
 def test_where_statics_takes_another_friction_the_cycle_is_of_the_motion() -> None:
-    """The Hopf point of the motion has μ₀ (1 − e^(−V d)) in the place of μ₀ in statics, here 0.7 % from the proved onset."""
+    """The Hopf point of the motion has μ₀ (1 − e^(−V d)) in the place of μ₀ in statics, here 0.7 %
+    from the proved onset.
+    """
     onsets = onsets_of("damped", "mu0", theta0=0.7)
     places = [
         ss.cycle(onset=onsets, amplitude=amplitude).parameters["mu0"]

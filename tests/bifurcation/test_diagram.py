@@ -1,4 +1,6 @@
-"""The bifurcation diagram of one parameter: labels against what is proved and known, the figure and the command."""
+"""The bifurcation diagram of one parameter: labels against what is proved and known, the figure and
+the command.
+"""
 
 import dataclasses
 import importlib.util

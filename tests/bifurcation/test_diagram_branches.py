@@ -1,4 +1,6 @@
-"""Branches of a diagram: of equilibria each is there once and whole, and a cycle that is not followed costs that one only."""
+"""Branches of a diagram: of equilibria each is there once and whole, and a cycle that is not
+followed costs that one only.
+"""
 
 import numpy as np
 import pytest

@@ -1,4 +1,6 @@
-"""Flutter onsets against a map of stability, against Newton's method on the equations of motion, and at degenerate parameters."""
+"""Flutter onsets against a map of stability, against Newton's method on the equations of motion,
+and at degenerate parameters.
+"""
 
 import math
 from collections.abc import Callable
@@ -16,12 +18,14 @@ from tests.oracles.families import random_fluttering
 from tests.oracles.forces_by_hand import DRAWN
 from tests.support import exact_onsets, middle_of
 
-#: α > 0 with an onset next to θ₀ = π/2, and α = 0: each lost an onset, or its friction, where a grid decided.
+#: α > 0 with an onset next to θ₀ = π/2, and α = 0: each lost an onset, or its friction, where a
+#: grid decided.
 NEXT_TO_90 = ss.Parameters.article(mu0=1.3, alpha=1.3, sigma=0.32)
 WITHOUT_ALPHA = ss.Parameters(mu0=0.75, kappa=0.0035, alpha=0, sigma=0.7, beta=0)
 
 
-# ----------------------------------------------------------------------------------- independent formulation
+# ----------------------------------------------------------------------------------- independent
+# formulation
 
 
 def _forces(
@@ -32,7 +36,9 @@ def _forces(
 
 
 def _residuals(p: dict[str, mpmath.mpf]) -> Callable[..., list[mpmath.mpf]]:
-    """F_x, F_y and the discriminant in λ² of det(λ² I + K), K by differences of the forces at many digits."""
+    """F_x, F_y and the discriminant in λ² of det(λ² I + K), K by differences of the forces at many
+    digits.
+    """
 
     def residuals(x: mpmath.mpf, y: mpmath.mpf, theta0: mpmath.mpf) -> list[mpmath.mpf]:
         step = mpmath.mpf(10) ** -40
@@ -85,7 +91,8 @@ def test_onsets_solve_the_equations_of_motion_within_their_error(p: ss.Parameter
                 ), name
 
 
-# ----------------------------------------------------------------------------------------------- completeness
+# -----------------------------------------------------------------------------------------------
+# completeness
 
 
 @pytest.mark.thorough
@@ -108,7 +115,9 @@ def test_two_onsets_are_told_apart_down_to_the_last_float() -> None:
 
 
 def test_nothing_flutters_without_friction() -> None:
-    """K is symmetric. With α = 2, σ = L = 1 its two eigenvalues coincide, which is no onset of anything."""
+    """K is symmetric. With α = 2, σ = L = 1 its two eigenvalues coincide, which is no onset of
+    anything.
+    """
     for alpha in (0.0, 0.7, 2.0):
         assert (
             len(
@@ -121,11 +130,14 @@ def test_nothing_flutters_without_friction() -> None:
         )
 
 
-# ------------------------------------------------------------------------------------------------- degenerate
+# ------------------------------------------------------------------------------------------------
+# degenerate
 
 
 def test_an_onset_at_90_degrees_of_the_spring() -> None:
-    """cos θ₀ = 4/5, sin θ₀ = 3/5, θ = π/2: K₁₁ = K₂₂, α cos θ₀ + μ₀ (sin θ₀ − L) = 0 and F_y = 0 give L, μ₀ and κ by hand."""
+    """cos θ₀ = 4/5, sin θ₀ = 3/5, θ = π/2: K₁₁ = K₂₂, α cos θ₀ + μ₀ (sin θ₀ − L) = 0 and F_y = 0
+    give L, μ₀ and κ by hand.
+    """
     onsets = exact_onsets(Fraction(8, 7), Fraction(17, 5), 2, 2, 0)
     (onset,) = (onset for onset in onsets if middle_of(onset.theta) == math.pi / 2)
     assert middle_of(onset.parameters[0]) == pytest.approx(math.atan2(3, 4), abs=1e-15)
@@ -135,7 +147,9 @@ def test_an_onset_at_90_degrees_of_the_spring() -> None:
 
 @pytest.mark.parametrize(("cosine", "L"), [(1, Fraction(11, 10)), (-1, Fraction(3, 2))])
 def test_an_onset_at_exactly_0_or_180_degrees_is_outside(cosine: int, L: Fraction) -> None:
-    """sin θ₀ = 0, cos θ = −4/5, σ = 1 and α − β − 1 = −1 leave μ₀ to the discriminant, and α and κ to the two balances."""
+    """sin θ₀ = 0, cos θ = −4/5, σ = 1 and α − β − 1 = −1 leave μ₀ to the discriminant, and α and κ
+    to the two balances.
+    """
     c, s, difference = Fraction(-4, 5), Fraction(3, 5), -1
     mu0 = -(1 + 2 * L * difference * (c * c - s * s) + (difference * L) ** 2) / (4 * L * s * c)
     alpha = (c * (L - 1) + mu0 * L * s) / (cosine - c * L)
@@ -150,7 +164,9 @@ def test_an_onset_at_exactly_0_or_180_degrees_is_outside(cosine: int, L: Fractio
 
 
 def test_without_alpha_an_onset_at_exactly_90_degrees_is_a_touch() -> None:
-    """cos θ = −12/13, L = 25/9 and sin θ₀ = 1, found by a search over rationals; θ₀ and π − θ₀ have the same states."""
+    """cos θ = −12/13, L = 25/9 and sin θ₀ = 1, found by a search over rationals; θ₀ and π − θ₀ have
+    the same states.
+    """
     values = Fraction(33800, 5277), Fraction(464648, 1852227), 0, Fraction(4225, 15831), 0
     at_90 = [
         onset
@@ -201,7 +217,8 @@ def test_no_onset_is_a_fold() -> None:
         assert not (found.branch == 1).any()
 
 
-# --------------------------------------------------------------------------------------------------- boundary
+# ------------------------------------------------------------------------------------------------
+# boundary
 
 
 @pytest.mark.thorough
@@ -237,7 +254,8 @@ def test_boundary_points_are_on_the_boundary_to_rounding() -> None:
         found = ss.flutter_boundary(p, n=300)
         for i in np.flatnonzero((found.mu0 < 20) & (found.count > 0))[::20]:
             exact = ss.flutter_onsets(p.replace(mu0=found.mu0[i]), damping=False)
-            # Loose, since an onset is ill-conditioned in θ₀ where the boundary has a level of friction for a tangent.
+            # Loose, since an onset is ill-conditioned in θ₀ where the boundary has a level of
+            # friction for a tangent.
             assert (
                 np.hypot(exact.theta0 - found.theta0[i], exact.theta - found.theta[i]).min(
                     initial=np.inf

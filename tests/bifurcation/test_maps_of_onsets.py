@@ -1,4 +1,6 @@
-"""Curves of onsets in the plane of two parameters: whole whatever the number of lines, to the ends of what was asked."""
+"""Curves of onsets in the plane of two parameters: whole whatever the number of lines, to the ends
+of what was asked.
+"""
 
 from typing import Any
 
@@ -31,7 +33,9 @@ page.force(-P * sin(b), -P * cos(b), at=(l * (sin(a) + sin(b)), l * (cos(a) + co
 
 
 def hurwitz(M: Any, C: Any, K: Any) -> float:
-    """a₁ a₂ a₃ − a₀ a₃² − a₁² a₄ of det(λ² M + λ C + K), the coefficients from its values at five λ."""
+    """a₁ a₂ a₃ − a₀ a₃² − a₁² a₄ of det(λ² M + λ C + K), the coefficients from its values at five
+    λ.
+    """
     points = np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
     a4, a3, a2, a1, a0 = np.polyfit(
         points, [np.linalg.det(x * x * M + x * C + K) for x in points], 4
@@ -61,7 +65,9 @@ def test_zieglers_map_reaches_both_ends_with_any_number_of_lines(n: int) -> None
 @pytest.mark.thorough
 @pytest.mark.parametrize("n", [5, 20])
 def test_the_peak_at_equal_damping_is_there(n: int) -> None:
-    """Hoffmann and Gaul (2003): under weak dampers the onset is that without damping where they are equal, else lower."""
+    """Hoffmann and Gaul (2003): under weak dampers the onset is that without damping where they are
+    equal, else lower.
+    """
     p = model_of(shipped_page("mode_coupling", *CHANGES), "hoffmann_gaul").Parameters(
         V=1.0, d=20.0, c_x=0.002
     )

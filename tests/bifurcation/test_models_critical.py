@@ -1,4 +1,6 @@
-"""Lowest ends of a followed state of any model, against closed forms; and which state at one stop is which at the next."""
+"""Lowest ends of a followed state of any model, against closed forms; and which state at one stop
+is which at the next.
+"""
 
 import math
 from dataclasses import replace

@@ -44,7 +44,8 @@ def test_folds_beside_a_cusp(vary, off):
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", ["kang_nam", "mode_coupling"])
 def test_beside_a_line_of_equilibria_all_is_decided(name):
-    # Without friction and spring along the belt nothing but the inclined spring, sigma > 0, holds the mass along the belt.
+    # Without friction and spring along the belt nothing but the inclined spring, sigma > 0, holds
+    # the mass along the belt.
     model = ss.load(name).search
     angle = {"theta0": 1.0} if name == "kang_nam" else {}
     found = ss.folds(model.Parameters(mu0=0.0, alpha=0.0, **angle), "sigma")
@@ -76,7 +77,8 @@ def stiff():
     return values
 
 
-#: A mass that almost hangs on a circle: near-equilibria all around its anchor, which only its angle tells apart.
+#: A mass that almost hangs on a circle: near-equilibria all around its anchor, which only its angle
+#: tells apart.
 CIRCLE = {"theta0": 1.8525980882017512, "mu0": 1.75, "alpha": 1.548e-3, "sigma": 7.8, "beta": 0.0}
 
 
@@ -111,7 +113,8 @@ def test_stiff_springs_have_the_states_of_the_closed_forms(values, contact):
     assert np.nanmax(eq.error) <= 1e-12
 
 
-# -------------------------------------------------------------------------------------------------- the command line
+# ------------------------------------------------------------------------------------------------
+# the command line
 
 
 @pytest.mark.thorough

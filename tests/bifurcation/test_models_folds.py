@@ -18,8 +18,9 @@ from tests.support import few
 def test_a_trolley_that_nothing_pulls_along_the_belt_has_no_folds_along_its_stiffnesses(
     vary, theta0
 ):
-    # Without friction and α the forces along the belt add up to α_a x_a = 0, and σ (L − 1) cos θ = 0 is left: an unstressed
-    # spring, whatever its stiffness, or an upright one with L − 1 = (sin θ₀ − 1 + κ)/(1 + σ): κ alone changes its sign.
+    # Without friction and α the forces along the belt add up to α_a x_a = 0, and σ (L − 1) cos θ =
+    # 0 is left: an unstressed spring, whatever its stiffness, or an upright one with L − 1 = (sin
+    # θ₀ − 1 + κ)/(1 + σ): κ alone changes its sign.
     model = ss.load("trolley")
     p = model.Parameters(mu0=0.0, alpha=0.0, theta0=theta0)
     for found in (ss.folds(p, vary), ss.flutter_onsets(p, vary)):
@@ -29,12 +30,14 @@ def test_a_trolley_that_nothing_pulls_along_the_belt_has_no_folds_along_its_stif
 
 @pytest.mark.thorough
 def test_a_force_without_a_potential_can_bring_flutter_without_friction():
-    # At V = 0 there is no friction, but its slope damps x. A pair crosses where y moves alone: K₁₂ K₂₁ = (P − σ/2)(−P − σ/2) = 0.
+    # At V = 0 there is no friction, but its slope damps x. A pair crosses where y moves alone: K₁₂
+    # K₂₁ = (P − σ/2)(−P − σ/2) = 0.
     text = shipped_page(
         "mode_coupling",
         (
             "V = page",
-            'P = page.parameter("P", "N/m", "stiffness of a force that turns with the place", ">= 0", 0.0)\nV = page',
+            'P = page.parameter("P", "N/m", "stiffness of a force that turns with the place", '
+            '">= 0", 0.0)\nV = page',
         ),
         (
             "page.force(0, -F_L, at=(x, y))",
@@ -53,7 +56,8 @@ def test_a_force_without_a_potential_can_bring_flutter_without_friction():
 
 @pytest.mark.thorough
 def test_flutter_begins_where_exact_arithmetic_says_so():
-    # Of the linear model K is rational in its parameters: so is the discriminant whose sign tells flutter from rest.
+    # Of the linear model K is rational in its parameters: so is the discriminant whose sign tells
+    # flutter from rest.
     rng = np.random.default_rng(3)
     alpha, sigma = rng.integers(8, 64, 40) / 32, rng.integers(1, 64, 40) / 32
     threshold = ((1 - alpha) ** 2 + sigma**2) / (2 * sigma)
@@ -73,7 +77,8 @@ def test_flutter_begins_where_exact_arithmetic_says_so():
 
 @pytest.mark.thorough
 def test_the_sign_of_a_slope_is_known_where_the_slope_is_too_small_for_floats():
-    # dμ/dv = μ₀ d e^(−d V) is never 0, and Stribeck's with μ_k = 0 is e^(−V/v_s) times what is 0 at one v_s only, beyond 10.
+    # dμ/dv = μ₀ d e^(−d V) is never 0, and Stribeck's with μ_k = 0 is e^(−V/v_s) times what is 0 at
+    # one v_s only, beyond 10.
     article = ss.load("kang_nam").search
     for vary in ("V", "d"):
         found = ss.flutter_onsets(article.Parameters(theta0=2.5, V=13.2, d=107.8), vary)
@@ -88,7 +93,8 @@ def test_the_sign_of_a_slope_is_known_where_the_slope_is_too_small_for_floats():
 
 @pytest.mark.thorough
 def test_an_onset_that_more_digits_do_not_prove_is_kept():
-    # Found in a random attack: a regular root, known to 1.1e-12, was given up for a box of width 4e-4.
+    # Found in a random attack: a regular root, known to 1.1e-12, was given up for a box of width
+    # 4e-4.
     model = ss.load("damped")
     p = model.Parameters(
         theta0=2.9157543051574755,
@@ -123,7 +129,8 @@ def _crosses(model, p, found, vary):
         assert sorted(np.abs(unstable[1] - unstable[0]).tolist())[-1] == 2
 
 
-#: f sin φ − g cos φ + a sin φ cos φ = 0 with a = r² − u² − v² has folds where f^(2/3) + g^(2/3) = |a|^(2/3): on a circle about 0.
+#: f sin φ − g cos φ + a sin φ cos φ = 0 with a = r² − u² − v² has folds where f^(2/3) + g^(2/3) =
+#: |a|^(2/3): on a circle about 0.
 CIRCLE = '''"""A rod whose folds lie on a circle in the plane of two parameters."""
 from spragsym.derive.model import Page, cos, sin
 

@@ -1,4 +1,6 @@
-"""Which state is followed, and where it ends, where mirrors and ties leave that open: own pages against closed forms."""
+"""Which state is followed, and where it ends, where mirrors and ties leave that open: own pages
+against closed forms.
+"""
 
 from typing import Any
 
@@ -11,7 +13,8 @@ from tests.oracles.user_pages import model_of, replaced
 
 pytest.importorskip("sympy")
 
-#: U = k sin² φ/2 + P cos φ: U'' = 1 − P and U'''' = P − 4 at φ = 0, so that the two others, cos φ = P, lie below P = 1, unstable.
+#: U = k sin² φ/2 + P cos φ: U'' = 1 − P and U'''' = P − 4 at φ = 0, so that the two others, cos φ =
+#: P, lie below P = 1, unstable.
 ROD = r'''r"""An upright rod under a load, propped at its tip by a side spring."""
 from spragsym.derive.model import Page, cos, sin
 
@@ -34,14 +37,18 @@ def rod() -> Any:
 
 
 def fold_of_rod(e: Any) -> Any:
-    """F = sin φ cos φ − e cos φ − P sin φ: det K = 0 where sin³ φ = e, and there P = (1 − e^(2/3))^(3/2)."""
+    """F = sin φ cos φ − e cos φ − P sin φ: det K = 0 where sin³ φ = e, and there P = (1 −
+    e^(2/3))^(3/2).
+    """
     return (1 - np.abs(e) ** (2 / 3)) ** 1.5
 
 
 @pytest.mark.validate
 @pytest.mark.parametrize("start", ["small", "large", 0])
 def test_a_value_may_be_the_very_float_of_a_pitchfork(start: int | str, rod: Any) -> None:
-    """There the state in which three meet is known: F = sin φ (cos φ − P) = −φ³/2 at P = 1, and φ = π."""
+    """There the state in which three meet is known: F = sin φ (cos φ − P) = −φ³/2 at P = 1, and φ =
+    π.
+    """
     path = ss.quasi_static_path(rod.Parameters(), "P", [0.5, 1.0, 1.5], start=start)
     fork = 0.0 if start != "large" else np.pi
     assert path.phi == pytest.approx([{0: -np.pi / 3}.get(start, fork), fork, np.pi], abs=1e-12)  # type: ignore[call-overload]
@@ -51,7 +58,8 @@ def test_a_value_may_be_the_very_float_of_a_pitchfork(start: int | str, rod: Any
     assert begun.phi == pytest.approx([0.0, 0.0], abs=1e-12)
 
 
-#: F_φ = 6 φ − P sin φ, beside x = −1, 0 and 1: three pitchforks at P = 6, which no float beside it is told apart from.
+#: F_φ = 6 φ − P sin φ, beside x = −1, 0 and 1: three pitchforks at P = 6, which no float beside it
+#: is told apart from.
 TRIPLETS = replaced(
     ROD,
     ("P = page", 'x = page.coordinate("x", "m", "another place")\nP = page'),
@@ -73,7 +81,8 @@ def test_pitchforks_at_one_value_are_told_apart(values: list[float]) -> None:
     assert (path.jumps, path.x.tolist()) == ((), [1.0] * len(values))
 
 
-#: F = x/(1 + x²): a fold at F = 1/2, x = 1, both floats; the other state is at 1/F and leaves what is searched below F = 0.1.
+#: F = x/(1 + x²): a fold at F = 1/2, x = 1, both floats; the other state is at 1/F and leaves what
+#: is searched below F = 0.1.
 FADING = '''"""A mass on a spring that fades."""
 from spragsym.derive.model import Page, log
 

@@ -1,4 +1,6 @@
-"""Onsets where a search over boxes can't decide all, as in four coordinates: what floats see is listed, and none is not said."""
+"""Onsets where a search over boxes can't decide all, as in four coordinates: what floats see is
+listed, and none is not said.
+"""
 
 from typing import Any
 
@@ -53,7 +55,9 @@ def pad() -> Any:
 
 @pytest.mark.thorough
 def test_an_onset_in_four_coordinates_is_proved_on_its_own(pad: Any) -> None:
-    """Where the growth of the only state changes its sign; that there is no other one is not said."""
+    """Where the growth of the only state changes its sign; that there is no other one is not
+    said.
+    """
     found = ss.flutter_onsets(pad.Parameters(), "mu_s", between={"mu_s": (1.5, 2.0)})
     want = brentq(
         lambda mu: float(ss.equilibria(pad.Parameters(mu_s=mu)).growth[0]), 1.5, 2.0, xtol=1e-12
@@ -67,7 +71,9 @@ def test_an_onset_in_four_coordinates_is_proved_on_its_own(pad: Any) -> None:
 
 @pytest.mark.thorough
 def test_where_the_friction_law_is_level_is_seen(pad: Any) -> None:
-    """Without dampers every pair crosses where the slope of the law is 0, at mu_s from (mu (1 − exp(−d v)))′ = 0 at V."""
+    """Without dampers every pair crosses where the slope of the law is 0, at mu_s from (mu (1 −
+    exp(−d v)))′ = 0 at V.
+    """
     V, v_s, d, mu_k = 0.2, 0.3, 20.0, 0.2
     rise, fall = d * np.exp(-d * V), np.exp(-V / v_s)
     more = mu_k * rise / (fall * ((1 - np.exp(-d * V)) / v_s - rise))

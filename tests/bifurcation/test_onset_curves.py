@@ -1,4 +1,6 @@
-"""Curves of Hopf points in the plane of two parameters: against closed forms, maps of eigenvalues, searches along other lines."""
+"""Curves of Hopf points in the plane of two parameters: against closed forms, maps of eigenvalues,
+searches along other lines.
+"""
 
 from typing import Any
 
@@ -53,7 +55,9 @@ def by_hand(page: str, P: dict[str, float], q: np.ndarray) -> np.ndarray:
 
 @pytest.mark.thorough
 def test_stick_slip_in_closed_form() -> None:
-    """ζ = 2 μ_s v_s (V² − v_s²)/(V² + v_s²)², and F‴ = 0 at V = (1 + √2) v_s: below it the onset is gentle."""
+    """ζ = 2 μ_s v_s (V² − v_s²)/(V² + v_s²)², and F‴ = 0 at V = (1 + √2) v_s: below it the onset is
+    gentle.
+    """
     p = ss.load("stick_slip").Parameters(mu_s=0.4, v_s=0.2)
     found = ss.onset_curves(p, ("V", "zeta"), between={"V": (0.0, 1.5), "zeta": (0.0, 1.0)})
     (curve,) = found.curves
@@ -73,7 +77,9 @@ def test_stick_slip_in_closed_form() -> None:
 @pytest.mark.by_hand("0")
 @pytest.mark.thorough
 def test_the_state_loses_its_stability_on_the_curves(found: tuple[Any, Any]) -> None:
-    """On a map of eigenvalues, a pair crosses the axis between two frictions where an onset lies between them, and only there."""
+    """On a map of eigenvalues, a pair crosses the axis between two frictions where an onset lies
+    between them, and only there.
+    """
     p, curves = found
     for theta0 in np.linspace(0.15, 3.0, 9):
         onsets = ss.flutter_onsets(p.replace(theta0=theta0), vary="mu0", between=BETWEEN)
@@ -123,7 +129,9 @@ V = page""",
 
 @pytest.mark.thorough
 def test_a_double_hopf_point_in_closed_form() -> None:
-    """λ⁴ + (ζ − a) λ³ + … with a = −μ′(V) is a polynomial in λ² where ζ = a and κ = 1, and both its roots are imaginary."""
+    """λ⁴ + (ζ − a) λ³ + … with a = −μ′(V) is a polynomial in λ² where ζ = a and κ = 1, and both its
+    roots are imaginary.
+    """
     pytest.importorskip("sympy")
     p = model_of(TWO_MODES, "two_modes").Parameters(v_s=0.5, V=1.0)
     fed = 2 * 0.5 * 0.5 * (1.0**2 - 0.5**2) / (1.0**2 + 0.5**2) ** 2
@@ -136,7 +144,8 @@ def test_a_double_hopf_point_in_closed_form() -> None:
     np.testing.assert_allclose(
         [points.kappa[0], points.zeta[0]], [1.0, fed], rtol=0, atol=float(points.error[0]) + 1e-15
     )
-    # Curves come near it from all sides: 1 + γ, κ + γ and γ are the stiffnesses, and Hurwitz's determinant is 0 on each of them.
+    # Curves come near it from all sides: 1 + γ, κ + γ and γ are the stiffnesses, and Hurwitz's
+    # determinant is 0 on each of them.
     g = float(p.gamma)
     for curve in curves.curves:
         k, z = np.asarray(curve.kappa), np.asarray(curve.zeta)
@@ -154,7 +163,8 @@ def test_a_double_hopf_point_in_closed_form() -> None:
     ).T
     near = places[np.hypot(*places.T) < 0.1]
     assert {tuple(np.sign(row).tolist()) for row in near} == {(1, 1), (1, -1), (-1, 1), (-1, -1)}
-    # Along a line through it both pairs cross at one place, each with its frequency: roots of λ⁴ + b₂ λ² + b₀.
+    # Along a line through it both pairs cross at one place, each with its frequency: roots of λ⁴ +
+    # b₂ λ² + b₀.
     both = ss.flutter_onsets(p.replace(kappa=1.0), vary="zeta", between={"zeta": (0.0, 0.4)})
     assert np.sort(both.omega**2) == pytest.approx(
         np.sort(np.roots([1, -(2 + 2 * g - fed**2), 1 + 2 * g])), abs=1e-6
@@ -163,7 +173,9 @@ def test_a_double_hopf_point_in_closed_form() -> None:
 
 @pytest.mark.thorough
 def test_bogdanov_takens_points() -> None:
-    """Two zero eigenvalues of equations written by hand, at a fold; a curve of onsets ends there."""
+    """Two zero eigenvalues of equations written by hand, at a fold; a curve of onsets ends
+    there.
+    """
     p = damped(1)
     curves = ss.onset_curves(p, n=12, between=BETWEEN)
     points = curves.points
@@ -188,7 +200,9 @@ def test_bogdanov_takens_points() -> None:
 
 @pytest.mark.thorough
 def test_where_friction_alone_damps_all_points_are_known() -> None:
-    """Where friction is 0 all conditions hold but that of a fold: its slope, a factor of them, is divided out."""
+    """Where friction is 0 all conditions hold but that of a fold: its slope, a factor of them, is
+    divided out.
+    """
     model = ss.load("kang_nam")
     points = ss.onset_curves(
         model.Parameters(), n=2, between={"theta0": (0.3, 1.3), "mu0": (0.0, 1.5)}
@@ -220,8 +234,13 @@ def columns(p: Any) -> Any:
 
 
 def falling() -> Any:
-    """The article's model with a friction that falls with the speed, and a damper along the belt alone."""
-    damper = 'c_x = page.parameter("c_x", "N s/m", "damper along the belt", ">= 0", 0.001, becomes="zeta_x")\n'
+    """The article's model with a friction that falls with the speed, and a damper along the belt
+    alone.
+    """
+    damper = (
+        'c_x = page.parameter("c_x", "N s/m", "damper along the belt", ">= 0", 0.001, '
+        'becomes="zeta_x")\n'
+    )
     more = (
         ("\nd = page.parameter(", f"\n{damper}d = page.parameter("),
         ("page.friction(", "page.damper(c_x, along=x)\npage.friction("),

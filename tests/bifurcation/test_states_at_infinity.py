@@ -1,4 +1,6 @@
-"""A state that runs to infinity at a value of a parameter: the value in closed form, for forces with and without springs."""
+"""A state that runs to infinity at a value of a parameter: the value in closed form, for forces
+with and without springs.
+"""
 
 from typing import Any
 
@@ -11,7 +13,8 @@ from tests.oracles.user_pages import derived, replaced
 
 pytest.importorskip("sympy")
 
-#: κ (ψ − q) + N (μ cos θ₀ − sin θ₀) = 0, N = q sin θ₀: steady sliding ends at μ = tan θ₀ + κ/(sin θ₀ cos θ₀).
+#: κ (ψ − q) + N (μ cos θ₀ − sin θ₀) = 0, N = q sin θ₀: steady sliding ends at μ = tan θ₀ + κ/(sin
+#: θ₀ cos θ₀).
 ROD = r'''r"""A rigid rod that leans against a moving wall."""
 from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin
 
@@ -28,7 +31,8 @@ page.potential(k_t * (q / l - psi) ** 2 / 2)
 page.contact(-sin(theta0) * q, lambda depth: k_c * depth)
 page.friction(cos(theta0) * q, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0)
 '''
-#: The spring pulls back by its length l − 1 only, P pushes out: both states, l = 1/(1 − P), run to infinity at P = 1.
+#: The spring pulls back by its length l − 1 only, P pushes out: both states, l = 1/(1 − P), run to
+#: infinity at P = 1.
 SPUN = r'''r"""A mass on a bar that spins."""
 from spragsym.derive.model import Page
 

@@ -1,4 +1,6 @@
-"""States of sticking on a belt that stands still, against closed forms: intervals of each coordinate."""
+"""States of sticking on a belt that stands still, against closed forms: intervals of each
+coordinate.
+"""
 
 import math
 
@@ -35,7 +37,9 @@ BEARING = shipped_page(
 def test_sets_of_the_articles_model_hold_its_equilibria_at_all_coefficients(
     degrees: float, mu0: float, given: dict[str, float], sets: int
 ) -> None:
-    """At coefficients of either sign, by the quartic: a belt that runs the other way is the mirror image."""
+    """At coefficients of either sign, by the quartic: a belt that runs the other way is the mirror
+    image.
+    """
     theta0 = math.radians(degrees)
     found = ss.sticking_states(
         ss.load("coulomb").Parameters(theta0=theta0, mu0=mu0, V=0.0, **given)

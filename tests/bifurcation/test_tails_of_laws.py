@@ -1,4 +1,6 @@
-"""A model that is linear but for the tail of its smoothed friction law has no dangerous onset, and no generalized Hopf point."""
+"""A model that is linear but for the tail of its smoothed friction law has no dangerous onset, and
+no generalized Hopf point.
+"""
 
 from typing import Any
 
@@ -32,7 +34,8 @@ def model() -> Any:
 
 def test_an_onset_of_the_tail_is_undecided(model: Any) -> None:
     onsets = ss.flutter_onsets(model.Parameters(V=1.0, d=20.0), "mu0", between={"mu0": (0.0, 1.0)})
-    # Hurwitz's determinant of M = 1, C = diag(c_x, c_y), K = ((1.55, μ − 0.25), (−0.25, 1.25)), by hand: 0 at the onset.
+    # Hurwitz's determinant of M = 1, C = diag(c_x, c_y), K = ((1.55, μ − 0.25), (−0.25, 1.25)), by
+    # hand: 0 at the onset.
     a, b = 0.07, 0.05 * 1.25 + 0.02 * 1.55
     mu = 0.25 - (1.55 * 1.25 - b / a * (2.8 + 0.05 * 0.02 - b / a)) / 0.25
     assert onsets.mu0 == pytest.approx([mu], abs=1e-12)

@@ -1,4 +1,6 @@
-"""Models with two mirrors: pitchforks of Augusti's column, P = 1 and P = κ, and cusps of von Mises' truss."""
+"""Models with two mirrors: pitchforks of Augusti's column, P = 1 and P = κ, and cusps of von Mises'
+truss.
+"""
 
 import numpy as np
 import pytest
@@ -27,7 +29,8 @@ LOADED = replaced(
     TRUSS,
     (
         '">= 0", 0.01, becomes="P")',
-        '"real", 0.01, becomes="P")\nQ = page.parameter("Q", "N", "load", "real", 0.0, becomes="Q")',
+        '"real", 0.01, becomes="P")\nQ = page.parameter("Q", "N", "load", "real", 0.0, '
+        'becomes="Q")',
     ),
     ("page.force(0, -P", "page.force(Q, -P"),
 )
@@ -44,7 +47,8 @@ HELD = replaced(
 
 @pytest.mark.thorough
 def test_all_cusps_of_a_plane_that_pitchforks_cross() -> None:
-    """One, at x = y = 0, where k_y holds the bars: beta = 2 (L - 1). Its equations hold along curves of pitchforks as well.
+    """One, at x = y = 0, where k_y holds the bars: beta = 2 (L - 1). Its equations hold along
+    curves of pitchforks as well.
 
     These are where bars of length b, b**3 - 3 b**2 + 3 = 0, stand in balance with P on x = 0.
     """
@@ -65,7 +69,9 @@ def test_all_cusps_of_a_plane_that_pitchforks_cross() -> None:
 
 @pytest.mark.thorough
 def test_all_cusps_of_a_truss_under_two_loads() -> None:
-    """Four where the bars are perpendicular and one has half its length L = √5/2; two on y = 0, where x² = 1 + L |x|."""
+    """Four where the bars are perpendicular and one has half its length L = √5/2; two on y = 0,
+    where x² = 1 + L |x|.
+    """
     model, L, plane = (
         model_of(LOADED, "loaded"),
         np.sqrt(1.25),

@@ -1,4 +1,6 @@
-"""Curves of onsets without damping, where two modes meet, in closed form; and pictures of a plane that holds none."""
+"""Curves of onsets without damping, where two modes meet, in closed form; and pictures of a plane
+that holds none.
+"""
 
 from pathlib import Path
 
@@ -9,7 +11,8 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.cli import cli
 
-#: The plane in which the threshold of mode coupling is printed: mu = ((1 + beta - alpha)^2 + sigma^2) / (2 sigma).
+#: The plane in which the threshold of mode coupling is printed: mu = ((1 + beta - alpha)^2 +
+#: sigma^2) / (2 sigma).
 PLANE = {"sigma": (0.1, 2.0), "mu0": (0.0, 2.0)}
 
 

@@ -1,4 +1,6 @@
-"""The command line: output, exit codes, errors on one line, and nothing else whatever the arguments."""
+"""The command line: output, exit codes, errors on one line, and nothing else whatever the
+arguments.
+"""
 
 import io
 import json
@@ -35,7 +37,8 @@ def invoke(*arguments: str) -> int:
     return stop.value.code
 
 
-# -------------------------------------------------------------------------------------------------------- results
+# ------------------------------------------------------------------------------------------------
+# results
 
 
 @pytest.mark.usefixtures("checked")
@@ -53,7 +56,9 @@ def test_check_prints_every_row(run: Run) -> None:
 
 
 def test_a_point_without_an_answer_costs_no_other(run: Run) -> None:
-    """Lengths of 1e399 are no floats: that point says so, in the table and in JSON, and the others are listed."""
+    """Lengths of 1e399 are no floats: that point says so, in the table and in JSON, and the others
+    are listed.
+    """
     asked = shlex.split(
         "equilibria --theta0 50 --mu0 1e200 --alpha 1 --sigma 1 --beta 1 --kappa 0.3,1e200,0.4"
     )
@@ -71,7 +76,8 @@ def test_a_point_without_an_answer_costs_no_other(run: Run) -> None:
     assert "beyond float64" in hopeless["reason"]
 
 
-# ------------------------------------------------------------------------------------------------ files in the way
+# ------------------------------------------------------------------------------------------------
+# files in the way
 
 MOTION = ["--theta0", "49", "--t-end", "20", "--backend", "scipy"]
 
@@ -157,7 +163,8 @@ def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
     assert target.read_bytes()[:8] != b"precious"
 
 
-# --------------------------------------------------------------------------------------------------------- errors
+# ------------------------------------------------------------------------------------------------
+# errors
 
 
 @pytest.mark.parametrize(
@@ -315,7 +322,8 @@ def test_help_tells_the_value_of_an_option_that_is_left_out(run: Run) -> None:
     assert "1e-10" in run("simulate", "--help")
 
 
-# ------------------------------------------------------------------------------------------- pipes, colours, Ctrl-C
+# ----------------------------------------------------------------------------------------- pipes,
+# colours, Ctrl-C
 
 ONE = ["equilibria", "--theta0", "30"]
 
@@ -339,7 +347,8 @@ def test_streams_that_are_closed(stream: str) -> None:
     assert ("contact" in done.stdout) == (stream != ">&-")
 
 
-# ----------------------------------------------------------------------------------------------------------- fuzz
+# ------------------------------------------------------------------------------------------------
+# fuzz
 
 #: Numbers as people and programs write them, and text that is no number.
 NUMBERS = st.one_of(
@@ -357,7 +366,9 @@ FLAGS = st.sampled_from([*PARAMETERS, "--json", "--debug", "-h", "-V", "--nonsen
 
 
 def end_as_documented(arguments: list[str]) -> None:
-    """Run a command that may get anything: a documented exit code, an error on one line, and no mistake of ours."""
+    """Run a command that may get anything: a documented exit code, an error on one line, and no
+    mistake of ours.
+    """
     shown, said = io.StringIO(), io.StringIO()
     with redirect_stdout(shown), redirect_stderr(said), pytest.raises(SystemExit) as stop:
         main(arguments)

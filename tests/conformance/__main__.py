@@ -1,9 +1,10 @@
 """``python -m tests.conformance``: the table of all public questions and all models.
 
-``closed`` and ``search`` are ways to an answer, the one that is taken first stands first; ``-`` is ``ModelError``.
+``closed`` and ``search`` are ways to an answer, the one that is taken first stands first; ``-`` is
+``ModelError``.
 
-``python -m tests.conformance PAGE.py|DIR ... [OPTIONS OF PYTEST]``: the table of these models, and the whole suite for
-each of them; the exit code is that of the tests.
+``python -m tests.conformance PAGE.py|DIR ... [OPTIONS OF PYTEST]``: the table of these models, and
+the whole suite for each of them; the exit code is that of the tests.
 """
 
 import os

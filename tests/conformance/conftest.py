@@ -1,4 +1,6 @@
-"""What is about one model each, and nothing else, is run for the models that ``python -m tests.conformance`` was asked for."""
+"""What is about one model each, and nothing else, is run for the models that
+``python -m tests.conformance`` was asked for.
+"""
 
 import os
 

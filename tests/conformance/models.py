@@ -1,4 +1,6 @@
-"""The models of the suite: those that are shipped and two that the tests write, or those that it is asked for."""
+"""The models of the suite: those that are shipped and two that the tests write, or those that it is
+asked for.
+"""
 
 import math
 import os
@@ -12,9 +14,11 @@ from spragsym.models.model import options_of
 from tests.oracles.user_pages import derived
 
 TESTS = Path(__file__).resolve().parent.parent
-#: Pages of the tests: a torsion spring on a belt that hardens, and a belt that leans, without angles.
+#: Pages of the tests: a torsion spring on a belt that hardens, and a belt that leans, without
+#: angles.
 PAGES = (TESTS / "oracles/pages/soft_brake.py", TESTS / "oracles/pages/pressed.py")
-#: Where ``python -m tests.conformance`` leaves the pages and folders that are asked for, in place of all others.
+#: Where ``python -m tests.conformance`` leaves the pages and folders that are asked for, in place
+#: of all others.
 ASKED = "SPRAGSYM_CONFORMANCE"
 
 
@@ -39,7 +43,8 @@ def _places() -> dict[str, str]:
 PLACES = _places()
 MODELS = tuple(PLACES)
 
-#: Those that are another one with another law or one spring more: what is the same by the same code is asked of them by hand.
+#: Those that are another one with another law or one spring more: what is the same by the same code
+#: is asked of them by hand.
 ALIKE = (
     "damped",
     "coulomb",
@@ -97,7 +102,9 @@ def words(name: str, degrees: float = 40.0) -> list[str]:
 
 
 def starts(p: Any, usual: list[float]) -> list[list[float]]:
-    """Starts of a motion: the usual one, and where friction holds the mass one that rides with the belt."""
+    """Starts of a motion: the usual one, and where friction holds the mass one that rides with the
+    belt.
+    """
     if not hasattr(p.model.algebra, "grip"):
         return [usual]
     across = len(p.model.coordinates) - 1
@@ -111,7 +118,9 @@ def starts(p: Any, usual: list[float]) -> list[list[float]]:
 
 
 def moved(name: str, *first: str) -> tuple[str, float]:
-    """A parameter to change, the first of those named that the model has or else its last, and its base value."""
+    """A parameter to change, the first of those named that the model has or else its last, and its
+    base value.
+    """
     names = load(name).parameters
     one = next((wanted for wanted in first if wanted in names), names[-1])
     return one, float(getattr(a_set(name), one))

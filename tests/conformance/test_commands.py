@@ -73,7 +73,9 @@ def test_equilibria_of_every_model_along_a_range(name: str, run: Run) -> None:
 
 
 def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, run: Run) -> None:
-    """With k_3 = 0 cubic_contact is the article's model: the same answers in the file's units, by the model's own law."""
+    """With k_3 = 0 cubic_contact is the article's model: the same answers in the file's units, by
+    the model's own law.
+    """
     text = run("report", "--example")
     one, two = tmp_path / "one.toml", tmp_path / "two.toml"
     one.write_text(text, encoding="utf-8")
@@ -98,7 +100,8 @@ def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, run: Run) -> None:
     assert "is about cubic_contact" in said
 
 
-# ----------------------------------------------------------------------------------------------- points and paths
+# -----------------------------------------------------------------------------------------------
+# points and paths
 
 
 @pytest.mark.by_hand("soft_brake", *ALIKE)
@@ -169,7 +172,8 @@ def test_cusps_have_the_same_keys(name: str, run: Run) -> None:
     assert told["folds"]["searched"]["theta0_deg"] == pytest.approx([5.0, 85.0])
 
 
-#: Beside the anchor of its torsion spring a search over all θ₀ takes minutes; its report does that once.
+#: Beside the anchor of its torsion spring a search over all θ₀ takes minutes; its report does that
+#: once.
 CRITICAL = [name for name in MODELS if name != "soft_brake"]
 
 
@@ -213,7 +217,8 @@ def test_paths_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -
     assert "States" in run("path", *of(name), "--vary", span)
 
 
-# -------------------------------------------------------------------------------------------------------- motions
+# ------------------------------------------------------------------------------------------------
+# motions
 
 
 @pytest.mark.by_hand(*ALIKE)

@@ -112,7 +112,8 @@ def test_the_search_is_a_second_witness_of_the_closed_forms(
             assert abs(mine - its) <= error + rest < Fraction(1, 10**49)
 
 
-#: Around the anchor of a torsion spring only numbers that floats hold are searched in polar coordinates.
+#: Around the anchor of a torsion spring only numbers that floats hold are searched in polar
+#: coordinates.
 UNDECIDED = pytest.mark.xfail(raises=ss.ConvergenceError, strict=True)
 BESIDE = [
     pytest.param(name, id=name, marks=[UNDECIDED] if name == "soft_brake" else ())

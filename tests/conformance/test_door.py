@@ -1,4 +1,6 @@
-"""Every set of parameters knows its model, and a function asked for one model never answers for another."""
+"""Every set of parameters knows its model, and a function asked for one model never answers for
+another.
+"""
 
 import copy
 import functools
@@ -14,7 +16,8 @@ from spragsym.design.jumps import have_jumped
 from spragsym.models.parameters import NAMES
 from tests.conformance.models import MODELS, a_set, load
 
-# ------------------------------------------------------------------------------------------- sets and their models
+# ------------------------------------------------------------------------------------------- sets
+# and their models
 
 
 def test_the_articles_parameters_are_those_of_its_model() -> None:
@@ -43,7 +46,10 @@ def test_a_set_knows_its_model() -> None:
 
 def test_a_set_of_another_process_knows_its_model() -> None:
     """There the model is loaded by the set alone."""
-    program = "import pickle, sys; p = pickle.load(sys.stdin.buffer); print(p.model.name, p.model.parameters == tuple(p.ranges))"
+    program = (
+        "import pickle, sys; p = pickle.load(sys.stdin.buffer); print(p.model.name, "
+        "p.model.parameters == tuple(p.ranges))"
+    )
     for name in ("kang_nam", "two_springs"):
         done = subprocess.run(
             [sys.executable, "-c", program],
@@ -65,7 +71,8 @@ def test_V_and_d_are_parameters_like_others(shape: tuple[int, ...]) -> None:
     assert ss.rms_sweep(p, t_end=1.0).rms.shape == shape
 
 
-# ----------------------------------------------------------------------------------------------------- one entry
+# ------------------------------------------------------------------------------------------------
+# one entry
 
 
 def test_two_ways_to_one_answer() -> None:

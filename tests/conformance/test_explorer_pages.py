@@ -1,4 +1,6 @@
-"""The explorer's page of every model: the same parts and columns, the states that Python proves, and its motion."""
+"""The explorer's page of every model: the same parts and columns, the states that Python proves,
+and its motion.
+"""
 
 import math
 import re
@@ -62,7 +64,9 @@ def points(model: ss.Model, n: int) -> list[dict[str, float]]:
 def compare_states(
     explorer: Explorer, model: ss.Model, point: dict[str, float], status: str
 ) -> int:
-    """Hold the page's states against those that Python proves, by coordinate and by word; how many there are."""
+    """Hold the page's states against those that Python proves, by coordinate and by word; how many
+    there are.
+    """
     total = 0
     for contact in model.regimes:
         eq = ss.equilibria(model.Parameters(**point), contact=contact)
@@ -111,7 +115,8 @@ def test_every_page_has_the_same_parts_and_the_states_of_python(
     )
     assert [one.removesuffix("_deg") for one in ids] == list(model.parameters)
     rows = page.evaluate(
-        "[...document.querySelectorAll('#states tbody tr')].map(r => [...r.cells].map(c => c.textContent))"
+        "[...document.querySelectorAll('#states tbody tr')].map(r => [...r.cells].map(c => "
+        "c.textContent))"
     )
     eq, p = ss.equilibria(model.cases()[0][1]), model.cases()[0][1]
     read = [
@@ -134,13 +139,18 @@ def test_every_page_has_the_same_parts_and_the_states_of_python(
 @pytest.mark.by_hand(*ALIKE)
 @pytest.mark.parametrize("name", few(MODELS, "kang_nam"))
 def test_every_motion_is_pythons(name: str, browser: Any, tmp_path: Path) -> None:
-    """From rest, over lift-offs and overtakings, by steps that are cut at kinks, and sticking; errors of order h^4."""
+    """From rest, over lift-offs and overtakings, by steps that are cut at kinks, and sticking;
+    errors of order h^4.
+    """
     model = load(name)
     if model.about["friction"] is None:
         pytest.skip(f"{name} has no belt")
     explorer = opened(browser, model, tmp_path)
     (point,) = points(model, 1)
-    run = "([p, s]) => { const m = window.spragsym.motion(p); for (let i = 0; i < 3000; i++) s = m.step(s, 0.01); return s; }"
+    run = (
+        "([p, s]) => { const m = window.spragsym.motion(p); for (let i = 0; i < 3000; i++) s = "
+        "m.step(s, 0.01); return s; }"
+    )
     p = model.Parameters(**point)
     for start in starts(p, [0.05] + [0.0] * (2 * len(model.coordinates) - 1)):
         tr = ss.simulate(p, start=start, t_end=30.0)
@@ -153,7 +163,9 @@ def test_every_motion_is_pythons(name: str, browser: Any, tmp_path: Path) -> Non
 
 @pytest.mark.validate
 def test_search_finds_what_the_solver_of_closed_forms_proves(browser: Any, tmp_path: Path) -> None:
-    """The article's page without its closed forms is that of any model, and follows over the same fold."""
+    """The article's page without its closed forms is that of any model, and follows over the same
+    fold.
+    """
     model = ss.load("kang_nam").search
     explorer = opened(browser, model, tmp_path)
     for point in points(model, 20):

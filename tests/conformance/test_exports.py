@@ -1,4 +1,6 @@
-"""Exports of every model: its functions in each language, compiled or run, against the Python ones at the same numbers."""
+"""Exports of every model: its functions in each language, compiled or run, against the Python ones
+at the same numbers.
+"""
 
 import math
 import re
@@ -87,7 +89,8 @@ def test_an_export_gives_the_numbers_of_python(language: str, name: str, tmp_pat
         )
 
 
-# ------------------------------------------------------------------------------------------------ what C has more
+# ------------------------------------------------------------------------------------------------
+# what C has more
 
 
 @pytest.mark.by_hand(*ALIKE)
@@ -97,7 +100,9 @@ def test_an_export_gives_the_numbers_of_python(language: str, name: str, tmp_pat
 )
 @pytest.mark.parametrize("name", few(MOVING, "pressed"))
 def test_the_example_is_built_and_moves_as_python_does(name: str, tmp_path: Path) -> None:
-    """Without a warning, from functions that take the page's names; steps of h = 0.005 across a kink are off by as much as h."""
+    """Without a warning, from functions that take the page's names; steps of h = 0.005 across a
+    kink are off by as much as h.
+    """
     model = load(name)
     out = export(name, "c", tmp_path)
     taken = set(re.findall(r"double (\w+)", (out / f"{name}.h").read_text(encoding="utf-8")))

@@ -1,4 +1,6 @@
-"""Motions and sweeps: one class and one function for every model, with forces held against formulas written by hand."""
+"""Motions and sweeps: one class and one function for every model, with forces held against formulas
+written by hand.
+"""
 
 import pickle
 
@@ -56,7 +58,8 @@ def test_forces_of_springs_and_of_the_contact_are_those_written_by_hand() -> Non
         ss.ParameterError, match="spring = None of two_springs is one of 'spring 1', 'spring 2'"
     ):
         tr.spring_force()
-    # Where the gap is no coordinate the normal force is the law of the depth, whatever share of it each coordinate feels.
+    # Where the gap is no coordinate the normal force is the law of the depth, whatever share of it
+    # each coordinate feels.
     rod = ss.load("sprag_rod").Parameters(theta0=0.7)
     swing = ss.simulate(rod, start=[1.0, 0.0], t_end=20.0)
     assert (

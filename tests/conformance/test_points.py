@@ -1,4 +1,6 @@
-"""Folds, cusps and onsets of every model: one class, the same attributes, and two ways to one answer."""
+"""Folds, cusps and onsets of every model: one class, the same attributes, and two ways to one
+answer.
+"""
 
 import pickle
 

@@ -1,4 +1,5 @@
-"""Every public question is asked of every model near its base values, and each answer is held against another question.
+"""Every public question is asked of every model near its base values, and each answer is held
+against another question.
 
 A model that has no answer says so by an error that the question documents.
 """
@@ -18,7 +19,8 @@ from tests.conformance import models
 from tests.conformance.models import ALIKE, MODELS, a_set
 from tests.support import few
 
-#: Belt speeds at which a motion from 0 comes to a cycle; elsewhere, on a belt so slow that friction damps, it comes to rest.
+#: Belt speeds at which a motion from 0 comes to a cycle; elsewhere, on a belt so slow that friction
+#: damps, it comes to rest.
 CYCLES = {
     "hertz_contact": 1.0,
     "inclined_belt": 1.0,
@@ -91,7 +93,9 @@ class Asked:
             )
 
     def points(self) -> None:
-        """Two states end at a fold, or begin, and go to an equilibrium; two folds are on one side of a cusp."""
+        """Two states end at a fold, or begin, and go to an equilibrium; two folds are on one side
+        of a cusp.
+        """
         between = self.near(self.vary, share=0.3)
         found = ss.folds(self.p, self.vary, between=between)
         counts = ss.count(self.p.replace(**{self.vary: [*between[self.vary]]}))
@@ -174,7 +178,9 @@ class Asked:
         assert [end.value for end in path.jumps] == [pytest.approx(self.jump, rel=1e-9)]
 
     def lowest(self) -> None:
-        """Over θ₀ and μ₀ near the first jump: it is a fold, and below it there is none at other θ₀; the article's critical β."""
+        """Over θ₀ and μ₀ near the first jump: it is a fold, and below it there is none at other θ₀;
+        the article's critical β.
+        """
         if not self.planar:
             words = f"{self.name} has not both theta0 and mu0"
             refused(ss.ParameterError, words, ss.critical_friction, self.p)
@@ -208,7 +214,9 @@ class Asked:
             )
 
     def odds(self) -> None:
-        """The margin is how far the jump is; bounds of a probability hold the share of the interval beyond the jump."""
+        """The margin is how far the jump is; bounds of a probability hold the share of the interval
+        beyond the jump.
+        """
         margin = ss.jump_margin(self.p, {self.vary: 0.1}, vary=self.vary, begin=self.begin)
         away = np.inf if np.isnan(self.jump) else max(self.jump - self.own, 0.0) / 0.1
         assert margin.distance == pytest.approx(away, rel=1e-6)
@@ -234,7 +242,9 @@ class Asked:
         )
 
     def certificates(self) -> None:
-        """What is proved of a box is true at random points of it, and what is refuted is not true at the counterexample."""
+        """What is proved of a box is true at random points of it, and what is refuted is not true
+        at the counterexample.
+        """
         low, high = (self.p.replace(**{self.vary: share * self.own}) for share in (0.995, 1.005))
         points = self.p.replace(
             **{self.vary: self.own * np.random.default_rng(1).uniform(0.995, 1.005, 4)}
@@ -272,7 +282,9 @@ class Asked:
         )
 
     def motions(self) -> None:
-        """From half-way the same motion goes on; a sweep says the same of it; its exponents together are the trace."""
+        """From half-way the same motion goes on; a sweep says the same of it; its exponents
+        together are the trace.
+        """
         whole = ss.simulate(self.p, t_end=8.0)
         assert ss.simulate(self.p, t_end=4.0, start=whole(4.0)).state[:, -1] == pytest.approx(
             whole.state[:, -1], abs=1e-7
@@ -301,7 +313,9 @@ class Asked:
         assert found.theta0[0, 0] == pytest.approx(0.35 + 0.1 * int((rms[1:] / rms[:-1]).argmax()))
 
     def fates(self) -> None:
-        """A map and a basin of one motion say what is said of it, and where its fate does not change there is no boundary."""
+        """A map and a basin of one motion say what is said of it, and where its fate does not
+        change there is no boundary.
+        """
         found, sheet = ss.fate(self.moving), ss.fate_map(self.moving, V=[self.speed])
         assert found.kind == (
             "cycle" if self.name in CYCLES else "undecided" if self.name == "coulomb" else "rest"
@@ -341,7 +355,9 @@ class Asked:
         assert np.abs(found.points[:, 0] - found.saddle[0]).max() < 0.1
 
     def cycles(self) -> None:
-        """A cycle returns to itself; the one at the end of a branch is found by itself; the curve of an event holds the event."""
+        """A cycle returns to itself; the one at the end of a branch is found by itself; the curve
+        of an event holds the event.
+        """
         if self.name not in CYCLES:
             return refused(
                 ss.ConvergenceError,
@@ -387,7 +403,9 @@ class Asked:
         assert self.name in ss.explore(self.p)._repr_html_()
 
     def article(self) -> None:
-        """Only the article's model has a surface, a flutter boundary, and a linear model with poles."""
+        """Only the article's model has a surface, a flutter boundary, and a linear model with
+        poles.
+        """
         of_article = {
             ss.surface: (0.8, 0.7),
             ss.flutter_boundary: (200,),
@@ -443,14 +461,17 @@ TABLE: dict[Callable[[Asked], None], str] = {
     Asked.page: "explore",
     Asked.article: "surface flutter_boundary linear_sprag linear_critical_friction",
 }
-#: Those that follow long motions; and those that take seconds where states end and no closed form says where.
+#: Those that follow long motions; and those that take seconds where states end and no closed form
+#: says where.
 LONG = (Asked.fates, Asked.boundary, Asked.cycles)
 DEAR = ("jumps", "lowest", "odds", "designs", "page")
 BY_HAND = [f"{name}-{ask}" for name in ("sprag_rod", "two_springs") for ask in DEAR]
 
 
 def questions() -> list[str]:
-    """Public functions whose first argument is a set of parameters, or a cycle or an event of one."""
+    """Public functions whose first argument is a set of parameters, or a cycle or an event of
+    one.
+    """
     functions = {
         name: getattr(ss, name) for name in ss.__all__ if inspect.isfunction(getattr(ss, name))
     }

@@ -1,4 +1,6 @@
-"""The report of a brake with every model: the same keys, what Python says in the file's units, and exports of every page."""
+"""The report of a brake with every model: the same keys, what Python says in the file's units, and
+exports of every page.
+"""
 
 import math
 from functools import cache
@@ -22,7 +24,9 @@ LESS = {"oscillation": False, "probability": False, "redesign": False}
 
 
 def a_brake(name: str, folder: Path) -> tuple[Path, Any, float]:
-    """A file with the base values of a model, 40 degrees where there is none; the same set; and a unit of length in metres."""
+    """A file with the base values of a model, 40 degrees where there is none; the same set; and a
+    unit of length in metres.
+    """
     model, p, kind = load(name), a_set(name), quantities(place(name))
     units = {entry["name"]: SIZE.get(entry["unit"], 800.0) for entry in model.about["units"]}
     bases = {entry["name"]: (units[entry["name"]], entry["unit"]) for entry in model.about["units"]}

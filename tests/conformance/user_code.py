@@ -1,4 +1,6 @@
-"""Calls as a user writes them, for type checkers: ``make lint`` checks that right ones pass, and that wrong ones are seen."""
+"""Calls as a user writes them, for type checkers: ``make lint`` checks that right ones pass, and
+that wrong ones are seen.
+"""
 
 # pyright: reportUnnecessaryTypeIgnoreComment=true
 

@@ -1,4 +1,6 @@
-"""The C target: clean under strict flags and sanitizers, Python's algebra, equilibria that it vouches for."""
+"""The C target: clean under strict flags and sanitizers, Python's algebra, equilibria that it
+vouches for.
+"""
 
 import ctypes
 import itertools
@@ -45,7 +47,8 @@ DISTANCES = (0.0, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4)
 
 pytestmark = pytest.mark.skipif(not COMPILERS, reason="no C compiler on this machine")
 
-# ----------------------------------------------------------------------------------------------------- driver
+# -------------------------------------------------------------------------------------------------
+# driver
 
 #: Generated functions in the header: name, names of the arguments, number of results.
 ALGEBRA = {
@@ -64,7 +67,8 @@ def calls() -> str:
         f"void call_{name}(long points, const double *in, double *out, int *status) {{\n"
         f"    for (long i = 0; i < points; i++) {{\n"
         f"        const double *const a = in + {len(arguments)} * i;\n"
-        f"        status[i] = (int)spragsym_{name}({', '.join(f'a[{k}]' for k in range(len(arguments)))},\n"
+        "        status[i] = "
+        f"(int)spragsym_{name}({', '.join(f'a[{k}]' for k in range(len(arguments)))},\n"
         f"                                         out + {results} * i);\n"
         f"    }}\n}}\n"
         for name, (arguments, results) in ALGEBRA.items()
@@ -124,7 +128,8 @@ def solve(library: ctypes.CDLL, points: Any, regime: int) -> c_target.Solved:
     return found
 
 
-# ----------------------------------------------------------------------------------------------------- points
+# ------------------------------------------------------------------------------------------------
+# points
 
 
 def _decades(rng: np.random.Generator, low: float, high: float, count: int) -> Any:
@@ -199,12 +204,15 @@ def nonsense() -> Any:
     )
 
 
-# ------------------------------------------------------------------------------------------------------ tests
+# ------------------------------------------------------------------------------------------------
+# tests
 
 
 @pytest.mark.thorough
 def test_sanitizers(tmp_path: Path) -> None:
-    """No undefined behaviour, no access out of bounds, over the adversarial set and over nonsense."""
+    """No undefined behaviour, no access out of bounds, over the adversarial set and over
+    nonsense.
+    """
     compiler = COMPILERS[0]
     program = compile_driver(
         tmp_path, compiler, "-O0", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"
@@ -242,7 +250,9 @@ def test_algebra_is_that_of_python(library: ctypes.CDLL) -> None:
     few(adversarial(), "random", "cusp wedge", "wild decades", "onset of flutter", "alpha = 0"),
 )
 def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: int) -> None:
-    """Counts that certified roots decide, states by Newton's method on the forces; the kinds are Python's."""
+    """Counts that certified roots decide, states by Newton's method on the forces; the kinds are
+    Python's.
+    """
     points = adversarial()[kind]
     found, known = (
         solve(library, points, regime),
@@ -288,7 +298,9 @@ def lowest_folds(
 
 @pytest.mark.thorough
 def test_the_lowest_fold_is_that_python_proves(library: ctypes.CDLL) -> None:
-    """Certain for all but a few random sets; near alpha = 1 + beta and with hardly any alpha at least not wrong."""
+    """Certain for all but a few random sets; near alpha = 1 + beta and with hardly any alpha at
+    least not wrong.
+    """
     names = ("kappa", "alpha", "sigma", "beta")
     usual = [{name: float(getattr(p, name)) for name in names} for p in lowest_sets(60)]
     hard = [{name: given[name] for name in names} for given in languages.fold_sets(40)]
@@ -320,7 +332,8 @@ def test_what_double_cannot_carry_is_said(library: ctypes.CDLL) -> None:
         assert all(np.isfinite(found.equilibria[name]).all() for name in ("theta", "L", "x", "y"))
 
 
-# ------------------------------------------------------------------------------------------------------- step
+# ------------------------------------------------------------------------------------------------
+# step
 
 
 def _steps(
@@ -345,7 +358,9 @@ def _steps(
 def test_step_is_of_fourth_order_across_the_kinks(
     library: ctypes.CDLL, V: float, start: Any, kinks: tuple[int, int]
 ) -> None:
-    """The orbits leave the belt and come back, or overtake it; the first starts on a kink. By Python's integrator."""
+    """The orbits leave the belt and come back, or overtake it; the first starts on a kink. By
+    Python's integrator.
+    """
     begun = dict(zip(("x0", "y0", "vx0", "vy0"), start, strict=True))
     tr = ss.simulate(ss.Parameters(*BASE), V=V, d=10.0, t_end=60.0, rtol=1e-13, **begun)
     of = (
@@ -362,4 +377,5 @@ def test_step_is_of_fourth_order_across_the_kinks(
     assert math.log2(errors[0] / errors[-1]) / 3 > 3.6
 
 
-# -------------------------------------------------------------------------------------------- cost and export
+# ------------------------------------------------------------------------------------------- cost
+# and export

@@ -1,4 +1,6 @@
-"""``make derive``: the same bytes always, all or nothing, and a plain word when something is missing."""
+"""``make derive``: the same bytes always, all or nothing, and a plain word when something is
+missing.
+"""
 
 from pathlib import Path
 from typing import Any
@@ -15,7 +17,9 @@ COMMITTED = ROOT / "generated"
 
 
 def files_of(folder: Path) -> dict[str, bytes]:
-    """Every generated file below a folder, by relative path; not what the interpreter leaves there."""
+    """Every generated file below a folder, by relative path; not what the interpreter leaves
+    there.
+    """
     paths = (
         path for path in folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts
     )
@@ -53,7 +57,8 @@ def untouched(target: Path) -> bool:
     return files_of(target) == OLD and list(target.parent.iterdir()) == [target]
 
 
-# --------------------------------------------------------------------------------------------- a failed check
+# --------------------------------------------------------------------------------------------- a
+# failed check
 
 
 @pytest.fixture
@@ -146,7 +151,8 @@ def test_what_is_not_proved_writes_nothing(
     assert f"not proved: {words}" in capsys.readouterr().err
 
 
-# ----------------------------------------------------------------------------------------- interrupted writes
+# -----------------------------------------------------------------------------------------
+# interrupted writes
 
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt, OSError, MemoryError])

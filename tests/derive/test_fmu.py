@@ -1,4 +1,6 @@
-"""The FMU target: FMPy has nothing to say and simulates as Python does, in units too; bad calls get their status."""
+"""The FMU target: FMPy has nothing to say and simulates as Python does, in units too; bad calls get
+their status.
+"""
 
 import shlex
 import shutil
@@ -38,7 +40,9 @@ def exported(folder: Path, *options: str) -> str:
 def stepped(
     file: str, values: dict[str, float], names: list[str], t_end: float
 ) -> tuple[list[float], list[float]]:
-    """The state at the end, by steps of Co-Simulation, and times of events, each of which turns one of the flags."""
+    """The state at the end, by steps of Co-Simulation, and times of events, each of which turns one
+    of the flags.
+    """
     description, options = (
         fmpy.read_model_description(file),
         {"early_return_allowed": True, "event_mode_used": True},
@@ -69,7 +73,9 @@ def stepped(
 )
 @pytest.mark.parametrize("name", few(shipped(), "sprag_rod"))
 def test_an_fmu_moves_as_python_does(name: str, tmp_path: Path) -> None:
-    """Lift-off, reversals of the slip, sticking, a torsion spring that is counted on; Model Exchange as FMPy's solver can."""
+    """Lift-off, reversals of the slip, sticking, a torsion spring that is counted on; Model
+    Exchange as FMPy's solver can.
+    """
     model, file = ss.load(name), exported(tmp_path, "--model", name)
     values = {one: 0.9 for one in model.parameters if one not in model.base}
     p, names = model.Parameters(**values), [*model.coordinates, *model.rates]
@@ -120,7 +126,9 @@ def test_a_brake_has_its_units(brake: str, tmp_path: Path) -> None:
 
 
 def test_bad_calls_get_the_status_of_the_standard(brake: str, tmp_path: Path) -> None:
-    """And partial derivatives by states, by parameters in their units and by the units of measure are those of differences."""
+    """And partial derivatives by states, by parameters in their units and by the units of measure
+    are those of differences.
+    """
     description, sources = fmpy.read_model_description(brake), Path(fmpy.extract(brake)) / "sources"
     command = [
         CC,

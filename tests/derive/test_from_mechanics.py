@@ -1,4 +1,6 @@
-"""Pages from SymPy's mechanics: the generated code is that of the shipped page, and what no page can say is refused by name."""
+"""Pages from SymPy's mechanics: the generated code is that of the shipped page, and what no page
+can say is refused by name.
+"""
 
 from pathlib import Path
 

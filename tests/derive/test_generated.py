@@ -1,4 +1,6 @@
-"""Generated functions: one algebra for every number type, and the numbers of the un-eliminated equations."""
+"""Generated functions: one algebra for every number type, and the numbers of the un-eliminated
+equations.
+"""
 
 import importlib
 import inspect
@@ -24,7 +26,8 @@ from tests.support import as_mpf, leaves
 
 EPS = 2.0**-53
 
-# -------------------------------------------------------------------------------------------------- discovery
+# -------------------------------------------------------------------------------------------------
+# discovery
 
 
 @dataclass(frozen=True)
@@ -88,7 +91,8 @@ def call(function: Callable[..., Any], values: dict[str, Any]) -> Any:
     return function(*(values[name] for name in inspect.signature(function).parameters))
 
 
-# ---------------------------------------------------------------------------------------------------- numbers
+# ------------------------------------------------------------------------------------------------
+# numbers
 
 _RANGES: dict[str, tuple[float, float]] = {
     "L": (0.3, 1.8),
@@ -123,7 +127,9 @@ _RANGES: dict[str, tuple[float, float]] = {
 
 
 def rationals(seed: int) -> dict[str, Fraction]:
-    """Random rationals for every argument there is; cosines and sines on the unit circle, 0 < θ, θ₀ < π."""
+    """Random rationals for every argument there is; cosines and sines on the unit circle, 0 < θ, θ₀
+    < π.
+    """
     generator = random.Random(seed)
     point = {}
     for name, (low, high) in _RANGES.items():
@@ -163,7 +169,9 @@ def exact(function: Generated, values: dict[str, Any], digits: int) -> list[mpma
 
 
 def conditions(function: Generated, values: dict[str, float]) -> list[mpmath.mpf]:
-    """|f| + Σ |xᵢ ∂f/∂xᵢ| for each result: what relative errors of size 1 in the arguments would do to it."""
+    """|f| + Σ |xᵢ ∂f/∂xᵢ| for each result: what relative errors of size 1 in the arguments would do
+    to it.
+    """
     with mpmath.workdps(60):
         centre = exact(function, values, 60)
         total = [abs(item) for item in centre]
@@ -181,7 +189,9 @@ def conditions(function: Generated, values: dict[str, float]) -> list[mpmath.mpf
 
 @each_function
 def test_float64_is_within_a_few_ulp(function: Generated) -> None:
-    """Errors are a modest multiple of what rounding the arguments costs, and inside of the enclosure."""
+    """Errors are a modest multiple of what rounding the arguments costs, and inside of the
+    enclosure.
+    """
     for seed in SEEDS:
         values = floats(seed)
         truth = exact(function, values, 50)
@@ -217,7 +227,9 @@ def ends(interval: Any) -> tuple[mpmath.mpf, mpmath.mpf]:
 
 
 class RationalStandIns:
-    """Rational functions in place of √, exp and sgn: what a function does around them can be followed exactly."""
+    """Rational functions in place of √, exp and sgn: what a function does around them can be
+    followed exactly.
+    """
 
     @staticmethod
     def sqrt(value: Any) -> Any:
@@ -234,7 +246,9 @@ class RationalStandIns:
 
 @each_function
 def test_fractions_stay_exact(function: Generated) -> None:
-    """Fractions in, fractions out, for all functions: no rational constant of theirs passes through float64."""
+    """Fractions in, fractions out, for all functions: no rational constant of theirs passes through
+    float64.
+    """
     for seed in SEEDS:
         results = function(rationals(seed), RationalStandIns)
         assert all(isinstance(item, Fraction) for item in results), [type(item) for item in results]
@@ -243,7 +257,8 @@ def test_fractions_stay_exact(function: Generated) -> None:
                 assert abs(as_mpf(item) - right) <= mpmath.mpf(10) ** -50 * (1 + abs(right))
 
 
-# ----------------------------------------------------------------------------------------------------- arrays
+# ------------------------------------------------------------------------------------------------
+# arrays
 
 
 @each_function
@@ -271,13 +286,16 @@ def test_arrays_broadcast_constants_included(function: Generated) -> None:
                 )
 
 
-# --------------------------------------------------------------- against the un-eliminated equations, by hand
+# --------------------------------------------------------------- against the un-eliminated
+# equations, by hand
 
 
 def forces(
     point: dict[str, Any], x: Any, y: Any, mu: Any, sqrt: Callable[[Any], Any] = mpmath.sqrt
 ) -> tuple[Any, Any]:
-    """F_x and F_y of (12) and (13): minus the sum of forces, written out from the figure of the model."""
+    """F_x and F_y of (12) and (13): minus the sum of forces, written out from the figure of the
+    model.
+    """
     anchor_x, anchor_y = point["cos0"] - x, point["sin0"] - y
     length = sqrt(anchor_x**2 + anchor_y**2)
     tension = point["sigma"] * (length - 1)
@@ -294,9 +312,11 @@ def at_rest(
     *unknowns: str,
     further: Callable[[sp.Matrix], list[sp.Expr]] = lambda K: [],
 ) -> tuple[dict[str, Any], list[Fraction]]:
-    """A place and parameters, all rational, for which the forces vanish there, and the slopes of the forces.
+    """A place and parameters, all rational, for which the forces vanish there, and the slopes of
+    the forces.
 
-    The unknowns solve linear equations: that the forces vanish, and what else is asked of their slopes.
+    The unknowns solve linear equations: that the forces vanish, and what else is asked of their
+    slopes.
     """
     here: dict[str, Any] = {name: sp.Rational(value) for name, value in rationals(seed).items()}
     here |= {name: sp.Symbol(name) for name in unknowns}
@@ -391,7 +411,8 @@ def test_flutter_onsets(seed: int) -> None:
 
 
 def test_motion_is_newtons_second_law() -> None:
-    """Away from equilibrium, on both sides of V = x' and of y = 0, with the friction law written out.
+    """Away from equilibrium, on both sides of V = x' and of y = 0, with the friction law written
+    out.
 
     Its derivatives, its regimes and its energy are those of any model: ``test_models_generated``.
     """
@@ -436,7 +457,9 @@ def f_by_hand(point: dict[str, Any], theta: Any) -> Any:
 
 
 def test_derivatives_of_f() -> None:
-    """f, its derivatives in θ and its unfolding, against numerical derivatives of the balance of forces."""
+    """f, its derivatives in θ and its unfolding, against numerical derivatives of the balance of
+    forces.
+    """
     tiny = mpmath.mpf(10) ** -35
     with mpmath.workdps(50):
         for seed in range(4):

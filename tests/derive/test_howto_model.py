@@ -33,7 +33,9 @@ def test_the_page_does_what_it_says(tmp_path: Path) -> None:
 
 @pytest.mark.thorough
 def test_around_a_torsion_spring_searches_end_soon_and_say_why() -> None:
-    """Its force has no bound at the anchor, which comes down to the belt at both ends of the range of θ₀."""
+    """Its force has no bound at the anchor, which comes down to the belt at both ends of the range
+    of θ₀.
+    """
     files = dict(
         re.findall(
             r"^```{code-block} python\n:caption: (\S+)\n(.*?)^```$",

@@ -21,7 +21,8 @@ POINT = {
     "beta": 0.0,
 }
 START = [0.0, 0.0, 0.0, 0.0]
-#: Changes to the article's values that give sets of other shapes: symmetric, one curve, a = 0 and all but 0, none.
+#: Changes to the article's values that give sets of other shapes: symmetric, one curve, a = 0 and
+#: all but 0, none.
 SETS: tuple[dict[str, float], ...] = (
     {},
     {"alpha": 0.0},
@@ -37,7 +38,8 @@ SETS: tuple[dict[str, float], ...] = (
 pytestmark = pytest.mark.skipif(NODE is None, reason="node is not on this machine")
 
 
-# --------------------------------------------------------------------------------------- surface, folds and cusps
+# --------------------------------------------------------------------------------------- surface,
+# folds and cusps
 
 
 @pytest.mark.parametrize("changes", few(SETS, SETS[3]))
@@ -93,7 +95,9 @@ def _ends(curves: Sequence[Any]) -> list[float]:
     "changes", few([{"alpha": 0.7}, {"alpha": 1.0}, {"beta": 0.3}], {"alpha": 0.7})
 )
 def test_flutter_onsets_are_those_of_python(changes: dict[str, float]) -> None:
-    """The onsets at some frictions, which Python proves complete, lie on the curves, and no others do."""
+    """The onsets at some frictions, which Python proves complete, lie on the curves, and no others
+    do.
+    """
     p = ss.Parameters.article(**changes)
     (curves,) = values(
         [("flutter_boundary", {name: float(getattr(p, name)) for name in NAMES[2:]})]
@@ -129,12 +133,15 @@ def test_the_lowest_fold_is_that_python_proves() -> None:
     assert kinds == {"cusp", "turn", ""}
 
 
-# ------------------------------------------------------------------------------------------------------- motion
+# ------------------------------------------------------------------------------------------------
+# motion
 
 
 @pytest.mark.parametrize(("V", "start"), [(0.2, START), (0.1, [0.0, -0.01, 0.3, 0.0])])
 def test_step_is_of_fourth_order_across_the_kinks(V: float, start: list[float]) -> None:
-    """The orbits leave the belt and come back, or overtake it; the reference is the other integrator at tight tolerance."""
+    """The orbits leave the belt and come back, or overtake it; the reference is the other
+    integrator at tight tolerance.
+    """
     begun = dict(zip(("x0", "y0", "vx0", "vy0"), start, strict=True))
     exact = ss.simulate(ss.Parameters(**POINT), V=V, d=10.0, t_end=60.0, rtol=1e-12, **begun).state[
         :, -1

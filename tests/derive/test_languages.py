@@ -1,4 +1,6 @@
-"""Languages: the bits of C, what their page shows, and one added by the words of CONTRIBUTING alone."""
+"""Languages: the bits of C, what their page shows, and one added by the words of CONTRIBUTING
+alone.
+"""
 
 import ctypes
 import inspect
@@ -30,7 +32,8 @@ def section(title: str) -> str:
     return PAGE.read_text(encoding="utf-8").split(f"\n## {title}\n")[1].split("\n## ")[0]
 
 
-# ---------------------------------------------------------------------------------------- languages that are there
+# -------------------------------------------------------------------------------------- languages
+# that are there
 
 
 @pytest.mark.thorough
@@ -43,7 +46,9 @@ def section(title: str) -> str:
 def test_every_bit_is_that_of_c(
     there: str | None, solved: Callable[..., Any], contact: bool, c_library: ctypes.CDLL
 ) -> None:
-    """Statuses, counts, states and bounds of all points, vouched for or not: one kernel, no operation of it different."""
+    """Statuses, counts, states and bounds of all points, vouched for or not: one kernel, no
+    operation of it different.
+    """
     if there is None:
         pytest.skip("it is not on this machine")
     p = languages.adversarial(120)
@@ -91,7 +96,9 @@ def test_programs_of_the_page_print_what_it_shows(
 def test_a_library_that_differentiates_has_our_jacobians_and_finds_the_design(
     language: str, tmp_path: Path
 ) -> None:
-    """Its own of forces and accelerations, at a thousand sets at once; and what the page asks of its optimizer."""
+    """Its own of forces and accelerations, at a thousand sets at once; and what the page asks of
+    its optimizer.
+    """
     pytest.importorskip(language)
     model = {"jax": _with_jax, "casadi": _with_casadi}[language]
     pairs = (("forces", "forces_jacobian"), ("regime_rhs", "regime_jacobian"))
@@ -146,11 +153,14 @@ def _with_casadi(function: Any, jacobian: Any, table: Any) -> tuple[Any, Any]:
     return np.array(ours).reshape(2, len(table), -1), np.array(theirs).reshape(2, len(table), -1)
 
 
-# ------------------------------------------------------------------------------------------------- a new language
+# ------------------------------------------------------------------------------------------------
+# a new language
 
 
 def test_the_language_that_contributing_adds_is_printed() -> None:
-    """Its one file, as it stands there, gives every function of the library with the statements of Python."""
+    """Its one file, as it stands there, gives every function of the library with the statements of
+    Python.
+    """
     steps = re.sub(r"^   ", "", section("Add a language"), flags=re.MULTILINE)
     ((name, program),) = re.findall(
         r"`derive/emit/targets/(\w+)/__init__\.py`:\n\n```python\n(.*?)\n```", steps, re.DOTALL
@@ -163,12 +173,15 @@ def test_the_language_that_contributing_adds_is_printed() -> None:
     assert "f_third(cos, sin, a_f, b_f, d_f, m_f) gives f‴\n  w0 = 4*a_f\n" in text
 
 
-# ----------------------------------------------------------------------------------------- what is printed
+# ---------------------------------------------------------------------------------------- what is
+# printed
 
 
 @pytest.mark.thorough
 def test_generated_c_comes_out_formatted() -> None:
-    """The printer lays C out by itself, as clang-format would, for any model; of the article's another one knows nothing."""
+    """The printer lays C out by itself, as clang-format would, for any model; of the article's
+    another one knows nothing.
+    """
     pytest.importorskip("sympy")
     from spragsym.derive import export
 

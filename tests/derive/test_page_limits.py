@@ -1,4 +1,6 @@
-"""What a page can't say is refused by its line, in the words of the guide, and what it can say goes through."""
+"""What a page can't say is refused by its line, in the words of the guide, and what it can say goes
+through.
+"""
 
 from pathlib import Path
 from typing import Any
@@ -61,9 +63,11 @@ def accelerations(model: ss.models.Model, state: tuple[float, ...], **changes: f
     )
 
 
-# ------------------------------------------------------------------------------------------------ what a page can't say
+# ------------------------------------------------------------------------------------------------
+# what a page can't say
 
-#: Entry of the list → the statement that is replaced, what stands in its place, and a piece of the line that is named.
+#: Entry of the list → the statement that is replaced, what stands in its place, and a piece of the
+#: line that is named.
 DAMPER, CONTACT = "page.damper(c, along=y)", "page.contact(y, lambda depth: k_c * depth)"
 LAW = "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0"
 BEYOND: dict[str, tuple[limits.Limit, str, str, str]] = {
@@ -187,7 +191,8 @@ def test_the_list_is_that_of_the_guide() -> None:
     assert {limit for limit, *_ in BEYOND.values()} == set(limits.LIMITS)
 
 
-# ------------------------------------------------------------------------------------------------ what a page can say
+# ------------------------------------------------------------------------------------------------
+# what a page can say
 
 STATE = (0.1, -0.2, 0.3, 0.4)
 
@@ -219,7 +224,8 @@ def test_a_statement_that_does_not_fit_is_refused_by_its_line(
         pages.read(path)
 
 
-# ------------------------------------------------------------------------------------------------ names
+# ------------------------------------------------------------------------------------------------
+# names
 
 
 @pytest.mark.parametrize("name", ["json", "model", "abs"])
@@ -239,12 +245,15 @@ def test_no_name_of_a_parameter_changes_the_model(name: str) -> None:
     np.testing.assert_array_equal(accelerations(mine, STATE), accelerations(plain, STATE))
 
 
-# ------------------------------------------------------------------------------------------------ what varies, and what is drawn
+# ------------------------------------------------------------------------------------------------
+# what varies, and what is drawn
 
 
 @pytest.mark.thorough
 def test_a_search_along_a_line_of_states_ends() -> None:
-    """Without spring and friction the mass rests wherever it is along the belt: one box, and why; it once took minutes."""
+    """Without spring and friction the mass rests wherever it is along the belt: one box, and why;
+    it once took minutes.
+    """
     model = loaded()
     eq = ss.equilibria(model.Parameters(sigma=0.0, a=0.0, mu0=0.0))
     assert not eq.complete

@@ -1,4 +1,6 @@
-"""Pages: what is refused and in which words, what a folder holds, and that the article's page is the article's model."""
+"""Pages: what is refused and in which words, what a folder holds, and that the article's page is
+the article's model.
+"""
 
 import dataclasses
 from pathlib import Path
@@ -59,7 +61,8 @@ REFUSED = {
     ),
     "a damper that may drive": (
         "page.contact(",
-        'c = page.parameter("c", "N s/m", "damping", "real", 0.1)\npage.damper(c, along=y)\npage.contact(',
+        'c = page.parameter("c", "N s/m", "damping", "real", 0.1)\npage.damper(c, '
+        "along=y)\npage.contact(",
         "page.damper(",
         "c, is negative at c = -980, where it drives",
     ),
@@ -282,7 +285,9 @@ def test_a_page_that_is_no_text_in_utf_8(tmp_path: Path) -> None:
 
 
 def test_a_coordinate_hides_nothing_of_the_results() -> None:
-    """Whatever can be asked of a result is no name of a coordinate, and no column of a sweep that of a parameter."""
+    """Whatever can be asked of a result is no name of a coordinate, and no column of a sweep that
+    of a parameter.
+    """
     from spragsym.derive import reserved
     from spragsym.motion.sweeps.many import reported
 
@@ -303,7 +308,8 @@ def test_a_coordinate_hides_nothing_of_the_results() -> None:
     )
 
 
-# ------------------------------------------------------------------------------------------------ the article's page
+# ------------------------------------------------------------------------------------------------
+# the article's page
 
 
 @pytest.mark.thorough
@@ -323,7 +329,9 @@ def test_a_page_that_differs_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 def test_the_articles_page_gives_lagranges_equations() -> None:
-    """(1) and (2), with all units, from energies and forces written here, by SymPy's own mechanics."""
+    """(1) and (2), with all units, from energies and forces written here, by SymPy's own
+    mechanics.
+    """
     m, k, k_x, k_y, F_L, L_0 = (
         nm.quantities()[name].symbol for name in ("m", "k", "k_x", "k_y", "F_L", "L_0")
     )

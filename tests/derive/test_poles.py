@@ -7,7 +7,8 @@ import spragsym as ss
 from tests.oracles.user_pages import model_of, replaced
 from tests.statics.test_models_growth import COLUMN
 
-#: A plate over an electrode (Nathanson et al. 1967): x (1 − x)² = U, with a pole where the gap is closed.
+#: A plate over an electrode (Nathanson et al. 1967): x (1 − x)² = U, with a pole where the gap is
+#: closed.
 PULL_IN = '''"""A published model."""
 from spragsym.derive.model import Page
 
@@ -21,7 +22,8 @@ page.kinetic(m * page.rate(x) ** 2 / 2)
 page.spring(k, along=x)
 page.force(U / (1 - x / l) ** 2, along=x)
 '''
-#: Ziegler's column under a load that follows the upper link in part only (Herrmann and Bungay 1964).
+#: Ziegler's column under a load that follows the upper link in part only (Herrmann and Bungay
+#: 1964).
 PARTLY = replaced(
     COLUMN,
     ("a = page", 'e = page.parameter("e", "1", "share that follows", "real", 1.0)\na = page'),
@@ -47,7 +49,8 @@ def test_pull_in_is_found_and_all_is_decided_beside_the_pole() -> None:
 def test_flutter_under_a_load_that_follows_in_part() -> None:
     p, near = model_of(PARTLY, "partly").Parameters(e=0.9), (-0.1, 0.1)
     onsets = ss.flutter_onsets(p, "P", between={"P": (0.0, 8.0)}, within={"a": near, "b": near})
-    # M = ((3, 1), (1, 1)), K = ((2 − P, e P − 1), (−1, 1 − (1 − e) P)): the discriminant of det(K − κ M) in P.
+    # M = ((3, 1), (1, 1)), K = ((2 − P, e P − 1), (−1, 1 − (1 − e) P)): the discriminant of det(K −
+    # κ M) in P.
     load = np.polynomial.Polynomial([0.0, 1.0])
     det = (2 - load) * (1 - 0.1 * load) - (1 - 0.9 * load)
     trace = (2 - load) + 3 * (1 - 0.1 * load) - (0.9 * load - 1) + 1

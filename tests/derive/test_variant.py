@@ -69,7 +69,9 @@ def test_the_page_does_what_it_says(title: str, tmp_path: Path) -> None:
 
 
 def _variant(tmp_path: Path, *changes: tuple[str, str]) -> subprocess.CompletedProcess[str]:
-    """``python -m derive --variant`` in a copy of ``derive/`` with pieces of the article's page replaced."""
+    """``python -m derive --variant`` in a copy of ``derive/`` with pieces of the article's page
+    replaced.
+    """
     shutil.copytree(
         ROOT / "derive", tmp_path / "derive", ignore=shutil.ignore_patterns("__pycache__")
     )

@@ -1,4 +1,6 @@
-"""Certificates over boxes: that cells cover every direction, halves every point, and that shares and counts add up."""
+"""Certificates over boxes: that cells cover every direction, halves every point, and that shares
+and counts add up.
+"""
 
 from collections.abc import Mapping
 from fractions import Fraction
@@ -30,7 +32,8 @@ def random_boxes(seed: int, count: int, units: Mapping[str, Unit] = MappingProxy
     return Boxes(low, high, np.zeros(count, dtype=bool), units)
 
 
-# ------------------------------------------------------------------------------------------------------------- cells
+# ------------------------------------------------------------------------------------------------
+# cells
 
 
 def value_at(number: Any, at: np.ndarray, k: int) -> Fraction:
@@ -45,7 +48,9 @@ def value_at(number: Any, at: np.ndarray, k: int) -> Fraction:
 @pytest.mark.parametrize("units", [{}, UNITS], ids=["parameters", "units"])
 @pytest.mark.parametrize("fixed", [True, False])
 def test_the_ground_holds_every_point_of_a_cell(fixed: bool, units: Any) -> None:
-    """cos θ and sin θ at the shares of the way that the cell has, θ₀ and the parameters at those of the box."""
+    """cos θ and sin θ at the shares of the way that the cell has, θ₀ and the parameters at those of
+    the box.
+    """
     boxes = random_boxes(2, 20, units)
     rng, n = np.random.default_rng(3), len(boxes.low)
     low = Line(rng.uniform(0, 1, 20), rng.uniform(-0.6 / n, 0.6 / n, (n, 20)))
@@ -99,7 +104,9 @@ def flat(ends: Any) -> Line:
 
 
 def test_every_direction_is_looked_at() -> None:
-    """A claim that fails in a narrow stretch fails for the boxes whose directions have it, wherever that is."""
+    """A claim that fails in a narrow stretch fails for the boxes whose directions have it, wherever
+    that is.
+    """
     begin, end = (
         flat([0.0, 0.0, 0.31, 0.0, 0.29, 0.5, 0.2999]),
         flat([1.0, 0.29, 1.0, 0.301, 0.31, 0.6, 0.3]),
@@ -121,7 +128,8 @@ def test_every_direction_is_looked_at() -> None:
     ]
 
 
-# ------------------------------------------------------------------------------------------------------ certificates
+# ------------------------------------------------------------------------------------------------
+# certificates
 
 
 def test_halves_make_up_the_box() -> None:

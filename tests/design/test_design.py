@@ -1,4 +1,6 @@
-"""Jump values, gradients, margins, certificates, probabilities and designs, each against other evidence than its own."""
+"""Jump values, gradients, margins, certificates, probabilities and designs, each against other
+evidence than its own.
+"""
 
 import functools
 import math
@@ -33,7 +35,8 @@ def one(p: ss.Parameters, i: int) -> ss.Parameters:
     )
 
 
-# ------------------------------------------------------------------------------------------------------ jump values
+# ------------------------------------------------------------------------------------------------
+# jump values
 
 
 @pytest.mark.parametrize(
@@ -92,7 +95,8 @@ def test_values_on_folds_and_in_symmetric_systems() -> None:
     beside = ss.jump_value(BASE.replace(theta0=cusp.theta0[at] + np.array([-1e-6, 1e-6])))
     assert beside[0] == pytest.approx(cusp.mu0[at], abs=1e-6)
     assert math.isnan(beside[1])
-    # A start exactly on the fold: the state on it jumps where that is passed, and not the other way.
+    # A start exactly on the fold: the state on it jumps where that is passed, and not the other
+    # way.
     point = BASE.replace(theta0=0.5, mu0=0.95)
     (kappa,) = ss.folds(point, "kappa").kappa
     assert ss.jump_value(point.replace(kappa=kappa), "kappa") == kappa
@@ -138,7 +142,8 @@ def test_beside_a_fold_what_has_jumped_is_what_the_path_says() -> None:
     for i in close[:30]:
         (mu0,), at = one(p, int(i)).scalars("mu0"), float(value[i])
         path = ss.quasi_static_path(one(p, int(i)), "mu0", [0.0, mu0])
-        # A value equal to the fold as a float counts as the fold itself, which a path has not passed.
+        # A value equal to the fold as a float counts as the fold itself, which a path has not
+        # passed.
         assert bool(found[i]) == bool(path.jumps) or mu0 == at
 
 
@@ -188,7 +193,8 @@ def test_gradients_are_those_of_forty_digits(vary: str) -> None:
             assert abs(truth - float(getattr(found, name))) <= 1e-10 * (1 + abs(truth)), name
 
 
-# ------------------------------------------------------------------------------------------------------ certificates
+# ------------------------------------------------------------------------------------------------
+# certificates
 
 
 def boxes(
@@ -267,7 +273,8 @@ def test_a_box_that_touches_the_fold_ends_undecided() -> None:
     assert 0 < wide.undecided < 0.2
 
 
-# ------------------------------------------------------------------------------------------- margins and new designs
+# -------------------------------------------------------------------------------------------
+# margins and new designs
 
 
 def test_the_margin_of_friction_alone_is_the_jump_value() -> None:
@@ -315,7 +322,8 @@ def test_a_new_design_keeps_the_target_and_a_smaller_change_does_not() -> None:
     assert ss.redesign(p, "sigma", {"mu0": 0.4}).distance == 0.0
 
 
-# ------------------------------------------------------------------------------------------------------ probability
+# ------------------------------------------------------------------------------------------------
+# probability
 
 TOLERANCES: dict[str, Any] = {
     "theta0": (0.68, 0.72),
@@ -353,7 +361,9 @@ def test_indices_of_a_linear_model_are_its_squares() -> None:
 
 @pytest.mark.parametrize("share", few([0.3, 0.002]))
 def test_intervals_hold_the_truth_as_often_as_they_say(share: float) -> None:
-    """100 studies of x₁ + x₂ < s, whose probability is s²/2: a fair interval holds it 88 to 100 times, in 999 of 1000."""
+    """100 studies of x₁ + x₂ < s, whose probability is s²/2: a fair interval holds it 88 to 100
+    times, in 999 of 1000.
+    """
     limit = math.sqrt(2 * share)
     studies = [
         estimated(lambda u: (u.sum(axis=-1) < limit).astype(float), 2, 1024, seed, False)
@@ -378,7 +388,8 @@ def test_a_design_at_a_limit_is_allowed(name: str) -> None:
     assert 0 < getattr(designs.made(designs.limits()[0]), name) < 1e-6 * values[name]
 
 
-# --------------------------------------------------------------------------------------------------- what varies together
+# ------------------------------------------------------------------------------------------------
+# what varies together
 
 
 @pytest.mark.thorough
@@ -411,7 +422,8 @@ def test_a_probability_with_correlated_normals_is_that_of_plain_samples() -> Non
     assert next(iter(found.total.values())) == pytest.approx(1.0, abs=0.05)
 
 
-# ------------------------------------------------------------------------------------------------------------- mistakes
+# ------------------------------------------------------------------------------------------------
+# mistakes
 
 AT, LATER = BASE.replace(theta0=0.7), BASE.replace(theta0=1.2)
 #: A question that makes no sense, and what its error names.

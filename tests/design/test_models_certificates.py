@@ -1,4 +1,6 @@
-"""Certificates and probabilities of any model: against the article's closed forms, and against states followed one by one."""
+"""Certificates and probabilities of any model: against the article's closed forms, and against
+states followed one by one.
+"""
 
 from typing import Any
 
@@ -22,7 +24,9 @@ def sets(model: Any, ranges: dict[str, tuple[float, float]]) -> tuple[Any, Any]:
 
 
 def test_tubes_hold_the_states_of_all_points_of_a_box() -> None:
-    """Their change across the box is not linear: by the slopes in the middle alone, corners lie outside."""
+    """Their change across the box is not linear: by the slopes in the middle alone, corners lie
+    outside.
+    """
     box = Splitting(*sets(SEARCH, BOX), "mu0", 0.0)
     here = box._over(box.whole.low, box.whole.high).followed(box.whole.base, np.array([0.3]))
     assert here.sure[0]
@@ -104,7 +108,9 @@ def test_flutter_begins_where_its_onset_is_proved() -> None:
 
 @pytest.mark.thorough
 def test_where_two_states_meet() -> None:
-    """Next to a fold points are told apart; floats do not decide the point next to it, which can't be halved."""
+    """Next to a fold points are told apart; floats do not decide the point next to it, which can't
+    be halved.
+    """
     model = ss.load("inclined_belt")
     folds = ss.folds(model.Parameters(theta0=1.0), vary="mu0")
     fold = float(folds.mu0[0])

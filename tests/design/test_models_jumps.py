@@ -1,4 +1,6 @@
-"""Jump values and gradients of any model: against the article's closed forms, and against states followed one by one."""
+"""Jump values and gradients of any model: against the article's closed forms, and against states
+followed one by one.
+"""
 
 from typing import Any
 

@@ -1,4 +1,6 @@
-"""One coordinate: no state can flutter, which no search is needed for; folds nearer to each other than forces are to floats."""
+"""One coordinate: no state can flutter, which no search is needed for; folds nearer to each other
+than forces are to floats.
+"""
 
 import numpy as np
 import pytest
@@ -41,7 +43,8 @@ def test_without_friction_a_potential_has_no_flutter() -> None:
 @pytest.mark.thorough
 @pytest.mark.parametrize("S", [1.0, 1000.0])
 def test_folds_of_roots_that_are_nearly_one_are_told_and_shown(S: float) -> None:
-    # With u = (x − 2)/h − 3/2 the force is S h⁴ (u² − 9/4) (u² − 1/4): extrema −1 at u² = 5/4 and 9/16 at u = 0.
+    # With u = (x − 2)/h − 3/2 the force is S h⁴ (u² − 9/4) (u² − 1/4): extrema −1 at u² = 5/4 and
+    # 9/16 at u = 0.
     found = ss.folds(
         model_of(FOUR_ROOTS, "four_roots").Parameters(S=S), "P", between={"P": (-1.0, 1.0)}
     )

@@ -1,6 +1,7 @@
 """Loading parameters other than friction: a load on a truss, the preload of the article's brake.
 
-The truss snaps where P(u) = k u (l/r − 1), r² = b² + u², has its maximum over the height u that is left: r³ = l b².
+The truss snaps where P(u) = k u (l/r − 1), r² = b² + u², has its maximum over the height u that is
+left: r³ = l b².
 """
 
 import math
@@ -57,7 +58,9 @@ LOAD = snaps(1.5e6, 0.038, 0.0114)
 
 
 def weighted(folder: Path, **changes: str) -> ss.Study:
-    """The same under a weight of 400 N too: it snaps at a load that is negative, which holds it up."""
+    """The same under a weight of 400 N too: it snaps at a load that is negative, which holds it
+    up.
+    """
     text = PAGE.replace('">= 0", 0.004', '"real", 0.0')
     weight = 'page.parameter("G", "N", "weight", ">= 0", 0.007, becomes="gam")'
     model = derived(f"{text}page.force({weight}, along=w)\n", "weighted_truss").as_posix()

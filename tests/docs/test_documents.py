@@ -1,4 +1,6 @@
-"""What the documents show is what runs: README, CONTRIBUTING, the pages under docs/ and every docstring's examples."""
+"""What the documents show is what runs: README, CONTRIBUTING, the pages under docs/ and every
+docstring's examples.
+"""
 
 import contextlib
 import doctest
@@ -17,7 +19,8 @@ import spragsym
 from tests.shown import DOCS, OPTIONS, README, assert_shown, commands, fenced, run
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT, few, needs_a_quick_integrator
 
-# ---------------------------------------------------------------------------------------------------- docstrings
+# -------------------------------------------------------------------------------------------------
+# docstrings
 
 MODULES = sorted(
     name
@@ -86,12 +89,15 @@ def test_a_public_function_says_what_it_takes_gives_and_refuses() -> None:
             } == set(), name
 
 
-# -------------------------------------------------------------------------------------------------------- README
+# ------------------------------------------------------------------------------------------------
+# README
 
 
 @pytest.mark.thorough
 def test_the_readme_in_the_shell_of_a_newcomer(tmp_path: Path) -> None:
-    """Its commands and its Python, one after another in a folder that was empty, with nothing of this environment."""
+    """Its commands and its Python, one after another in a folder that was empty, with nothing of
+    this environment.
+    """
     for block in fenced(README, "text"):
         for line in re.findall(r"^spragsym .*", block, re.MULTILINE):
             run(line, tmp_path, bare=True)
@@ -146,11 +152,14 @@ def test_citation() -> None:
     assert np.all([person["family-names"] for person in article["authors"]])
 
 
-# --------------------------------------------------------------------------------------------------------- pages
+# ------------------------------------------------------------------------------------------------
+# pages
 
 
 def test_the_theory_names_what_exists() -> None:
-    """Each function of derive/ and each test that the pages of the theory and of its statements name."""
+    """Each function of derive/ and each test that the pages of the theory and of its statements
+    name.
+    """
     assert min(_named_in("theory"), _named_in("statements")) > 30
 
 
@@ -205,7 +214,9 @@ def test_the_reference_has_every_public_name() -> None:
 
 
 def test_files_that_contributing_names_exist() -> None:
-    """By their whole path, or its end where the sentence has said the room; but for those that a reader is to write."""
+    """By their whole path, or its end where the sentence has said the room; but for those that a
+    reader is to write.
+    """
     tracked = [
         str(path.relative_to(ROOT))
         for room in ("derive", "spragsym", "tests", "explorer/src")

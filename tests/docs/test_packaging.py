@@ -1,4 +1,6 @@
-"""Wheel and source distribution: complete, and the runtime without SymPy in an otherwise empty environment."""
+"""Wheel and source distribution: complete, and the runtime without SymPy in an otherwise empty
+environment.
+"""
 
 import importlib.util
 import json
@@ -56,7 +58,8 @@ def test_packages_are_those_of_the_tree() -> None:
     }
     for folder in ("derive", "generated"):
         tree |= {f"spragsym.{name}": path for name, path in sources(ROOT / folder).items()}
-    # A target language is found by its folder, by setuptools too: as data of the registry's package.
+    # A target language is found by its folder, by setuptools too: as data of the registry's
+    # package.
     tree = {
         name: path
         for name, path in tree.items()
@@ -79,7 +82,8 @@ def test_parts_are_found_beside_the_package_where_there_are_no_links(tmp_path: P
     )
 
 
-# ------------------------------------------------------------------------------------------------------ archives
+# ------------------------------------------------------------------------------------------------
+# archives
 
 
 def clone(folder: Path) -> Path:
@@ -94,9 +98,11 @@ def clone(folder: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    """A wheel, built from the source distribution, and that, built from a copy of the tree without a network.
+    """A wheel, built from the source distribution, and that, built from a copy of the tree without
+    a network.
 
-    Nothing is compiled for it, which takes most of the time: what needs the compiled solver builds :func:`wheel_by` a compiler.
+    Nothing is compiled for it, which takes most of the time: what needs the compiled solver builds
+    :func:`wheel_by` a compiler.
     """
     if importlib.util.find_spec("build") is None:
         pytest.skip("build is not installed: pip install 'spragsym[test]'")
@@ -172,7 +178,8 @@ def test_the_source_distribution_holds_all_of_the_tree(archives: tuple[Path, Pat
     assert not any("__pycache__" in name for name in names)
 
 
-# ------------------------------------------------------------------------------------------------- with a compiler
+# ------------------------------------------------------------------------------------------------
+# with a compiler
 
 COMPILER = next(filter(shutil.which, ("cc", "gcc", "clang")), None)
 needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
@@ -225,11 +232,14 @@ def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_pa
     assert not wheel.name.endswith("-none-any.whl")
 
 
-# ------------------------------------------------------------------------------------------- an empty environment
+# ------------------------------------------------------------------------------------------- an
+# empty environment
 
 
 def environment(home: Path, wheel: Path | None) -> Path:
-    """An environment with a wheel, or this tree, and what it requires, and nothing else; its interpreter."""
+    """An environment with a wheel, or this tree, and what it requires, and nothing else; its
+    interpreter.
+    """
     if os.name != "posix":
         pytest.skip("needs links to what is installed")
     venv.create(home, with_pip=False, symlinks=True)
@@ -276,7 +286,8 @@ def test_runtime_without_extras(python: Path) -> None:
         "eq = ss.equilibria(p)\n"
         "assert eq.count[:2].tolist() == [3, 1] and eq.escalated[2], (eq.count, eq.escalated)\n"
         "assert 'sympy' not in sys.modules\n"
-        "assert ss.simulate(p.replace(theta0=0.9), V=0.5, d=10.0, t_end=20.0).backend in ('compiled', 'scipy')\n"
+        "assert ss.simulate(p.replace(theta0=0.9), V=0.5, d=10.0, t_end=20.0).backend in "
+        "('compiled', 'scipy')\n"
         "print(ss.__file__)\n"
     )
     done = call(python, "-c", program)

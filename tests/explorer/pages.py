@@ -1,4 +1,6 @@
-"""A page of the explorer in a browser: what a reader does on it, and what it says; and the browser of this machine."""
+"""A page of the explorer in a browser: what a reader does on it, and what it says; and the browser
+of this machine.
+"""
 
 import shutil
 from collections.abc import Iterator

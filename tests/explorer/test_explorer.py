@@ -1,4 +1,6 @@
-"""The explorer: its bytes, and in a browser its numbers, jumps at folds and none around the cusp, keys, touch, words."""
+"""The explorer: its bytes, and in a browser its numbers, jumps at folds and none around the cusp,
+keys, touch, words.
+"""
 
 import html
 import json
@@ -29,7 +31,8 @@ NODE = shutil.which("node")
 BASE = ss.Parameters.article()
 
 
-# ------------------------------------------------------------------------------------------------------- bytes
+# ------------------------------------------------------------------------------------------------
+# bytes
 
 
 @pytest.mark.thorough
@@ -75,7 +78,9 @@ def test_sliders_hold_allowed_values_on_both_sides_of_the_base() -> None:
 
 @pytest.mark.thorough
 def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
-    """The dimensionless numbers by hand from those of the example file, and a model that the page can't compute refused."""
+    """The dimensionless numbers by hand from those of the example file, and a model that the page
+    can't compute refused.
+    """
     pytest.importorskip("pint", reason="pint is not installed")
     data, out = ROOT / "spragsym" / "report" / "brake.toml", tmp_path / "mine.html"
     assert (
@@ -130,7 +135,8 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     assert isinstance(problem, ss.SpragsymError)
 
 
-# ------------------------------------------------------------------------------------------------- in a browser
+# ------------------------------------------------------------------------------------------------
+# in a browser
 
 
 @pytest.fixture(scope="module")
@@ -177,7 +183,9 @@ def python_states(point: dict[str, float]) -> np.ndarray[Any, np.dtype[np.float6
     ],
 )
 def test_the_lowest_fold_is_said(explorer: Explorer, changes: dict[str, float]) -> None:
-    """A cusp, a point where the curve turns back, none; the marks are no more than a drawing of what is said."""
+    """A cusp, a point where the curve turns back, none; the marks are no more than a drawing of
+    what is said.
+    """
     explorer.open("".join(f"&{name}={value}" for name, value in changes.items())[1:])
     says = explorer.page.locator("#lowest")
     theirs = ss.critical_friction(BASE.replace(**changes))
@@ -230,7 +238,9 @@ def test_around_the_cusp_there_is_no_jump(explorer: Explorer) -> None:
 
 @pytest.mark.thorough
 def test_the_page_follows_as_python_does(explorer: Explorer) -> None:
-    """The rule of the page against the path that Python follows by folds, along random ways at several frictions."""
+    """The rule of the page against the path that Python follows by folds, along random ways at
+    several frictions.
+    """
     for mu0 in (0.25, 0.5, 0.9):
         path = ss.quasi_static_path(BASE.replace(mu0=mu0), "theta0", np.radians([20.0, 100.0]))
         jumps = [math.degrees(float(jump.value)) for jump in path.jumps]
@@ -264,10 +274,13 @@ def test_the_motion_runs_at_the_pace_of_the_screen(explorer: Explorer) -> None:
 
 @pytest.mark.thorough
 def test_words_and_rates_are_those_of_python(explorer: Explorer) -> None:
-    """The article's state after the jump grows by 4.9e-6: words and rate in the table are Python's."""
+    """The article's state after the jump grows by 4.9e-6: words and rate in the table are
+    Python's.
+    """
     explorer.open("theta0_deg=30&mu0=0.5")
     said = explorer.page.evaluate(
-        "[...document.querySelectorAll('#states tbody tr')].map(r => [...r.cells].map(c => c.textContent.trim()))"
+        "[...document.querySelectorAll('#states tbody tr')].map(r => [...r.cells].map(c => "
+        "c.textContent.trim()))"
     )
     heads = explorer.page.evaluate(
         "[...document.querySelectorAll('#states th')].map(c => c.textContent)"

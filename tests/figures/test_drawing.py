@@ -1,4 +1,6 @@
-"""The drawings of the pages: as committed, complete, readable by light and by dark, also of new pages."""
+"""The drawings of the pages: as committed, complete, readable by light and by dark, also of new
+pages.
+"""
 
 import pytest
 

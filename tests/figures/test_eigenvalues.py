@@ -1,4 +1,6 @@
-"""Frequencies and growth rates over a parameter: columns, JSON and the picture, against closed forms and matrices."""
+"""Frequencies and growth rates over a parameter: columns, JSON and the picture, against closed
+forms and matrices.
+"""
 
 import json
 from pathlib import Path

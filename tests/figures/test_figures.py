@@ -1,4 +1,6 @@
-"""Figures: every one is drawn, once and small; what they are drawn from is held to what it promises."""
+"""Figures: every one is drawn, once and small; what they are drawn from is held to what it
+promises.
+"""
 
 import inspect
 import io
@@ -113,7 +115,8 @@ def test_a_figure_is_drawn(sheets: dict[str, Sheet], name: str) -> None:
     assert len(target.getvalue()) > 3000
 
 
-# ----------------------------------------------------------------------------------------------------- curves
+# ------------------------------------------------------------------------------------------------
+# curves
 
 
 def test_what_is_no_set_of_parameters_and_no_result_is_refused_by_its_name() -> None:
@@ -147,7 +150,8 @@ def test_branches_end_at_the_exact_folds() -> None:
         assert sum((value, state) == (theta0, x) for _, value, state in ends) == 2
 
 
-# --------------------------------------------------------------------------------------------------- surfaces
+# ------------------------------------------------------------------------------------------------
+# surfaces
 
 
 @pytest.mark.thorough
@@ -180,7 +184,8 @@ def test_the_sheets_cover_the_plane_as_often_as_there_are_equilibria(sigma: floa
     assert wrong <= 3  # within a cell of an edge
 
 
-# ----------------------------------------------------------------------------------------------------- extras
+# ------------------------------------------------------------------------------------------------
+# extras
 
 
 def test_the_false_double_root() -> None:
@@ -208,7 +213,8 @@ def test_undecided_motions_that_are_irregular_stand_out() -> None:
     assert len(marks["x"]) == 3
 
 
-# ------------------------------------------------------------------------------------------------------ files
+# ------------------------------------------------------------------------------------------------
+# files
 
 
 @pytest.mark.thorough

@@ -51,7 +51,9 @@ def test_the_bifurcation_set_on_given_axes(ax, found):
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(shipped(), "mode_coupling"))
 def test_curves_pass_through_all_equilibria(name, ax):
-    """At random values as many curves as there are states, near them and of their stability; two of them end on each fold."""
+    """At random values as many curves as there are states, near them and of their stability; two of
+    them end on each fold.
+    """
     model = ss.load(name)
     p = model.Parameters(**({"theta0": 0.7} if "theta0" in model.parameters else {}))
     vary, first = model.axes[0], model.coordinates[0]
@@ -84,7 +86,9 @@ def test_curves_pass_through_all_equilibria(name, ax):
 
 @pytest.mark.thorough
 def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path, monkeypatch, run):
-    """Of the article's model and of one that turns: a row for each coordinate, with its plane and its spectrum."""
+    """Of the article's model and of one that turns: a row for each coordinate, with its plane and
+    its spectrum.
+    """
     seen = []
     drawn = figures.motion_figure
     monkeypatch.setattr(

@@ -1,4 +1,6 @@
-"""Nothing of a user's is lost: files in place whole, names that nobody can guess, folders that hold more than ours, Ctrl-C."""
+"""Nothing of a user's is lost: files in place whole, names that nobody can guess, folders that hold
+more than ours, Ctrl-C.
+"""
 
 import os
 import shutil
@@ -34,7 +36,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_a_user_s_files_beside_and_behind_a_link_stay(tmp_path: Path, run: Run) -> None:
-    """``.before`` was deleted, ``.new`` truncated, and a link of that name followed to its victim."""
+    """``.before`` was deleted, ``.new`` truncated, and a link of that name followed to its
+    victim.
+    """
     out, names = tmp_path / "d.csv", ("d.csv.before", "d.csv.new")
     for name in names:
         (tmp_path / name).write_text("mine")
@@ -85,7 +89,8 @@ def test_a_failed_write_leaves_what_was_there(
         "before",
         ["page.html"],
     )
-    # What a killed process leaves is removed, what one that runs is at is not, and no name is taken that is there.
+    # What a killed process leaves is removed, what one that runs is at is not, and no name is taken
+    # that is there.
     dead, alive = (
         tmp_path / f".spragsym-{number}-{'0' * 16}" for number in (2**22 + 5, os.getpid())
     )
@@ -205,14 +210,17 @@ def test_ctrl_c_ends_a_command(after: float, begin: Begin) -> None:
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=10)
     assert process.returncode in (130, -signal.SIGINT)
-    # What comes before the first line of the package, on a machine that is slow to start Python, has no frame of it.
+    # What comes before the first line of the package, on a machine that is slow to start Python,
+    # has no frame of it.
     assert "spragsym" not in said.partition("Traceback")[2]
 
 
 @pytest.mark.thorough
 @pytest.mark.skipif(os.name != "posix", reason="Windows has no such signal")
 def test_a_job_in_the_background_ignores_ctrl_c() -> None:
-    """As a shell without job control starts it: what ends the script in front of it does not end the job."""
+    """As a shell without job control starts it: what ends the script in front of it does not end
+    the job.
+    """
     ask = f"{sys.executable} -m spragsym equilibria --theta0 49 & sleep 0.4; kill -INT $!; wait $!"
     done = subprocess.run(["sh", "-c", ask], capture_output=True, text=True, timeout=60)
     assert (done.returncode, "contact" in done.stdout) == (0, True)
@@ -225,8 +233,10 @@ def test_who_works_on_a_journal_is_told_and_a_killed_process_holds_nothing(
         tmp_path / "rms.csv",
         "\n".join(
             [
-                "import sys, time; from pathlib import Path; from spragsym.files.journal import journal",
-                "with journal(Path(sys.argv[1]), 'a', 2): print('held', flush=True); time.sleep(100)",
+                "import sys, time; from pathlib import Path; from spragsym.files.journal "
+                "import journal",
+                "with journal(Path(sys.argv[1]), 'a', 2): print('held', flush=True); "
+                "time.sleep(100)",
             ]
         ),
     )

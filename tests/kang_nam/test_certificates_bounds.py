@@ -1,4 +1,6 @@
-"""The counts of roundings that the kernel's bounds rest on, against an independent count of the emitted statements."""
+"""The counts of roundings that the kernel's bounds rest on, against an independent count of the
+emitted statements.
+"""
 
 from __future__ import annotations
 
@@ -59,7 +61,9 @@ def _derived() -> dict[str, float]:
 
 
 def _independent() -> dict[str, float]:
-    """Each count plus one for the size and higher orders; cos θ₀ and sin θ₀ are off by two units, a line's factor rounds once."""
+    """Each count plus one for the size and higher orders; cos θ₀ and sin θ₀ are off by two units, a
+    line's factor rounds once.
+    """
     exact, angle, t = Met(), Met(2), Met()
     at = emitted.direction(t)
     line = [value * exact for value in kernel.f_coefficients(angle, angle, *[exact] * 6)]
@@ -90,7 +94,9 @@ def test_derived_counts_are_the_committed_ones() -> None:
     "name", ["COUNT_P", "COUNT_Q", "COUNT_E1", "COUNT_F", "COUNT_SLOPE", "COUNT_STATE", "COUNT_K"]
 )
 def test_no_count_is_below_the_independent_one_nor_far_above(name: str) -> None:
-    """Sums are counted for any order of their terms, so that a count may be above what the printed order needs."""
+    """Sums are counted for any order of their terms, so that a count may be above what the printed
+    order needs.
+    """
     wanted = _independent()[name]
     assert wanted <= getattr(emitted, name) <= wanted + 2
 
@@ -100,8 +106,9 @@ def test_theta_is_off_by_four_units_at_most() -> None:
     assert emitted.COUNT_THETA == 4 * math.ulp(3.0) / 2.0**-53
 
 
-# ------------------------------------------------------------------------------------------- what the counts stand on
-# All of these take the whole derivation, in make check; the independent counts above hold the emitted ones in make test.
+# ------------------------------------------------------------------------------------------- what
+# the counts stand on All of these take the whole derivation, in make check; the independent counts
+# above hold the emitted ones in make test.
 
 
 def _kernel() -> language.Source:

@@ -1,4 +1,6 @@
-"""The parts that prove flutter onsets, each against exact rational numbers worked out by hand or by another way."""
+"""The parts that prove flutter onsets, each against exact rational numbers worked out by hand or by
+another way.
+"""
 
 from fractions import Fraction
 
@@ -61,7 +63,9 @@ def test_a_boundary_is_touched_at_an_even_root_of_one_length(
 
 @pytest.mark.thorough
 def test_a_rank_is_that_among_the_equilibria_of_the_point() -> None:
-    """Which are proved, with more digits, at a friction that is as exact as its onset's θ₀ is not: none is next to a fold."""
+    """Which are proved, with more digits, at a friction that is as exact as its onset's θ₀ is not:
+    none is next to a fold.
+    """
     rng, kinds = np.random.default_rng(77), set()
     for _ in range(40):
         p = random_fluttering(rng)
@@ -82,7 +86,9 @@ def test_a_rank_is_that_among_the_equilibria_of_the_point() -> None:
 
 
 def test_a_crossing_is_one_whatever_the_multiplicity(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where the discriminant's slope is not 0 the boundary is crossed, though the polynomial has another factor there."""
+    """Where the discriminant's slope is not 0 the boundary is crossed, though the polynomial has
+    another factor there.
+    """
     given = (Fraction(13, 10), Fraction(7, 1000), Fraction(13, 10), Fraction(32, 100), Fraction(0))
     sides = [onset.side for onset in exact_onsets(*given)]
     monkeypatch.setattr(flutter.Elimination, "multiplicity", lambda *_: 2)

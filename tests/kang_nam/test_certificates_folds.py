@@ -1,4 +1,6 @@
-"""The curves of folds against the folds that are proved, at friction coefficients and angles between their points."""
+"""The curves of folds against the folds that are proved, at friction coefficients and angles
+between their points.
+"""
 
 import math
 from fractions import Fraction
@@ -14,7 +16,8 @@ from spragsym.numerics import balls
 from spragsym.numerics.polynomials import on_circle
 from tests.support import few
 
-#: κ, α, σ, β: the article's, some where curves begin at θ₀ = 0 or π, close on themselves, or have a cusp at an end; α = 0.
+#: κ, α, σ, β: the article's, some where curves begin at θ₀ = 0 or π, close on themselves, or have a
+#: cusp at an end; α = 0.
 SETS = list(
     map(
         Fixed._make,
@@ -101,7 +104,9 @@ def _crossings(curves: tuple[ss.Curve, ...], mu0: float) -> list[float]:
 
 
 def check_crossings(fixed: Fixed, *frictions: str) -> None:
-    """Between the points of the curves, all folds in θ₀ that Sturm's count proves at some friction are crossed, and no others."""
+    """Between the points of the curves, all folds in θ₀ that Sturm's count proves at some friction
+    are crossed, and no others.
+    """
     curves = _curves(fixed)
     for mu0 in frictions:
         exact = dict(
@@ -140,7 +145,9 @@ def test_curves_end_where_they_must_and_step_smoothly(fixed: Fixed) -> None:
 @pytest.mark.thorough
 @pytest.mark.parametrize(("share", "number"), [(0.8829647603948506, 4), (0.8829647603948507, 1)])
 def test_events_however_close_are_told_apart(share: float, number: int) -> None:
-    """Between two sets of parameters a meeting of folds and one at θ₀ = π change places: to the last float, both are seen."""
+    """Between two sets of parameters a meeting of folds and one at θ₀ = π change places: to the
+    last float, both are seen.
+    """
     one, two = Fixed(0.0051, 0.0023, 0.0978, 0.0), Fixed(0.00115, 0.0837, 0.0529, 0.0)
     fixed = Fixed(*(a + share * (b - a) for a, b in zip(one, two, strict=True)))
     found = directions(fixed)
@@ -150,7 +157,9 @@ def test_events_however_close_are_told_apart(share: float, number: int) -> None:
 
 
 def test_what_happens_at_90_degrees_or_everywhere_is_no_event() -> None:
-    """κ (α + σ) = σ (1 + β − α): one passes 0 at θ = π/2, its mirror image π; α = κ = 1 + β: no θ has a fold without friction."""
+    """κ (α + σ) = σ (1 + β − α): one passes 0 at θ = π/2, its mirror image π; α = κ = 1 + β: no θ
+    has a fold without friction.
+    """
     for fixed in (Fixed(0.25, 0.5, 0.5, 0.0), Fixed(0.5, 0.5, 1.0, 0.0)):
         check_crossings(fixed, "0.3217", "1.913")
     for fixed in (Fixed(0.25, 0.5, 0.5, 0.0), Fixed(1.0, 1.0, 1.0, 0.0), Fixed(0.5, 0.5, 1.0, 0.0)):

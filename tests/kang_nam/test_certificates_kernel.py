@@ -1,8 +1,9 @@
 """Bounds of the kernel against the true rounding error, on inputs sought to be bad.
 
-The kernel runs in float32 with the unit roundoff of float32, and float64 is the truth: it sees every rounding of the other.
-Inputs are random over decades, so that each term of a bound is the largest somewhere. An error above its bound is a bound that is
-none; a bound that no error comes near costs more points than it must.
+The kernel runs in float32 with the unit roundoff of float32, and float64 is the truth: it sees
+every rounding of the other. Inputs are random over decades, so that each term of a bound is the
+largest somewhere. An error above its bound is a bound that is none; a bound that no error comes
+near costs more points than it must.
 """
 
 from __future__ import annotations
@@ -32,7 +33,9 @@ pytestmark = pytest.mark.usefixtures("silent")
 
 
 def _random(rng: np.random.Generator, n: int) -> Array:
-    """Rows of parameters as float32 has them, but θ₀; zeros among μ₀, α, β, and angles next to 0, π/2 and π."""
+    """Rows of parameters as float32 has them, but θ₀; zeros among μ₀, α, β, and angles next to 0,
+    π/2 and π.
+    """
     rows = np.stack([10.0 ** rng.uniform(*ends, n) for ends in DECADES])
     rows[0] = rng.uniform(0.01, math.pi - 0.01, n)
     near = rng.random(n) < 0.3
@@ -62,7 +65,9 @@ def _line(rows: Array, nbar: int) -> Balance:
 
 
 def _true_line(rows: Array, nbar: int) -> Balance:
-    """The same in float64, over the same number: what float32 rounds beside the common factor is all that differs."""
+    """The same in float64, over the same number: what float32 rounds beside the common factor is
+    all that differs.
+    """
     point = _point(rows, nbar, np.float64)
     over = (np.float32(1) / _line(rows, nbar).scale).astype(float)
     values = (*kernel.f_coefficients(*point), *kernel.f_magnitudes(*point))
@@ -70,7 +75,9 @@ def _true_line(rows: Array, nbar: int) -> Balance:
 
 
 class Sized:
-    """A number with its size, the sum of the absolute values of its terms: how generated algebra cancels at most."""
+    """A number with its size, the sum of the absolute values of its terms: how generated algebra
+    cancels at most.
+    """
 
     __array_ufunc__ = None  # an array times this is this times the array
 
@@ -109,7 +116,8 @@ def _sized(value: Any) -> Sized:
     return value if isinstance(value, Sized) else Sized(value)
 
 
-# -------------------------------------------------------------------------------------------------- discriminant
+# ------------------------------------------------------------------------------------------------
+# discriminant
 
 
 def _sizes_of_the_cubic(line: Balance) -> tuple[Sized, Sized]:
@@ -126,7 +134,9 @@ def _sizes_of_the_cubic(line: Balance) -> tuple[Sized, Sized]:
 
 @pytest.mark.parametrize("u", [2.0**-53, 1e-6, 1e-2])
 def test_the_discriminants_bound_has_every_term_and_nothing_else(u: float) -> None:
-    """P and Q off by all that their counts allow, then four roundings: at least that, and little more."""
+    """P and Q off by all that their counts allow, then four roundings: at least that, and little
+    more.
+    """
     line = _true_line(_random(np.random.default_rng(30), 20000), 1)
     P, Q = _sizes_of_the_cubic(line)
     off_P, off_Q = (
@@ -145,7 +155,8 @@ def test_the_discriminants_bound_has_every_term_and_nothing_else(u: float) -> No
     assert (error <= enough * (1 + 1e-9) + 1e-307).all()
 
 
-# ------------------------------------------------------------------------------------------------- one positive
+# ------------------------------------------------------------------------------------------------
+# one positive
 
 
 @pytest.mark.parametrize("nbar", [1, 0])
@@ -173,7 +184,8 @@ def test_one_positive_is_said_only_where_the_sign_is_sure_and_wherever_it_is(nba
     assert 0.05 < np.nanmax(np.abs(2.0 * (line.a + line.d) - e1) / off) <= 1
 
 
-# ------------------------------------------------------------------------------------------------------ at_root
+# ------------------------------------------------------------------------------------------------
+# at_root
 
 
 def _true_root(theta: Array, line: Any) -> Array:
@@ -188,7 +200,9 @@ def _true_root(theta: Array, line: Any) -> Array:
 def _at_roots(
     rows: Array, nbar: int, rng: np.random.Generator, off: float
 ) -> tuple[dict[str, Array], dict[str, Array]]:
-    """What the kernel says at a root that is a little off, and the truth; only where a root is proved."""
+    """What the kernel says at a root that is a little off, and the truth; only where a root is
+    proved.
+    """
     line, true = _line(rows, nbar), _true_line(rows, nbar)
     halves = kernel.factors(kernel.quartic(*true[:4]), kernel.cubic(*true[:4]))
     first, second = kernel.root_pair(halves.p1, halves.q1), kernel.root_pair(halves.p2, halves.q2)
@@ -240,17 +254,21 @@ def test_radius_and_error_of_a_state_hold(nbar: int, off: float, least: float) -
     assert least < max(radii)
 
 
-# ------------------------------------------------------------------------------------------ factors and their means
+# ---------------------------------------------------------------------------------------- factors
+# and their means
 
 
 def test_apart_means_apart() -> None:
-    """Beside 0, where θ moves by twice as much as t, and where the larger of the two numbers says how much less."""
+    """Beside 0, where θ moves by twice as much as t, and where the larger of the two numbers says
+    how much less.
+    """
     assert kernel.apart(0.0, 0.099, 0.1, 0.098)
     assert not kernel.apart(0.0, 1.0, 1.0, 0.0)
     assert not kernel.apart(-1.0, 0.0, 0.0, 1.0)
 
 
-# ----------------------------------------------------------------------------------------------- sines and ranges
+# -----------------------------------------------------------------------------------------------
+# sines and ranges
 
 
 def test_cosine_and_sine_to_a_unit_in_the_last_place() -> None:
@@ -298,7 +316,8 @@ def test_arc_tangent_to_a_unit_in_the_last_place() -> None:
             )
 
 
-# ------------------------------------------------------------------------------------------------------- ranges
+# ------------------------------------------------------------------------------------------------
+# ranges
 
 FINE = Point(0.5, 0.8, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
 
@@ -314,11 +333,14 @@ def test_what_underflow_may_touch_is_not_sound() -> None:
         assert kernel.sound(fine._replace(**{name: 1.01e-250}))
 
 
-# ------------------------------------------------------------------------------- each term of a state's bounds, alone
+# ------------------------------------------------------------------------------- each term of a
+# state's bounds, alone
 
 
 def _forced(theta: Any, newton: Any) -> tuple[Any, Balance]:
-    """t and coefficients of an f whose Newton step at θ is as given, its slope 1, and which has no curvature and no roundings."""
+    """t and coefficients of an f whose Newton step at θ is as given, its slope 1, and which has no
+    curvature and no roundings.
+    """
     t = np.tan(theta / 2)
     c, s = np.cos(theta), np.sin(theta)
     a = -(1 - newton * c / s) / (s * s)
@@ -349,7 +371,9 @@ def _needed(parts: Any) -> Any:
 
 @pytest.mark.parametrize("size", [1e-6, 0.9e-3])
 def test_the_radius_moves_the_state_by_no_more_than_the_error(size: float) -> None:
-    """Without roundings, u = 0: at least the change over the radius, and where terms add up little more."""
+    """Without roundings, u = 0: at least the change over the radius, and where terms add up little
+    more.
+    """
     rng = np.random.default_rng(20)
     n = 40000
     theta0, theta = rng.uniform(0.01, 3.13, n), rng.choice([-1, 1], n) * rng.uniform(0.01, 3.13, n)
@@ -387,7 +411,9 @@ def _border(
     theta: float,
     sigma: float,
 ) -> Root:
-    """A root where L or y is ``share`` of what the radius and the roundings may change, by the choice of κ; f rises there."""
+    """A root where L or y is ``share`` of what the radius and the roundings may change, by the
+    choice of κ; f rises there.
+    """
     beta, mu0, alpha = 0.7, 0.5, 0.3
     point = Point(math.cos(1.0), math.sin(1.0), mu0, 0.0, alpha, sigma, beta, float(nbar))
     stiff = beta + nbar
@@ -425,7 +451,8 @@ def _border(
 def test_a_root_is_a_member_or_an_outsider_exactly_where_its_errors_leave_no_doubt(
     radius: float, u: float, bend: float, nbar: int, which: str
 ) -> None:
-    # Where f is monotone up to the border y = 0, no doubt is left: f rises, so that the mass is in contact.
+    # Where f is monotone up to the border y = 0, no doubt is left: f rises, so that the mass is in
+    # contact.
     for sigma, theta in itertools.product(
         (4.0, 30.0), (-0.7, -2.2, -1.4) if which == "L" else (0.3, 2.9, 0.6)
     ):
@@ -444,7 +471,9 @@ def test_a_root_is_a_member_or_an_outsider_exactly_where_its_errors_leave_no_dou
 
 
 def test_where_the_sine_is_stationary_its_second_order_counts() -> None:
-    """At θ = π/2, y moves by σ radius²/(2 q), towards positive values: less than that below 0 is no contact for certain."""
+    """At θ = π/2, y moves by σ radius²/(2 q), towards positive values: less than that below 0 is no
+    contact for certain.
+    """
     radius, sigma, beta = 9e-4, 30.0, 0.1
     t, line = _forced(math.pi / 2, radius)
     q = sigma + beta + 1
@@ -457,7 +486,9 @@ def test_where_the_sine_is_stationary_its_second_order_counts() -> None:
 
 @pytest.mark.parametrize("nbar", [0, 1])
 def test_the_error_has_the_roundings_of_every_part(nbar: int) -> None:
-    """At exact roots, with a large u: COUNT_STATE for each term of L, y and cos θ₀, twice that for L cos θ."""
+    """At exact roots, with a large u: COUNT_STATE for each term of L, y and cos θ₀, twice that for
+    L cos θ.
+    """
     rng = np.random.default_rng(21)
     n, u = 40000, 1e-4
     theta0, theta = rng.uniform(0.01, 3.13, n), rng.choice([-1, 1], n) * rng.uniform(0.01, 3.13, n)
@@ -490,7 +521,9 @@ def test_the_error_has_the_roundings_of_every_part(nbar: int) -> None:
 def test_stability_is_told_how_far_cosine_sine_and_length_may_be_off(
     monkeypatch: pytest.MonkeyPatch, theta: float, radius: float, u: float
 ) -> None:
-    """For their sizes: the radius where cos θ is 0, or the roundings of L, whatever its size and sign; and 8 u."""
+    """For their sizes: the radius where cos θ is 0, or the roundings of L, whatever its size and
+    sign; and 8 u.
+    """
     told = []
     plain = kernel.stability
     monkeypatch.setattr(kernel, "stability", lambda *given: told.append(given[3]) or plain(*given))
@@ -503,12 +536,15 @@ def test_stability_is_told_how_far_cosine_sine_and_length_may_be_off(
     ]
 
 
-# -------------------------------------------------------------------------------------------------- one or three
+# ------------------------------------------------------------------------------------------------
+# one or three
 
 
 @pytest.mark.thorough
 def test_roots_above_a_number_are_counted() -> None:
-    """Three positive roots and a negative one, and c between them: all of the three are above, or one."""
+    """Three positive roots and a negative one, and c between them: all of the three are above, or
+    one.
+    """
     rng, seen = np.random.default_rng(91), set()
     for _ in range(4000):
         positive, negative = np.sort(10.0 ** rng.uniform(-1, 1, 3)), -(10.0 ** rng.uniform(-1, 1))
@@ -524,7 +560,9 @@ def test_roots_above_a_number_are_counted() -> None:
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_one_or_three_is_the_number_wherever_it_is_said(seed: int) -> None:
-    """In float32, whose roundings are felt, against the roots in float64; and it is said of most points."""
+    """In float32, whose roundings are felt, against the roots in float64; and it is said of most
+    points.
+    """
     rng = np.random.default_rng([92, seed])
     rows = _random(rng, 60000)
     said = np.broadcast_to(kernel.one_or_three(_point(rows, 1), U), 60000)
@@ -540,7 +578,9 @@ def test_one_or_three_is_the_number_wherever_it_is_said(seed: int) -> None:
 
 
 def test_no_root_lies_beyond_the_upper_end_of_contact() -> None:
-    """|b| − a s > α q s for s < s* = sin θ₀ − κ/σ, as polynomials with positive coefficients; and what f is then."""
+    """|b| − a s > α q s for s < s* = sin θ₀ − κ/σ, as polynomials with positive coefficients; and
+    what f is then.
+    """
     s, rise, excess, alpha, beta, sigma, mu0, cosine, cos0 = sp.symbols(
         "s rise excess alpha beta sigma mu0 c c0", positive=True
     )
@@ -559,7 +599,9 @@ def test_no_root_lies_beyond_the_upper_end_of_contact() -> None:
 def _patched(
     monkeypatch: pytest.MonkeyPatch, line: Balance, e1: float, value: float, found: kernel.Above
 ) -> list[Any]:
-    """One point whose quartic, discriminant and roots in contact are as given; what is asked of the last."""
+    """One point whose quartic, discriminant and roots in contact are as given; what is asked of the
+    last.
+    """
     asked: list[Any] = []
     monkeypatch.setattr(kernel, "balance", lambda _: line)
     monkeypatch.setattr(kernel, "quartic", lambda *_: kernel.Quartic(-0.5, e1, -2.0, 3.0, 0.5))
@@ -569,7 +611,9 @@ def _patched(
 
 
 def test_one_or_three_by_every_certificate(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Every combination, written out as the docstring has it; at the border of an error nothing is certain."""
+    """Every combination, written out as the docstring has it; at the border of an error nothing is
+    certain.
+    """
     u = 2.0**-52
     line = Balance(0.1, -0.5, 0.1, 1.0, 0.25, 0.75, 1.0)
     margin = 2.0**-16  # 512 √u (1 + 0.25 + 0.75)
@@ -592,7 +636,8 @@ def test_one_or_three_by_every_certificate(monkeypatch: pytest.MonkeyPatch) -> N
         assert kernel.one_or_three(FINE, u) == 0
 
 
-# ----------------------------------------------------------------------------------------- Newton and Kantorovich
+# ----------------------------------------------------------------------------------------- Newton
+# and Kantorovich
 
 
 def _steep(rng: np.random.Generator, n: int) -> tuple[Array, Array, Balance]:
@@ -626,7 +671,9 @@ def _steep(rng: np.random.Generator, n: int) -> tuple[Array, Array, Balance]:
 
 
 def test_a_root_is_proved_where_kantorovichs_theorem_proves_it() -> None:
-    """Without roundings: h below 2/5, the step below a thousandth of sin θ; the radius is the theorem's, or a little more."""
+    """Without roundings: h below 2/5, the step below a thousandth of sin θ; the radius is the
+    theorem's, or a little more.
+    """
     rng = np.random.default_rng(22)
     theta, _, line = _steep(rng, 200000)
     t = np.tan(theta / 2)
@@ -656,7 +703,9 @@ def test_a_root_is_proved_where_kantorovichs_theorem_proves_it() -> None:
 
 @pytest.mark.parametrize("u", [1e-7, 1e-3, 6e-3])
 def test_the_radius_has_the_roundings_of_f_and_of_its_slope(u: float) -> None:
-    """Every term of both as large as it can be made in turn, against sizes that the algebra gives."""
+    """Every term of both as large as it can be made in turn, against sizes that the algebra
+    gives.
+    """
     rng = np.random.default_rng(23)
     n = 60000
     theta = rng.choice([-1, 1], n) * rng.uniform(0.3, 2.84, n)
@@ -685,7 +734,8 @@ def test_the_radius_has_the_roundings_of_f_and_of_its_slope(u: float) -> None:
         assert some.sum() > 30
 
 
-# -------------------------------------------------------------------------------------------- margins of stability
+# --------------------------------------------------------------------------------------------
+# margins of stability
 
 STIFFNESSES = {
     "mu0": (1e6, 1.0, 1.0, 1.0, 1.0),
@@ -702,7 +752,9 @@ STIFFNESSES = {
 
 @pytest.mark.parametrize("name", STIFFNESSES)
 def test_margins_cover_discriminant_and_trace(name: str) -> None:
-    """cos θ and sin θ at 1, since their errors are not relative: the border is at the sizes of both, with COUNT_K."""
+    """cos θ and sin θ at 1, since their errors are not relative: the border is at the sizes of
+    both, with COUNT_K.
+    """
     for nbar in (0.0, 1.0):
         _check_margins(
             Point(0.0, 1.0, *STIFFNESSES[name][:1], 1.0, *STIFFNESSES[name][1:4], nbar),
@@ -728,7 +780,9 @@ def _check_margins(point: Point, L: float) -> None:
 
 @pytest.mark.parametrize("ratio", [3.0, 100.0, 1e6])
 def test_a_margin_covers_friction_where_flutter_alone_decides(ratio: float) -> None:
-    """The terms of the discriminant, where friction is this multiple of σ/L, and cos θ = −1, sin θ = 1 make it negative."""
+    """The terms of the discriminant, where friction is this multiple of σ/L, and cos θ = −1, sin θ
+    = 1 make it negative.
+    """
     pull, alpha, sigma, beta, nbar = 1e4, 0.0, 1.0, 0.0, 1.0
     mu0 = ratio * pull
     (K11, K12), (K21, K22) = kernel.stiffness(

@@ -11,7 +11,8 @@ import spragsym as ss
 from spragsym.models.parameters import NAMES, RANGES, Range
 from tests.oracles import reference
 
-# ----------------------------------------------------------------------------------------------------- precise
+# -------------------------------------------------------------------------------------------------
+# precise
 
 
 def test_a_number_is_what_it_writes() -> None:

@@ -21,7 +21,8 @@ from spragsym.numerics.polynomials import RootOf
 from tests.oracles import reference
 from tests.support import as_mpf
 
-# ------------------------------------------------------------------------------------------- proofs: the means
+# -------------------------------------------------------------------------------------------
+# proofs: the means
 
 
 @pytest.mark.parametrize(
@@ -35,7 +36,9 @@ from tests.support import as_mpf
     ],
 )
 def test_the_error_of_a_float_covers_its_rounding(middle: Fraction) -> None:
-    """Halfway between two floats, where half a unit is lost, to either end of an interval of any width that is allowed."""
+    """Halfway between two floats, where half a unit is lost, to either end of an interval of any
+    width that is allowed.
+    """
     for width in (Fraction(0), Fraction(1, 2**70), Fraction(9, 10**16)):
         with balls.precision(200):
             ends = balls.ends(balls.between(middle - width, middle + width))
@@ -45,7 +48,8 @@ def test_the_error_of_a_float_covers_its_rounding(middle: Fraction) -> None:
         )
 
 
-# ---------------------------------------------------------------------------------------------- folds and cusps
+# ----------------------------------------------------------------------------------------------
+# folds and cusps
 
 
 def _middle(value: Any) -> mpmath.mpf:
@@ -53,7 +57,9 @@ def _middle(value: Any) -> mpmath.mpf:
 
 
 def _check(point: Point, orders: int, digits: int) -> None:
-    """f and its derivatives vanish there to this many digits, the state is that of the geometry, and it is in contact."""
+    """f and its derivatives vanish there to this many digits, the state is that of the geometry,
+    and it is in contact.
+    """
     with mpmath.workprec(1000):
         values = [_middle(value) for value in point.parameters]
         state = theta, L, _, y = [
@@ -98,7 +104,9 @@ def _scanned(vary: str, fixed: dict[str, float], values: np.ndarray) -> np.ndarr
 
 @pytest.mark.parametrize("vary", NAMES)
 def test_folds_are_enclosed_and_none_is_missed(vary: str) -> None:
-    """Against the counts over a grid, whose cells hold an odd number of folds where the count changes, otherwise an even one."""
+    """Against the counts over a grid, whose cells hold an odd number of folds where the count
+    changes, otherwise an even one.
+    """
     rng = np.random.default_rng(NAMES.index(vary))
     grids = {"theta0": np.linspace(1e-3, math.pi - 1e-3, 1500), "mu0": np.linspace(1e-5, 3, 1500)}
     grid = grids.get(vary, np.geomspace(1e-4, 10, 1500))
@@ -168,7 +176,9 @@ def test_a_fold_says_on_which_side_there_are_three_and_which_two_meet(vary: str)
 
 @pytest.mark.parametrize("alpha", ["0.007", "0", "1", "1.5 0.5", "1 0.5"])
 def test_cusps_are_enclosed_and_paired(alpha: str) -> None:
-    """The mirror image (π − θ, π − θ₀, −μ₀) of a cusp is one; their number is that of the real roots of the polynomial."""
+    """The mirror image (π − θ, π − θ₀, −μ₀) of a cusp is one; their number is that of the real
+    roots of the polynomial.
+    """
     stiffness, beta, *_ = [*map(Fraction, alpha.split()), Fraction(0)]
     exact = (Fraction(7, 1000), stiffness, Fraction(1, 10), beta)
     with balls.precision(300):
@@ -206,7 +216,9 @@ def test_cusps_are_enclosed_and_paired(alpha: str) -> None:
     ids=str,
 )
 def test_sines_of_cusps_are_all_real_roots_inside(values: list[Fraction]) -> None:
-    """At sin θ = 1 and −1 as well, where α > 0 (the first two: there the polynomial is 0); against SymPy's count."""
+    """At sin θ = 1 and −1 as well, where α > 0 (the first two: there the polynomial is 0); against
+    SymPy's count.
+    """
     kappa, alpha, sigma, beta = values
     polynomial, roots = cusps.cusp_sines(kappa, alpha, sigma, beta, bits=50)
     coefficients = [
@@ -254,7 +266,8 @@ def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
         assert tuple(is_zero(root, numerator) for root in (third, rational, exact)) == zeros
 
 
-# -------------------------------------------------------------------------------------------- folds at coincidences
+# ------------------------------------------------------------------------------------------ folds
+# at coincidences
 
 
 @pytest.mark.parametrize("beta", [Fraction(0), Fraction(2, 5)])
@@ -295,7 +308,9 @@ def test_the_curvature_vanishes_on_cusps_and_not_on_folds(vary: str, beta: Fract
 
 
 def test_kinds_of_double_roots() -> None:
-    """Where f″ = 0 it is a cusp. Otherwise a touch, with the third state on the side that a fold at that point has it."""
+    """Where f″ = 0 it is a cusp. Otherwise a touch, with the third state on the side that a fold at
+    that point has it.
+    """
     exact = dict(zip(NAMES, map(Fraction, (1.1, 0.5, 0.007, 0.007, 0.1, 0.0)), strict=True))
     with balls.precision(300):
         uppers = set()
@@ -316,7 +331,9 @@ def test_kinds_of_double_roots() -> None:
 
 
 def test_a_fold_at_exactly_90_degrees_out_of_contact_is_none() -> None:
-    """α = 0, sin θ = 4/5 and sin θ₀ = 1, with μ₀ and σ from f = f′ = 0 by hand: y > 0 there, and no sign stays open."""
+    """α = 0, sin θ = 4/5 and sin θ₀ = 1, with μ₀ and σ from f = f′ = 0 by hand: y > 0 there, and no
+    sign stays open.
+    """
     s, c, kappa = Fraction(4, 5), Fraction(3, 5), Fraction(1, 10)
     mu0 = (1 - s**3 + kappa) / (s * s * c)
     sigma = mu0 * kappa * s / (s * c - (1 + kappa) * c + mu0 * s * (1 - s))

@@ -1,4 +1,6 @@
-"""How the solver uses the kernel's certificates: they alone settle a point, and other points go on to more digits."""
+"""How the solver uses the kernel's certificates: they alone settle a point, and other points go on
+to more digits.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -82,7 +84,9 @@ def _settled(
     contact: bool = True,
     t: tuple[float, ...] = T,
 ) -> tuple[bool, block.Slots]:
-    """The result of a block for three roots of which the middle one has changed, at the second of two points."""
+    """The result of a block for three roots of which the middle one has changed, at the second of
+    two points.
+    """
     columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {
         "code": [1.0, 2.0, 1.0]
     }

@@ -1,4 +1,6 @@
-"""On a border of the closed forms, exactly and almost: decided where equality is exact, and in floats where a preload is tiny."""
+"""On a border of the closed forms, exactly and almost: decided where equality is exact, and in
+floats where a preload is tiny.
+"""
 
 from fractions import Fraction
 
@@ -31,7 +33,8 @@ def test_a_spring_that_the_preload_shrinks_to_nothing_holds_no_mass(theta0: floa
 
 
 def test_a_tiny_preload_is_told_in_floats() -> None:
-    # As κ → 0 one state goes to θ₀, where y → 0: the derivative of y by κ says from which side, and f differs between the two.
+    # As κ → 0 one state goes to θ₀, where y → 0: the derivative of y by κ says from which side, and
+    # f differs between the two.
     rng = np.random.default_rng(5)
     theta0, mu0, alpha, sigma, beta = rng.uniform(
         [[0.1], [0], [0], [0.1], [0.1]], [[3], [2], [2], [2], [1]], (5, 2000)

@@ -1,4 +1,6 @@
-"""The lowest fold: against paths of states, the balance of forces in 50 digits, and on the borders of the parameters."""
+"""The lowest fold: against paths of states, the balance of forces in 50 digits, and on the borders
+of the parameters.
+"""
 
 import math
 
@@ -60,7 +62,9 @@ def test_nothing_jumps_below_it_and_something_at_it() -> None:
 
 @pytest.mark.thorough
 def test_fifty_digits_by_another_way() -> None:
-    """In x and y, (14) and (15): both forces, the determinant, and for a turn the change with θ₀ along the left null vector."""
+    """In x and y, (14) and (15): both forces, the determinant, and for a turn the change with θ₀
+    along the left null vector.
+    """
     rng = np.random.default_rng(28)
     kinds = []
     while len(kinds) < 4 or len(set(kinds)) < 2:
@@ -83,11 +87,14 @@ def test_the_state_ends_nowhere_where_the_spring_leans_backward() -> None:
     assert np.isnan(ss.jump_value(ss.Parameters(theta0=angles, **values))).all()
 
 
-# ----------------------------------------------------------------------------------------------------------- borders
+# ------------------------------------------------------------------------------------------------
+# borders
 
 
 def test_without_a_spring_along_the_belt() -> None:
-    """α = 0: the two upright states of a symmetric system meet at μ₀ = 0, and any friction makes the state jump beside them."""
+    """α = 0: the two upright states of a symmetric system meet at μ₀ = 0, and any friction makes
+    the state jump beside them.
+    """
     p = BASE.replace(alpha=0.0)
     found = ss.critical_friction(p)
     assert (float(found), found.kind) == (0.0, "cusp")
@@ -126,7 +133,8 @@ def test_no_fold_at_all() -> None:
     assert math.isinf(ss.cusp_friction(p))
 
 
-# ----------------------------------------------------------------------------------------------------------- the result
+# ------------------------------------------------------------------------------------------------
+# the result
 
 
 def test_a_parameter_that_is_missing_is_named() -> None:

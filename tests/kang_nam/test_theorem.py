@@ -1,4 +1,6 @@
-"""One or three: every step holds, each part of it is needed, a broken assumption is noticed, and exact counts agree."""
+"""One or three: every step holds, each part of it is needed, a broken assumption is noticed, and
+exact counts agree.
+"""
 
 import random
 from collections.abc import Callable
@@ -162,7 +164,8 @@ def _state(
 def test_a_broken_assumption_is_noticed(
     module: Any, name: str, changed: Any, claim: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    catastrophe.surface()  # as it is, whatever else this process has asked for: kept, it is not made of what is broken
+    # as it is, whatever else this process has asked for: kept, it is not made of what is broken
+    catastrophe.surface()
     monkeypatch.setattr(module, name, changed)
     assert any(claim in broken for broken in broken_steps())
 
@@ -180,7 +183,9 @@ def test_slope_identity_notices_a_wrong_stiffness(monkeypatch: pytest.MonkeyPatc
 
 
 def _contact_roots(cos0: Fraction, sin0: Fraction, *parameters: Fraction) -> int:
-    """Roots of the quartic in t with y < 0 and L > 0, counted with multiplicity by exact isolation."""
+    """Roots of the quartic in t with y < 0 and L > 0, counted with multiplicity by exact
+    isolation.
+    """
     mu0, kappa, alpha, sigma, beta = parameters
     coefficients = generated.t_quartic(
         *generated.f_coefficients(cos0, sin0, mu0, kappa, alpha, sigma, beta, Fraction(1))
@@ -234,7 +239,8 @@ def test_a_fold_counts_twice() -> None:
     assert _contact_roots(Fraction(0), sin0, *parameters) == 3
 
 
-# ------------------------------------------------------------------------------ each part of a step is needed
+# ---------------------------------------------------------------------------- each part of a step
+# is needed
 
 
 def _asked(part: Callable[[], Any], monkeypatch: pytest.MonkeyPatch) -> list[sp.Expr]:
@@ -248,7 +254,9 @@ def _asked(part: Callable[[], Any], monkeypatch: pytest.MonkeyPatch) -> list[sp.
 
 
 def test_the_slope_without_friction_is_that_of_the_force(monkeypatch: pytest.MonkeyPatch) -> None:
-    """s² c² times the slope of q F_x/cos θ = f/(sin θ cos θ), from the balance of forces and by differences in many digits."""
+    """s² c² times the slope of q F_x/cos θ = f/(sin θ cos θ), from the balance of forces and by
+    differences in many digits.
+    """
     polynomial = _asked(theorem.smallest_without_friction, monkeypatch)[0]
     with mpmath.workdps(40):
         for given in (

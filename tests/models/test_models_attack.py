@@ -1,4 +1,6 @@
-"""What a random attack on all models has found: each case as it was, against forces written by hand from the drawing."""
+"""What a random attack on all models has found: each case as it was, against forces written by hand
+from the drawing.
+"""
 
 from pathlib import Path
 from typing import Any
@@ -54,7 +56,8 @@ def test_states_of_stiff_springs_are_known_to_all_digits(name: str) -> None:
     assert outcome["undecided"] == 0
 
 
-# ------------------------------------------------------------------------------------- a contact that hardens exponentially
+# ------------------------------------------------------------------------------------- a contact
+# that hardens exponentially
 
 
 @pytest.fixture(scope="module")
@@ -79,7 +82,9 @@ SHALLOW = {
 @pytest.mark.thorough
 @pytest.mark.parametrize("backend", ["scipy", "heyoka"])
 def test_a_motion_above_a_belt_that_hardens_within_a_hair(penalty: Any, backend: str) -> None:
-    """From touch to lift-off: against SciPy's LSODA on forces by hand, and the energy is a number."""
+    """From touch to lift-off: against SciPy's LSODA on forces by hand, and the energy is a
+    number.
+    """
     if backend == "heyoka":
         pytest.importorskip("heyoka")
     from scipy.integrate import solve_ivp
@@ -100,13 +105,16 @@ def test_a_motion_above_a_belt_that_hardens_within_a_hair(penalty: Any, backend:
     assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 1e-6 * np.abs(tr.vx).max() ** 2
 
 
-# ------------------------------------------------------------------------------------------------ arguments
+# ------------------------------------------------------------------------------------------------
+# arguments
 
 
 @pytest.mark.by_hand("rail")
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", ["hertz_contact", "stribeck", "rail"])
 def test_functions_in_floats_intervals_and_digits(name: str, tmp_path: Path) -> None:
-    """Every function that is generated: intervals hold what 50 digits give, and floats are near it."""
+    """Every function that is generated: intervals hold what 50 digits give, and floats are near
+    it.
+    """
     pytest.importorskip("sympy")
     assert compare(name, 2, 1, tmp_path) == []

@@ -174,7 +174,9 @@ def test_the_kinked_field_is_that_of_the_regime(model: Generated) -> None:
 
 
 def test_the_energy_changes_by_the_powers_only(model: Generated) -> None:
-    """Along the field the energy's numerical rate is the power of friction and dampers, and dampers take."""
+    """Along the field the energy's numerical rate is the power of friction and dampers, and dampers
+    take.
+    """
     with mp.workdps(50):
         z, p = moving(model, 6)
         p["V"] = mp.mpf("0.7")

@@ -1,6 +1,7 @@
 """Pages of other shapes than the shipped ones: angles that move, full mass matrices, a curved gap.
 
-Each against the same mechanics written by hand: Lagrange's equations of a double pendulum from a textbook, balances in mpmath.
+Each against the same mechanics written by hand: Lagrange's equations of a double pendulum from a
+textbook, balances in mpmath.
 """
 
 import math
@@ -83,7 +84,9 @@ def states(model: Any, found: Any) -> np.ndarray:
 def test_equilibria_close_together_where_a_turn_ends_are_there_once(
     models: dict[str, Any], off: float
 ) -> None:
-    """sin a (1 + 4 b cos a) = 0: beside ±π there are two more from b = 1/4 on, which only many digits tell apart."""
+    """sin a (1 + 4 b cos a) = 0: beside ±π there are two more from b = 1/4 on, which only many
+    digits tell apart.
+    """
     model, b = models["waves"], 0.25 * (1 + off)
     found = ss.equilibria(model.Parameters(b=b))
     with mpmath.workdps(50):
@@ -103,7 +106,9 @@ def test_equilibria_close_together_where_a_turn_ends_are_there_once(
 @pytest.mark.thorough
 @pytest.mark.parametrize("c", [1e-19, 1e-9])
 def test_a_fold_where_a_turn_ends_is_there_once(models: dict[str, Any], c: float) -> None:
-    """Beside the cusp at a = π, b = 1/4: found within 1e-6 of the end of the turn on both of its sides."""
+    """Beside the cusp at a = π, b = 1/4: found within 1e-6 of the end of the turn on both of its
+    sides.
+    """
     model = models["waves"]
 
     def fold(a: Any, b: Any) -> list[Any]:
@@ -141,7 +146,9 @@ def roots(balance: Any, starts: Any) -> list[tuple[float, ...]]:
 
 
 def pendulum(t: float, s: np.ndarray, gamma: float, nu: float) -> list[float]:
-    """A double pendulum of two unit lengths, masses 1 and ν: Landau and Lifshitz, Mechanics, § 5, problem 1."""
+    """A double pendulum of two unit lengths, masses 1 and ν: Landau and Lifshitz, Mechanics, § 5,
+    problem 1.
+    """
     a, b, u, v = s
     c, sine = math.cos(a - b), math.sin(a - b)
     M = np.array([[1 + nu, nu * c], [nu * c, nu]])
@@ -154,7 +161,9 @@ def pendulum(t: float, s: np.ndarray, gamma: float, nu: float) -> list[float]:
 
 @pytest.mark.parametrize("backend", ["heyoka", "scipy"])
 def test_a_double_pendulum_moves_as_in_the_textbook(models: dict[str, Any], backend: str) -> None:
-    """Full mass matrix that depends on the place, centrifugal terms, no contact, no friction, no borders at all."""
+    """Full mass matrix that depends on the place, centrifugal terms, no contact, no friction, no
+    borders at all.
+    """
     if backend == "heyoka":
         pytest.importorskip("heyoka")
     model, start = models["double_pendulum"], [2.0, 1.0, 0.3, -0.4]
@@ -169,7 +178,9 @@ def test_a_double_pendulum_moves_as_in_the_textbook(models: dict[str, Any], back
 
 @pytest.mark.thorough
 def test_an_angle_that_comes_around_has_each_state_once(models: dict[str, Any]) -> None:
-    """A double pendulum has four: each of its links hangs or stands; standing is π, where the searched turn ends."""
+    """A double pendulum has four: each of its links hangs or stands; standing is π, where the
+    searched turn ends.
+    """
     model = models["double_pendulum"]
     eq = ss.equilibria(model.Parameters())
     assert eq.complete

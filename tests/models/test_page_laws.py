@@ -1,4 +1,6 @@
-"""Laws of many shapes on one page, from the page to states, jumps and motions, against equations written down here by hand."""
+"""Laws of many shapes on one page, from the page to states, jumps and motions, against equations
+written down here by hand.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,7 +23,9 @@ OFFERED = "import Abs, Page, atan, cos, cosh, exp, log, pi, sgn, sin, sinh, sqrt
 
 @dataclass(frozen=True)
 class Case:
-    """Two laws as a page has them, and the same for numbers of mpmath at V = 0.5, d = 10, mu0 = 0.5, the scales being 1."""
+    """Two laws as a page has them, and the same for numbers of mpmath at V = 0.5, d = 10, mu0 =
+    0.5, the scales being 1.
+    """
 
     contact: str
     friction: str
@@ -76,7 +80,9 @@ def model(request: pytest.FixtureRequest) -> Any:
 
 
 def forces(case: Case, x: Any, y: Any, mu: Any) -> tuple[Any, Any]:
-    """Along the belt and across it: ties, the inclined spring of length 1 from its anchor, the preload, contact and friction."""
+    """Along the belt and across it: ties, the inclined spring of length 1 from its anchor, the
+    preload, contact and friction.
+    """
     dx, dy = mpmath.cos(THETA0) - x, mpmath.sin(THETA0) - y
     length = mpmath.sqrt(dx**2 + dy**2)
     tension = mpmath.mpf(SIGMA) * (length - 1)

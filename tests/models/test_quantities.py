@@ -1,4 +1,6 @@
-"""The model's names, meanings, units and ranges: written once, true, and read by everything that says them."""
+"""The model's names, meanings, units and ranges: written once, true, and read by everything that
+says them.
+"""
 
 import math
 
@@ -8,7 +10,9 @@ from spragsym.generated.quantities import QUANTITIES
 
 
 def test_units_are_the_scales_of_the_model() -> None:
-    """What a unit says, computed, is the product of the scales of length and time, L_0 and sqrt(m/k_c)."""
+    """What a unit says, computed, is the product of the scales of length and time, L_0 and
+    sqrt(m/k_c).
+    """
     m, k_c, L_0 = 0.3, 7.0e5, 0.05
     length, time = L_0, math.sqrt(m / k_c)
     derived = {
@@ -23,5 +27,6 @@ def test_units_are_the_scales_of_the_model() -> None:
     }
     for name, expected in derived.items():
         said = QUANTITIES[name].unit.replace("L_0 sqrt", "L_0 * sqrt")
-        value = eval(said, {"L_0": L_0, "m": m, "k_c": k_c, "sqrt": math.sqrt})  # noqa: S307  # our own table
+        # our own table
+        value = eval(said, {"L_0": L_0, "m": m, "k_c": k_c, "sqrt": math.sqrt})  # noqa: S307
         assert value == pytest.approx(expected, rel=1e-15), name

@@ -1,4 +1,6 @@
-"""Every result shows itself: names in completion, values in repr, rows, a frame, a dataset and a picture."""
+"""Every result shows itself: names in completion, values in repr, rows, a frame, a dataset and a
+picture.
+"""
 
 import copy
 import functools

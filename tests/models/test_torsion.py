@@ -44,7 +44,9 @@ def forces(
 
 
 def behind(p: Any, off: float, speed: float) -> list[float]:
-    """A start near the ray φ = ±π, turned by ``off`` from it, and moving along the circle around the anchor."""
+    """A start near the ray φ = ±π, turned by ``off`` from it, and moving along the circle around
+    the anchor.
+    """
     theta0 = float(p.scalars("theta0")[0])
     ray, along = (
         np.array([np.cos(theta0), np.sin(theta0)]),
@@ -57,7 +59,9 @@ def behind(p: Any, off: float, speed: float) -> list[float]:
 def test_a_motion_behind_the_anchor_goes_on_with_the_least_turning(
     model: Any, backend: str
 ) -> None:
-    """Against SciPy with a right-hand side of our own, stopped where the torque jumps; the energy changes by the powers alone."""
+    """Against SciPy with a right-hand side of our own, stopped where the torque jumps; the energy
+    changes by the powers alone.
+    """
     from scipy.integrate import solve_ivp
 
     if backend == "heyoka":
@@ -95,7 +99,8 @@ def test_a_motion_behind_the_anchor_goes_on_with_the_least_turning(
     assert tr.energy()[-1] - tr.energy()[0] == pytest.approx(work, abs=1e-5)
 
 
-# ---------------------------------------------------------------------------------------------- number types
+# ----------------------------------------------------------------------------------------------
+# number types
 
 
 def boxes(count: int) -> tuple[Intervals, Intervals]:
@@ -111,7 +116,9 @@ def boxes(count: int) -> tuple[Intervals, Intervals]:
 
 @pytest.mark.thorough
 def test_angles_of_rectangles_hold_all_and_jump_nowhere() -> None:
-    """Against 40 digits at corners, edges and inside; what meets the ray of negative cosines is unknown, or as a side says."""
+    """Against 40 digits at corners, edges and inside; what meets the ray of negative cosines is
+    unknown, or as a side says.
+    """
     cosine, sine = boxes(400)
     plain = atan2(sine, cosine)
     meets = (cosine.low <= 0) & (sine.low <= 0) & (sine.high >= 0)

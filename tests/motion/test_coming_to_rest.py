@@ -1,4 +1,6 @@
-"""A block that friction brings to rest: its speed decays to 0 and is never reversed; and one that runs away in a finite time."""
+"""A block that friction brings to rest: its speed decays to 0 and is never reversed; and one that
+runs away in a finite time.
+"""
 
 import pytest
 

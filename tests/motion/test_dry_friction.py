@@ -1,4 +1,6 @@
-"""Dry friction against a driver on forces written by hand, Leine's oscillator in many digits, and the limit of steep laws."""
+"""Dry friction against a driver on forces written by hand, Leine's oscillator in many digits, and
+the limit of steep laws.
+"""
 
 import math
 from collections.abc import Sequence
@@ -70,8 +72,9 @@ def test_random_motions_are_those_of_another_driver(name: str, seeds: range) -> 
 def test_leines_oscillator_in_many_digits(digits: int) -> None:
     """R. Leine, D. van Campen, A. de Kraker, L. van den Steen, 1998: F_s = 1, delta = 3, belt 0.2.
 
-    Its largest x is 1.135 where R. Leine begins it in 2024 (github.com/rleine/Keynote_Nonsmooth_Dynamics_ENOC2024), by steps of
-    0.00246, and 1.13394467 in examples of ifdiff, at a relative tolerance of 1e-8.
+    Its largest x is 1.135 where R. Leine begins it in 2024
+    (github.com/rleine/Keynote_Nonsmooth_Dynamics_ENOC2024), by steps of 0.00246, and 1.13394467 in
+    examples of ifdiff, at a relative tolerance of 1e-8.
     """
     period, reach = dry_friction.leine(digits)
     found = ss.cycle(dry_friction.model("leine").Parameters())
@@ -83,7 +86,9 @@ def test_leines_oscillator_in_many_digits(digits: int) -> None:
 
 @pytest.mark.thorough
 def test_leines_smoothed_oscillator_is_his() -> None:
-    """With the factor 2/π atan(1000 v), to the digits with which he begins and ends its cycle: 1.067 and 11.3."""
+    """With the factor 2/π atan(1000 v), to the digits with which he begins and ends its cycle:
+    1.067 and 11.3.
+    """
     p = sticking.model("arctan").Parameters(mu_s=1.0, delta=3.0, zeta=0.0, d=1e3, V=0.2)
     found = ss.cycle(p, near=(1.067, 0.0))
     assert (round(found.state[0], 3), round(found.period, 1)) == (1.067, 11.3)
@@ -128,7 +133,9 @@ def test_steep_laws_come_to_dry_friction_as_their_theory_says(
 def test_derivatives_of_cycles_that_stick_are_differences_of_motions(
     name: str, seeds: Sequence[int], least: int
 ) -> None:
-    """Their multipliers, and those of the return by the belt's speed and the friction, by the other driver."""
+    """Their multipliers, and those of the return by the belt's speed and the friction, by the other
+    driver.
+    """
     pytest.importorskip("heyoka")
     stuck, model = 0, dry_friction.model(name)
     for seed in seeds:
@@ -162,7 +169,9 @@ def test_derivatives_of_cycles_that_stick_are_differences_of_motions(
 
 @pytest.mark.parametrize("backend", ["heyoka", "scipy"])
 def test_what_comes_to_rest_by_sticking_is_at_rest(backend: str) -> None:
-    """Where the belt stands: at any place at which the force is within its limit, of which statics knows one."""
+    """Where the belt stands: at any place at which the force is within its limit, of which statics
+    knows one.
+    """
     pytest.importorskip(backend)
     for start, end in ((1.0, -0.2), (0.55, 0.55), (0.4, 0.4)):
         tr = ss.simulate(
@@ -193,7 +202,9 @@ def test_what_comes_to_rest_by_sticking_is_at_rest(backend: str) -> None:
 
 @pytest.mark.thorough
 def test_contact_is_lost_while_it_sticks() -> None:
-    """Upright, nothing pulls along a belt that stands: it bounces in place, and sticks whenever it is back."""
+    """Upright, nothing pulls along a belt that stands: it bounces in place, and sticks whenever it
+    is back.
+    """
     p = ss.load("coulomb").Parameters(theta0=math.pi / 2, V=0.0)
     tr = ss.simulate(p, y0=-0.1, t_end=60.0, backend="scipy")
     lost, back, stuck = (
@@ -223,7 +234,9 @@ def test_sweeps_count_what_motions_tell_and_nothing_chatters() -> None:
 
 @pytest.mark.thorough
 def test_what_stays_on_a_curved_border_is_kept_there() -> None:
-    """By either integrator at a wide tolerance: errors of steps would take the tip off x' = V, and it would not be held again."""
+    """By either integrator at a wide tolerance: errors of steps would take the tip off x' = V, and
+    it would not be held again.
+    """
     shares = []
     for backend in ("heyoka", "scipy"):
         pytest.importorskip(backend)

@@ -47,7 +47,9 @@ def base() -> dict[str, Trajectory]:
 @pytest.mark.thorough
 @pytest.mark.skipif(not with_compiled.available(), reason="no C compiler on installation")
 def test_compiled_is_scipy_step_for_step(base: dict[str, Trajectory]) -> None:
-    """The same steps and events, since C has the page's algebra; digits part slowly, as a compiler sums in another order."""
+    """The same steps and events, since C has the page's algebra; digits part slowly, as a compiler
+    sums in another order.
+    """
     problem = prepare(
         BASE.model, BASE.replace(**BELT), start=(0.0, 0.0, 0.0, 0.0), t_end=40.0, rtol=1e-9
     )
@@ -64,7 +66,8 @@ def test_compiled_is_scipy_step_for_step(base: dict[str, Trajectory]) -> None:
     "backend", [pytest.param("scipy", marks=pytest.mark.thorough), *BACKENDS[1:]]
 )
 def test_crossings_of_the_base_case(backend: str) -> None:
-    # Counted by other integrators, that step over the kinks, as sign changes of dense output: 155 and 104.
+    # Counted by other integrators, that step over the kinks, as sign changes of dense output: 155
+    # and 104.
     tr = simulate(BASE, **BELT, rtol=1e-13, backend=backend)
     assert len(tr.events.of(Event.CONTACT_LOST, Event.CONTACT_REGAINED)) == 155
     assert len(tr.events.of(Event.MASS_OVERTAKES, Event.BELT_OVERTAKES)) == 104
@@ -185,7 +188,9 @@ def test_integrators_find_the_same_events_from_random_starts() -> None:
 
 
 def _through_a_thin_layer(rtol: float, backend: str) -> np.ndarray:
-    """Where a motion ends; with d this large (10) is Coulomb's law but for a layer that Taylor series do not see beforehand."""
+    """Where a motion ends; with d this large (10) is Coulomb's law but for a layer that Taylor
+    series do not see beforehand.
+    """
     p = ss.Parameters(theta0=0.6084, mu0=0.4082, kappa=0.0018, alpha=6.116, sigma=19.66, beta=6.016)
     start = {"x0": 0.126, "y0": 0.078, "vx0": -0.424, "vy0": 0.231, "t_end": 30.0}
     return simulate(p, V=0.228, d=1679.0, **start, rtol=rtol, backend=backend).state[:, -1]
@@ -211,7 +216,9 @@ def test_a_thin_layer_of_creep_is_seen_from_far_away(
 @pytest.mark.usefixtures("ctrl_c")
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="timers are of POSIX")
 def test_ctrl_c_is_heard_within_a_motion_that_meets_no_event() -> None:
-    """After 0.2 s of this process's own time: the ten million steps, a minute, are not walked to their end first."""
+    """After 0.2 s of this process's own time: the ten million steps, a minute, are not walked to
+    their end first.
+    """
     pytest.importorskip("heyoka")
     p = ss.Parameters.article(theta0=np.radians(100), mu0=0.0)
     rest = equilibria(p)

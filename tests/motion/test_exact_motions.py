@@ -1,4 +1,6 @@
-"""Motion against exact solutions, and in units in which it is small: no verdict depends on what a page measures lengths in."""
+"""Motion against exact solutions, and in units in which it is small: no verdict depends on what a
+page measures lengths in.
+"""
 
 from typing import Any
 
@@ -65,7 +67,9 @@ def in_length(scaled: Any, unit: float, V: float) -> Any:
 @needs_a_quick_integrator
 @pytest.mark.parametrize("unit", [1.0, 1e-5, 1e-6])
 def test_a_small_cycle_beside_rest_is_no_rest(scaled: Any, unit: float) -> None:
-    """Above its dangerous onset, V = 1.4035, stick-slip coexists with sliding: the first start sticks, the others settle."""
+    """Above its dangerous onset, V = 1.4035, stick-slip coexists with sliding: the first start
+    sticks, the others settle.
+    """
     found = ss.rms_sweep(in_length(scaled, unit, 1.6), x0=np.array([1.3, 0.0, 0.4]) * unit)
     assert found.regime.tolist() == [Regime.LIMIT_CYCLE, Regime.EQUILIBRIUM, Regime.EQUILIBRIUM]
     assert found.period[0] == pytest.approx(6.33033028, abs=1e-7)  # in its own unit, N_0/k
@@ -114,7 +118,9 @@ def test_a_curve_of_folds_goes_on_where_multipliers_are_known_to_ten_digits() ->
 @pytest.mark.thorough
 @pytest.mark.parametrize("start", [(0.5, 1.0), (2.0, 0.0)])
 def test_the_period_of_a_bouncing_mass_is_the_least(start: tuple[float, float]) -> None:
-    """Flight and contact, a half of a harmonic swing and more: nothing damps, so that all orbits close."""
+    """Flight and contact, a half of a harmonic swing and more: nothing damps, so that all orbits
+    close.
+    """
     found = ss.cycle(model_of(BOUNCING, "bouncing").Parameters(), near=start)
     touch = np.sqrt(2 * start[0] + start[1] ** 2)
     assert found.period == pytest.approx(2 * touch + 2 * np.pi - 2 * np.arctan(touch), abs=1e-9)
@@ -122,7 +128,9 @@ def test_the_period_of_a_bouncing_mass_is_the_least(start: tuple[float, float]) 
 
 @pytest.mark.parametrize("epsilon", [2.0, 5.0])
 def test_exponents_of_a_cycle_are_within_their_errors(epsilon: float) -> None:
-    """Liouville: they add up to the mean divergence, −ε(⟨x²⟩ − 1). A multiplier of 1e-37 is lost in rounding."""
+    """Liouville: they add up to the mean divergence, −ε(⟨x²⟩ − 1). A multiplier of 1e-37 is lost in
+    rounding.
+    """
     found = ss.fate(
         model_of(VAN_DER_POL, "van_der_pol").Parameters(epsilon=epsilon), start=(0.1, 0.0)
     )

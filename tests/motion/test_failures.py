@@ -1,4 +1,6 @@
-"""What the machine does to a sweep: never a wrong number, never a wait without end, one clear error, and no work lost."""
+"""What the machine does to a sweep: never a wrong number, never a wait without end, one clear
+error, and no work lost.
+"""
 
 import itertools
 import json
@@ -43,7 +45,8 @@ def points_of(path: Path) -> list[list[Any]]:
     return [line for line in lines if isinstance(line, list)]
 
 
-# ------------------------------------------------------------------------- what is no motion's failure is no result
+# ------------------------------------------------------------------------- what is no motion's
+# failure is no result
 
 
 def failing_at(monkeypatch: pytest.MonkeyPatch, number: int, failure: Callable[[], object]) -> None:
@@ -105,7 +108,8 @@ def test_a_failure_of_the_motion_is_a_result(monkeypatch: pytest.MonkeyPatch) ->
     assert found.reason[3] == "ConvergenceError: it cannot be followed"
 
 
-# ---------------------------------------------------------------------------------------------------------- workers
+# ------------------------------------------------------------------------------------------------
+# workers
 
 
 @pytest.mark.thorough
@@ -140,7 +144,8 @@ def test_a_worker_that_fails_is_one_error_at_once(
     assert points_of(tmp_path / "rms.csv") == []
 
 
-#: Stands before heyoka in a worker: the same package, but the fourth motion of the process is killed in its midst.
+#: Stands before heyoka in a worker: the same package, but the fourth motion of the process is
+#: killed in its midst.
 KILLED = """
 import importlib, os, signal, sys
 sys.path.pop(0)
@@ -225,7 +230,8 @@ def wait_for(condition: Callable[[], bool], seconds: float = 30.0) -> None:
         time.sleep(0.02)
 
 
-# -------------------------------------------------------------------------------------------------------- damage
+# ------------------------------------------------------------------------------------------------
+# damage
 
 
 @pytest.mark.thorough
@@ -242,7 +248,8 @@ def test_damaged_results_are_refused(tmp_path: Path) -> None:
     assert outcomes[".csv: refused, and named"] > 35
 
 
-# ------------------------------------------------------------------------------------------------- links, full disks
+# ------------------------------------------------------------------------------------------------
+# links, full disks
 
 
 @pytest.mark.thorough

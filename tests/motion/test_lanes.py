@@ -1,4 +1,6 @@
-"""Motions in lanes: each as if it were alone, whatever runs beside it, ends before it, or breaks off."""
+"""Motions in lanes: each as if it were alone, whatever runs beside it, ends before it, or breaks
+off.
+"""
 
 from dataclasses import replace
 from typing import Any

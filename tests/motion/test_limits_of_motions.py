@@ -1,4 +1,6 @@
-"""Limits of motions by their whole state: equilibria and cycles that differ in any coordinate, and rotations modulo a turn."""
+"""Limits of motions by their whole state: equilibria and cycles that differ in any coordinate, and
+rotations modulo a turn.
+"""
 
 import numpy as np
 import pytest

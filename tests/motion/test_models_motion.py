@@ -1,4 +1,6 @@
-"""Motion of the shipped models: energy, both integrators, closed forms, and the article's model among them."""
+"""Motion of the shipped models: energy, both integrators, closed forms, and the article's model
+among them.
+"""
 
 import importlib
 import importlib.util
@@ -27,7 +29,9 @@ def parameters(model: Any, **changes: Any) -> Any:
 @pytest.mark.by_hand("damped", "inclined_belt", "cubic_contact", "stribeck")
 @pytest.mark.parametrize("name", few(NAMES, "kang_nam", "stick_slip", "sprag_rod"))
 def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
-    """The integral of the powers over a motion with kinks is the change of energy: the quadrature is not the integrator's."""
+    """The integral of the powers over a motion with kinks is the change of energy: the quadrature
+    is not the integrator's.
+    """
     model = ss.load(name).search
     tr = (
         ss.simulate(parameters(model), t_end=40.0, y0=0.02, backend=backend)
@@ -49,7 +53,9 @@ def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", ["trolley", "hertz_contact", "stribeck"])
 def test_motion_against_another_integrator_of_the_kinked_field(name: str) -> None:
-    """SciPy's implicit Radau on the field as a whole, in small steps: no modes, no events, no restart."""
+    """SciPy's implicit Radau on the field as a whole, in small steps: no modes, no events, no
+    restart.
+    """
     from scipy.integrate import solve_ivp
 
     model = ss.load(name).search
@@ -67,9 +73,11 @@ def test_motion_against_another_integrator_of_the_kinked_field(name: str) -> Non
 
 
 def test_stick_slip_loses_its_stability_at_the_closed_form() -> None:
-    """Hopf point of sliding: ζ = 2 μ_s v_s (V² − v_s²)/(V² + v_s²)², minus the slope of 2 μ_s v v_s/(v² + v_s²) at V.
+    """Hopf point of sliding: ζ = 2 μ_s v_s (V² − v_s²)/(V² + v_s²)², minus the slope of 2 μ_s v
+    v_s/(v² + v_s²) at V.
 
-    Just above it a deviation dies away, just below it grows, at the rate of the difference, (ζ − ζ_H)/2.
+    Just above it a deviation dies away, just below it grows, at the rate of the difference, (ζ −
+    ζ_H)/2.
     """
     model = ss.load("stick_slip")
     mu_s, v_s, V = 0.5, 0.1, 0.5
@@ -84,11 +92,14 @@ def test_stick_slip_loses_its_stability_at_the_closed_form() -> None:
         assert abs(np.log(size[-1] / size[0]) / tr.t[-1] + change / 2) < 1e-3
 
 
-# ------------------------------------------------------------------------------------------------ the command line
+# ------------------------------------------------------------------------------------------------
+# the command line
 
 
 def test_a_state_that_oscillates_does_not_pass_for_stable(run: Run) -> None:
-    """Without damping, as (27), sliding of `stick_slip` is stable; the falling friction law makes it grow without a damper."""
+    """Without damping, as (27), sliding of `stick_slip` is stable; the falling friction law makes
+    it grow without a damper.
+    """
     growth = []
     for damper in ("0", "0.9"):
         shown = run("equilibria", "--model", "stick_slip", "-V", "0.3", "--zeta", damper)

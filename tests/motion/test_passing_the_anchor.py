@@ -1,4 +1,6 @@
-"""A spring that is passed through its anchor, where its direction jumps: two harmonic arcs, in closed form."""
+"""A spring that is passed through its anchor, where its direction jumps: two harmonic arcs, in
+closed form.
+"""
 
 import numpy as np
 import pytest
@@ -20,7 +22,9 @@ def arc(t: float, y: float, v: float, rest: float) -> tuple[float, float]:
 
 
 def height(t: float) -> float:
-    """The spring pulls down above its anchor as if its end were at y = 2, and below it as if at y = 0."""
+    """The spring pulls down above its anchor as if its end were at y = 2, and below it as if at y =
+    0.
+    """
     above, below = 2 - KAPPA / SIGMA, -KAPPA / SIGMA
     passed = brentq(lambda t: arc(t, 1.5, -0.6, above)[0] - 1, 0, 2, xtol=1e-15)
     return (

@@ -1,4 +1,6 @@
-"""What motions come to: against what they do later, other integrators, and maps whose multipliers are given."""
+"""What motions come to: against what they do later, other integrators, and maps whose multipliers
+are given.
+"""
 
 import importlib.util
 from functools import partial
@@ -26,7 +28,8 @@ plain = partial(
 )
 
 
-# ---------------------------------------------------------------------------------------------------- cycles
+# ------------------------------------------------------------------------------------------------
+# cycles
 
 
 @needs_heyoka
@@ -74,7 +77,8 @@ def test_a_cycle_by_derivatives_and_by_differences_is_one() -> None:
 @pytest.mark.thorough
 @needs_heyoka
 def test_one_cycle_is_one_attractor_whatever_the_phase() -> None:
-    # Some of these wander irregularly first, for how long depends on the last bits: rtol 3e-11 instead of 1e-10 takes past 8000.
+    # Some of these wander irregularly first, for how long depends on the last bits: rtol 3e-11
+    # instead of 1e-10 takes past 8000.
     found = basin(
         SLOW, **BELT, x=[0.0, 0.6, 0.9], vx=[0.0, 0.3], t_end=20_000.0, transient=19_500.0
     )
@@ -91,7 +95,8 @@ def test_one_cycle_is_one_attractor_whatever_the_phase() -> None:
 def test_a_cycle_that_grazes_the_belt_is_one_whatever_the_phase(t_end: float) -> None:
     """Found by a campaign of 6000 motions: differences over too long a step called it unstable.
 
-    That it attracts is seen: from 2000 to 20000 what is left of the motion falls from 6e-3 to 1e-10.
+    That it attracts is seen: from 2000 to 20000 what is left of the motion falls from 6e-3 to
+    1e-10.
     """
     p = ss.Parameters(
         theta0=2.7812867375530876,
@@ -112,7 +117,8 @@ def test_a_cycle_that_grazes_the_belt_is_one_whatever_the_phase(t_end: float) ->
     )  # what is left at 4000, and at 12000
 
 
-# ------------------------------------------------------------------------------------------------------- rest
+# ------------------------------------------------------------------------------------------------
+# rest
 
 
 @pytest.mark.thorough
@@ -121,7 +127,8 @@ def test_beside_an_equilibrium_that_repels_nothing_rests() -> None:
     p = ss.Parameters.article(theta0=np.radians(30))
     eq = ss.equilibria(p.replace(mu0=0.5 * (1 - np.exp(-5.0))))
     at = rms_sweep(p, **BELT, x0=eq.x[:3], y0=eq.y[:3], t_end=200.0, transient=100.0)
-    # The middle one diverges. The last is stable by (27), and repels all the same: the friction law's damping feeds a mode.
+    # The middle one diverges. The last is stable by (27), and repels all the same: the friction
+    # law's damping feeds a mode.
     assert at.regime.tolist() == [Regime.EQUILIBRIUM, Regime.UNSETTLED, Regime.UNSETTLED]
     assert at.equilibrium.tolist() == [0, -1, -1]
     beside = [

@@ -73,7 +73,9 @@ def test_a_cycle_with_sticking_has_the_zero_multiplier_that_sticking_brings(back
 
 
 def test_a_branch_goes_past_where_a_stretch_begins_as_sticking_does() -> None:
-    """Along closed forms, by no needless steps; in a family of cycles at every value there is no fold, and no branch."""
+    """Along closed forms, by no needless steps; in a family of cycles at every value there is no
+    fold, and no branch.
+    """
     pytest.importorskip("heyoka")
     for mu_k, vary, to, hows in (
         (
@@ -174,7 +176,9 @@ def test_derivatives_while_it_sticks_against_differences(name: str) -> None:
 
 
 def test_a_standing_belt_holds_while_the_normal_force_swings() -> None:
-    """The normal force of the bouncing mass passes through 0, and both integrators hold it as long."""
+    """The normal force of the bouncing mass passes through 0, and both integrators hold it as
+    long.
+    """
     p = ss.load("coulomb").Parameters(theta0=0.7, V=0.0)
     shares = [
         ss.simulate(p, x0=0.3, y0=0.1, t_end=200.0, rtol=1e-12, backend=backend).sticking
@@ -186,7 +190,9 @@ def test_a_standing_belt_holds_while_the_normal_force_swings() -> None:
 
 @pytest.mark.parametrize("name", ["coulomb", "coulomb_stick_slip"])
 def test_the_field_everywhere_is_that_of_the_mode_where_nothing_slides_too(name: str) -> None:
-    """Held within the limits of the force, beyond them and in lift-off as it begins to slide; also where nothing pulls."""
+    """Held within the limits of the force, beyond them and in lift-off as it begins to slide; also
+    where nothing pulls.
+    """
     model, rng = ss.load(name), np.random.default_rng(60)
     n, sides = len(model.coordinates), set()
     for trial in range(200):

@@ -1,4 +1,6 @@
-"""A light mass between a spring with a damper and a steep friction law: the steps of explicit methods collapse."""
+"""A light mass between a spring with a damper and a steep friction law: the steps of explicit
+methods collapse.
+"""
 
 import types
 from functools import partial
@@ -62,7 +64,9 @@ def test_an_implicit_method_takes_over_where_steps_collapse() -> None:
 def test_what_is_compiled_and_a_cycle_go_over_as_well(
     integrator: types.ModuleType, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Where few steps are too many: a motion that the explicit method carries too, and a cycle that is a circle."""
+    """Where few steps are too many: a motion that the explicit method carries too, and a cycle that
+    is a circle.
+    """
     follow = partial(
         ss.simulate,
         ss.Parameters.article(theta0=0.85, kappa=1.0),
@@ -115,8 +119,10 @@ def test_a_steep_force_of_the_place_is_not_passed_unseen(d: float) -> None:
         ("import Page", "import Page, tanh"),
         ("page.damper(c, along=x)", "page.force(-F * tanh(x / L), along=x)"),
         (
-            'c = page.parameter("c", "N s/m", "damper beside the spring", ">= 0", 0.05, becomes="zeta")',
-            'F = page.parameter("F", "N", "force", "> 0", 0.3)\nL = page.parameter("L", "m", "width", "> 0", 0.01)',
+            'c = page.parameter("c", "N s/m", "damper beside the spring", ">= 0", 0.05, '
+            'becomes="zeta")',
+            'F = page.parameter("F", "N", "force", "> 0", 0.3)\nL = page.parameter("L", "m", '
+            '"width", "> 0", 0.01)',
         ),
     )
     p = model_of(page, "steep_force").Parameters(mu_s=0.0, F=0.3, L=1 / d)

@@ -70,7 +70,8 @@ def test_the_same_bits_from_any_map() -> None:
         )
 
 
-# -------------------------------------------------------------------------------------------------- the store
+# ------------------------------------------------------------------------------------------------
+# the store
 
 
 def interrupted(path: Path, points: int) -> Path:
@@ -178,7 +179,9 @@ def test_every_module_that_decides_a_record_counts(
 
 
 def _imported(package: Path, start: str) -> set[str]:
-    """A module and those of the package that it imports, anywhere in it, and so on; files relative to the package."""
+    """A module and those of the package that it imports, anywhere in it, and so on; files relative
+    to the package.
+    """
     found, pending = set(), [start]
     while pending:
         file = pending.pop()

@@ -1,4 +1,6 @@
-"""The search over boxes: others' problems with known roots, and what is not decidable or lies on borders."""
+"""The search over boxes: others' problems with known roots, and what is not decidable or lies on
+borders.
+"""
 
 import time
 from fractions import Fraction
@@ -32,7 +34,9 @@ def test_all_roots_of_known_problems(problem):
 
 
 class Quadratic(boxes.System):
-    """x² + p x + q = 0 and y = x³: one or two parameters for each point, roots known in closed form."""
+    """x² + p x + q = 0 and y = x³: one or two parameters for each point, roots known in closed
+    form.
+    """
 
     def residuals(self, unknowns, parameters):
         x, y = unknowns[0], unknowns[1]
@@ -75,7 +79,9 @@ def test_many_points_at_once():
 
 
 def test_each_point_is_searched_in_its_own_region():
-    """x² + p x = 0 for p = −1 up to |x| = 30, and for p = 1 up to 2: no box of the second lies farther out."""
+    """x² + p x = 0 for p = −1 up to |x| = 30, and for p = 1 up to 2: no box of the second lies
+    farther out.
+    """
     seen = []
 
     class Watched(Quadratic):

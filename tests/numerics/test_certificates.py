@@ -1,4 +1,6 @@
-"""What proofs stand on, against exact arithmetic and many digits: root counts, enclosures of roots."""
+"""What proofs stand on, against exact arithmetic and many digits: root counts, enclosures of
+roots.
+"""
 
 import itertools
 import random
@@ -14,7 +16,8 @@ from spragsym.numerics import balls, polynomials
 from spragsym.numerics.balls import Undecided
 from tests.support import with_roots
 
-# ----------------------------------------------------------------------------------------------- polynomials
+# -----------------------------------------------------------------------------------------------
+# polynomials
 
 
 def _product(*factors: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
@@ -97,7 +100,9 @@ def _blurred(polynomial: tuple[Fraction, ...], share: Fraction) -> tuple[Any, ..
 
 
 def test_interval_coefficients_decide_or_say_that_they_cannot() -> None:
-    """Whatever polynomial the intervals hold has the roots that are found; where they hold too many, nothing is."""
+    """Whatever polynomial the intervals hold has the roots that are found; where they hold too
+    many, nothing is.
+    """
 
     decided, rng = 0, random.Random(5)
     with balls.precision(200):
@@ -118,14 +123,16 @@ def test_interval_coefficients_decide_or_say_that_they_cannot() -> None:
     assert decided >= 20
 
 
-# ------------------------------------------------------------------------------------------------- descartes
+# ------------------------------------------------------------------------------------------------
+# descartes
 
 
 def _with_roots(*roots: Fraction) -> tuple[int, ...]:
     return polynomials.primitive(with_roots(*roots))
 
 
-#: A cluster, roots at the ends of cells and of the range, outside, and next to 0 and 1; (low, high] beside them.
+#: A cluster, roots at the ends of cells and of the range, outside, and next to 0 and 1; (low, high]
+#: beside them.
 _CLOSE = Fraction(1, 2) + Fraction(1, 2**70)
 CLUSTERS = [
     [Fraction(1, 2)],
@@ -181,7 +188,9 @@ def test_descartes_finds_every_root_in_the_range(roots: list[Fraction]) -> None:
 
 
 def test_residues_prove_what_has_no_common_factor() -> None:
-    """Integer roots, so that a common factor is a root in common; degrees as different as they come."""
+    """Integer roots, so that a common factor is a root in common; degrees as different as they
+    come.
+    """
     rng = random.Random(9)
     for _ in range(300):
         roots = [[Fraction(rng.randint(-9, 9)) for _ in range(rng.randint(0, 6))] for _ in range(2)]

@@ -1,4 +1,6 @@
-"""Numbers that carry the bound of their error: every number that they stand for, exactly, against the bound of each operation."""
+"""Numbers that carry the bound of their error: every number that they stand for, exactly, against
+the bound of each operation.
+"""
 
 import itertools
 import operator
@@ -51,7 +53,9 @@ def check(found: Rounded, at: np.ndarray, exact: list[Fraction | None]) -> None:
 
 
 def rounded_ones(seed: int, count: int = 160, size: float = 1.0) -> Rounded:
-    """Values with errors of many sizes; the first ones are powers of two and their neighbours, whose results are halfway."""
+    """Values with errors of many sizes; the first ones are powers of two and their neighbours,
+    whose results are halfway.
+    """
     rng = np.random.default_rng(seed)
     values = (
         rng.choice([-1, 1], count)
@@ -115,7 +119,8 @@ def test_every_number_that_a_result_stands_for_is_within_its_error(
                 )
 
 
-# ---------------------------------------------------------------------------------------------------------- rounded
+# ------------------------------------------------------------------------------------------------
+# rounded
 
 
 def test_roots_of_rounded_numbers() -> None:
@@ -160,13 +165,16 @@ def test_cosines_of_angles() -> None:
     )  # whose unit is no smaller
 
 
-# ----------------------------------------------------------------------------------------------------------- affine
+# ------------------------------------------------------------------------------------------------
+# affine
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("size", [1.0, 2.0**-1060, 2.0**1015])
 def test_numbers_without_width_are_rounded_too(size: float) -> None:
-    """An exact number, or terms and no error, times and over an exact number: roundings are all that the error is."""
+    """An exact number, or terms and no error, times and over an exact number: roundings are all
+    that the error is.
+    """
     rng = np.random.default_rng(15)
     x, y = rounded_ones(16, 90, size), rounded_ones(17, 90)
     none, terms = np.zeros((3, 90)), x.value * rng.uniform(-1, 1, (3, 90))
@@ -218,7 +226,9 @@ def test_sides_hold_their_boxes() -> None:
 
 
 def test_cosines_over_boxes() -> None:
-    """At the same ε within the error of the linear part, wide, narrow and without width; of second order in the width."""
+    """At the same ε within the error of the linear part, wide, narrow and without width; of second
+    order in the width.
+    """
     rng = np.random.default_rng(9)
     angles = Affine(
         rng.uniform(-4, 4, 200),
@@ -242,7 +252,9 @@ def test_cosines_over_boxes() -> None:
 
 @pytest.mark.parametrize("name", ["sqrt", "exp", "log", "tanh", "atan", "cos", "sin"])
 def test_functions_of_affine_numbers(name: str) -> None:
-    """At the same ε each value lies within the error of the linear part; where there is none, the error has no end."""
+    """At the same ε each value lies within the error of the linear part; where there is none, the
+    error has no end.
+    """
     rng = np.random.default_rng(8)
     x, function = affine_ones(9), getattr(mpmath, name)
     found = getattr(AFFINE, name)(x)

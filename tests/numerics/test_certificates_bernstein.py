@@ -1,4 +1,6 @@
-"""Positive roots of many polynomials in float64: none missed, none doubled, each within its radius, and open signs stay open."""
+"""Positive roots of many polynomials in float64: none missed, none doubled, each within its radius,
+and open signs stay open.
+"""
 
 import itertools
 from fractions import Fraction
@@ -25,7 +27,9 @@ def rows(polynomials: list[tuple[Fraction, ...]]) -> list[Rounded]:
 
 @pytest.mark.parametrize("degree", [1, 2, 3, 4, 6])
 def test_roots_are_all_there_and_within_their_radius(degree: int) -> None:
-    """Rational roots of either sign, large, small, near 0, at the end of the scale, complex ones among them."""
+    """Rational roots of either sign, large, small, near 0, at the end of the scale, complex ones
+    among them.
+    """
     rng = np.random.default_rng(degree)
     truth, polynomials = [], []
     for k in range(150):
@@ -62,7 +66,9 @@ def test_roots_are_all_there_and_within_their_radius(degree: int) -> None:
 
 
 def test_whatever_the_coefficients_are_the_number_is_right() -> None:
-    """Coefficients with errors of 10⁻³ and two roots as close as that: a row that is decided has that number for all of them."""
+    """Coefficients with errors of 10⁻³ and two roots as close as that: a row that is decided has
+    that number for all of them.
+    """
     rng = np.random.default_rng(9)
     size, error = 400, 1e-3
     gap = 10.0 ** rng.uniform(-4, -0.3, size)
@@ -122,7 +128,9 @@ def parts(values: Any, errors: Any) -> Parts:
 
 
 def test_signs_tell_no_root_or_one() -> None:
-    """An open sign, 0, may be either: between two that differ it changes nothing, elsewhere nothing is told."""
+    """An open sign, 0, may be either: between two that differ it changes nothing, elsewhere nothing
+    is told.
+    """
     for signs, none, one in (
         ("++++", True, False),
         ("----", True, False),
@@ -185,7 +193,9 @@ def test_halves_hold_the_halves_of_every_polynomial() -> None:
 
 
 def test_roots_at_places_where_parts_are_cut() -> None:
-    """t = τ is w = 1/2, t = τ/3 is w = 1/4: the sign at the cut is 0, and no halving would give it one."""
+    """t = τ is w = 1/2, t = τ/3 is w = 1/4: the sign at the cut is 0, and no halving would give it
+    one.
+    """
     tau = Fraction(bernstein.SCALE)
     found = bernstein.positive_roots(
         rows([with_roots(root, 2, 5) for root in (tau, tau / 3, tau * 3)]), 3

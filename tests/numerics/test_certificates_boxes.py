@@ -1,4 +1,6 @@
-"""What the search over boxes proves, each step by itself against fractions: where roots are, and that there is one or none."""
+"""What the search over boxes proves, each step by itself against fractions: where roots are, and
+that there is one or none.
+"""
 
 import itertools
 from fractions import Fraction
@@ -40,13 +42,16 @@ def around(values, spread, rng):
     )
 
 
-# ------------------------------------------------------------------------------------------------- interval Newton
+# ------------------------------------------------------------------------------------------------
+# interval Newton
 
 
 @pytest.mark.parametrize("n", [1, 2, 3, 4])
 @pytest.mark.parametrize("spread", [0.0, 1e-14, 0.02])
 def test_every_root_lies_in_the_result(n, spread):
-    """Of systems whose slopes and values are corners of the given intervals; with no spread, rounding is all there is."""
+    """Of systems whose slopes and values are corners of the given intervals; with no spread,
+    rounding is all there is.
+    """
     rng = np.random.default_rng([n, int(spread * 100)])
     N = 60
     slopes = around(rng.normal(size=(n, n, N)) + 2 * np.eye(n)[:, :, None], spread, rng)
@@ -75,7 +80,8 @@ def test_every_root_lies_in_the_result(n, spread):
     assert seen > N / 2
 
 
-# ------------------------------------------------------------------------------------------------------- exclusion
+# ------------------------------------------------------------------------------------------------
+# exclusion
 
 
 def excluded(values, slopes, reach):
@@ -84,18 +90,23 @@ def excluded(values, slopes, reach):
 
 
 def test_rounding_excludes_no_root():
-    """1 + 2⁻⁵³ + 2⁻⁵³, which is 1 in floats, and three products of 0.4 of the smallest float, which are 0."""
+    """1 + 2⁻⁵³ + 2⁻⁵³, which is 1 in floats, and three products of 0.4 of the smallest float, which
+    are 0.
+    """
     slopes = Intervals.point(np.array([[[1.0], [2.0**-53], [2.0**-53]]] * 3))
     assert not excluded(Intervals.point([[1 + 2.0**-52]] * 3), slopes, np.ones((3, 1))).any()
     small = Intervals.point(np.full((3, 3, 1), 0.4))
     assert not excluded(Intervals.point([[5e-324]] * 3), small, np.full((3, 1), 5e-324)).any()
 
 
-# ---------------------------------------------------------------------------------------------- directions, borders
+# ----------------------------------------------------------------------------------------------
+# directions, borders
 
 
 def test_a_direction_that_there_is_is_not_denied():
-    """G = −M u for random directions and matrices in the intervals; shifted so far that there is none, it is denied."""
+    """G = −M u for random directions and matrices in the intervals; shifted so far that there is
+    none, it is denied.
+    """
     rng = np.random.default_rng(6)
     for n, spread in itertools.product((2, 3), (0.0, 1e-15, 0.05)):
         factors = around(rng.normal(size=(n, 2, 300)) + 2 * np.eye(n, 2)[:, :, None], spread, rng)
@@ -113,7 +124,9 @@ def test_a_direction_that_there_is_is_not_denied():
 
 
 def test_exact_directions_are_not_denied():
-    """u = (3/5, 4/5) with integers, where no rounding helps: 5 u + G = 0, and with a matrix that is not square."""
+    """u = (3/5, 4/5) with integers, where no rounding helps: 5 u + G = 0, and with a matrix that is
+    not square.
+    """
     for factors in (
         [[5.0, 0.0], [0.0, 5.0]],
         [[5.0, 0.0], [0.0, 5.0], [5.0, 5.0]],
@@ -130,7 +143,8 @@ def test_exact_directions_are_not_denied():
             )[0]
 
 
-# -------------------------------------------------------------------------------------------------------- matrices
+# ------------------------------------------------------------------------------------------------
+# matrices
 
 
 @pytest.mark.thorough
@@ -169,7 +183,8 @@ def test_products_hold_the_exact_ones(spread):
                 )
 
 
-# ---------------------------------------------------------------------------------------------- one look at boxes
+# -------------------------------------------------------------------------------------------- one
+# look at boxes
 
 
 class Lines(boxes.System):
@@ -199,7 +214,9 @@ def holds(ends, root):
 
 
 def random_pairs(rng, count, points):
-    """Boxes of all sizes about one of the roots of their point, which may lie on their border or in a corner."""
+    """Boxes of all sizes about one of the roots of their point, which may lie on their border or in
+    a corner.
+    """
     leaves = np.flatnonzero(points.size == 1)[-(points.order >= 0).sum() :]
     nodes = rng.choice(leaves, count)
     values = points.bounds.low[:, nodes]
@@ -212,7 +229,9 @@ def random_pairs(rng, count, points):
 
 @pytest.mark.parametrize("steps", [1, 3])
 def test_no_look_loses_a_root(steps):
-    """Whatever a look makes of a box, its root is in what is left, or in a box with one root, or among what is undecided."""
+    """Whatever a look makes of a box, its root is in what is left, or in a box with one root, or
+    among what is undecided.
+    """
     rng = np.random.default_rng(20 + steps)
     a, c = rng.uniform(-3, 3, 64), rng.uniform(-2, 2, 64)
     b = a + rng.choice([1e-6, 1e-3, 0.1, 2.0], 64)
@@ -239,7 +258,8 @@ def test_no_look_loses_a_root(steps):
             for near in (y, np.nextafter(y, -np.inf), np.nextafter(y, np.inf))
         )
     assert len(unique)
-    # One root in each of those: of the two only one lies in it, with room for rounding, and in the box that tells where.
+    # One root in each of those: of the two only one lies in it, with room for rounding, and in the
+    # box that tells where.
     for k in range(len(unique)):
         a, b, c = points.bounds.low[:, unique.nodes[k]]
         there = [holds(unique.ends[:, :, k : k + 1], np.array([x, c * x]))[0] for x in (a, b)]
@@ -274,7 +294,8 @@ def test_halves_make_up_the_box():
         assert (share != 0.5).all()
 
 
-# ------------------------------------------------------------------------------------------------- from boxes to roots
+# ------------------------------------------------------------------------------------------------
+# from boxes to roots
 
 
 def once(low, high, alone_low, alone_high, point):
@@ -285,7 +306,9 @@ def once(low, high, alone_low, alone_high, point):
 
 
 def test_roots_are_listed_once():
-    """By their boxes: one where another is alone is the same, apart is another, and what is neither is not known."""
+    """By their boxes: one where another is alone is the same, apart is another, and what is neither
+    is not known.
+    """
     wide = ([[0.0, 0.1]], [[2.0, 2.1]])
     assert once([[0.9, 0.95]], [[1.1, 1.15]], *wide, [0, 0]) == ([0], [])
     assert once([[0.9, 0.95]], [[1.1, 1.15]], *wide, [0, 1]) == ([0, 1], [])  # of two points
@@ -301,7 +324,8 @@ def test_roots_are_listed_once():
         [0],
         [],
     )  # the first in the second's
-    # The same in the first unknown, apart in the second; three in a row, of which the outer ones are the same.
+    # The same in the first unknown, apart in the second; three in a row, of which the outer ones
+    # are the same.
     assert once(
         [[0.9, 0.9], [0.0, 1.0]],
         [[1.1, 1.1], [0.1, 1.1]],
@@ -386,7 +410,9 @@ def test_a_box_without_its_root_is_told(monkeypatch):
 
 
 def test_relative_errors():
-    """The larger of both sides, over the value's size or 1, of the worst unknown; no less than exactly that."""
+    """The larger of both sides, over the value's size or 1, of the worst unknown; no less than
+    exactly that.
+    """
     ends = ends_of([[0.9, -4.0, 1 / 3], [10.0, 0.0, 1 / 3]], [[1.3, -3.0, 1 / 3], [11.0, 0.0, 1.0]])
     middle = np.array([[1.0, -3.25, 1 / 3], [10.25, 0.0, 0.9]])
     error = certified_roots.relative_error(ends, middle)

@@ -1,4 +1,6 @@
-"""Interval arithmetic, the heart of every proof, against exact rationals and mpmath with many more digits."""
+"""Interval arithmetic, the heart of every proof, against exact rationals and mpmath with many more
+digits.
+"""
 
 import contextlib
 import itertools
@@ -18,7 +20,9 @@ from tests.support import as_mpf
 
 
 def _small_balls(bits: int) -> Iterator[Ball]:
-    """Every ball of a few bits, about: middles and radii where rounding down loses nothing, one unit, and nearly the next."""
+    """Every ball of a few bits, about: middles and radii where rounding down loses nothing, one
+    unit, and nearly the next.
+    """
     for mid, rad, exp in itertools.product(
         (-9, -7, 0, 1, 4, 7), (0, 1, 3), (-3, 0, 2)[:: 1 if bits < 9 else 2]
     ):
@@ -36,7 +40,9 @@ OPERATIONS = [operator.add, operator.sub, operator.mul, operator.truediv]
 @pytest.mark.parametrize("operation", OPERATIONS, ids="+-*/")
 @pytest.mark.parametrize("bits", [2, 3, 60])
 def test_operations_enclose_every_corner(operation: Callable[[Any, Any], Any], bits: int) -> None:
-    """Of three bits nearly every result is rounded; the extremes of a monotonic operation lie at the ends."""
+    """Of three bits nearly every result is rounded; the extremes of a monotonic operation lie at
+    the ends.
+    """
     for one, other in itertools.product(_small_balls(bits), repeat=2):
         try:
             result = operation(one, other)
@@ -138,7 +144,9 @@ FUNCTIONS: dict[str, Callable[[Ball], Ball]] = {
 @pytest.mark.parametrize("bits", [3, 53, 700])
 @pytest.mark.parametrize("name", ["cos", "sin", "atan", "sqrt"])
 def test_functions_enclose_and_are_sharp(name: str, bits: int) -> None:
-    """Against mpmath with far more digits; a wide ball at both ends, a point with hardly more than its last bits lost."""
+    """Against mpmath with far more digits; a wide ball at both ends, a point with hardly more than
+    its last bits lost.
+    """
     rng = np.random.default_rng(bits)
     context = mpmath.mp.clone()
     context.prec = 2200 + 2 * bits  # cos 2^−1000 differs from 1 in bit 2001
@@ -205,7 +213,8 @@ def test_signs_next_to_0() -> None:
     assert balls.sign(Ball(1, 0, -9999, 53)) == 1
 
 
-# ------------------------------------------------------------------------------------ bounds, in units of the last place
+# ------------------------------------------------------------------------------------ bounds, in
+# units of the last place
 
 
 #: Angles whose bits run out at once, all ones, next to multiples of π/2, tiny, large: (mid, exp).
@@ -228,7 +237,9 @@ ANGLES = [
 
 @pytest.mark.parametrize("places", [0, 1, 53, 1000])
 def test_cosine_and_sine_are_as_close_as_they_say(places: int) -> None:
-    """And say hardly more than the unit that rounding down takes: an error of the series that shows is a fault."""
+    """And say hardly more than the unit that rounding down takes: an error of the series that shows
+    is a fault.
+    """
     with mpmath.workprec(2 * places + 500):
         for mid, exp in ANGLES:
             cosine, sine, error = balls._cos_sin(mid, exp, places)

@@ -1,4 +1,6 @@
-"""Double-double arithmetic: its bounds against exact fractions, and the rung that stands on it against proofs and other bits."""
+"""Double-double arithmetic: its bounds against exact fractions, and the rung that stands on it
+against proofs and other bits.
+"""
 
 from collections.abc import Callable
 from fractions import Fraction
@@ -26,7 +28,9 @@ def _exactly(high: Any, low: Any) -> Fraction:
 
 
 def _pairs(rng: np.random.Generator, n: int) -> list[tuple[float, float]]:
-    """Numbers of two parts, among them those that lie next to halves of the last place, where the most is lost."""
+    """Numbers of two parts, among them those that lie next to halves of the last place, where the
+    most is lost.
+    """
     high = rng.uniform(1, 2, n) * 2.0 ** rng.integers(-30, 30, n) * rng.choice([-1.0, 1.0], n)
     edge = np.where(rng.random(n) < 0.5, 0.5 - 2.0**-50, rng.uniform(-0.5, 0.5, n))
     low = np.spacing(high) * edge * rng.choice([-1.0, 1.0], n)
@@ -92,7 +96,9 @@ def test_transformations_are_exact() -> None:
 
 
 def test_the_roundoff_of_the_kernel_covers_every_operation() -> None:
-    """2^-102 is sixteen units, and a quotient loses fifteen; two of it cover the cosine and sine of θ₀, as counted."""
+    """2^-102 is sixteen units, and a quotient loses fifteen; two of it cover the cosine and sine of
+    θ₀, as counted.
+    """
     assert Fraction(kernel.WIDE_ROUNDOFF) == 16 * UNIT
     edges = [
         x for quarter in (0.25, 0.5, 0.75, 1.0) for x in np.nextafter(quarter * np.pi, [0.0, 4.0])
@@ -125,7 +131,8 @@ def test_what_is_not_known_of_double_doubles_is_refused() -> None:
         np.concatenate([x, x])
 
 
-# ------------------------------------------------------------------------------------------------------ the rung
+# ------------------------------------------------------------------------------------------------
+# the rung
 
 
 def _hard(n: int) -> ss.Parameters:
@@ -142,7 +149,9 @@ def _hard(n: int) -> ss.Parameters:
 
 
 def test_the_cusp_wedge_needs_no_intervals(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Counts and digits by an independent reference; what double-double arithmetic can't settle would fail here."""
+    """Counts and digits by an independent reference; what double-double arithmetic can't settle
+    would fail here.
+    """
     monkeypatch.setattr(
         adaptive_precision,
         "equilibria",

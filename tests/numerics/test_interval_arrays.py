@@ -1,4 +1,6 @@
-"""Arrays of intervals against exact fractions and 60 digits, on numbers of every size, NaN and infinities among them."""
+"""Arrays of intervals against exact fractions and 60 digits, on numbers of every size, NaN and
+infinities among them.
+"""
 
 import itertools
 import math
@@ -45,7 +47,9 @@ pytestmark = pytest.mark.usefixtures("silent")
 
 
 def boxes(seed: int, count: int) -> Intervals:
-    """Intervals between all pairs of the numbers above, and random ones of all sizes, some without width."""
+    """Intervals between all pairs of the numbers above, and random ones of all sizes, some without
+    width.
+    """
     rng = np.random.default_rng(seed)
     pairs = np.array([(min(a, b), max(a, b)) for a, b in itertools.product(NUMBERS, NUMBERS)])
     values = rng.normal(size=(count, 2)) * 10.0 ** rng.integers(-30, 30, size=(count, 1))
@@ -214,7 +218,8 @@ def test_directions_are_sharp_and_hold_all():
                         <= mpmath.mpf(float(enclosure.high[row]))
                     )
             best[0] = np.maximum(best[0], np.stack([-x, x]) / np.hypot(x, y))
-    # Grown towards the corners the hull is met where 0 is not between: no wider than the largest and least value of a fine grid.
+    # Grown towards the corners the hull is met where 0 is not between: no wider than the largest
+    # and least value of a fine grid.
     clear = (dx.mignitude > 0) & (dy.mignitude > 0)
     assert (c.ends - best[0])[:, clear].max() < 1e-14
     everywhere = unit_vector(Intervals.between([-1.0], [1.0]), Intervals.between([-0.5], [0.5]))
@@ -223,7 +228,9 @@ def test_directions_are_sharp_and_hold_all():
 
 
 def bad_pairs() -> list[tuple[float, float]]:
-    """Pairs of which one operation or another is rounded by about half a unit, at powers of two, near 0 and near the largest."""
+    """Pairs of which one operation or another is rounded by about half a unit, at powers of two,
+    near 0 and near the largest.
+    """
     rng = np.random.default_rng(10)
     ones = [
         sign * 2.0**power
@@ -283,7 +290,9 @@ def test_powers_of_bad_numbers(power):
 
 
 def test_quotients_by_what_holds_zero():
-    """Over [0, b] a positive interval has no upper end, over [−b, 0] no lower one; with 0 inside nothing is known."""
+    """Over [0, b] a positive interval has no upper end, over [−b, 0] no lower one; with 0 inside
+    nothing is known.
+    """
     over = Intervals.between([[0.0], [-4.0], [-1.0], [0.0]], [[4.0], [0.0], [1.0], [0.0]])
     result = Intervals.between([2.0, -3.0, -1.0], [6.0, -2.0, 8.0]) / over
     assert np.abs(result.low[0, 0] - 0.5) < 1e-14

@@ -1,4 +1,6 @@
-"""Functions of laws in every number type that evaluates a model, against mpmath with more digits than any of them has."""
+"""Functions of laws in every number type that evaluates a model, against mpmath with more digits
+than any of them has.
+"""
 
 import itertools
 from collections.abc import Callable, Iterator
@@ -41,11 +43,13 @@ def true(name: str, x: Any) -> mpmath.mpf:
 def ends(value: Any) -> tuple[mpmath.mpf, mpmath.mpf]:
     """Of the one number that it is."""
     if isinstance(value, Ball):
-        return tuple(mpmath.mpf(end.numerator) / end.denominator for end in balls.ends(value))  # type: ignore[return-value]  # two
+        # two
+        return tuple(mpmath.mpf(end.numerator) / end.denominator for end in balls.ends(value))  # type: ignore[return-value]
     return mpmath.mpf(float(value.low[0])), mpmath.mpf(float(value.high[0]))
 
 
-#: How a float becomes a number of each type, its functions, and the width allowed, relative to what is larger, the value or 1.
+#: How a float becomes a number of each type, its functions, and the width allowed, relative to what
+#: is larger, the value or 1.
 TYPES: dict[str, tuple[Callable[[float], Any], Any, float]] = {
     "intervals": (lambda x: Intervals.point([x]), BOXES, 2e-14),
     "balls": (lambda x: balls.exact(Fraction(x)), BALLS, 2.0**-150),
@@ -60,7 +64,8 @@ def test_a_function_holds_its_value_and_little_else(kind: str) -> None:
             low, high = ends(getattr(functions, name)(made(x)))
         value = true(name, x)
         assert low <= value <= high, (name, x)
-        # What is halved for a series and then squared, or less whole turns, loses the digits of its size.
+        # What is halved for a series and then squared, or less whole turns, loses the digits of its
+        # size.
         assert high - low <= width * max(abs(value), 1) * max(
             abs(x), abs(value) if name == "log" else 1, 1
         ), (name, x)

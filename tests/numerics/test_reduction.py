@@ -1,4 +1,6 @@
-"""Roots that lie close together, by reduction to one unknown; derivatives by jets; exponentials of balls."""
+"""Roots that lie close together, by reduction to one unknown; derivatives by jets; exponentials of
+balls.
+"""
 
 from fractions import Fraction
 
@@ -15,7 +17,9 @@ from spragsym.statics.namespaces import XP
 
 
 def bent(roots):
-    """y = x² − x and a product in x of the given roots, mixed, so that neither equation is one in x alone."""
+    """y = x² − x and a product in x of the given roots, mixed, so that neither equation is one in x
+    alone.
+    """
 
     def evaluate(q):
         x, y = q

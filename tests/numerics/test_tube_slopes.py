@@ -1,4 +1,6 @@
-"""Slopes over parts of tubes in affine arithmetic: against slopes at points of the same region, and against intervals."""
+"""Slopes over parts of tubes in affine arithmetic: against slopes at points of the same region, and
+against intervals.
+"""
 
 from dataclasses import replace
 
@@ -107,7 +109,9 @@ def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_interval
 
 
 def test_slopes_by_units_are_those_of_the_forces() -> None:
-    """By differences: of a parameter at the units' base values, and of a unit on which several depend."""
+    """By differences: of a parameter at the units' base values, and of a unit on which several
+    depend.
+    """
     _, tubes, region = region_of(*BOXES[-1])
     z, step = region.z, 1e-5
     _, slopes = tubes.floats(z)

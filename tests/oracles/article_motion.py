@@ -1,4 +1,6 @@
-"""The article's equations of motion (8)–(11) in plain numbers, written by hand: what other integrators are handed."""
+"""The article's equations of motion (8)–(11) in plain numbers, written by hand: what other
+integrators are handed.
+"""
 
 import math
 from collections.abc import Sequence
@@ -15,7 +17,9 @@ Constants = Sequence[float]
 def accelerations(
     state: Sequence[float], constants: Constants, contact: bool, side: float
 ) -> tuple[float, float]:
-    """x″ and y″ in contact or in lift-off, for the belt ahead (1) or the mass (−1), continued beyond the regime."""
+    """x″ and y″ in contact or in lift-off, for the belt ahead (1) or the mass (−1), continued
+    beyond the regime.
+    """
     x, y, vx, _ = state
     cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d = constants
     along, across = cos0 - x, sin0 - y
@@ -63,7 +67,9 @@ def integrated(
 
 
 def stored(state: Sequence[float], constants: Constants) -> float:
-    """Kinetic energy, and the energy of the springs, of the contact and of the preload, which pulls towards the belt."""
+    """Kinetic energy, and the energy of the springs, of the contact and of the preload, which pulls
+    towards the belt.
+    """
     x, y, vx, vy = state
     cos0, sin0, _, kappa, alpha, sigma, beta, _, _ = constants
     stretch = math.hypot(cos0 - x, sin0 - y) - 1

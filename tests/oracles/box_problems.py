@@ -1,8 +1,8 @@
 """Small systems with known numbers of roots, for the search over boxes.
 
-M. W. Smiley and C. Chun, "An algorithm for finding all solutions of a nonlinear system", J. Comput. Appl. Math. 137 (2001) 293–315,
-examples 2.2, 5.2 and 5.4; numbers of roots and regions as in the examples of IntervalRootFinding.jl. Rastrigin's function as in
-that package's tests.
+M. W. Smiley and C. Chun, "An algorithm for finding all solutions of a nonlinear system", J. Comput.
+Appl. Math. 137 (2001) 293–315, examples 2.2, 5.2 and 5.4; numbers of roots and regions as in the
+examples of IntervalRootFinding.jl. Rastrigin's function as in that package's tests.
 """
 
 from collections.abc import Callable, Sequence

@@ -1,7 +1,9 @@
-"""Equilibria of shipped models and other pages, held against forces written by hand from their drawings; and their field.
+"""Equilibria of shipped models and other pages, held against forces written by hand from their
+drawings; and their field.
 
-Every listed equilibrium has to solve the reference within its error in 40 digits, and Newton's method on the reference from many
-starts may find none that is neither listed nor in an undecided box.
+Every listed equilibrium has to solve the reference within its error in 40 digits, and Newton's
+method on the reference from many starts may find none that is neither listed nor in an undecided
+box.
 """
 
 import math
@@ -18,7 +20,8 @@ from tests.oracles.user_pages import replaced
 
 #: Where the pages that are not shipped stand.
 PAGES = Path(__file__).parent / "pages"
-#: A mass in a rail, which pushes both ways and hardens by a cube, by what it differs from the mass on a rubber belt.
+#: A mass in a rail, which pushes both ways and hardens by a cube, by what it differs from the mass
+#: on a rubber belt.
 RAIL = (
     "soft_brake",
     (
@@ -48,7 +51,8 @@ def load(name: str, derived: Path) -> Any:
     return ss.load(derived / name)
 
 
-# ------------------------------------------------------------------------------------------------ equilibria
+# ------------------------------------------------------------------------------------------------
+# equilibria
 
 
 def equilibria(
@@ -93,7 +97,8 @@ def _off(drawn: Drawn, values: Values, contact: bool, state: Any, error: float) 
         away = max(abs(a - b) / max(1, abs(a)) for a, b in zip(root, start, strict=True))
         if away > error * (1 + mp.mpf(10) ** -6):
             return [
-                f"{state.tolist()} is {mp.nstr(away, 3)} from {[mp.nstr(part, 20) for part in root]}, its error is {error:.2g}"
+                f"{state.tolist()} is {mp.nstr(away, 3)} from "
+                f"{[mp.nstr(part, 20) for part in root]}, its error is {error:.2g}"
             ]
         if drawn.lifts and ((root[1] > 0) if contact else (root[1] < 0)):
             return [f"{state.tolist()} is on the wrong side of the gap"]
@@ -115,7 +120,9 @@ def starts(drawn: Drawn, values: Values, contact: bool, rng: np.random.Generator
 
 
 def newton(drawn: Drawn, values: Values, contact: bool, place: Any) -> Any:
-    """Roots of the reference by Newton's method with derivatives by complex steps; columns that did not converge are left out."""
+    """Roots of the reference by Newton's method with derivatives by complex steps; columns that did
+    not converge are left out.
+    """
     n, p, still = len(place), values, np.zeros_like(place)
     mu, tiny = drawn.static_friction(p, np), 1e-150
     with np.errstate(all="ignore"):
@@ -216,7 +223,8 @@ def _solves(drawn: Drawn, values: Values, contact: bool, root: Any) -> bool:
         return near and (not drawn.lifts or (exact[1] < 0 if contact else exact[1] > 0))
 
 
-# ------------------------------------------------------------------------------------------------ motions
+# ------------------------------------------------------------------------------------------------
+# motions
 
 
 def field(drawn: Drawn, values: Values) -> Any:

@@ -41,7 +41,9 @@ void one_by_one(size_t points, const spragsym_parameters given[], spragsym_regim
 
 @dataclass(frozen=True)
 class Solved:
-    """Equilibria of n points: (n, 4) records, of which the first ``count`` of each point are written; 0 in status is vouched for."""
+    """Equilibria of n points: (n, 4) records, of which the first ``count`` of each point are
+    written; 0 in status is vouched for.
+    """
 
     equilibria: NDArray[Any]
     count: NDArray[np.intc]

@@ -1,4 +1,6 @@
-"""Numbers of equilibria on a grid of angle and friction, held against those that crossing the fold curves predicts."""
+"""Numbers of equilibria on a grid of angle and friction, held against those that crossing the fold
+curves predicts.
+"""
 
 import numpy as np
 
@@ -8,7 +10,9 @@ Array = np.ndarray
 
 
 def count_map_mismatches(p: ss.Parameters, n: int, mu_max: float = 2.0) -> int:
-    """Grid cells in which the count of equilibria and the fold curves disagree, but for the width of a cell."""
+    """Grid cells in which the count of equilibria and the fold curves disagree, but for the width
+    of a cell.
+    """
     return _compare(p, n, mu_max)[0]
 
 
@@ -17,7 +21,8 @@ def _compare(p: ss.Parameters, n: int, mu_max: float) -> tuple[int, float]:
     mu0 = (np.arange(n) + 0.5) / n * mu_max
     counts = ss.equilibria(p.replace(theta0=theta0[:, None], mu0=mu0[None, :])).count
     wrong = counts != predicted_counts(p, theta0, mu0)
-    # Next to a change of count a mismatch is the width of the polyline; elsewhere a fold was missed or invented.
+    # Next to a change of count a mismatch is the width of the polyline; elsewhere a fold was missed
+    # or invented.
     edges = np.zeros_like(wrong)
     for axis in (0, 1):
         change = np.diff(counts, axis=axis) != 0
@@ -31,7 +36,9 @@ def _compare(p: ss.Parameters, n: int, mu_max: float) -> tuple[int, float]:
 
 
 def predicted_counts(p: ss.Parameters, theta0: Array, mu0: Array) -> Array:
-    """Counts by crossing fold curves from θ₀ = 0 at each friction, starting from the count there."""
+    """Counts by crossing fold curves from θ₀ = 0 at each friction, starting from the count
+    there.
+    """
     curves = ss.bifurcation_set(p, n=6000).curves
     predicted = np.empty((theta0.size, mu0.size), dtype=int)
     start = ss.equilibria(p.replace(theta0=np.full(mu0.size, 1e-9), mu0=mu0)).count

@@ -1,7 +1,8 @@
 """Quasi-static paths held against a state that creeps down the force, without folds or ranks.
 
-The reference knows the force only, written out here: at each small step of the parameter the state moves to the next root in the
-direction of the force. Values lie on folds, and beside them by one float, too.
+The reference knows the force only, written out here: at each small step of the parameter the state
+moves to the next root in the direction of the force. Values lie on folds, and beside them by one
+float, too.
 """
 
 import itertools
@@ -15,12 +16,15 @@ from spragsym.models.parameters import NAMES
 from tests.oracles.families import random_fixed
 
 Array = np.ndarray
-#: How far beside a value, relatively, the reference looks where the value is a fold; θ moves by its square root there.
+#: How far beside a value, relatively, the reference looks where the value is a fold; θ moves by its
+#: square root there.
 BESIDE = 1e-9
 
 
 def random_path(rng: np.random.Generator, vary: str) -> tuple[ss.Parameters, str, Array]:
-    """Parameters with a fold along ``vary``, if a few tries find any, and values with folds and their neighbours among them."""
+    """Parameters with a fold along ``vary``, if a few tries find any, and values with folds and
+    their neighbours among them.
+    """
     for _ in range(20):
         p = random_fixed(rng).replace(
             theta0=rng.uniform(0.1, 3.0), mu0=rng.choice([0.0, rng.uniform(0, 2)], p=[0.1, 0.9])
@@ -80,7 +84,9 @@ def check(p: ss.Parameters, vary: str, values: Array) -> tuple[int, ...]:
 
 
 def roots(p: ss.Parameters, vary: str, value: float) -> tuple[Array, tuple[float, ...]]:
-    """Directions of all equilibria in contact, by the companion matrix, and a, b, d, m of f = a s c + b c + d s − m s²."""
+    """Directions of all equilibria in contact, by the companion matrix, and a, b, d, m of f = a s c
+    + b c + d s − m s².
+    """
     values = {name: float(getattr(p, name)) for name in NAMES if getattr(p, name) is not None} | {
         vary: value
     }
@@ -96,7 +102,9 @@ def roots(p: ss.Parameters, vary: str, value: float) -> tuple[Array, tuple[float
 
 
 def _creep(p: ss.Parameters, vary: str, value: float, theta: float) -> float:
-    """The root that θ moves to: up where f < 0, down where f > 0, and up, where x is larger, from a root that is divergent."""
+    """The root that θ moves to: up where f < 0, down where f > 0, and up, where x is larger, from a
+    root that is divergent.
+    """
     found, (a, b, d, m) = roots(p, vary, value)
     near = found[np.abs(found - theta) < 1e-9]
     if near.size:
@@ -138,7 +146,9 @@ def followed(
 
 
 def _is_smallest(p: ss.Parameters, vary: str, values: Array, near: bool, path: ss.Path) -> bool:
-    """Whether the first state is the smallest of all that are stable at the first value or, for a fold, beside it."""
+    """Whether the first state is the smallest of all that are stable at the first value or, for a
+    fold, beside it.
+    """
     first = float(values[0])
     theta0, kappa, sigma, beta = (
         first if name == vary else float(getattr(p, name))
@@ -169,7 +179,9 @@ def _is_smallest(p: ss.Parameters, vary: str, values: Array, near: bool, path: s
 
 
 def _jumps(p: ss.Parameters, vary: str, jump: ss.Jump, values: Array) -> bool:
-    """Whether the state before the jump is there on one side of its value only, and the state after it on the other."""
+    """Whether the state before the jump is there on one side of its value only, and the state after
+    it on the other.
+    """
     forward = 1.0 if values[-1] > values[0] else -1.0
     before, after = (
         roots(p, vary, jump.value * (1 + side * forward * BESIDE))[0] for side in (-1, 1)

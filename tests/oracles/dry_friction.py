@@ -1,4 +1,6 @@
-"""Motions with dry friction by an event-driven driver of its own: SciPy's DOP853 between events, on forces written by hand."""
+"""Motions with dry friction by an event-driven driver of its own: SciPy's DOP853 between events, on
+forces written by hand.
+"""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -55,7 +57,8 @@ page.friction(
 )
 """
 
-#: The mass that sticks and slips, pushed in time by a rotor that a motor turns; by ``fall`` friction falls before it rises.
+#: The mass that sticks and slips, pushed in time by a rotor that a motor turns; by ``fall``
+#: friction falls before it rises.
 FORCED = shipped_page(
     "coulomb_stick_slip",
     ("import Page", "import Page, cos, sqrt"),
@@ -66,13 +69,16 @@ FORCED = shipped_page(
     ),
     (
         'mu_k = page.parameter("mu_k", "1", "kinetic friction coefficient", ">= 0", 0.4)',
-        'w = page.parameter("w", "1/s", "speed of the rotor", "> 0")\nP = page.parameter("P", "N", "largest push", ">= 0", 1.0)\n'
+        'w = page.parameter("w", "1/s", "speed of the rotor", "> 0")\nP = page.parameter("P", '
+        '"N", "largest push", ">= 0", 1.0)\n'
         'fall = page.parameter("fall", "1", "how much friction falls", "[0, 1]", 0.0)\n'
-        'phi = page.coordinate("phi", "rad", "angle of the rotor")\nu, r = N_0 / sqrt(k * m), N_0 / k',
+        'phi = page.coordinate("phi", "rad", "angle of the rotor")\nu, r = N_0 / sqrt(k * m), '
+        "N_0 / k",
     ),
     (
         "page.kinetic(m * page.rate(x) ** 2 / 2)",
-        "page.kinetic(m * (page.rate(x) ** 2 + (r * page.rate(phi)) ** 2) / 2)\npage.force(P * cos(phi), along=x)\n"
+        "page.kinetic(m * (page.rate(x) ** 2 + (r * page.rate(phi)) ** 2) / 2)\npage.force(P "
+        "* cos(phi), along=x)\n"
         "page.force(sqrt(k * m) * r**2 * w, along=phi)\npage.damper(sqrt(k * m) * r**2, along=phi)",
     ),
     ("mu_k * sgn(v)", "mu_s * (sgn(v) - fall * (v / u - 3 * (v / u) ** 3 / 10))"),
@@ -99,7 +105,9 @@ REACH = {"coulomb": (1.0, 0.1, 0.3, 0.1), "leine": (1.5, 1.5), "tip": (1.0, 1.0,
 
 
 def drawn(name: str, *seed: int) -> tuple[dict[str, float], Any]:
-    """Values of the parameters and a start: some with one friction coefficient, some on a belt that stands."""
+    """Values of the parameters and a start: some with one friction coefficient, some on a belt that
+    stands.
+    """
     rng = np.random.default_rng(seed)
     values = {each: max(rng.uniform(*RANGES[each]), 0.0) for each in DRAWN[name]}
     return values | {"ratio": min(values["ratio"], 1.0)}, rng.uniform(
@@ -147,14 +155,18 @@ def parts(
 
 
 class Driver:
-    """A motion between its events, which are told with the states at them; two that a step holds both are missed."""
+    """A motion between its events, which are told with the states at them; two that a step holds
+    both are missed.
+    """
 
     def __init__(self, name: str, p: Values, longest: float = 0.2) -> None:
         self.name, self.p, self.longest, self.side, self.contact = name, p, longest, 1, True
         self.events: list[tuple[str, float, Any]] = []
 
     def solved(self, z: Any, side: int) -> tuple[Any, float, float, float]:
-        """Rates, the sliding speed, and how far the force of friction is from its limits with the belt and against it."""
+        """Rates, the sliding speed, and how far the force of friction is from its limits with the
+        belt and against it.
+        """
         (q, v), p = np.split(z, 2), self.p
         M, Q, J, rest, N = parts(self.name, p, q, v, self.contact)
         slip, free, response = p["V"] - float(J @ v), np.linalg.solve(M, Q), np.linalg.solve(M, J)
@@ -164,19 +176,24 @@ class Driver:
         return np.concatenate([v, free + response * F]), slip, p["mu0"] * N - F, p["mu0"] * N + F
 
     def resolve(self, z: Any) -> None:
-        """What follows where nothing slides: where the force that would hold it is too large, the belt gets ahead of it."""
+        """What follows where nothing slides: where the force that would hold it is too large, the
+        belt gets ahead of it.
+        """
         _, _, ahead, behind = self.solved(z, 0)
         self.side = 0 if self.contact and min(ahead, behind) >= 0 else 1 if ahead < behind else -1
 
     def levels(self) -> list[Any]:
-        """What is positive until an event; the sliding speed begins at 0 but for rounding where it slips."""
+        """What is positive until an event; the sliding speed begins at 0 but for rounding where it
+        slips.
+        """
         found = [lambda _, z: self.side * self.solved(z, self.side)[1] + 1e-13]
         if not self.side:
             found = [lambda _, z: self.solved(z, 0)[2], lambda _, z: self.solved(z, 0)[3]]
         if self.name == "coulomb":
             found.append(lambda _, z: -z[1] if self.contact else z[1])
         for level in found:
-            level.terminal, level.direction = True, -1  # type: ignore[attr-defined]  # as SciPy wants it
+            # as SciPy wants it
+            level.terminal, level.direction = True, -1  # type: ignore[attr-defined]
         return found
 
     def run(self, start: Any, end: float) -> Any:
@@ -218,7 +235,9 @@ class Driver:
 def along(
     name: str, p: Values, near: ss.Cycle, longest: float
 ) -> tuple[list[tuple[float, str]], float]:
-    """Events of one period, and the period, of the cycle near one of other parameters, closed by this driver."""
+    """Events of one period, and the period, of the cycle near one of other parameters, closed by
+    this driver.
+    """
     fixed = 2 * (name == "coulomb")  # where x is largest; or at one angle of the rotor
 
     def run(place: Any) -> tuple[Driver, Any]:
@@ -235,7 +254,9 @@ def along(
 
 
 def derivatives(name: str, cycle: ss.Cycle, varied: Sequence[str], step: float = 5e-6) -> Any:
-    """Of the state after the period by the state and then by parameters, as differences of this driver's motions."""
+    """Of the state after the period by the state and then by parameters, as differences of this
+    driver's motions.
+    """
     m, here = len(cycle.state), np.array([*cycle.state, *map(cycle.parameters.get, varied)])
 
     def after(place: Any, longest: float) -> Any:
@@ -251,7 +272,9 @@ def derivatives(name: str, cycle: ss.Cycle, varied: Sequence[str], step: float =
 
 
 def leine(digits: int) -> tuple[str, str]:
-    """Period and half of the range of stick-slip at delta = 3 and V = 0.2: the equation of slip by Taylor series of many digits."""
+    """Period and half of the range of stick-slip at delta = 3 and V = 0.2: the equation of slip by
+    Taylor series of many digits.
+    """
     with mpmath.workdps(digits + 3):
         V = mpmath.mpf("0.2")
         slip = mpmath.odefun(lambda _, z: [z[1], 1 / (1 + 3 * (V - z[1])) - z[0]], 0, [1, V])

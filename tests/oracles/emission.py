@@ -1,4 +1,6 @@
-"""Generated functions of a model in floats, intervals and 50 digits: each held against the 50 digits; and their exports in C."""
+"""Generated functions of a model in floats, intervals and 50 digits: each held against the 50
+digits; and their exports in C.
+"""
 
 import inspect
 import math
@@ -26,7 +28,8 @@ def functions(model: Any) -> Iterator[tuple[str, Any]]:
 
 
 def arguments(names: Sequence[str], rng: np.random.Generator) -> list[float]:
-    """A number for each name, as it may be: switches 0 or 1, sides ±1, lengths and parameters positive, cosines and sines of angles.
+    """A number for each name, as it may be: switches 0 or 1, sides ±1, lengths and parameters
+    positive, cosines and sines of angles.
 
     Coordinates and rates are small or large, so that springs turn a little, or around.
     """
@@ -62,7 +65,9 @@ def flat(value: Any) -> list[Any]:
 def with_angles(
     model: Any, function: Callable[..., Any], given: Sequence[float]
 ) -> dict[str, float]:
-    """Arguments of a generated function by their names, an angle in the place of its cosine and sine, as exports take them."""
+    """Arguments of a generated function by their names, an angle in the place of its cosine and
+    sine, as exports take them.
+    """
     code = inspect.unwrap(function).__code__
     values = dict(zip(code.co_varnames[: code.co_argcount], given, strict=True))
     named: dict[str, float] = {}
@@ -83,7 +88,8 @@ def results_of_c(
     calls: Iterable[tuple[str, Sequence[float], int]],
     optimized: str = "-O0",
 ) -> list[float]:
-    """Compile an exported library without a warning, call functions by their names with numbers, and read all they write.
+    """Compile an exported library without a warning, call functions by their names with numbers,
+    and read all they write.
 
     A call is the name of a function, its arguments, and how many numbers it writes.
     """
@@ -143,7 +149,8 @@ def compare(name: str, count: int, seed: int, folder: Path) -> list[str]:
             size = 1.0 + np.abs(exact).max()
             if not np.abs(floats - exact).max() <= 1e-9 * size:
                 wrong.append(
-                    f"{name}.{called}: floats {floats} and 50 digits {exact} at {dict(zip(names, given, strict=True))}"
+                    f"{name}.{called}: floats {floats} and 50 digits {exact} at "
+                    f"{dict(zip(names, given, strict=True))}"
                 )
             wrong += enclosed(f"{name}.{called}", plain, given, wide, {"xp": XP} if taken else {})
     return wrong

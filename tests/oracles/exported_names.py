@@ -1,4 +1,6 @@
-"""An exported page whose quantities bear names of languages: every function gives the numbers of Python in each of them."""
+"""An exported page whose quantities bear names of languages: every function gives the numbers of
+Python in each of them.
+"""
 
 import subprocess
 from pathlib import Path

@@ -18,7 +18,9 @@ CC = shutil.which("cc")
 
 @dataclass(frozen=True)
 class Call:
-    """A generated function, what it was given, also by names with angles for their cosines and sines, and what Python makes of it."""
+    """A generated function, what it was given, also by names with angles for their cosines and
+    sines, and what Python makes of it.
+    """
 
     function: str
     given: list[float]
@@ -55,7 +57,10 @@ def in_node(folder: Path, asked: Sequence[Call]) -> list[float]:
     (module,) = folder.glob("*.mjs")
     program = f'import {{ algebra }} from "./{module.name}";\n'
     program += f"const calls = {json.dumps([(one.function, one.given) for one in asked])};\n"
-    program += "console.log(JSON.stringify(calls.map(([called, given]) => algebra[called](...given)).flat(9)));\n"
+    program += (
+        "console.log(JSON.stringify(calls.map(([called, given]) => "
+        "algebra[called](...given)).flat(9)));\n"
+    )
     command = [str(NODE), "--input-type=module", "-"]
     done = subprocess.run(
         command, input=program, cwd=folder, capture_output=True, text=True, timeout=120, check=True

@@ -1,6 +1,7 @@
 """Seeded families of parameter points that are hard to solve, for the tests and the benchmarks.
 
-Folds, cusps and the false double root are reached through their closed forms, then left by relative distances of 1e-3 to 1e-15.
+Folds, cusps and the false double root are reached through their closed forms, then left by relative
+distances of 1e-3 to 1e-15.
 """
 
 from collections.abc import Callable
@@ -66,7 +67,9 @@ def _folds(rng: np.random.Generator, n: int) -> tuple[Array, Array, tuple[Array,
 
 
 def cusp_wedge(rng: np.random.Generator, n: int) -> Parameters:
-    """In and about the wedge between the two folds next to a cusp, at distances of 1e-1 to 1e-8 in θ."""
+    """In and about the wedge between the two folds next to a cusp, at distances of 1e-1 to 1e-8 in
+    θ.
+    """
     rows: list[Array] = []
     have = 0
     while have < n:
@@ -119,7 +122,9 @@ def cusp_wedge(rng: np.random.Generator, n: int) -> Parameters:
 
 
 def false_double_root(rng: np.random.Generator, n: int) -> Parameters:
-    """Within a relative 1e-3 to 1e-15 of a point where θ and π − θ are equilibria together, at L = σ/(σ + α)."""
+    """Within a relative 1e-3 to 1e-15 of a point where θ and π − θ are equilibria together, at L =
+    σ/(σ + α).
+    """
     kappa, alpha, sigma, beta = _stiffnesses(rng, n)
     alpha = alpha * 0.5 * (1 + beta) / (alpha + 1)
     theta0 = np.pi * rng.random(n)
@@ -195,21 +200,33 @@ FAMILIES: dict[str, Callable[[np.random.Generator, int], Parameters]] = {
     "beta = 0": no_stiffness_across,
 }
 
-#: Points found by search at the ends of scale: factors whose signs drown in rounding, and digits lost to underflow.
+#: Points found by search at the ends of scale: factors whose signs drown in rounding, and digits
+#: lost to underflow.
 EXTREMES: tuple[tuple[float, ...], ...] = tuple(
     tuple(map(float.fromhex, line.split()))
     for line in (
-        "0x1.194edf1fbb437p-35 0x1.22c21aa91e6f1p+2 0x1.d0cf45d642307p-37 0x1.f502d7de5902cp+0 0x1.8341a5de04f3ap-1 0x0p+0",
-        "0x1.80828afeba655p+0 0x1.16ccdf5a955b8p+45 0x1.fc2edddc25e1cp-16 0x1.fba25e690fff0p+9 0x1.4c0dd29144266p+7 0x0p+0",
-        "0x1.d7cf5a257d721p-24 0x1.6e8677a453b4cp+20 0x1.387eba489bbccp-26 0x1.6e878239b5451p+20 0x1.129e30ea11167p+19 0x1.c7da14a10ac30p-7",
-        "0x1.921fb54442970p+0 0x1.cb9b094c28374p+450 0x1.69da9dcb46b63p-52 0x1.417b918e9909ap+257 0x1.e49058cf1d7edp-55 0x1.3a6db5a8592c1p-244",
-        "0x1.51faaaf17df26p+0 0x0p+0 0x1.1a181e66273e7p+506 0x0.0000000000002p-1022 0x0.0000000000004p-1022 0x1.b5530d2b69725p+508",
-        "0x1.53a884ba60604p-53 0x1.8e27de7964698p+41 0x1.17b395b28b0c1p-30 0x1.b8bbd675c51c0p-37 0x1.7458a9f0311b2p-16 0x1.79dff667a66fcp+64",
-        "0x1.2944e036203fbp-19 0x1.49c7618598a12p+13 0x1.c7544b9fdcf7bp-203 0x1.51d57ea7c3dffp-192 0x1.7f08819b6bde3p-184 0x1.c175fd70faa20p-7",
-        "0x1.961f019acdcfbp-35 0x1.7764155fae4a7p+28 0x1.bb9d28d3c24aap-233 0x0p+0 0x1.6dcc1e9036bd0p-199 0x1.11db8abc7719cp-10",
-        "0x1.82b6ce8d986d5p-47 0x1.3085104971523p+39 0x1.2d7ba4672409ap-255 0x1.fdd052a3e3ba1p-216 0x1.c0a09a36b9c73p-210 0x1.3a77e6d381df8p-9",
-        "0x0.0000000000004p-1022 0x1.d6f80fdc60a51p+1020 0x0.0000000004b08p-1022 0x0p+0 0x1.1413013df6e18p-39 0x0p+0",
-        "0x0.000000000019cp-1022 0x1.371568c560d7ep+1017 0x0.0000001c31e2fp-1022 0x0p+0 0x1.121a257825d72p-32 0x0p+0",
+        "0x1.194edf1fbb437p-35 0x1.22c21aa91e6f1p+2 0x1.d0cf45d642307p-37 "
+        "0x1.f502d7de5902cp+0 0x1.8341a5de04f3ap-1 0x0p+0",
+        "0x1.80828afeba655p+0 0x1.16ccdf5a955b8p+45 0x1.fc2edddc25e1cp-16 "
+        "0x1.fba25e690fff0p+9 0x1.4c0dd29144266p+7 0x0p+0",
+        "0x1.d7cf5a257d721p-24 0x1.6e8677a453b4cp+20 0x1.387eba489bbccp-26 "
+        "0x1.6e878239b5451p+20 0x1.129e30ea11167p+19 0x1.c7da14a10ac30p-7",
+        "0x1.921fb54442970p+0 0x1.cb9b094c28374p+450 0x1.69da9dcb46b63p-52 "
+        "0x1.417b918e9909ap+257 0x1.e49058cf1d7edp-55 0x1.3a6db5a8592c1p-244",
+        "0x1.51faaaf17df26p+0 0x0p+0 0x1.1a181e66273e7p+506 0x0.0000000000002p-1022 "
+        "0x0.0000000000004p-1022 0x1.b5530d2b69725p+508",
+        "0x1.53a884ba60604p-53 0x1.8e27de7964698p+41 0x1.17b395b28b0c1p-30 "
+        "0x1.b8bbd675c51c0p-37 0x1.7458a9f0311b2p-16 0x1.79dff667a66fcp+64",
+        "0x1.2944e036203fbp-19 0x1.49c7618598a12p+13 0x1.c7544b9fdcf7bp-203 "
+        "0x1.51d57ea7c3dffp-192 0x1.7f08819b6bde3p-184 0x1.c175fd70faa20p-7",
+        "0x1.961f019acdcfbp-35 0x1.7764155fae4a7p+28 0x1.bb9d28d3c24aap-233 0x0p+0 "
+        "0x1.6dcc1e9036bd0p-199 0x1.11db8abc7719cp-10",
+        "0x1.82b6ce8d986d5p-47 0x1.3085104971523p+39 0x1.2d7ba4672409ap-255 "
+        "0x1.fdd052a3e3ba1p-216 0x1.c0a09a36b9c73p-210 0x1.3a77e6d381df8p-9",
+        "0x0.0000000000004p-1022 0x1.d6f80fdc60a51p+1020 0x0.0000000004b08p-1022 0x0p+0 "
+        "0x1.1413013df6e18p-39 0x0p+0",
+        "0x0.000000000019cp-1022 0x1.371568c560d7ep+1017 0x0.0000001c31e2fp-1022 0x0p+0 "
+        "0x1.121a257825d72p-32 0x0p+0",
     )
 )
 
@@ -225,7 +242,9 @@ def random_fixed(rng: np.random.Generator) -> Parameters:
 
 
 def random_fluttering(rng: np.random.Generator) -> Parameters:
-    """Parameters over several decades, half of them where flutter is common: α near 1 + β, σ of its order."""
+    """Parameters over several decades, half of them where flutter is common: α near 1 + β, σ of its
+    order.
+    """
     beta = rng.choice([0.0, 10 ** rng.uniform(-2, 0.5)])
     if rng.random() < 0.5:
         alpha, sigma = (1 + beta) * rng.uniform(0.1, 1.5), 10 ** rng.uniform(-1, 0.5)

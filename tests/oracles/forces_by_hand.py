@@ -1,6 +1,8 @@
-"""Forces of every attacked model, written by hand from its drawing: the reference of :mod:`tests.oracles.by_hand`.
+"""Forces of every attacked model, written by hand from its drawing: the reference of
+:mod:`tests.oracles.by_hand`.
 
-Nothing of ``derive/`` or ``generated/`` is used. Numbers are floats, arrays or mpmath's, as ``xp`` has the functions for.
+Nothing of ``derive/`` or ``generated/`` is used. Numbers are floats, arrays or mpmath's, as ``xp``
+has the functions for.
 """
 
 from collections.abc import Callable, Sequence
@@ -9,7 +11,8 @@ from typing import Any
 
 #: Parameters by name, one number or array each.
 Values = dict[str, Any]
-#: ``f(q, v, values, xp)``: a force on every coordinate, without contact and friction; xp is numpy or mpmath.
+#: ``f(q, v, values, xp)``: a force on every coordinate, without contact and friction; xp is numpy
+#: or mpmath.
 Pull = Callable[[Sequence[Any], Sequence[Any], Values, Any], list[Any]]
 
 
@@ -69,7 +72,9 @@ def line(
     damper: Any,
     xp: Any,
 ) -> Any:
-    """The force of a straight spring and its damper on the mass, as (F_x, F_y); ``rates`` are the mass's less the end's."""
+    """The force of a straight spring and its damper on the mass, as (F_x, F_y); ``rates`` are the
+    mass's less the end's.
+    """
     dx, dy = end[0] - mass[0], end[1] - mass[1]
     length = xp.sqrt(dx * dx + dy * dy)
     growing = -(dx * rates[0] + dy * rates[1]) / length
@@ -126,7 +131,9 @@ def _towed(q: Sequence[Any], v: Sequence[Any], p: Values, xp: Any) -> list[Any]:
 
 
 def _rail(q: Sequence[Any], v: Sequence[Any], p: Values, xp: Any) -> list[Any]:
-    """With the torque of the anchor's spring: its stiffness times the least angle by which the line has turned."""
+    """With the torque of the anchor's spring: its stiffness times the least angle by which the line
+    has turned.
+    """
     c0, s0 = xp.cos(p["theta0"]), xp.sin(p["theta0"])
     fx, fy = line(q, (c0, s0), v, p["sigma"], 1, 0, xp)
     dx, dy = c0 - q[0], s0 - q[1]
@@ -138,7 +145,8 @@ def _rail(q: Sequence[Any], v: Sequence[Any], p: Values, xp: Any) -> list[Any]:
     return [fx - p["alpha"] * q[0] - torque * dy / square, fy - p["kappa"] + torque * dx / square]
 
 
-# ------------------------------------------------------------------------------------------------ laws
+# ------------------------------------------------------------------------------------------------
+# laws
 
 
 def linear(depth: Any, p: Values, xp: Any) -> Any:

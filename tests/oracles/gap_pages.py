@@ -27,7 +27,9 @@ TANH = "lambda v: mu0 * tanh(d * v), at_rest=mu0"
 
 @dataclass(frozen=True)
 class Hand:
-    """A page, and what it says written by hand: q by coordinate, p by name, N = law(−gap) where ``contact`` is 1."""
+    """A page, and what it says written by hand: q by coordinate, p by name, N = law(−gap) where
+    ``contact`` is 1.
+    """
 
     page: str
     forces: Callable[[Any, Values, int], list[Any]]
@@ -40,7 +42,8 @@ def push(hand: Hand, q: Any, p: Values, contact: int) -> Any:
     return hand.law(-hand.gap(q, p), p) if contact else 0.0
 
 
-# ------------------------------------------------------------------------------------------------------------ rod
+# ------------------------------------------------------------------------------------------------
+# rod
 
 _ROD = (
     HEAD
@@ -64,7 +67,8 @@ def _rod(q: Any, p: Values, contact: int) -> list[Any]:
 
 ROD = Hand(_ROD, _rod, lambda q, p: p["eta"] - np.cos(q[0]))
 
-# ----------------------------------------------------------------------------------------------------------- rail
+# -------------------------------------------------------------------------------------------------
+# rail
 
 _RAIL = (
     HEAD
@@ -92,7 +96,8 @@ def _rail(q: Any, p: Values, contact: int) -> list[Any]:
 
 RAIL = Hand(_RAIL, _rail, lambda q, p: q[1] - p["b"] * np.sin(q[0]))
 
-# --------------------------------------------------------------------------------------------------------- sledge
+# -------------------------------------------------------------------------------------------------
+# sledge
 
 _SLEDGE = (
     HEAD

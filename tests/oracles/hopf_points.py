@@ -1,7 +1,8 @@
-"""First Lyapunov coefficients to 50 digits from equations written by hand, and their signs by motions.
+"""First Lyapunov coefficients to 50 digits from equations written by hand, and their signs by
+motions.
 
-Nothing generated stands behind the reference: forces are written down from the drawings, the point is found again by Newton's
-method, and derivatives are mpmath's.
+Nothing generated stands behind the reference: forces are written down from the drawings, the point
+is found again by Newton's method, and derivatives are mpmath's.
 """
 
 import math
@@ -17,14 +18,16 @@ from spragsym.errors import ConvergenceError
 from tests.oracles.forces_by_hand import DRAWN, Values
 
 DIGITS = 50
-#: Digits of Newton's method, and those of differences, whose steps are STEP: they are right to some 2 · 40 digits.
+#: Digits of Newton's method, and those of differences, whose steps are STEP: they are right to some
+#: 2 · 40 digits.
 WORKING, FINE = 90, 210
 STEP = mpmath.mpf("1e-40")
 
 
 def accelerations(page: str, P: Values, u: Sequence[Any]) -> list[Any]:
-    """Accelerations at the state u = (coordinates, rates), in contact, with the belt ahead; the law of friction passes through that
-    of statics at steady sliding."""
+    """Accelerations at the state u = (coordinates, rates), in contact, with the belt ahead; the law
+    of friction passes through that of statics at steady sliding.
+    """
     drawn, n = DRAWN[page], len(u) // 2
     steady, ahead = (drawn.friction(speed, P, mpmath) for speed in (P["V"], P["V"] - u[n]))
     friction = drawn.static_friction(P, mpmath) + ahead - steady
@@ -32,7 +35,8 @@ def accelerations(page: str, P: Values, u: Sequence[Any]) -> list[Any]:
     return [force / mass for force, mass in zip(forces, drawn.inertia(P), strict=True)]
 
 
-# ------------------------------------------------------------------------------------------------ the reference
+# ------------------------------------------------------------------------------------------------
+# the reference
 
 
 class Reference:
@@ -144,8 +148,10 @@ def reference_of(onsets: Any, row: int) -> Reference:
 
 
 def against_motions(onsets: Any, row: int, longest: float = 20_000.0) -> str | None:
-    """``"gentle"`` where motions from inside and outside come towards the cycle that is born, ``"dangerous"`` where both leave it;
-    None where that takes too long, or where another pair of the state grows."""
+    """``"gentle"`` where motions from inside and outside come towards the cycle that is born,
+    ``"dangerous"`` where both leave it; None where that takes too long, or where another pair of
+    the state grows.
+    """
     form = onsets.normal_forms[row]
     n = len(form.q) // 2
     try:

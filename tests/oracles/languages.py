@@ -1,4 +1,6 @@
-"""The JavaScript and MATLAB targets for tests and benchmarks: called on whole tables of points, in node and in Octave."""
+"""The JavaScript and MATLAB targets for tests and benchmarks: called on whole tables of points, in
+node and in Octave.
+"""
 
 import atexit
 import ctypes
@@ -35,7 +37,9 @@ _RUNTIME = Path(str(resources.files("spragsym.derive"))) / "kang_nam" / "runtime
 
 @dataclass(frozen=True)
 class Found:
-    """Equilibria of n points: status and count of each, and columns (n, 4), NaN beyond the count."""
+    """Equilibria of n points: status and count of each, and columns (n, 4), NaN beyond the
+    count.
+    """
 
     status: NDArray[np.int64]
     count: NDArray[np.int64]
@@ -55,7 +59,9 @@ def library(language: str) -> Path:
 
 
 def answers(calls: Sequence[tuple[Any, ...]]) -> list[dict[str, Any]]:
-    """What the JavaScript module returns for calls (name, arguments …): ``value``, or ``error`` and ``message`` where it throws."""
+    """What the JavaScript module returns for calls (name, arguments …): ``value``, or ``error`` and
+    ``message`` where it throws.
+    """
     text = json.dumps([{"name": name, "given": _encoded(given)} for name, *given in calls])
     driver = _RUNTIME / "javascript" / "tests" / "driver.mjs"
     command = [str(NODE), str(driver), str(library("javascript") / "spragsym.mjs")]
@@ -147,7 +153,8 @@ def in_octave(p: ss.Parameters, contact: bool) -> Found:
     return Found(table[:, 0].astype(int), table[:, 1].astype(int), columns, float(printed))
 
 
-# -------------------------------------------------------------------------------------------------- comparison
+# ------------------------------------------------------------------------------------------------
+# comparison
 
 
 def adversarial(n: int) -> ss.Parameters:
@@ -162,7 +169,9 @@ def adversarial(n: int) -> ss.Parameters:
 
 
 def fold_sets(n: int) -> list[dict[str, float]]:
-    """Parameters for folds: in turn alpha = 0, all but 0, of any size, and close to 1 + beta; every third set without friction."""
+    """Parameters for folds: in turn alpha = 0, all but 0, of any size, and close to 1 + beta; every
+    third set without friction.
+    """
     rng = np.random.default_rng(181)
     found = []
     for place in range(n):
@@ -184,7 +193,9 @@ def fold_sets(n: int) -> list[dict[str, float]]:
 
 @dataclass(frozen=True)
 class Agreement:
-    """Among the points that are vouched for: wrong counts and kinds, and the largest error over both error bounds together."""
+    """Among the points that are vouched for: wrong counts and kinds, and the largest error over
+    both error bounds together.
+    """
 
     wrong: int
     largest: float
@@ -216,7 +227,9 @@ def against_python(found: Found, p: ss.Parameters, contact: bool) -> Agreement:
 def unlike_c(
     found: Found, library: ctypes.CDLL, p: ss.Parameters, contact: bool
 ) -> NDArray[np.bool_]:
-    """Points at which a bit of what the C library writes differs, whether it is vouched for or not."""
+    """Points at which a bit of what the C library writes differs, whether it is vouched for or
+    not.
+    """
     out = c_target.room(p.shape[0])
     c_target.solve(library, c_target.table(p), out, contact, batch=False)
     differs = (found.status != out.status) | (found.count != out.count)

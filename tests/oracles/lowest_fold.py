@@ -1,4 +1,6 @@
-"""The friction of the lowest fold of all angles by a scan of first jumps, and to 50 digits by the balance of forces."""
+"""The friction of the lowest fold of all angles by a scan of first jumps, and to 50 digits by the
+balance of forces.
+"""
 
 from typing import Any
 
@@ -8,7 +10,8 @@ import numpy as np
 import spragsym as ss
 from spragsym.kang_nam.kernel import FIXED
 
-#: Angles of the first scan, of each refinement about its least value, and how many of those there are.
+#: Angles of the first scan, of each refinement about its least value, and how many of those there
+#: are.
 COARSE, FINE, TIMES = 160, 13, 3
 #: What a scan may miss of a minimum, relative, and what a value beside a cusp may exceed it by.
 ABOVE, BESIDE = 1e-7, 1e-4
@@ -21,7 +24,9 @@ def first_jumps(p: ss.Parameters, angles: np.ndarray) -> np.ndarray:
 
 
 def scanned(p: ss.Parameters, times: int = TIMES) -> tuple[float, float]:
-    """The least friction of a first jump that a scan over all angles finds, refined about it, and its angle; infinite for none."""
+    """The least friction of a first jump that a scan over all angles finds, refined about it, and
+    its angle; infinite for none.
+    """
     angles = np.unique(
         np.concatenate([np.geomspace(1e-9, 0.01, 8), np.linspace(0.01, np.pi - 0.01, COARSE)])
     )
@@ -38,14 +43,17 @@ def scanned(p: ss.Parameters, times: int = TIMES) -> tuple[float, float]:
 
 
 def verdict(p: ss.Parameters) -> tuple[str, str]:
-    """The kind of the lowest fold, and "right", "above" (something jumps below it) or "below" (nothing jumps at it)."""
+    """The kind of the lowest fold, and "right", "above" (something jumps below it) or "below"
+    (nothing jumps at it).
+    """
     found = ss.critical_friction(p)
     least, _ = scanned(p)
     if float(found) > least * (1 + 1e-12):
         return found.kind, "above"
     if not found.kind or least <= float(found) * (1 + ABOVE) + 1e-300:
         return found.kind, "right"
-    # A window of angles between those of the scan, or a cusp, which is the end of the angles that jump: beside it.
+    # A window of angles between those of the scan, or a cusp, which is the end of the angles that
+    # jump: beside it.
     beside = found.theta0 * (
         1 + np.array([0.0, *(side * 10.0**-k for k in range(4, 12, 2) for side in (-1, 1))])
     )
@@ -54,11 +62,14 @@ def verdict(p: ss.Parameters) -> tuple[str, str]:
     ) + BESIDE**2 else "below"
 
 
-# ------------------------------------------------------------------------------------------ the balance of forces, (14) and (15)
+# ------------------------------------------------------------------------------------------ the
+# balance of forces, (14) and (15)
 
 
 def balance(x: Any, y: Any, theta0: Any, mu0: Any, fixed: tuple[Any, ...]) -> tuple[Any, ...]:
-    """F_x and F_y in contact, det ∂F/∂(x, y), a vector that is 0 under ∂F/∂(x, y) where that is singular, and (∂F_y/∂y, −∂F_x/∂y) F_θ₀."""
+    """F_x and F_y in contact, det ∂F/∂(x, y), a vector that is 0 under ∂F/∂(x, y) where that is
+    singular, and (∂F_y/∂y, −∂F_x/∂y) F_θ₀.
+    """
     kappa, alpha, sigma, beta = fixed
     rx, ry = mpmath.cos(theta0) - x, mpmath.sin(theta0) - y
     L = mpmath.sqrt(rx * rx + ry * ry)
@@ -73,7 +84,9 @@ def balance(x: Any, y: Any, theta0: Any, mu0: Any, fixed: tuple[Any, ...]) -> tu
 
 
 def in_digits(p: ss.Parameters, digits: int = 50, times: int = 2 * TIMES) -> tuple[Any, Any]:
-    """Angle and friction of the lowest fold by Newton's method on the balance of forces, from where a scan finds the least jump."""
+    """Angle and friction of the lowest fold by Newton's method on the balance of forces, from where
+    a scan finds the least jump.
+    """
     found = ss.critical_friction(p)
     values = p.scalars(*FIXED)
     friction, angle = scanned(p, times)

@@ -1,8 +1,9 @@
-"""Every bit of the C target on other machines: builds for each that has a compiler here, and the same points through all of them.
+"""Every bit of the C target on other machines: builds for each that has a compiler here, and the
+same points through all of them.
 
-``python -m tests.oracles.machines [N]``: N points of each family, 10 000 by default; a Markdown table of the builds, each with the head
-of a hash over all results. On a machine that is not in the table, build ``bits.c`` of the C target's tests with its compiler and
-compare.
+``python -m tests.oracles.machines [N]``: N points of each family, 10 000 by default; a Markdown
+table of the builds, each with the head of a hash over all results. On a machine that is not in the
+table, build ``bits.c`` of the C target's tests with its compiler and compare.
 """
 
 import hashlib
@@ -29,7 +30,9 @@ PROGRAM = ROOT / "derive" / "kang_nam" / "runtime" / "c" / "tests" / "bits.c"
 
 @dataclass(frozen=True)
 class Machine:
-    """A compiler with its flags, and the command that runs what it builds where that is not this machine."""
+    """A compiler with its flags, and the command that runs what it builds where that is not this
+    machine.
+    """
 
     name: str
     compiler: str
@@ -144,7 +147,9 @@ def main(each: int = 10_000) -> int:
     given = points(each)
     expected, differing = "", 0
     print(
-        f"{each * len(FAMILIES)} points, in contact and in lift-off; {platform.platform()}.\n\n| build | flags | hash of all bits | s |\n|---|---|---|---:|"
+        f"{each * len(FAMILIES)} points, in contact and in lift-off; "
+        f"{platform.platform()}.\n\n| build | flags | hash of all bits | s "
+        "|\n|---|---|---|---:|"
     )
     for machine in MACHINES:
         if reason := machine.missing():

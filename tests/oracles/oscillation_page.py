@@ -1,7 +1,7 @@
 """The numbers of docs/oscillation.md, each by the command that stands beside it.
 
-What a command prints, or gives in Python, is compared with the number to the last digit that the page shows; the lines of its proofs
-must be printed as they stand.
+What a command prints, or gives in Python, is compared with the number to the last digit that the
+page shows; the lines of its proofs must be printed as they stand.
 """
 
 import functools
@@ -45,7 +45,9 @@ def cells() -> Iterator[list[str]]:
 
 
 def rows() -> Iterator[Row]:
-    """The rows of the table of commands; seconds are those of a machine, and bounds are for the command itself to keep."""
+    """The rows of the table of commands; seconds are those of a machine, and bounds are for the
+    command itself to keep.
+    """
     before = ""
     for what, numbers, command in (
         row for row in cells() if len(row) == 3 and row[2].startswith(("`", "the same"))
@@ -88,7 +90,8 @@ def printed(command: str, folder: Path = Path()) -> str:
         text = done.stdout
         if done.returncode:
             raise RuntimeError(
-                f"{command} ends with {done.returncode}: {(done.stdout + done.stderr).strip()[-500:]}"
+                f"{command} ends with {done.returncode}: "
+                f"{(done.stdout + done.stderr).strip()[-500:]}"
             )
     out = Path(words[words.index("--out") + 1]) if "--out" in words else None
     return text + "".join(
@@ -118,12 +121,15 @@ def told(row: Row, folder: Path) -> list[float]:
             float(number)
             for number in re.findall(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?", printed(row.command, folder))
         ]
-    found = list(numbers_of(eval(row.command, {"ss": ss, "np": np})))  # noqa: S307  # the page is ours
+    # the page is ours
+    found = list(numbers_of(eval(row.command, {"ss": ss, "np": np})))  # noqa: S307
     return [*found, *np.degrees(found).tolist()]
 
 
 def off(written: str, told: list[float]) -> float:
-    """How far the nearest number that was printed is from one of the page in size, in units of its last digit."""
+    """How far the nearest number that was printed is from one of the page in size, in units of its
+    last digit.
+    """
     mantissa, _, power = written.partition("e")
     unit = Decimal(1).scaleb(int(power or 0) - len(mantissa.partition(".")[2]))
     return min(

@@ -1,4 +1,6 @@
-"""Random motions of the article's model by their numbers: cycles that branches begin with, fates that change, and basins."""
+"""Random motions of the article's model by their numbers: cycles that branches begin with, fates
+that change, and basins.
+"""
 
 from typing import Any
 

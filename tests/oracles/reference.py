@@ -1,7 +1,9 @@
-"""An independent reference for equilibria: counts by Descartes' rule on exact polynomials, states by Newton's method on forces.
+"""An independent reference for equilibria: counts by Descartes' rule on exact polynomials, states
+by Newton's method on forces.
 
-Nothing is shared with the solver but the parameters. The quartic comes from its own elimination, by hand, in the half angle's
-cotangent; counts are decided in Arb balls; states are refined on the un-eliminated balance of forces in mpmath.
+Nothing is shared with the solver but the parameters. The quartic comes from its own elimination, by
+hand, in the half angle's cotangent; counts are decided in Arb balls; states are refined on the
+un-eliminated balance of forces in mpmath.
 """
 
 import itertools
@@ -22,7 +24,9 @@ def count_contact(
 def count_liftoff(
     theta0: float, mu0: float, kappa: float, alpha: float, sigma: float, beta: float
 ) -> int:
-    """Number of equilibria in lift-off, by certified roots of the quartic, decided with as many bits as it takes."""
+    """Number of equilibria in lift-off, by certified roots of the quartic, decided with as many
+    bits as it takes.
+    """
     return _decided(_count_liftoff, theta0, mu0, kappa, alpha, sigma, beta)
 
 
@@ -44,7 +48,8 @@ def _count_liftoff(values: list[object]) -> int | None:
     import flint
 
     e, _ = _quartic(values, push=0)
-    theta0, _, kappa, _, sigma, beta = values  # type: ignore[misc]  # balls, of which mypy knows nothing
+    # balls, of which mypy knows nothing
+    theta0, _, kappa, _, sigma, beta = values  # type: ignore[misc]
     s0 = theta0.sin()  # type: ignore[attr-defined]  # a ball
     try:
         roots = flint.acb_poly(e).roots(tol=flint.arb(2) ** (-flint.ctx.prec // 2))
@@ -54,7 +59,8 @@ def _count_liftoff(values: list[object]) -> int | None:
     for root in roots:
         if not root.imag.contains(0):
             continue
-        # Roots are isolated and come in conjugate pairs: one whose ball meets the real axis is real.
+        # Roots are isolated and come in conjugate pairs: one whose ball meets the real axis is
+        # real.
         s = 2 * root.real / (1 + root.real**2)
         L = (sigma * s + beta * s0 + kappa) / ((beta + sigma) * s)
         inside, outside = [L > 0, s0 - L * s > 0], [L < 0, s0 - L * s < 0]
@@ -65,12 +71,16 @@ def _count_liftoff(values: list[object]) -> int | None:
 
 
 def _quartic(values: list[object], push: int = 1) -> tuple[list[object], object]:
-    """Coefficients of the equation for r = cot(θ/2), and s*; from F_x q sin θ = 0 with (1 + r²)² cleared."""
-    theta0, mu, kappa, alpha, sigma, beta = values  # type: ignore[misc]  # balls, of which mypy knows nothing
+    """Coefficients of the equation for r = cot(θ/2), and s*; from F_x q sin θ = 0 with (1 + r²)²
+    cleared.
+    """
+    # balls, of which mypy knows nothing
+    theta0, mu, kappa, alpha, sigma, beta = values  # type: ignore[misc]
     s0, c0 = theta0.sin_cos()  # type: ignore[attr-defined]  # balls, of which mypy knows nothing
     big, mu = beta + push, mu * push  # type: ignore[operator]  # balls
     q = big + sigma
-    # F_x = σ c + α c0 + μ s0 − L (p c + μ s), L = (σ s + B s0 + κ)/(q s); times q s. sin θ = 2r/(1+r²), cos θ = (r²−1)/(1+r²).
+    # F_x = σ c + α c0 + μ s0 − L (p c + μ s), L = (σ s + B s0 + κ)/(q s); times q s. sin θ =
+    # 2r/(1+r²), cos θ = (r²−1)/(1+r²).
     sc = sigma * q - sigma * (alpha + sigma)
     c1 = -(big * s0 + kappa) * (alpha + sigma)
     s1 = q * (alpha * c0 + mu * s0) - mu * (big * s0 + kappa)
@@ -89,7 +99,8 @@ def _count(values: list[object]) -> int | None:
         return 1  # two real roots, one of each sign, and an odd number in contact
     if not discriminant > 0:
         return None
-    # Four real roots: Descartes' rule is exact for them, on the half line or, moved there, on the arc s > s*.
+    # Four real roots: Descartes' rule is exact for them, on the half line or, moved there, on the
+    # arc s > s*.
     if threshold < 0:
         return _variations(e)
     if not threshold > 0:
@@ -109,7 +120,9 @@ def _count(values: list[object]) -> int | None:
 
 
 def _variations(coefficients: list[object]) -> int | None:
-    """Changes of sign; a coefficient whose sign is open counts if both signs give the same number, as next to opposite ones."""
+    """Changes of sign; a coefficient whose sign is open counts if both signs give the same number,
+    as next to opposite ones.
+    """
     choices = []
     for value in coefficients:
         if value > 0:  # type: ignore[operator]  # balls, of which mypy knows nothing
@@ -136,7 +149,9 @@ def refine(
     contact: bool,
     digits: int = 50,
 ) -> tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf, mpmath.mpf]:
-    """θ, L, x, y by Newton's method on the forces (12) and (13), from a state that is known to a few digits."""
+    """θ, L, x, y by Newton's method on the forces (12) and (13), from a state that is known to a
+    few digits.
+    """
     with mpmath.workdps(digits):
         c0, s0 = mpmath.cos(mpmath.mpf(theta0)), mpmath.sin(mpmath.mpf(theta0))
         mu0, kappa, alpha, sigma, beta = (mpmath.mpf(v) for v in (mu0, kappa, alpha, sigma, beta))
@@ -161,7 +176,9 @@ def refine(
 
 
 def along(theta: Any, theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any) -> Any:
-    """sin θ times the force along the belt in contact, with the L sin θ that balances across it: f over q, not eliminated."""
+    """sin θ times the force along the belt in contact, with the L sin θ that balances across it: f
+    over q, not eliminated.
+    """
     s, c, s0, c0 = mpmath.sin(theta), mpmath.cos(theta), mpmath.sin(theta0), mpmath.cos(theta0)
     length = (sigma * s + (beta + 1) * s0 + kappa) / (beta + 1 + sigma)  # L sin θ
     return sigma * (s - length) * c + alpha * (c0 * s - length * c) + mu0 * s * (s0 - length)
@@ -170,7 +187,9 @@ def along(theta: Any, theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any,
 def lack_of_a_state(
     state: tuple[Any, Any, Any, Any], theta0: Any, kappa: Any, sigma: Any, beta: Any
 ) -> Any:
-    """By how much θ, L, x, y in contact miss the balance across the belt, over the stiffnesses, and the geometry."""
+    """By how much θ, L, x, y in contact miss the balance across the belt, over the stiffnesses, and
+    the geometry.
+    """
     theta, L, x, y = state
     s, s0 = mpmath.sin(theta), mpmath.sin(theta0)
     across = ((beta + 1 + sigma) * L * s - sigma * s - (beta + 1) * s0 - kappa) / (1 + beta + sigma)

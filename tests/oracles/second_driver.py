@@ -1,4 +1,6 @@
-"""Motions of the article's model by SciPy's solve_ivp with its own event location, on equations written by hand."""
+"""Motions of the article's model by SciPy's solve_ivp with its own event location, on equations
+written by hand.
+"""
 
 import math
 from collections.abc import Sequence
@@ -20,7 +22,8 @@ def carried(
     atol: float | None = None,
     **options: Any,
 ) -> tuple[Any, int]:
-    """Where the motion is after a while, and how often it crossed y = 0, piece by piece between SciPy's events.
+    """Where the motion is after a while, and how often it crossed y = 0, piece by piece between
+    SciPy's events.
 
     A state of twenty numbers carries the derivatives by the first four along, row by row.
     """
@@ -46,7 +49,8 @@ def carried(
             return float(mode[1] * (V - z[2]) + 1e-12)
 
         for event in (leaves, turns):
-            event.terminal, event.direction = True, -1  # type: ignore[attr-defined]  # as SciPy wants it
+            # as SciPy wants it
+            event.terminal, event.direction = True, -1  # type: ignore[attr-defined]
         part = solve_ivp(
             rates,
             (clock, span),
@@ -66,7 +70,9 @@ def carried(
 
 
 def differences(cycle: ss.Cycle) -> tuple[float, float, float]:
-    """Of state, period, and multipliers relative to the larger of 1 and their size: what Newton's step of this driver is."""
+    """Of state, period, and multipliers relative to the larger of 1 and their size: what Newton's
+    step of this driver is.
+    """
     whole, _ = carried(
         cycle.values,
         np.concatenate([cycle.state, np.eye(4).ravel()]),

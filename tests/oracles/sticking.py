@@ -28,8 +28,10 @@ def model(law: str) -> Any:
             ("import Page", "import Abs, Page, atan, exp, pi, sgn, tanh"),
             ("2 * mu_s * v * v_s / (v**2 + v_s**2)", text),
             (
-                'v_s = page.parameter("v_s", "m/s", "sliding speed at which friction is largest", "> 0", 0.1)\n',
-                'delta = page.parameter("delta", "s/m", "fall", "real", 0.5)\nd = page.parameter("d", "s/m", "steepness", "> 0", 1e2)\n',
+                'v_s = page.parameter("v_s", "m/s", "sliding speed at which friction is '
+                'largest", "> 0", 0.1)\n',
+                'delta = page.parameter("delta", "s/m", "fall", "real", 0.5)\nd = '
+                'page.parameter("d", "s/m", "steepness", "> 0", 1e2)\n',
             ),
         ),
         law,

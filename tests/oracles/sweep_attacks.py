@@ -22,7 +22,9 @@ SHORT = {"V": 0.5, "d": 10.0, "t_end": 30.0, "transient": 10.0}
 
 
 class Recorded:
-    """A map that computes every point once, and gives it from memory later: the attack is on what is stored."""
+    """A map that computes every point once, and gives it from memory later: the attack is on what
+    is stored.
+    """
 
     def __init__(self) -> None:
         self.answers: dict[Any, Any] = {}

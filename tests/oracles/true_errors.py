@@ -1,4 +1,6 @@
-"""True errors of equilibria, beside the bounds that are said of them: in floats, and to any number of digits."""
+"""True errors of equilibria, beside the bounds that are said of them: in floats, and to any number
+of digits.
+"""
 
 from collections.abc import Iterable, Iterator
 
@@ -14,7 +16,8 @@ from tests.oracles.families import FAMILIES
 
 #: Precisions that a caller may have set.
 CALLERS = (1, 15, 50, 400)
-#: Digits of the reference beyond the bits that results carry, of which there are 64 more than were asked for.
+#: Digits of the reference beyond the bits that results carry, of which there are 64 more than were
+#: asked for.
 MORE_DIGITS = 100
 
 
@@ -32,7 +35,9 @@ def points(number: int, seed: int = 0) -> Iterator[tuple[float, ...]]:
 def worst_shares(
     point: tuple[float, ...], precisions: Iterable[int], *, contact: bool = True
 ) -> dict[int, float]:
-    """For each precision the largest true error of any number of any state, over its bound; ``inf`` for a wrong count."""
+    """For each precision the largest true error of any number of any state, over its bound; ``inf``
+    for a wrong count.
+    """
     results, given = {}, dict(zip(NAMES, point, strict=True))
     for i, dps in enumerate(precisions):
         with mpmath.workdps(CALLERS[i % len(CALLERS)]):
@@ -72,7 +77,9 @@ def wrong_counts(p: ss.Parameters, eq: ss.Equilibria) -> int:
 def worst_errors(
     p: ss.Parameters, eq: ss.Equilibria, rng: np.random.Generator, checked: int
 ) -> tuple[float, float]:
-    """Largest |error| / max(1, |value|) of a subsample, and the largest share of the bound that one reaches."""
+    """Largest |error| / max(1, |value|) of a subsample, and the largest share of the bound that one
+    reaches.
+    """
     columns = p.broadcast(*NAMES)
     worst = ratio = 0.0
     for row in rng.choice(eq.count.size, min(checked, eq.count.size), replace=False):

@@ -1,4 +1,6 @@
-"""States of a spring with a torsion spring at its anchor, in 50 digits: one scalar equation in the torsion spring's angle."""
+"""States of a spring with a torsion spring at its anchor, in 50 digits: one scalar equation in the
+torsion spring's angle.
+"""
 
 from typing import Any
 
@@ -10,11 +12,13 @@ TURN_PARTS = 40_000
 
 
 def turned_spring(p: Any, contact: bool) -> list[tuple[Any, Any]]:
-    """All states of ``tests/oracles/pages/soft_brake.py``, an inclined spring with a torsion spring at its anchor, as (x, y), sorted.
+    """All states of ``tests/oracles/pages/soft_brake.py``, an inclined spring with a torsion spring
+    at its anchor, as (x, y), sorted.
 
-    With the angle φ of the torsion spring given, the balance along the spring is a quadratic equation in its length, linear in
-    lift-off, and the balance across it a function of φ on each branch of its roots. Changes of sign on a grid are refined, which is
-    ever finer towards the ends of the branches; two roots within one part of the grid are missed.
+    With the angle φ of the torsion spring given, the balance along the spring is a quadratic
+    equation in its length, linear in lift-off, and the balance across it a function of φ on each
+    branch of its roots. Changes of sign on a grid are refined, which is ever finer towards the ends
+    of the branches; two roots within one part of the grid are missed.
     """
     names = ("theta0", "mu0", "kappa", "alpha", "sigma", "tau", "gamma")
     theta0, mu, kappa, alpha, sigma, tau, gamma = (
@@ -47,7 +51,9 @@ def turned_spring(p: Any, contact: bool) -> list[tuple[Any, Any]]:
 
 
 def _towards_ends(grid: Any, contact: bool, numbers: tuple[float, ...]) -> Any:
-    """The grid with points at halved distances from where the quadratic equation ceases to have roots."""
+    """The grid with points at halved distances from where the quadratic equation ceases to have
+    roots.
+    """
     with np.errstate(all="ignore"):
         there = np.isfinite(_turned(grid, 0, contact, numbers, np)[3])
         last = np.flatnonzero(there[:-1] != there[1:])
@@ -65,7 +71,9 @@ def _towards_ends(grid: Any, contact: bool, numbers: tuple[float, ...]) -> Any:
 def _turned(
     phi: Any, branch: int, contact: bool, numbers: tuple[Any, ...], xp: Any
 ) -> tuple[Any, Any, Any, Any]:
-    """x, y, what the torque lacks to balance, and the length that balances the forces along the spring on a branch."""
+    """x, y, what the torque lacks to balance, and the length that balances the forces along the
+    spring on a branch.
+    """
     theta0, mu, kappa, alpha, sigma, tau, gamma = numbers
     X, Y = xp.cos(theta0), xp.sin(theta0)
     c, s = xp.cos(theta0 + phi), xp.sin(theta0 + phi)

@@ -28,7 +28,9 @@ def shipped_page(name: str, *changes: tuple[str, str]) -> str:
 
 
 def derived(text: str, name: str) -> Path:
-    """The folder of a page: derived once, also for later runs, and again after a change of the page or of the derivation."""
+    """The folder of a page: derived once, also for later runs, and again after a change of the page
+    or of the derivation.
+    """
     from spragsym.derive.folder import write_page
 
     place = (

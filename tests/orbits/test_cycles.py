@@ -1,4 +1,6 @@
-"""Cycles: against SciPy's own driver, closed forms, published numbers, simulations on both sides, and a proof."""
+"""Cycles: against SciPy's own driver, closed forms, published numbers, simulations on both sides,
+and a proof.
+"""
 
 import dataclasses
 import importlib
@@ -72,7 +74,8 @@ def branch(slow: ss.Cycle) -> ss.CycleBranch:
     return ss.cycle_branch(slow, "theta0", (np.radians(41.0), np.radians(43.6)), longest=0.3)
 
 
-# ------------------------------------------------------------------------------------------------------------- orbits
+# ------------------------------------------------------------------------------------------------
+# orbits
 
 
 def test_a_cycle_is_that_of_another_driver(slow: ss.Cycle) -> None:
@@ -112,7 +115,8 @@ def test_both_integrators_carry_derivatives_over_a_border(slow: ss.Cycle) -> Non
         assert np.abs(getattr(one, name) - getattr(other, name)).max() < 1e-9
 
 
-# ----------------------------------------------------------------------------------------- other models, closed forms
+# ----------------------------------------------------------------------------------------- other
+# models, closed forms
 
 
 def field_of(
@@ -170,7 +174,8 @@ def test_the_published_period_of_van_der_pols_oscillator() -> None:
     ],
 )
 def test_the_period_of_a_long_relaxation_oscillation(e: float) -> None:
-    # J. Grasman, 1987: (3 − 2 ln 2) e + 3 a e^(−1/3) − (2/3) ln(e)/e + O(1/e), −a the first zero of Airy's function.
+    # J. Grasman, 1987: (3 − 2 ln 2) e + 3 a e^(−1/3) − (2/3) ln(e)/e + O(1/e), −a the first zero of
+    # Airy's function.
     found = cycle_near(VAN_DER_POL, (e,), (2.0, 0.0))
     leading = (3 - 2 * math.log(2)) * e + 3 * 2.33810741 * e ** (-1 / 3) - 2 / 3 * math.log(e) / e
     assert found.period == pytest.approx(leading, abs=2 / e)
@@ -199,7 +204,8 @@ def test_a_branch_ends_at_hopfs_bifurcation() -> None:
     assert abs(end.value) <= end.error
 
 
-#: Its closed orbits are the curves v² / 2 − x² / 2 + x³ / 3 = e about x = 1, from e = −1/6 to that through the saddle, e = 0.
+#: Its closed orbits are the curves v² / 2 − x² / 2 + x³ / 3 = e about x = 1, from e = −1/6 to that
+#: through the saddle, e = 0.
 SADDLE_LOOP = field_of(
     "saddle loop",
     lambda x, v, e, m: x - x * x + (e - v * v / 2 + x * x / 2 - x**3 / 3) * v,
@@ -257,7 +263,9 @@ def test_switching_at_a_fold_goes_to_its_other_side(folding: ss.CycleBranch) -> 
 
 @pytest.mark.parametrize("apart", few([0.2, 0.05, 0.02], 0.05))
 def test_two_folds_within_a_step_are_seen(apart: float) -> None:
-    """Circles with e = s³ / 3 − apart² s, s = r² − 1.5: nothing changes its sign from one point to the next."""
+    """Circles with e = s³ / 3 − apart² s, s = r² − 1.5: nothing changes its sign from one point to
+    the next.
+    """
 
     def force(x: float, v: float, e: float, _: Any) -> float:
         s = x * x + v * v - 1.5
@@ -278,7 +286,9 @@ def test_two_folds_within_a_step_are_seen(apart: float) -> None:
 
 
 def test_where_another_branch_crosses_it_can_be_followed() -> None:
-    """The circle of radius 1 beside y″ = e y − y³ − y′, whose rest y = 0 forks at e = 0 into y = ±√e."""
+    """The circle of radius 1 beside y″ = e y − y³ − y′, whose rest y = 0 forks at e = 0 into y =
+    ±√e.
+    """
 
     def force(q: Any, c: Any, mode: Any, xp: Any = math) -> Any:
         x, y, v, w = q
@@ -322,7 +332,8 @@ def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
         assert theirs[speed][1] == pytest.approx(top, rel=1e-4)  # AUTO's is the largest on its mesh
 
 
-# ------------------------------------------------------------------------------------------------------ branches
+# ------------------------------------------------------------------------------------------------
+# branches
 
 
 def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.CycleBranch) -> None:
@@ -385,7 +396,9 @@ def test_a_doubling_in_two_parameters(branch: ss.CycleBranch) -> None:
 
 @pytest.mark.parametrize("large", [1e3, 1e8, 1e10])
 def test_small_multipliers_keep_their_digits_beside_large_ones(large: float) -> None:
-    """Of a product of stretches in a known triangular form, turned: the product alone has lost them."""
+    """Of a product of stretches in a known triangular form, turned: the product alone has lost
+    them.
+    """
     rng = np.random.default_rng(5)
     wanted, count = np.array([large, -1.5, 0.9, 1e-3]), 8
     roots = np.abs(wanted) ** (1 / count)
@@ -405,7 +418,9 @@ def test_small_multipliers_keep_their_digits_beside_large_ones(large: float) -> 
 
 
 def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
-    """A stretch that errs along the flow by 1e-6 of its size leaves a multiplier of 1.1 beside one of 1e8 untold."""
+    """A stretch that errs along the flow by 1e-6 of its size leaves a multiplier of 1.1 beside one
+    of 1e8 untold.
+    """
     for large, along in ((1e8, 1e2), (1e2, 0.0)):
         stretch = np.diag([1.0, large, 1.1])
         stretch[1, 0] = along
@@ -417,7 +432,8 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
 
 MISTAKES = [
     (lambda _: ss.cycle(), "p is missing"),
-    (lambda _: ss.cycle(at(42.0), onset=1), "leave out p and near, or the onset"),  # type: ignore[call-overload]  # the mistake
+    # the mistake
+    (lambda _: ss.cycle(at(42.0), onset=1), "leave out p and near, or the onset"),  # type: ignore[call-overload]
     (
         lambda slow: ss.cycle(ss.load("stick_slip").Parameters(V=0.2), near=slow),
         "near is a cycle of kang_nam, not of stick_slip",
@@ -450,7 +466,8 @@ def test_a_cycle_of_a_field_without_a_model_is_not_proved() -> None:
     )
 
 
-# --------------------------------------------------------------------------------------------- fates and exponents
+# ---------------------------------------------------------------------------------------------
+# fates and exponents
 
 
 def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
@@ -475,7 +492,9 @@ def test_a_cycle_and_what_it_becomes_by_doubling_are_one_attractor() -> None:
 
 @pytest.mark.thorough
 def test_a_cycle_is_followed_on_its_own_sheet() -> None:
-    """Newton's method alone finds a stable cycle of another sheet at the other value, where the one at hand has long halved."""
+    """Newton's method alone finds a stable cycle of another sheet at the other value, where the one
+    at hand has long halved.
+    """
     first, _ = random_motions.cycle_of(252)
     assert first is not None
     branch = ss.cycle_branch(first, "theta0", (1.15, first.parameters["theta0"]))
@@ -543,7 +562,8 @@ def test_exponents_of_rest_are_its_eigenvalues() -> None:
     )  # eigenvalues (−1 ± i √3) / 2 of the rest
 
 
-#: Logarithms of growth in 24 stretches, means over six parts are 1 and −1 in turn; the error is Student's quantile over √5.
+#: Logarithms of growth in 24 stretches, means over six parts are 1 and −1 in turn; the error is
+#: Student's quantile over √5.
 SWINGS, WIDTH = np.tile(np.repeat([1.0, -1.0], 4), 3), scipy.stats.t.ppf(0.975, 5) / 5**0.5
 
 
@@ -585,7 +605,8 @@ def test_a_motion_that_has_lifted_off_for_good_nears_no_cycle() -> None:
         ss.fate_boundary(p, vary="theta0", bracket=(1.04, 1.05), **BELT, start=start)
 
 
-# ------------------------------------------------------------------------------------------------ proofs and files
+# ------------------------------------------------------------------------------------------------
+# proofs and files
 
 
 @pytest.mark.thorough
@@ -625,7 +646,9 @@ def test_a_proof_of_a_smooth_cycle_and_of_none(proving: types.SimpleNamespace) -
 def test_printed_digits_of_a_proof_are_within_what_is_proved(
     digits: int, proving: types.SimpleNamespace
 ) -> None:
-    """Of the circle with x = 1/2, period 2 π, multipliers 1 and exp(−π / 2): the decimals, in rational arithmetic."""
+    """Of the circle with x = 1/2, period 2 π, multipliers 1 and exp(−π / 2): the decimals, in
+    rational arithmetic.
+    """
     found = cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
     told = proving.proofs.proof_of(
         found, proving.ball_proof.shown(CIRCLE, proving.proofs.claim_of(found, digits))
@@ -712,7 +735,9 @@ def test_balls_enclose_the_flow_over_a_border(
 
 
 def test_slopes_in_balls_are_those_that_were_derived(proving: types.SimpleNamespace) -> None:
-    """Of every piece of every model, at a point; over a wide ball they hold where written-out powers tell nothing."""
+    """Of every piece of every model, at a point; over a wide ball they hold where written-out
+    powers tell nothing.
+    """
     flint, ball_flow = proving.flint, proving.ball_flow
     for name in ("kang_nam", "stick_slip", "trolley", "stribeck"):
         field, model = exact_field(name), ss.load(name).search
@@ -735,7 +760,9 @@ def test_slopes_in_balls_are_those_that_were_derived(proving: types.SimpleNamesp
 
 @pytest.mark.thorough
 def test_a_cycle_that_sticks_is_proved() -> None:
-    """Where the mass sticks deviations shrink by e^−30: an enclosure that does not shrink with them proves nothing."""
+    """Where the mass sticks deviations shrink by e^−30: an enclosure that does not shrink with them
+    proves nothing.
+    """
     pytest.importorskip("flint")
     cycle = ss.cycle(ss.load("stick_slip").Parameters(V=0.2))
     stiff = ss.precise.prove_cycle(cycle, digits=10)
@@ -748,7 +775,9 @@ def test_a_cycle_that_sticks_is_proved() -> None:
 @pytest.mark.thorough
 @pytest.mark.parametrize("low", [0.06, 0.085])
 def test_a_branch_of_doubled_cycles_ends_where_its_period_halves(low: float) -> None:
-    """Whatever the range: at 0.085 it went on over its end, at 0.06 it turned onto the shorter cycle through a fold of none."""
+    """Whatever the range: at 0.085 it went on over its end, at 0.06 it turned onto the shorter
+    cycle through a fold of none.
+    """
     p = ss.Parameters(
         theta0=0.9779229808598093,
         mu0=0.6404879967616784,

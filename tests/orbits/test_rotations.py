@@ -1,4 +1,6 @@
-"""Cycles that turn around, and what parts them from rest: a driven pendulum, against Liouville's theorem and SciPy."""
+"""Cycles that turn around, and what parts them from rest: a driven pendulum, against Liouville's
+theorem and SciPy.
+"""
 
 import math
 from typing import Any
@@ -53,7 +55,9 @@ def growing(c: float) -> float:
 
 
 def missed(c: float, *start: float) -> float:
-    """By how much a motion with positive speed misses the saddle: by speed beyond it, by angle before it."""
+    """By how much a motion with positive speed misses the saddle: by speed beyond it, by angle
+    before it.
+    """
 
     def met(_: float, state: np.ndarray) -> float:
         return float(min(SADDLE - state[0], state[1]))

@@ -1,4 +1,6 @@
-"""Cycles that stick: their phases, and sliding bifurcations on their branches, seen by motions on both sides."""
+"""Cycles that stick: their phases, and sliding bifurcations on their branches, seen by motions on
+both sides.
+"""
 
 import math
 from collections import Counter
@@ -16,11 +18,12 @@ FALLING = {"P": 0.1, "mu0": 1.5, "fall": 1.0, "V": 1.0, "w": 1.7095}
 #: J. P. Den Hartog 1931: the friction from which on the motion under w = 1.5 stops in between.
 STOPS = 1.5**2 / (1.5**2 - 1) / math.hypot(1, 1.5 * math.tan(math.pi / 3))
 
-#: Friction of 0.4 on a belt that stands holds the mass at x = 0.6 until the push has fallen to 0.2, and then at x = -0.6: its
-#: harmonic motion comes there at this speed of the rotor.
+#: Friction of 0.4 on a belt that stands holds the mass at x = 0.6 until the push has fallen to 0.2,
+#: and then at x = -0.6: its harmonic motion comes there at this speed of the rotor.
 ADDS = 0.207334408814384165
 
-#: Model, values, parameter with its range, and what happens there: kind, value and how often at once.
+#: Model, values, parameter with its range, and what happens there: kind, value and how often at
+#: once.
 BRANCHES: dict[str, Any] = {
     "fast": (
         "forced",
@@ -71,7 +74,8 @@ PUSHED = dry_friction.FORCED.replace(ROTOR, "").replace(
     "\npage.kinetic", f"\n{ROTOR}page.kinetic", 1
 )
 
-#: How often a cycle sticks and overtakes more on one side of each than on the other, and what the phase is that is short there.
+#: How often a cycle sticks and overtakes more on one side of each than on the other, and what the
+#: phase is that is short there.
 NAMES = {
     "grazing-sliding": (1, 0, "STICK"),
     "crossing-sliding": (1, -1, "STICK"),
@@ -82,7 +86,9 @@ NAMES = {
 
 
 def seen(events: list[tuple[float, str]], period: float) -> tuple[Counter[str], str]:
-    """How often a cycle sticks, slips and overtakes, and with which the shortest of the phases between begins."""
+    """How often a cycle sticks, slips and overtakes, and with which the shortest of the phases
+    between begins.
+    """
     own = [(t, name.split("_")[-1]) for t, name in events if "CONTACT" not in name]
     ends = [t for t, _ in own[1:]] + [t + period for t, _ in own[:1]]
     short = min(
@@ -94,7 +100,9 @@ def seen(events: list[tuple[float, str]], period: float) -> tuple[Counter[str], 
 def motion(
     name: str, p: dict[str, float], near: ss.Cycle, _: float
 ) -> tuple[list[tuple[float, str]], float]:
-    """Events of a motion over one period of a cycle, begun on it, and the period; by SciPy, which did not find it."""
+    """Events of a motion over one period of a cycle, begun on it, and the period; by SciPy, which
+    did not find it.
+    """
     given = dry_friction.model(name).Parameters(**p)
     cycle = ss.cycle(given, near=near)
     events = ss.simulate(
@@ -119,7 +127,9 @@ def motion(
 def test_sliding_bifurcations_are_where_and_what_their_names_say(
     branch: str, longest: float, off: float
 ) -> None:
-    """Cycles on either side differ by that and by nothing else, by simulation and by the other driver in short steps."""
+    """Cycles on either side differ by that and by nothing else, by simulation and by the other
+    driver in short steps.
+    """
     pytest.importorskip("heyoka")
     name, values, vary, to, expected = BRANCHES[branch]
     p = dry_friction.model(name).Parameters(**values)
@@ -147,7 +157,9 @@ def test_sliding_bifurcations_are_where_and_what_their_names_say(
 
 @pytest.mark.parametrize(("mu_k", "V"), [(0.4, 0.5), (0.59, 2.0)])
 def test_a_branch_that_joins_a_family_ends_where_sticking_does(mu_k: float, V: float) -> None:
-    """The mass sticks for 2 (mu_s - mu_k) / V; at equal coefficients it slides for ever on any circle below x' = V."""
+    """The mass sticks for 2 (mu_s - mu_k) / V; at equal coefficients it slides for ever on any
+    circle below x' = V.
+    """
     pytest.importorskip("heyoka")
     found = ss.cycle(
         ss.load("coulomb_stick_slip").Parameters(mu_s=0.6, mu_k=mu_k, V=V), near=(1.0, 1.2 * V)
@@ -167,7 +179,9 @@ def test_a_branch_that_joins_a_family_ends_where_sticking_does(mu_k: float, V: f
 def test_a_branch_that_joins_a_family_in_resonance_ends_where_sticking_does(
     vary: str, to: tuple[float, float], value: float
 ) -> None:
-    """Den Hartog's limit under w = 1/2, P = 3 mu0: beyond, the free oscillation is in resonance, and cycles are no more alone."""
+    """Den Hartog's limit under w = 1/2, P = 3 mu0: beyond, the free oscillation is in resonance,
+    and cycles are no more alone.
+    """
     pytest.importorskip("heyoka")
     p = dry_friction.model("forced").Parameters(w=0.5, V=0.0)
     branch = ss.cycle_branch(
@@ -184,7 +198,9 @@ def test_a_branch_that_joins_a_family_in_resonance_ends_where_sticking_does(
 
 @pytest.mark.parametrize(("w", "value"), [(0.6, 0.1 * 0.64 / 0.6), (2.0, 0.15)])
 def test_a_branch_ends_where_a_touch_makes_it_stick_and_jump(w: float, value: float) -> None:
-    """Kinetic friction is half of the static one: harmonic motion of the speed P w / |1 - w^2| comes to that of the belt."""
+    """Kinetic friction is half of the static one: harmonic motion of the speed P w / |1 - w^2|
+    comes to that of the belt.
+    """
     p = model_of(PUSHED.replace("mu_s * (sgn(v)", "mu_s / 2 * (sgn(v)"), "weaker").Parameters(
         w=w, V=0.1, P=0.8 * value
     )
@@ -200,7 +216,9 @@ def test_a_branch_ends_where_a_touch_makes_it_stick_and_jump(w: float, value: fl
 
 @pytest.mark.parametrize(("w", "mu0"), [(1.3, 0.4), (1.5, 0.6)])
 def test_a_cycle_is_found_where_friction_turns_around_as_x_is_largest(w: float, mu0: float) -> None:
-    """On a belt that stands: amplitude by J. P. Den Hartog 1931, multipliers of the same cycle begun elsewhere."""
+    """On a belt that stands: amplitude by J. P. Den Hartog 1931, multipliers of the same cycle
+    begun elsewhere.
+    """
     pytest.importorskip("heyoka")
     values = {"w": w, "mu0": mu0, "V": 0.0}
     p, rotor = (
@@ -227,7 +245,9 @@ def test_a_cycle_that_begins_as_it_sticks_has_its_least_period() -> None:
 
 @pytest.mark.parametrize("w", [0.6, 2 / 3, 1.3, 2.0])
 def test_nothing_happens_to_a_motion_that_nothing_damps(w: float) -> None:
-    """Multipliers exp(±2πi/w): their product is 1 everywhere, and at w = 2/3 and 2 both come to -1 and pass it."""
+    """Multipliers exp(±2πi/w): their product is 1 everywhere, and at w = 2/3 and 2 both come to -1
+    and pass it.
+    """
     pytest.importorskip("heyoka")
     found = ss.cycle(
         model_of(PUSHED, "pushed").Parameters(w=w, V=50.0), near=(0.4 + 1 / (1 - w**2), 0.0, 0.0, w)

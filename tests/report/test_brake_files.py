@@ -1,4 +1,6 @@
-"""Every mistake in a file of data is told with the file, the line, the key, the value and the remedy."""
+"""Every mistake in a file of data is told with the file, the line, the key, the value and the
+remedy.
+"""
 
 import re
 from pathlib import Path
@@ -313,7 +315,8 @@ def test_a_wrong_correlation(value: str, part: str, tmp_path: Path) -> None:
     assert ", line 13" in text
 
 
-# ----------------------------------------------------------------------------- friction curves as test rigs write them
+# ----------------------------------------------------------------------------- friction curves as
+# test rigs write them
 
 PLAIN = "0.5;0.41\n1;0.43\n"
 

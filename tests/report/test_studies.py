@@ -128,7 +128,8 @@ def redesigned(study: ss.Study) -> ss.Report:
 
 @pytest.mark.thorough
 def test_the_numbers_are_those_of_direct_calls_without_units(report: ss.Report) -> None:
-    # By hand: k_c L_0 = 57 000 N; κ = 420/57000, α = 9/1500, σ = 180/1500, β = 0; time sqrt(0.35/1.5e6) s.
+    # By hand: k_c L_0 = 57 000 N; κ = 420/57000, α = 9/1500, σ = 180/1500, β = 0; time
+    # sqrt(0.35/1.5e6) s.
     p = ss.Parameters(
         theta0=math.radians(52), mu0=0.45, kappa=420 / 57000, alpha=0.006, sigma=0.12, beta=0.0
     )
@@ -197,21 +198,27 @@ def brake(**changes: float | None) -> ss.PhysicalParameters:
         V=1.2,
         d=10.0,
     )
-    return ss.PhysicalParameters(**(values | changes))  # type: ignore[arg-type]  # None for V and d only
+    # None for V and d only
+    return ss.PhysicalParameters(**(values | changes))  # type: ignore[arg-type]
 
 
 @pytest.mark.thorough
 def test_changes_hold_for_all_brakes_within_the_tolerances(
     study: ss.Study, redesigned: ss.Report
 ) -> None:
-    """Random brakes about each new design, every tolerance the same share of the new value: none jumps below 0.6."""
+    """Random brakes about each new design, every tolerance the same share of the new value: none
+    jumps below 0.6.
+    """
     rng = np.random.default_rng(11)
     off = {name: rng.uniform(-0.15, 0.15, 4000) for name in ("k", "k_x", "k_c")}
     for change in redesigned.redesign:
         values: dict[str, object] = {**study.values, **change.after}
-        values |= {name: float(values[name]) * (1 + share) for name, share in off.items()}  # type: ignore[arg-type]  # numbers
-        values["theta0"] = float(values["theta0"]) + rng.uniform(-1, 1, 4000) * math.pi / 180  # type: ignore[arg-type]  # a number
-        jump = np.asarray(ss.jump_value(ss.PhysicalParameters(**values).dimensionless()))  # type: ignore[arg-type]  # arrays
+        # numbers
+        values |= {name: float(values[name]) * (1 + share) for name, share in off.items()}  # type: ignore[arg-type]
+        # a number
+        values["theta0"] = float(values["theta0"]) + rng.uniform(-1, 1, 4000) * math.pi / 180  # type: ignore[arg-type]
+        # arrays
+        jump = np.asarray(ss.jump_value(ss.PhysicalParameters(**values).dimensionless()))  # type: ignore[arg-type]
         assert not (jump < 0.6).any()
         assert change.probability == 0
         assert change.outcome == "proved"
@@ -253,7 +260,9 @@ def test_proposals_stay_within_what_may_change(tmp_path: Path) -> None:
 
 @pytest.mark.validate
 def test_a_change_that_a_brake_refutes_is_not_given() -> None:
-    """Eight quantities with tolerances, of which corners used to be sampled: at every corner of every change nothing jumps."""
+    """Eight quantities with tolerances, of which corners used to be sampled: at every corner of
+    every change nothing jumps.
+    """
     off = dict.fromkeys(("k", "k_x", "k_c", "F_L", "L_0"), "8 %") | {
         "theta0": "1 deg",
         "mu0": (0.3, 0.36),
@@ -291,7 +300,9 @@ def test_three_standard_deviations_are_the_box_of_what_is_not_cut_off() -> None:
 
 
 def holds_the_share(found: Any, values: Any, friction: Any) -> None:
-    """That of 100 000 brakes whose jump comes at a friction or below it, within the bounds that are told."""
+    """That of 100 000 brakes whose jump comes at a friction or below it, within the bounds that are
+    told.
+    """
     share = float(
         (
             np.asarray(ss.jump_value(ss.PhysicalParameters(**values).dimensionless())) <= friction
@@ -451,7 +462,9 @@ def test_with_another_model_the_brake_as_drawn_is_looked_at_first(
 def test_with_another_model_a_brake_within_the_tolerances_that_jumps_is_found(
     tmp_path: Path,
 ) -> None:
-    """Friction of 0.35 does not reach the jump at 0.366 as drawn; with other springs within the tolerances it does."""
+    """Friction of 0.35 does not reach the jump at 0.366 as drawn; with other springs within the
+    tolerances it does.
+    """
     loose = {name: BRAKE[name] for name in ("k", "k_x")}
     found = certificate(studied(tmp_path, EXACT | CUBIC | loose | {"mu0": "[0.3, 0.35]"}))
     assert found.outcome == "refuted"
@@ -479,7 +492,9 @@ def test_with_another_model_a_brake_within_the_tolerances_that_jumps_is_found(
 def test_bounds_of_the_probability_hold_what_closed_forms_give(
     tmp_path: Path, rows: dict[str, str]
 ) -> None:
-    """The share of angles, speeds and frictions at which the article's brake jumps, each at the middles of many small steps."""
+    """The share of angles, speeds and frictions at which the article's brake jumps, each at the
+    middles of many small steps.
+    """
     study = studied(tmp_path, EXACT | {"theta0": BRAKE["theta0"], "mu0": "[0.34, 0.4]"} | rows)
     low, high = tolerances.bracket(study)
     shares = (np.arange(400) + 0.5) / 400
@@ -510,7 +525,9 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
 
 @pytest.mark.thorough
 def test_a_mu0_in_forces_of_a_page_without_a_law_of_friction_is_a_load() -> None:
-    """North's binary flutter rests where it begins, unstable; the picture of that motion is drawn."""
+    """North's binary flutter rests where it begins, unstable; the picture of that motion is
+    drawn.
+    """
     linear = BINARY.replace("sin(phi)", "phi")
     for page, said in (
         (BINARY, "Small disturbances grow; from far out"),

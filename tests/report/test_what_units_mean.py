@@ -1,4 +1,6 @@
-"""Units that may mean two things, and quantities that carry units or dimensions of their own, are refused and not guessed."""
+"""Units that may mean two things, and quantities that carry units or dimensions of their own, are
+refused and not guessed.
+"""
 
 import re
 from pathlib import Path

@@ -1,4 +1,6 @@
-"""Equilibria around the anchors of springs: torsion springs, whose force has no value there, and springs however stiff."""
+"""Equilibria around the anchors of springs: torsion springs, whose force has no value there, and
+springs however stiff.
+"""
 
 from typing import Any
 
@@ -56,7 +58,9 @@ def test_states_with_a_torsion_spring_are_those_of_a_scalar_equation_in_its_angl
 
 @pytest.mark.thorough
 def test_states_as_near_to_the_anchor_as_the_torsion_spring_is_weak_are_found(model: Any) -> None:
-    """A load that the spring can't carry pushes the mass to the anchor, where only the torque holds it: l is about τ φ/κ."""
+    """A load that the spring can't carry pushes the mass to the anchor, where only the torque holds
+    it: l is about τ φ/κ.
+    """
     tau = 10.0 ** -np.arange(2.0, 13.0)
     ones = np.ones(tau.size)
     sets = {"theta0": 3.0, "mu0": 0.5, "kappa": 0.5, "alpha": 0.0, "sigma": 0.1, "gamma": 5.0}
@@ -90,7 +94,9 @@ def test_without_torsion_and_hardening_the_article_comes_back(model: Any) -> Non
 
 @pytest.mark.thorough
 def test_the_region_of_a_torsion_spring_holds_all_states(model: Any) -> None:
-    """A proved region holds the states of any larger one; here those of the scalar equation, which knows no region."""
+    """A proved region holds the states of any larger one; here those of the scalar equation, which
+    knows no region.
+    """
     rng = np.random.default_rng(9)
     for _ in range(8):
         p = {name: model.base[name] * 10.0 ** rng.uniform(-2, 2) for name in NAMES[2:]}

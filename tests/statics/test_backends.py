@@ -60,7 +60,9 @@ def test_where_digits_run_out(backend: str) -> None:
 
 @pytest.mark.parametrize("backend", ["numpy", "compiled"])
 def test_underflow_is_left_to_the_ladder(backend: str) -> None:
-    """No count of roundings covers what a subnormal parameter loses, but for a preload, whose y is 0 within its bound."""
+    """No count of roundings covers what a subnormal parameter loses, but for a preload, whose y is
+    0 within its bound.
+    """
     ss.set_backend(backend)
     article = ss.Parameters.article(theta0=1.0)
     for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta"):
@@ -88,7 +90,8 @@ def test_count_is_that_of_equilibria(backend: str) -> None:
 def test_import_loads_nothing_heavy() -> None:
     code = (
         "import sys, spragsym, spragsym.generated.equilibrium\n"
-        "heavy = {'scipy', 'mpmath', 'matplotlib', 'numba', 'sympy', 'flint', 'xarray', 'dask', 'heyoka'}"
+        "heavy = {'scipy', 'mpmath', 'matplotlib', 'numba', 'sympy', 'flint', 'xarray', "
+        "'dask', 'heyoka'}"
         " & set(sys.modules); assert not heavy, heavy"
     )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)

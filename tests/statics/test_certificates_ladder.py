@@ -1,4 +1,6 @@
-"""Equilibria with proofs: counts, codes and errors against Newton's method on the forces, with many more digits."""
+"""Equilibria with proofs: counts, codes and errors against Newton's method on the forces, with many
+more digits.
+"""
 
 import math
 from collections.abc import Iterator
@@ -25,7 +27,9 @@ BASE = (math.radians(30), 0.5, 0.007, 0.007, 0.1, 0.0)
 
 
 def _points(number: int) -> Iterator[tuple[float, ...]]:
-    """Points of every family: next to folds and cusps, at right angles, without friction or stiffness."""
+    """Points of every family: next to folds and cusps, at right angles, without friction or
+    stiffness.
+    """
     for index, family in enumerate(FAMILIES.values()):
         p = family(np.random.default_rng([31, index]), number)
         yield from (tuple(map(float, row)) for row in zip(*p.broadcast(*NAMES), strict=True))
@@ -94,7 +98,9 @@ def few_bits(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("few_bits")
 def test_a_fold_stands_in_two_slots_within_its_error() -> None:
-    """Both folds of the base values, left and right: the double root, the simple one, and what is stable."""
+    """Both folds of the base values, left and right: the double root, the simple one, and what is
+    stable.
+    """
     fixed = {
         name: Fraction(value)
         for name, value in zip(NAMES[1:], ("0.5", "0.007", "0.007", "0.1", "0"), strict=True)
@@ -132,7 +138,9 @@ def test_a_fold_stands_in_two_slots_within_its_error() -> None:
 
 @pytest.mark.usefixtures("few_bits")
 def test_a_boundary_that_no_bits_settle_is_an_error() -> None:
-    """The mass at the anchor, θ = −π/2 and L = 0, but for a difference of preload and stiffness that 128 bits do not see."""
+    """The mass at the anchor, θ = −π/2 and L = 0, but for a difference of preload and stiffness
+    that 128 bits do not see.
+    """
     stiffness = Fraction(1, 2) + Fraction(1, 10**60)
     with pytest.raises(
         ss.ConvergenceError,
@@ -182,7 +190,8 @@ def _middle(value: Any) -> Fraction:
     return (low + high) / 2
 
 
-# ------------------------------------------------------------------------------------------------------ its parts
+# ------------------------------------------------------------------------------------------------
+# its parts
 
 
 def test_contact_has_an_odd_number_of_equilibria(monkeypatch: pytest.MonkeyPatch) -> None:

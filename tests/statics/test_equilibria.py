@@ -1,4 +1,6 @@
-"""The solver as it chooses its way by itself, against an independent reference; shapes, bad input, dimensions."""
+"""The solver as it chooses its way by itself, against an independent reference; shapes, bad input,
+dimensions.
+"""
 
 import math
 
@@ -11,7 +13,8 @@ from spragsym.generated.equilibrium import f_coefficients
 from tests.oracles.families import FAMILIES
 from tests.oracles.true_errors import worst_errors, wrong_counts
 
-# ------------------------------------------------------------------------------------------- counts and digits
+# ------------------------------------------------------------------------------------------ counts
+# and digits
 
 
 @pytest.mark.parametrize("name", FAMILIES)
@@ -40,7 +43,8 @@ def test_three_equilibria_need_a_positive_sum() -> None:
         assert (a + d > 0)[count == 1].any()
 
 
-# ------------------------------------------------------------------------------------------------------- shapes
+# ------------------------------------------------------------------------------------------------
+# shapes
 
 
 def test_shapes_broadcast() -> None:
@@ -67,7 +71,8 @@ def test_number_types_are_taken_as_float64(dtype: type) -> None:
     )
 
 
-# ---------------------------------------------------------------------------------------------------- bad input
+# ------------------------------------------------------------------------------------------------
+# bad input
 
 
 @pytest.mark.parametrize(
@@ -110,7 +115,8 @@ def test_bad_input_is_named(
         assert word in str(caught.value)
 
 
-# -------------------------------------------------------------------------------------------------- dimensions
+# ------------------------------------------------------------------------------------------------
+# dimensions
 
 
 def test_physical_parameters_come_back_to_newtons_and_metres() -> None:

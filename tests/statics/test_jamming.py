@@ -1,4 +1,6 @@
-"""Models whose gap is no coordinate, against closed forms: a rod that jams, a pad that rests as the article's mass does."""
+"""Models whose gap is no coordinate, against closed forms: a rod that jams, a pad that rests as the
+article's mass does.
+"""
 
 import itertools
 import math
@@ -75,7 +77,9 @@ def test_folds_of_the_rod_against_its_balance_by_hand() -> None:
 
 @pytest.mark.thorough
 def test_the_pad_rests_as_the_mass_of_the_article_on_both_stiffnesses() -> None:
-    """The disc is a spring in a row with the contact; the piston adds none, since it hands on its force."""
+    """The disc is a spring in a row with the contact; the piston adds none, since it hands on its
+    force.
+    """
     row = 1.0 / (1.0 + 1.0 / 4.0)
     theta0 = np.radians([30.0, 40.0, 49.0, 70.0])
     pad = ss.equilibria(PAD.Parameters(theta0=theta0))

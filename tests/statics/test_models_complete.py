@@ -1,4 +1,6 @@
-"""What ``complete`` says: that these are all there are. Whatever was searched is said where that is not everything, and why."""
+"""What ``complete`` says: that these are all there are. Whatever was searched is said where that is
+not everything, and why.
+"""
 
 from typing import Any
 
@@ -38,7 +40,9 @@ def coupled() -> Any:
 
 
 def by_hand(p: Any, mu: float) -> np.ndarray:
-    """Depths δ = −y of all states in contact: a x + b y = μ N and b x + c y + κ = N with N = δ + g δ³."""
+    """Depths δ = −y of all states in contact: a x + b y = μ N and b x + c y + κ = N with N = δ + g
+    δ³.
+    """
     a, b, c, g, kappa = (p[name] for name in ("a", "b", "c", "g", "kappa"))
     # x = (μ N + b δ)/a: b μ N/a + b² δ/a − c δ + κ − N = 0.
     factor = b * mu / a - 1

@@ -1,6 +1,8 @@
-"""Pages whose gap is an expression: nothing on the other side of the contact's border is listed, whatever it is.
+"""Pages whose gap is an expression: nothing on the other side of the contact's border is listed,
+whatever it is.
 
-Pages with gaps at random are drawn by validation/random_pages.py; here what becomes of a state that lies on the border itself.
+Pages with gaps at random are drawn by validation/random_pages.py; here what becomes of a state that
+lies on the border itself.
 """
 
 from typing import Any
@@ -41,7 +43,9 @@ def closed(hand: Any, found: Any, model: Any, p: Any, vary: tuple[str, ...]) -> 
 
 @pytest.mark.thorough
 def test_states_of_a_rod_are_in_contact(models: dict[str, Any]) -> None:
-    """Where the rod rests with an open gap, the forces of a law that goes on beyond the border vanish there or beside."""
+    """Where the rod rests with an open gap, the forces of a law that goes on beyond the border
+    vanish there or beside.
+    """
     model, hand = models["rod"], HANDS["rod"]
     for psi in np.linspace(-1.5, 1.5, 31):
         p = model.Parameters(psi=psi, tau=0.3)
@@ -54,7 +58,9 @@ def test_states_of_a_rod_are_in_contact(models: dict[str, Any]) -> None:
 
 @pytest.mark.thorough
 def test_a_belt_that_hardens_bounds_where_its_states_are(models: dict[str, Any]) -> None:
-    """Depths below 0, from which the law would pull the harder the deeper, widen no region: some hundred boxes for 20,000."""
+    """Depths below 0, from which the law would pull the harder the deeper, widen no region: some
+    hundred boxes for 20,000.
+    """
     model, hand = models["sledge"], HANDS["sledge"]
     p = model.Parameters(tau=[0.01, 0.02, 0.05], psi=1.2)
     eq = ss.equilibria(p)
@@ -93,7 +99,9 @@ def test_a_path_leaves_the_contact_where_its_gap_opens(models: dict[str, Any]) -
 
 
 def test_a_state_on_the_border_says_so(models: dict[str, Any]) -> None:
-    """Without preload the mass of the rail rests at 0, where it just touches: neither in contact nor out of it, and no ghost."""
+    """Without preload the mass of the rail rests at 0, where it just touches: neither in contact
+    nor out of it, and no ghost.
+    """
     model = models["rail"]
     p = model.Parameters(kappa=0.0, mu0=0.0)
     for contact in (True, False):
@@ -110,7 +118,9 @@ def test_a_state_on_the_border_says_so(models: dict[str, Any]) -> None:
 
 @pytest.mark.thorough
 def test_a_gap_smaller_than_floats_tell_has_a_sign(models: dict[str, Any]) -> None:
-    """A rod at rest within 1e-16 of where it touches: digits tell on which side, not the rounded state."""
+    """A rod at rest within 1e-16 of where it touches: digits tell on which side, not the rounded
+    state.
+    """
     model, sides = models["rod"], []
     for psi in np.linspace(0.3, 0.9, 12):
         eta = float(np.cos(psi))
@@ -132,16 +142,19 @@ def wedge() -> Any:
     text = (
         'r"""A wedge."""\nfrom spragsym.derive.model import Page, log, tanh\n'
         'page = Page("A wedge on a belt that hardens.")\n'
-        'm, k_c, l = page.unit("m", "kg", "mass"), page.unit("k_c", "N/m", "contact"), page.unit("l", "m", "length")\n'
+        'm, k_c, l = page.unit("m", "kg", "mass"), page.unit("k_c", "N/m", "contact"), '
+        'page.unit("l", "m", "length")\n'
         'F = page.parameter("F", "N", "preload", ">= 0", 0.2, becomes="kappa")\n'
         'k = page.parameter("k", "N m", "torsion spring", "> 0", 0.2, becomes="tau")\n'
-        'mu0, V = page.parameter("mu0", "1", "friction", ">= 0", 0.3), page.parameter("V", "m/s", "speed", ">= 0", 0.5)\n'
+        'mu0, V = page.parameter("mu0", "1", "friction", ">= 0", 0.3), page.parameter("V", '
+        '"m/s", "speed", ">= 0", 0.5)\n'
         'd = page.parameter("d", "s/m", "steepness", "> 0", 10.0)\n'
         'phi, y = page.coordinate("phi", "rad", "turn"), page.coordinate("y", "m", "lift")\n'
         "page.kinetic(m * page.rate(y) ** 2 / 2 + m * l**2 * page.rate(phi) ** 2 / 2)\n"
         "page.force(-F, along=y)\n"
         "page.potential(k * (phi - 0.5) ** 2 / 2)\n"
-        "page.contact(y - l * log(1 + phi**2) - l * phi**3 / 10, lambda depth: k_c * depth + k_c * depth**3 / l**2)\n"
+        "page.contact(y - l * log(1 + phi**2) - l * phi**3 / 10, lambda depth: k_c * depth + "
+        "k_c * depth**3 / l**2)\n"
         "page.friction(l * phi, V, lambda v: mu0 * tanh(d * v), at_rest=mu0)\n"
     )
     return model_of(text, "wedge")
@@ -151,7 +164,8 @@ def wedge() -> Any:
 def test_powers_of_a_gap_that_bends_are_not_expanded(wedge: Any) -> None:
     """N = κ, so that phi is a root of a quartic, and the depth of a cubic."""
     eq = ss.equilibria(wedge.Parameters())
-    # 0.2 (phi − 0.5) = 0.2 (0.3 − 2 phi/(1 + phi²) − 0.3 phi²), times 1 + phi²; depth + depth³ = 0.2
+    # 0.2 (phi − 0.5) = 0.2 (0.3 − 2 phi/(1 + phi²) − 0.3 phi²), times 1 + phi²; depth + depth³ =
+    # 0.2
     roots = np.roots([0.3, 1, 0.3 - 0.8, 3, -0.8])
     assert eq.decided
     assert eq.phi[: int(eq.count)] == pytest.approx(

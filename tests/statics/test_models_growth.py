@@ -1,4 +1,6 @@
-"""What is called stable: only where nothing grows, dampers and the slope of the friction law included; (27) stands beside it."""
+"""What is called stable: only where nothing grows, dampers and the slope of the friction law
+included; (27) stands beside it.
+"""
 
 import json
 
@@ -70,7 +72,9 @@ def test_the_sign_of_the_growth_is_right(name: str, method: str) -> None:
 
 
 def test_zieglers_paradox() -> None:
-    """The article's states at 30°, by the command that docs/reproduction.md names beside each number."""
+    """The article's states at 30°, by the command that docs/reproduction.md names beside each
+    number.
+    """
     for mu0, state, word, growth in PARADOX:
         told = CliRunner().invoke(
             cli, ["equilibria", "--theta0", "30", "--mu0", str(mu0), "--json"]
@@ -118,7 +122,8 @@ def test_what_the_article_calls_stable_after_the_jump_grows() -> None:
 
 @pytest.mark.parametrize("mu0", [0.41, 0.6])
 def test_growth_is_proved_though_the_slope_of_the_law_is_not_told_from_0(mu0: float) -> None:
-    # K as of the page's docstring, with the law μ0 tanh(d v), whose slope at v = 1 is 1e-85 for d = 100; threshold μ = 0.34.
+    # K as of the page's docstring, with the law μ0 tanh(d v), whose slope at v = 1 is 1e-85 for d =
+    # 100; threshold μ = 0.34.
     law = ("mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0", "mu0 * tanh(d * v)")
     page = shipped_page("mode_coupling", law, ("Abs, Page, exp, sgn", "Page, tanh"))
     eq = ss.equilibria(model_of(page, "mode_coupling_tanh").Parameters(mu0=[mu0], V=1.0, d=100.0))

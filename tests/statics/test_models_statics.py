@@ -1,4 +1,6 @@
-"""Equilibria, folds, cusps and onsets of flutter of models from pages: against closed forms and polynomials in many digits."""
+"""Equilibria, folds, cusps and onsets of flutter of models from pages: against closed forms and
+polynomials in many digits.
+"""
 
 import functools
 
@@ -54,7 +56,8 @@ def test_the_articles_model_through_the_general_way(family):
     assert eq.whole.all()
 
 
-#: States of models that have what the article has not at 0: a model, the article's parameters, those of its own, in contact.
+#: States of models that have what the article has not at 0: a model, the article's parameters,
+#: those of its own, in contact.
 DEGREES = np.radians(np.linspace(5, 175, 20))
 FOLD = float(ss.folds(ss.Parameters.article()).theta0[0])
 ALIKE = [
@@ -103,7 +106,8 @@ def test_states_are_those_of_the_closed_forms(name, given, more, contact):
         assert "alpha" not in given or (known.stability == ss.Stability.FLUTTER).any()
 
 
-# ------------------------------------------------------------------------------- other pages, by other formulations
+# ------------------------------------------------------------------------------- other pages, by
+# other formulations
 
 
 @pytest.mark.thorough
@@ -132,7 +136,8 @@ def test_linear_models_in_closed_form():
     assert onset.kind.tolist() == ["flutter"]
 
 
-# ----------------------------------------------------------------------------------------- folds, cusps, flutter
+# ----------------------------------------------------------------------------------------- folds,
+# cusps, flutter
 
 
 @pytest.mark.parametrize(
@@ -293,7 +298,8 @@ def growth_beside(name, p, vary, found, row, off=1e-5):
     ],
 )
 def test_hopf_points_where_the_slope_of_friction_is_all_that_damps(name, vary, number):
-    # At mu0 = 0, kappa = 0, d = 0 there is no damping at all, and Hurwitz's determinant vanishes for all states.
+    # At mu0 = 0, kappa = 0, d = 0 there is no damping at all, and Hurwitz's determinant vanishes
+    # for all states.
     more = {"mu_s": 0.0, "mu_k": 0.0} if name == "stribeck" else {"d": 1.0} if vary != "d" else {}
     p = model(name).Parameters(theta0=0.8, **more)
     found = ss.flutter_onsets(p, vary)
@@ -314,7 +320,8 @@ def test_a_range_that_ends_where_a_parameter_divides():
     assert len(found) == 1
 
 
-# -------------------------------------------------------------------------------------- the plane, and paths in it
+# ------------------------------------------------------------------------------------- the plane,
+# and paths in it
 
 
 def same_path(vary, values, start, **changes):
@@ -341,8 +348,9 @@ def same_path(vary, values, start, **changes):
     ],
 )
 def test_a_value_on_a_fold_is_the_fold_not_passed_yet(mu0, start, beside):
-    # The state that arrives at the fold is the one in which two have met; the jump comes beyond it. The search finds the closed
-    # form's value within its error only, and takes it for the fold all the same. At a pitchfork nothing jumps.
+    # The state that arrives at the fold is the one in which two have met; the jump comes beyond it.
+    # The search finds the closed form's value within its error only, and takes it for the fold all
+    # the same. At a pitchfork nothing jumps.
     changes = {"mu0": mu0, "alpha": 0.007 if mu0 else 0.0}
     fold = ss.folds(ss.Parameters.article(theta0=1.0, **changes), vary="theta0").theta0[0]
     jumps = same_path("theta0", [fold + off for off in beside], start, **changes).jumps

@@ -1,4 +1,6 @@
-"""Bounds of ``precise`` at any precision, global precisions left alone, threads, and points without an answer."""
+"""Bounds of ``precise`` at any precision, global precisions left alone, threads, and points without
+an answer.
+"""
 
 import dataclasses
 import sys
@@ -13,12 +15,15 @@ from spragsym import precise
 from tests.oracles.families import cusp_wedge
 from tests.oracles.true_errors import points, worst_shares
 
-# ------------------------------------------------------------------------------------------------------ bounds
+# -------------------------------------------------------------------------------------------------
+# bounds
 
 
 @pytest.mark.thorough
 def test_bounds_hold_at_any_precision() -> None:
-    """True errors, by Newton's method on the forces with a hundred digits more, whatever precision the caller has set."""
+    """True errors, by Newton's method on the forces with a hundred digits more, whatever precision
+    the caller has set.
+    """
     for point in [(0.5, 0.5, 0.007, 0.007, 0.1, 0.0), *points(20, seed=3)]:
         shares = worst_shares(point, (1, 2, 15, 16, 17, 40, 50, 333))
         assert max(shares.values()) <= 1, (point, shares)
@@ -50,7 +55,8 @@ def test_more_digits_where_a_factor_is_even(
     )
 
 
-# ----------------------------------------------------------------------------------------------- global precisions
+# -----------------------------------------------------------------------------------------------
+# global precisions
 
 
 def _everything() -> dict[str, Any]:

@@ -11,7 +11,9 @@ from spragsym.statics.reference_state import reference_state
 
 
 def strained(angle: float, phi: float, p: object) -> float:
-    """Strain energy of the rod by hand: torsion spring k_t, at rest at phi = theta0 − psi, and linear contact."""
+    """Strain energy of the rod by hand: torsion spring k_t, at rest at phi = theta0 − psi, and
+    linear contact.
+    """
     depth = max(0.0, math.cos(phi) - math.cos(angle))
     return 0.5 * float(p.kappa) * (phi - angle + float(p.psi)) ** 2 + 0.5 * depth**2  # type: ignore[attr-defined]
 
@@ -36,7 +38,9 @@ def test_the_rod_is_followed_from_the_state_whose_spring_is_turned_least(angle: 
 
 @pytest.mark.parametrize("friction", [0.0, 0.5])
 def test_of_the_article_it_is_the_state_of_smallest_displacement(friction: float) -> None:
-    """Also without a spring along the belt, where a spring that has flipped over is strained less."""
+    """Also without a spring along the belt, where a spring that has flipped over is strained
+    less.
+    """
     rng = np.random.default_rng(7)
     size = 400
     given = {
@@ -58,7 +62,9 @@ def test_of_the_article_it_is_the_state_of_smallest_displacement(friction: float
 
 @pytest.mark.thorough
 def test_another_state_is_followed_where_it_is_chosen() -> None:
-    """By paths, jump values and certificates, closed forms or not: none of them tells what is true of the reference state."""
+    """By paths, jump values and certificates, closed forms or not: none of them tells what is true
+    of the reference state.
+    """
     rod = ss.load("sprag_rod").Parameters(theta0=0.6, mu0=0.7)
     other = rod.following(phi=-0.5)
     (fold,) = ss.folds(rod, "mu0", between={"mu0": (0.0, 2.0)}).mu0

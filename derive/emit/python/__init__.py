@@ -19,7 +19,9 @@ def render(
     digest: str,
     header: str,
 ) -> dict[str, str]:
-    """A package: one module for each of the catalogue's, double-double numbers, and what stands beside them."""
+    """A package: one module for each of the catalogue's, double-double numbers, and what stands
+    beside them.
+    """
     return {
         "__init__.py": _package(
             modules, {"kernel": solver, "double_double": arithmetic}, digest, header
@@ -39,7 +41,9 @@ def beside(name: str, header: str) -> str:
 def _package(
     modules: tuple[Module, ...], sources: Mapping[str, Source], digest: str, header: str
 ) -> str:
-    """The package's docstring, which lists its modules, and the hash by which results say what they were computed with."""
+    """The package's docstring, which lists its modules, and the hash by which results say what they
+    were computed with.
+    """
     summaries = {module.name: module.summary for module in modules}
     summaries |= {name: source.summary for name, source in sources.items()}
     summaries["quantities"] = (
@@ -47,6 +51,7 @@ def _package(
     )
     listed = "\n".join(f"- :mod:`{name}`: {summary}" for name, summary in summaries.items())
     return (
-        f'"""Plain algebra, derived from first principles and checked against the article.\n\n{listed}\n\n{header}\n"""\n\n'
+        '"""Plain algebra, derived from first principles and checked against the '
+        f'article.\n\n{listed}\n\n{header}\n"""\n\n'
         f'#: SHA-256 over all files that were generated with this one.\nSOURCE_HASH = "{digest}"\n'
     )

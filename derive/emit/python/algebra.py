@@ -33,14 +33,20 @@ _WIDTH = 126
 
 
 class RoundedError(ArithmeticError):
-    """A fraction that would be rounded: it stands by itself, where no number type makes an enclosure of it."""
+    """A fraction that would be rounded: it stands by itself, where no number type makes an
+    enclosure of it.
+    """
 
 
 class AlgebraPrinter(StrPrinter):
-    """Python source in which a rational coefficient stays a multiplication and a division by integers."""
+    """Python source in which a rational coefficient stays a multiplication and a division by
+    integers.
+    """
 
     def __init__(self, body: Body, one: str = "") -> None:
-        """For the statements of a function; ``one`` names a 1 of its arguments' type, without which no fraction may stand by itself."""
+        """For the statements of a function; ``one`` names a 1 of its arguments' type, without which
+        no fraction may stand by itself.
+        """
         super().__init__({"order": None})
         self.body, self.one = body, one
 
@@ -80,7 +86,8 @@ class AlgebraPrinter(StrPrinter):
         return str(super()._print(expression, **options))
 
     def _print_Rational(self, expression: sp.Rational) -> str:
-        # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float, which some are exactly.
+        # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float,
+        # which some are exactly.
         if (
             expression.q & (expression.q - 1) == 0
             and abs(expression.p) < 2**53
@@ -90,7 +97,8 @@ class AlgebraPrinter(StrPrinter):
         if self.one:
             return f"({expression.p}*{self.one}/{expression.q})"
         raise RoundedError(
-            f"the rational {expression.p}/{expression.q} would be rounded: bring the sum over one denominator"
+            f"the rational {expression.p}/{expression.q} would be rounded: bring the sum over "
+            "one denominator"
         )
 
     def _print_Add(self, expression: sp.Add, order: str | None = None) -> str:
@@ -127,7 +135,9 @@ class AlgebraPrinter(StrPrinter):
 
 
 def render(module: Module, quantities: Mapping[str, Quantity], header: str) -> str:
-    """Source text of one generated module: its symbols with meanings and units once, then its functions."""
+    """Source text of one generated module: its symbols with meanings and units once, then its
+    functions.
+    """
     meanings = {
         name: it.meaning + (f" [{it.unit}]" if it.unit != "1" else "")
         for name, it in quantities.items()
@@ -148,7 +158,9 @@ def whole(
     imports: list[str],
     definitions: Iterable[str],
 ) -> str:
-    """A module: what it is, what its symbols are, imports and functions; at its foot these get the shape of their results."""
+    """A module: what it is, what its symbols are, imports and functions; at its foot these get the
+    shape of their results.
+    """
     body = list(definitions)
     if any("xp=numpy" in text for text in body):
         imports = ["import numpy", "", *imports]
@@ -179,7 +191,9 @@ def listed(opening: str, items: Iterable[str], closing: str) -> str:
 
 
 def definition(function: Function, called: str = "") -> str:
-    """One function: its signature, what it is with its equations and operations, and its body, or a call that gives the same."""
+    """One function: its signature, what it is with its equations and operations, and its body, or a
+    call that gives the same.
+    """
     body = straight_line(function)
     statements = [_wrap(f"    return {called}")] if called else _statements(function, body)
     arguments = [*map(str, function.arguments), *(f"{symbol}=0" for symbol in function.further)]
@@ -194,7 +208,9 @@ def definition(function: Function, called: str = "") -> str:
 
 
 def _statements(function: Function, body: Body) -> list[str]:
-    """Assignments and the return statement; where a fraction stands by itself, after a 1 of the arguments' number type."""
+    """Assignments and the return statement; where a fraction stands by itself, after a 1 of the
+    arguments' number type.
+    """
     try:
         return _printed(AlgebraPrinter(body))
     except RoundedError:
@@ -211,7 +227,8 @@ def _printed(printer: AlgebraPrinter) -> list[str]:
     assigned = [
         # A square is always a whole right side.
         _wrap(
-            f"    {symbol} = {printer.square(it.base) if it.is_Pow and it.exp == 2 else printer.doprint(it)}"
+            f"    {symbol} = "
+            f"{printer.square(it.base) if it.is_Pow and it.exp == 2 else printer.doprint(it)}"
         )
         for symbol, it in printer.body.statements
     ]
@@ -249,7 +266,9 @@ def _wrap(line: str) -> str:
 
 
 def _docstring(function: Function, operations: int) -> str:
-    """What it is, its results, equations and operations; what its arguments are stands at the head of the module."""
+    """What it is, its results, equations and operations; what its arguments are stands at the head
+    of the module.
+    """
     source = f" Source: {function.equations}." if function.equations else ""
     text = f'"""{function.summary} Returns {function.returns}.{source} Operations: {operations}."""'
     return textwrap.fill(text, _WIDTH - 4, break_long_words=False, break_on_hyphens=False)

@@ -1,4 +1,6 @@
-"""The kernel in Python: its own text, with names bound to NumPy's functions and to the generated algebra."""
+"""The kernel in Python: its own text, with names bound to NumPy's functions and to the generated
+algebra.
+"""
 
 import ast
 from collections.abc import Iterable, Mapping
@@ -7,7 +9,8 @@ from ..function import Module
 from ..language import Kinds, Source, definitions
 
 
-#: What the language's primitives are for arrays; the cube root and the choice have files of their own.
+#: What the language's primitives are for arrays; the cube root and the choice have files of their
+#: own.
 _PRIMITIVES = {"maximum": "maximum", "minimum": "minimum", "absolute": "abs", "sqrt": "sqrt"}
 
 
@@ -31,8 +34,10 @@ def render(
     )
     return (
         f"{_docstring(tree, header)}"
-        "from __future__ import annotations\n\nimport inspect\nfrom typing import Any, NamedTuple, TypeAlias\n\n"
-        f"import numpy\n\n{imports}\nfrom ._cube_root import cube_root\nfrom ._where import where\n\n"
+        "from __future__ import annotations\n\nimport inspect\nfrom typing import Any, "
+        "NamedTuple, TypeAlias\n\n"
+        f"import numpy\n\n{imports}\nfrom ._cube_root import cube_root\nfrom ._where import "
+        "where\n\n"
         f"{_TYPES}{_primitives(_PRIMITIVES)}\n"
         f"{bound}\n\n"
         "# Counts of roundings, derived from the statements of this file and of the algebra.\n"
@@ -41,7 +46,9 @@ def render(
 
 
 def arithmetic(source: Source, header: str) -> str:
-    """``generated/double_double.py``: operations on numbers of two floats each, or arrays of such."""
+    """``generated/double_double.py``: operations on numbers of two floats each, or arrays of
+    such.
+    """
     used = [
         name
         for name in _PRIMITIVES
@@ -49,12 +56,16 @@ def arithmetic(source: Source, header: str) -> str:
     ]
     return (
         f"{_docstring(ast.parse(source.text), header)}"
-        "from __future__ import annotations\n\nfrom typing import Any, NamedTuple, TypeAlias\n\nimport numpy\n\n"
+        "from __future__ import annotations\n\nfrom typing import Any, NamedTuple, "
+        "TypeAlias\n\nimport numpy\n\n"
         f"from ._where import where\n\n{_TYPES}{_primitives(used)}\n\n{definitions(source.text)}"
     )
 
 
-_TYPES = "#: A float, or an array of any float type.\nReal: TypeAlias = Any\n#: A truth value, or an array of such.\nFlag: TypeAlias = Any\n\n"
+_TYPES = (
+    "#: A float, or an array of any float type.\nReal: TypeAlias = Any\n#: A truth value, or an "
+    "array of such.\nFlag: TypeAlias = Any\n\n"
+)
 
 
 def _docstring(tree: ast.Module, header: str) -> str:

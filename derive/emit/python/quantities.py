@@ -39,10 +39,12 @@ def render(
     )
     base = "".join(f"    {name!r}: {value!r},\n" for name, value in base_values.items())
     return (
-        f'"""What every name stands for, its unit, its allowed values and its value in the article.\n\n{header}\n"""\n'
+        '"""What every name stands for, its unit, its allowed values and its value in the '
+        f'article.\n\n{header}\n"""\n'
         f"{_HEAD}"
         f"QUANTITIES: dict[str, Quantity] = {{\n{entries}}}\n\n"
-        f"#: Dimensionless parameters, in the order in which every function takes them.\nPARAMETERS = {parameters!r}\n\n"
+        "#: Dimensionless parameters, in the order in which every function takes "
+        f"them.\nPARAMETERS = {parameters!r}\n\n"
         f"#: The article's base values.\nBASE_VALUES: dict[str, float] = {{\n{base}}}\n"
     )
 
@@ -52,7 +54,10 @@ def _entry(quantity: Quantity) -> str:
     ends = (
         f"{_number(allowed.low)}, {_number(allowed.high)}, {allowed.low_open}, {allowed.high_open}"
     )
-    return f"Quantity({quantity.article!r}, {quantity.meaning!r}, {quantity.scale or quantity.unit!r}, {ends})"
+    return (
+        f"Quantity({quantity.article!r}, {quantity.meaning!r}, "
+        f"{quantity.scale or quantity.unit!r}, {ends})"
+    )
 
 
 def _number(value: float) -> str:

@@ -3,11 +3,13 @@
 A language turns generated algebra and the kernel into files of its own. Its folder holds
 
 - ``__init__.py``: ``render``, which gives the text of every file by its name;
-- printers: for the algebra (:mod:`..definitions` has its statements as text), and for the kernel (:mod:`..language` reads it);
-- ``runtime/``: what is not algebra, in files of the language with ``@name@`` where emitted text goes.
+- printers: for the algebra (:mod:`..definitions` has its statements as text), and for the kernel
+  (:mod:`..language` reads it);
+- ``runtime/``: what is not algebra, in files of the language with ``@name@`` where emitted text
+  goes.
 
-What only one model has in a language stands with that model, and comes with the material: see :attr:`Material.runtime`. Nothing here
-needs SymPy: a library is put together when it is exported.
+What only one model has in a language stands with that model, and comes with the material: see
+:attr:`Material.runtime`. Nothing here needs SymPy: a library is put together when it is exported.
 """
 
 import importlib
@@ -23,7 +25,8 @@ from ..definitions import Definition, symbols
 from ..language import NOTHING, Source, joined
 from ..quantities import Interval, Quantity
 
-#: Angles by their names, and the arguments of the algebra that stand for one: its cosine and sine, itself before them if it is used.
+#: Angles by their names, and the arguments of the algebra that stand for one: its cosine and sine,
+#: itself before them if it is used.
 Angles: TypeAlias = Mapping[str, tuple[str, ...]]
 
 
@@ -57,7 +60,9 @@ class Motion:
     step: float  #: between two samples, in the unit of time
     borders: tuple[
         str, ...
-    ]  #: where it is not smooth: ``gap`` that opens, ``slip``, ``ahead``, ``behind`` of friction, turnings
+        # where it is not smooth: ``gap`` that opens, ``slip``, ``ahead``, ``behind`` of friction,
+        # turnings
+    ]
     rooted: bool  #: whether the contact law has no values without contact
 
 
@@ -76,19 +81,23 @@ class Material:
     ]  #: functions of the algebra that a library in another language offers to its callers
     digest: str  #: SHA-256 of what it is made of
     header: str  #: one sentence for the head of every file: where it comes from
-    library: str = "spragsym"  #: names of files and functions begin with it in languages without modules of their own
+    # names of files and functions begin with it in languages without modules of their own
+    library: str = "spragsym"
     summary: str = ""  #: one sentence: what the library computes
     kernel: Source = NOTHING
     counts: Mapping[str, float] = field(
         default_factory=dict
     )  #: counts of roundings that the kernel's error bounds name
-    #: By target language, the model's own files: what it offers besides algebra, with ``@name@`` where emitted text goes.
+    #: By target language, the model's own files: what it offers besides algebra, with ``@name@``
+    #: where emitted text goes.
     runtime: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     angles: Angles = field(default_factory=dict)
-    of_a_page: bool = False  #: whether names are a page's, each of which ends with an underscore, and not known here
+    # whether names are a page's, each of which ends with an underscore, and not known here
+    of_a_page: bool = False
     asked: tuple[
         str, ...
-    ] = ()  #: functions of the kernel that extension modules in C call, besides the model's own files
+        # functions of the kernel that extension modules in C call, besides the model's own files
+    ] = ()
     arithmetic: Source = NOTHING  #: double-double numbers
     widened: Source = NOTHING  #: the kernel a second time, on these
     motion: Motion | None = None  #: of a page
@@ -100,7 +109,9 @@ class Material:
 
     @property
     def both_kernels(self) -> Source:
-        """The kernel on doubles, then on double-doubles, with their arithmetic: for languages that have numbers of one type."""
+        """The kernel on doubles, then on double-doubles, with their arithmetic: for languages that
+        have numbers of one type.
+        """
         return joined(self.arithmetic, self.kernel, self.widened)
 
 
@@ -125,7 +136,8 @@ def in_python(language: str) -> bool:
     return hasattr(importlib.import_module(f".{language}", __name__), "NAMESPACE")
 
 
-# ------------------------------------------------------------------------------------------- what languages share
+# ------------------------------------------------------------------------------------------- what
+# languages share
 
 
 def runtime(package_file: str, name: str) -> str:

@@ -1,4 +1,6 @@
-"""Python on an array library that differentiates: one module of functions, each with the statements of NumPy's; results are lists."""
+"""Python on an array library that differentiates: one module of functions, each with the statements
+of NumPy's; results are lists.
+"""
 
 import textwrap
 from collections.abc import Mapping
@@ -53,7 +55,10 @@ def render(material: Material, module: str, where: str, names: Mapping[str, str]
 def _function(function: Definition, angles: Angles, ports: Mapping[str, str]) -> str:
     names = taken(function, angles)
     given = [*names, *(f"{name}=0" for name in function.further)]
-    said = f'"""{function.summary} Returns {function.returns}. Source: {function.equations}. Operations: {function.operations}."""'
+    said = (
+        f'"""{function.summary} Returns {function.returns}. Source: {function.equations}. '
+        f'Operations: {function.operations}."""'
+    )
     turned = [
         (parts[-2:], angle)
         for angle, parts in angles.items()

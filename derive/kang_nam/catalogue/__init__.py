@@ -1,4 +1,6 @@
-"""Which functions are generated: name, arguments, results, and the algebra of each, taken from the derivation."""
+"""Which functions are generated: name, arguments, results, and the algebra of each, taken from the
+derivation.
+"""
 
 from ...emit.function import Function, Module
 from . import catastrophe, equilibrium, laws, linear_sprag, stability

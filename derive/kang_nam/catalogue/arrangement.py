@@ -1,4 +1,6 @@
-"""What the modules of the catalogue share: lists of arguments, shorthands, and the check of what is arranged by hand."""
+"""What the modules of the catalogue share: lists of arguments, shorthands, and the check of what is
+arranged by hand.
+"""
 
 import sympy as sp
 
@@ -15,7 +17,9 @@ F_AT = (*ANGLE, *F_COEFFICIENTS)
 
 
 def require_same(what: str, arranged: Row, derived: Row, names: Names | None = None) -> None:
-    """Raise unless the form arranged for emission equals, exactly, the form that was derived; ``names`` are shorthands in the first."""
+    """Raise unless the form arranged for emission equals, exactly, the form that was derived;
+    ``names`` are shorthands in the first.
+    """
     for ours, theirs in zip(arranged, derived, strict=True):
         for _ in range(3):  # a shorthand may stand in another one
             ours = ours.subs(names or {})
@@ -24,7 +28,9 @@ def require_same(what: str, arranged: Row, derived: Row, names: Names | None = N
 
 
 def shorthands(case: dict[sp.Symbol, int] | None = None) -> Names:
-    """Definitions of the shorthands: in contact, in lift-off, or with n̄ as a symbol where no case is given."""
+    """Definitions of the shorthands: in contact, in lift-off, or with n̄ as a symbol where no case
+    is given.
+    """
     definitions = {**equilibrium.SHORTHANDS, **elimination.f_coefficients()}
     return {symbol: value.subs(case or {}) for symbol, value in definitions.items()}
 
@@ -35,7 +41,9 @@ def in_contact() -> Names:
 
 
 def further(listed: Symbols, result: sp.Expr) -> Symbols:
-    """Speeds, and parameters of a changed model, on which the result depends and which are not among the arguments ``listed``."""
+    """Speeds, and parameters of a changed model, on which the result depends and which are not
+    among the arguments ``listed``.
+    """
     free = result.free_symbols - set(listed)
     return tuple(
         symbol for symbol in (nm.vx, nm.vy, *mechanics.further_parameters()) if symbol in free

@@ -83,7 +83,8 @@ def module() -> Module:
             ),
             Function(
                 "fold_quartic",
-                "Coefficients of e0 + … + e4 μ₀⁴, whose real roots are all folds at a given θ. Needs α > 0.",
+                "Coefficients of e0 + … + e4 μ₀⁴, whose real roots are all folds at a given "
+                "θ. Needs α > 0.",
                 "f = f′ = 0",
                 (*ANGLE, *WITHOUT_FRICTION),
                 quartic,
@@ -92,7 +93,8 @@ def module() -> Module:
             ),
             Function(
                 "fold_conic",
-                "All folds at a given θ, friction eliminated: E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0, for any α ≥ 0.",
+                "All folds at a given θ, friction eliminated: E0 + E1 sin θ₀ + E2 sin² θ₀ + "
+                "Ec cos θ₀ = 0, for any α ≥ 0.",
                 "f = f′ = 0",
                 (*ANGLE, *WITHOUT_FRICTION),
                 catastrophe.fold_conic(),
@@ -101,7 +103,8 @@ def module() -> Module:
             ),
             Function(
                 "fold_events",
-                "Polynomials in s = sin θ that are 0 at a θ < π/2 where two folds meet, where one has θ₀ = 0 or π, and "
+                "Polynomials in s = sin θ that are 0 at a θ < π/2 where two folds meet, where "
+                "one has θ₀ = 0 or π, and "
                 "where one has μ₀ = 0. Needs α > 0.",
                 "f = f′ = 0",
                 (nm.s, *WITHOUT_FRICTION),
@@ -111,7 +114,8 @@ def module() -> Module:
             ),
             Function(
                 "fold_events_without_alpha",
-                "The same for α = 0: 0 where two folds meet, where two have θ₀ = 0 and π, and where "
+                "The same for α = 0: 0 where two folds meet, where two have θ₀ = 0 and π, and "
+                "where "
                 "they meet at π/2.",
                 "f = f′ = 0",
                 (nm.s, nm.kappa, nm.sigma, nm.beta),
@@ -145,7 +149,8 @@ def module() -> Module:
             ),
             Function(
                 "f_in_differences",
-                "f, f′ and their derivatives by μ₀ in contact, with sin θ − sin θ₀ and cos θ₀ − cos θ kept "
+                "f, f′ and their derivatives by μ₀ in contact, with sin θ − sin θ₀ and cos θ₀ "
+                "− cos θ kept "
                 "together: over a box of parameters, or near small deformation, little is lost.",
                 "(12), (13) eliminated",
                 (*ANGLE, *POINT),
@@ -155,8 +160,10 @@ def module() -> Module:
             ),
             Function(
                 "fold_sextic",
-                "Coefficients of e0 + … + e6 t⁶ = (1 + t²)³ (f′ f_v − f f_v′) with t = tan(θ/2), whose roots are "
-                "all folds along a parameter v but θ₀; minus its sign is that of dv/dθ on the surface.",
+                "Coefficients of e0 + … + e6 t⁶ = (1 + t²)³ (f′ f_v − f f_v′) with t = "
+                "tan(θ/2), whose roots are "
+                "all folds along a parameter v but θ₀; minus its sign is that of dv/dθ on the "
+                "surface.",
                 "f = f′ = 0",
                 (*F_COEFFICIENTS, nm.fa_v, nm.fb_v, nm.fd_v, nm.fm_v),
                 sextic,
@@ -165,7 +172,8 @@ def module() -> Module:
             ),
             Function(
                 "fold_cubics",
-                "Coefficients in t = tan(θ/2) of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀, on the fold "
+                "Coefficients in t = tan(θ/2) of (1 + t²)³ times p B sin θ₀ and p B q α cos "
+                "θ₀, on the fold "
                 "through θ at friction μ₀.",
                 "f = f′ = 0",
                 nm.PARAMETERS,
@@ -175,7 +183,8 @@ def module() -> Module:
             ),
             Function(
                 "cusp_polynomial",
-                "Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all cusps. "
+                "Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are "
+                "all cusps. "
                 "Needs α > 0 and α ≠ 1 + β.",
                 "f = f′ = f″ = 0",
                 WITHOUT_FRICTION,
@@ -225,9 +234,11 @@ def module() -> Module:
 
 
 def _fold_events() -> tuple[Row, Row, Names, Names]:
-    """What is 0 at an event, for α > 0 and for α = 0, in the coefficients of the conic, and names for these.
+    """What is 0 at an event, for α > 0 and for α = 0, in the coefficients of the conic, and names
+    for these.
 
-    With v = tan(θ₀/2) the conic is a quartic, and 27 times its discriminant is 4 P³ − Q²; the cosine enters by its square.
+    With v = tan(θ₀/2) the conic is a quartic, and 27 times its discriminant is 4 P³ − Q²; the
+    cosine enters by its square.
     """
     e0, e1, e2, square, middle, product, P, Q = sp.symbols("e0 e1 e2 ec_2 middle product P Q")
     *conic, last = catastrophe.fold_conic()
@@ -311,7 +322,9 @@ def _in_differences() -> Row:
 
 
 def _fold_sextic() -> tuple[Row, Names]:
-    """In the six minors of the coefficients of f and of f_v: c³ ab − s³ ad + s² am − bd + s (2 − s²) bm + s² c dm."""
+    """In the six minors of the coefficients of f and of f_v: c³ ab − s³ ad + s² am − bd + s (2 −
+    s²) bm + s² c dm.
+    """
     pairs = (
         ("ab", nm.fa, nm.fb),
         ("ad", nm.fa, nm.fd),
@@ -339,7 +352,9 @@ def _fold_sextic() -> tuple[Row, Names]:
 
 
 def _fold_cubics() -> tuple[Row, Row]:
-    """With p B sin θ₀ = a s³ + m s² c − p κ = S, p B q α cos θ₀ = p B (m s (1 + c²) − a c³ + M κ) − m S."""
+    """With p B sin θ₀ = a s³ + m s² c − p κ = S, p B q α cos θ₀ = p B (m s (1 + c²) − a c³ + M κ) −
+    m S.
+    """
     a, m, width, load = nm.fa, nm.fm, nm.p * nm.B, nm.p * nm.kappa
     sine = (-load, sp.S.Zero, 4 * m - 3 * load, 8 * a, -4 * m - 3 * load, sp.S.Zero, -load)
     push = nm.M * nm.kappa
@@ -367,7 +382,9 @@ def _unfolding() -> tuple[Pair, ...]:
 
 
 def _cusp_polynomial() -> tuple[Row, Names]:
-    """(α q)² N² S² + (B − α)² (1 − s²) G² − (B p α q)² S⁴ with S = 3 s² − 2, N = a s³ − κ p S, and G of cos θ₀; degree 9."""
+    """(α q)² N² S² + (B − α)² (1 − s²) G² − (B p α q)² S⁴ with S = 3 s² − 2, N = a s³ − κ p S, and
+    G of cos θ₀; degree 9.
+    """
     g0, g1, g4, r, width, k = sp.symbols("g0 g1 g4 r width k")
     s = nm.s
     names = {

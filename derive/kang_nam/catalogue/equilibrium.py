@@ -60,7 +60,8 @@ def module() -> Module:
     r0, r1, r2, _ = elimination.resolvent_cubic()
     return Module(
         "equilibrium",
-        "The balance of forces at steady sliding (n̄ = 1) and in lift-off (n̄ = 0), and the polynomials that hold its roots.",
+        "The balance of forces at steady sliding (n̄ = 1) and in lift-off (n̄ = 0), and the "
+        "polynomials that hold its roots.",
         (
             Function(
                 "contact_matrix",
@@ -116,7 +117,8 @@ def module() -> Module:
             ),
             Function(
                 "f_coefficients",
-                "a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ F_x(θ, L(θ)).",
+                "a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ "
+                "F_x(θ, L(θ)).",
                 "(12), (13) eliminated",
                 (*POINT, nm.nbar),
                 F_COEFFICIENTS,
@@ -125,7 +127,8 @@ def module() -> Module:
             ),
             Function(
                 "f_magnitudes",
-                "Sums of the absolute values of the terms of a and d, against which their rounding errors are "
+                "Sums of the absolute values of the terms of a and d, against which their "
+                "rounding errors are "
                 "measured.",
                 "rounding-error analysis",
                 (*POINT, nm.nbar),
@@ -163,7 +166,8 @@ def module() -> Module:
             Function("f_third", "d³f/dθ³.", "(12), (13) eliminated", F_AT, catastrophe.third, "f‴"),
             Function(
                 "t_quartic",
-                "Coefficients of (1 + t²)² f = e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ with t = tan(θ/2).",
+                "Coefficients of (1 + t²)² f = e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ with t = "
+                "tan(θ/2).",
                 "(12), (13) eliminated",
                 F_COEFFICIENTS,
                 elimination.quartic_in_t(),
@@ -171,7 +175,8 @@ def module() -> Module:
             ),
             Function(
                 "resolvent",
-                "Coefficients of the cubic r0 + r1 ℓ + r2 ℓ² + ℓ³ with the discriminant of the quartic in t.",
+                "Coefficients of the cubic r0 + r1 ℓ + r2 ℓ² + ℓ³ with the discriminant of "
+                "the quartic in t.",
                 "(12), (13) eliminated",
                 F_COEFFICIENTS,
                 (sp.factor(r0), sp.factor(r1), r2),

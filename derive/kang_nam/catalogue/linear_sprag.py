@@ -16,7 +16,8 @@ def module() -> Module:
     require_same("linear displacement", arranged, linear_sprag.equilibrium(), names)
     return Module(
         "linear_sprag",
-        "The constant-angle model of the article's reference [17]: displacement, poles, critical friction.",
+        "The constant-angle model of the article's reference [17]: displacement, poles, "
+        "critical friction.",
         (
             Function(
                 "displacement",

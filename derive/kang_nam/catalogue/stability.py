@@ -1,4 +1,6 @@
-"""Functions of the linearization about an equilibrium: K, its invariants, damping, flutter onsets."""
+"""Functions of the linearization about an equilibrium: K, its invariants, damping, flutter
+onsets.
+"""
 
 import sympy as sp
 
@@ -40,7 +42,8 @@ def module() -> Module:
     at_friction = (*ANGLE, *nm.PARAMETERS)
     return Module(
         "stability",
-        "Linearization about an equilibrium: K, its invariants, the damping that (27) leaves out, the flutter onsets.",
+        "Linearization about an equilibrium: K, its invariants, the damping that (27) leaves "
+        "out, the flutter onsets.",
         (
             Function(
                 "stiffness",
@@ -53,7 +56,8 @@ def module() -> Module:
             ),
             Function(
                 "invariants",
-                "Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K.",
+                "Trace, determinant (negative: divergence) and discriminant in λ² (negative: "
+                "flutter) of K.",
                 "(27)",
                 entries,
                 (generic.trace(), determinant, stability.flutter_discriminant(generic)),
@@ -82,7 +86,8 @@ def module() -> Module:
             ),
             Function(
                 "reference_lines",
-                "u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, in contact at given θ and μ₀.",
+                "u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, in contact at "
+                "given θ and μ₀.",
                 "(14), (15)",
                 at_friction,
                 stability.reference_lines(),
@@ -91,7 +96,8 @@ def module() -> Module:
             ),
             Function(
                 "flutter_quadratic",
-                "Coefficients of e0 + e1 L + e2 L², which is L² times the discriminant of (27), in contact.",
+                "Coefficients of e0 + e1 L + e2 L², which is L² times the discriminant of "
+                "(27), in contact.",
                 "(27)",
                 (*ANGLE, nm.mu0, *STIFFNESS),
                 stability.flutter_quadratic(),
@@ -100,7 +106,8 @@ def module() -> Module:
             ),
             Function(
                 "flutter_elimination",
-                "X, Y, Z: X² = Y Z at the θ of every flutter onset in contact, and L = X/Y is its length.",
+                "X, Y, Z: X² = Y Z at the θ of every flutter onset in contact, and L = X/Y is "
+                "its length.",
                 "(27), (14), (15)",
                 at_friction,
                 stability.flutter_elimination(),
@@ -121,7 +128,8 @@ def module() -> Module:
             ),
             Function(
                 "flutter_crossing",
-                "N, J: L² times the discriminant changes by N/J per unit of θ₀, along equilibria in contact.",
+                "N, J: L² times the discriminant changes by N/J per unit of θ₀, along "
+                "equilibria in contact.",
                 "(27), (14), (15)",
                 (*ANGLE, nm.L, *ANGLE0, nm.mu0, *STIFFNESS),
                 crossing,
@@ -130,7 +138,8 @@ def module() -> Module:
             ),
             Function(
                 "flutter_cubic",
-                "Flutter onsets in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀.",
+                "Flutter onsets in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 "
+                "sin θ₀ + … + k3 sin³ θ₀.",
                 "(27), (14), (15)",
                 (*ANGLE, *WITHOUT_FRICTION),
                 cubic,
@@ -162,7 +171,9 @@ def _flutter_names() -> Names:
 
 
 def _flutter_cubic() -> tuple[Row, Names]:
-    """With L = l0 + l1 sin θ₀ and y = y0 + y1 sin θ₀: the discriminant without friction times y, and the spring's pull along."""
+    """With L = l0 + l1 sin θ₀ and y = y0 + y1 sin θ₀: the discriminant without friction times y,
+    and the spring's pull along.
+    """
     l0, l1, y0, y1, e0, e1, e2, m1, m2 = sp.symbols("l0 l1 y0 y1 e0 e1 e2 m1 m2")
     c, s, sigma = nm.c, nm.s, nm.sigma
     pull = 4 * sigma * s * c**2

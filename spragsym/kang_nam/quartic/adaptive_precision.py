@@ -1,8 +1,10 @@
-"""Adaptive precision at one point: interval arithmetic certifies the count and the digits of every equilibrium.
+"""Adaptive precision at one point: interval arithmetic certifies the count and the digits of every
+equilibrium.
 
-Parameters are exact rationals. The sign of the discriminant gives the number of real roots of the quartic in t = tan(θ/2); each
-is then enclosed between two numbers where f has opposite signs. What an interval can't decide is tried again with twice the
-bits, up to :data:`MAXIMUM_BITS`; a discriminant that still holds 0 then is reported as a fold.
+Parameters are exact rationals. The sign of the discriminant gives the number of real roots of the
+quartic in t = tan(θ/2); each is then enclosed between two numbers where f has opposite signs. What
+an interval can't decide is tried again with twice the bits, up to :data:`MAXIMUM_BITS`; a
+discriminant that still holds 0 then is reported as a fold.
 """
 
 import itertools
@@ -19,9 +21,10 @@ from ...results.equilibria import Stability
 from ...results.precise_states import PreciseEquilibria, PreciseEquilibrium
 from .. import kernel
 
-#: Bits of the first try, unless parameters are farther apart than that with :data:`ROOM` beside it: where one is far below the
-#: others, so is what decides. Bits at which a discriminant that holds 0 is taken for a fold: the latter, and as many again for
-#: each power of two between the parameters, since the discriminant is of the sixth degree in coefficients of theirs.
+#: Bits of the first try, unless parameters are farther apart than that with :data:`ROOM` beside it:
+#: where one is far below the others, so is what decides. Bits at which a discriminant that holds 0
+#: is taken for a fold: the latter, and as many again for each power of two between the parameters,
+#: since the discriminant is of the sixth degree in coefficients of theirs.
 FIRST_BITS, ROOM, MAXIMUM_BITS, BITS_A_SPREAD = 128, 96, 4096, 8
 
 
@@ -35,8 +38,8 @@ def precise_equilibria(
 def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> PreciseEquilibria:
     """All equilibria of one point, ascending in θ, to ``digits`` digits.
 
-    Parameters, θ₀, μ₀, κ, α, σ and β, are anything that :class:`fractions.Fraction` takes exactly: float, int, str, Fraction;
-    θ₀ may be a function of the arithmetic that returns an interval.
+    Parameters, θ₀, μ₀, κ, α, σ and β, are anything that :class:`fractions.Fraction` takes exactly:
+    float, int, str, Fraction; θ₀ may be a function of the arithmetic that returns an interval.
     """
     theta0, rational = exact[0], [Fraction(value) for value in exact[1:]]
     spread = _spread(theta0, rational)
@@ -51,7 +54,8 @@ def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> PreciseEq
             except Undecided as reason:
                 if bits >= most:
                     raise ConvergenceError(
-                        f"{bits} bits do not settle {named(exact)}: {reason}; move the point off the boundary that it is on"
+                        f"{bits} bits do not settle {named(exact)}: {reason}; move the point "
+                        "off the boundary that it is on"
                     ) from None
         bits *= 2
 
@@ -87,7 +91,8 @@ def _settle(
         if fold
         else _enclosed_roots(quartic, bits, all_real=discriminant < 0)
     )
-    # With rational parameters equality is exact where θ₀ drops out: off the belt without other springs L = 1 ± κ/σ at θ = ±90°.
+    # With rational parameters equality is exact where θ₀ drops out: off the belt without other
+    # springs L = 1 ± κ/σ at θ = ±90°.
     _, kappa, alpha, sigma, beta = rational
     shrunk = not contact and alpha == beta == 0 and kappa == sigma
     states = [state for root in roots for state in _state(root, trig, values, digits, fold, shrunk)]
@@ -96,7 +101,8 @@ def _settle(
     return PreciseEquilibria(tuple(sorted(states, key=lambda state: state.theta)), True, {})
 
 
-# ------------------------------------------------------------------------------------------------------- roots
+# ------------------------------------------------------------------------------------------------
+# roots
 
 
 def _places(polynomial: tuple[Interval, ...], bits: int) -> list[Interval]:
@@ -107,7 +113,9 @@ def _places(polynomial: tuple[Interval, ...], bits: int) -> list[Interval]:
 
 
 def _enclosed_roots(quartic: tuple[Interval, ...], bits: int, *, all_real: bool) -> list[Interval]:
-    """Disjoint intervals in t, each with a change of sign of f: as many as there are real roots, four or two, so one in each."""
+    """Disjoint intervals in t, each with a change of sign of f: as many as there are real roots,
+    four or two, so one in each.
+    """
     found = [_enclose(quartic, root, bits) for root in _places(quartic, bits)]
     if len(found) != (4 if all_real else 2):
         raise Undecided("the middles of coefficients have other roots")
@@ -131,7 +139,9 @@ def _enclose(quartic: tuple[Interval, ...], root: Interval, bits: int) -> tuple[
 def _fold_roots(
     trig: tuple[Interval, ...], quartic: tuple[Interval, ...], bits: int
 ) -> list[Interval]:
-    """Roots at a fold: the two that can't be told apart share one interval, twice. All four multiply to −1."""
+    """Roots at a fold: the two that can't be told apart share one interval, twice. All four
+    multiply to −1.
+    """
     slope = derivative(quartic)
     bend = derivative(slope)
     flat = [*_places(slope, bits), *_places(bend, bits)]
@@ -145,7 +155,8 @@ def _fold_roots(
     return [double, double, third, -1 / (double * double * third)]
 
 
-# ------------------------------------------------------------------------------------------------------ states
+# ------------------------------------------------------------------------------------------------
+# states
 
 
 def _state(
@@ -156,7 +167,9 @@ def _state(
     fold: bool,
     shrunk: bool,
 ) -> list[PreciseEquilibrium]:
-    """The equilibrium at t, none if the root is not one; nor is it where the spring has the length 0, ``shrunk``."""
+    """The equilibrium at t, none if the root is not one; nor is it where the spring has the length
+    0, ``shrunk``.
+    """
     cos0, sin0, _, kappa, _, *springs, nbar = values
     c, s, _ = on_circle(t)
     state = kernel.state(c, s, cos0, sin0, kappa, *springs, nbar)

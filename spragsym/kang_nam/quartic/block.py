@@ -1,8 +1,9 @@
-"""A block of points at once in NumPy, in float64 or in double-double arithmetic, and how equilibria are stored.
+"""A block of points at once in NumPy, in float64 or in double-double arithmetic, and how equilibria
+are stored.
 
-Columns hold the first equilibrium of every point; further ones, of few points, stand apart. Memory that is touched for the first
-time costs as much as the solving: what most points do not have is not written. Padded arrays, of one more axis than the
-parameters, are made when they are asked for.
+Columns hold the first equilibrium of every point; further ones, of few points, stand apart. Memory
+that is touched for the first time costs as much as the solving: what most points do not have is not
+written. Padded arrays, of one more axis than the parameters, are made when they are asked for.
 """
 
 from __future__ import annotations
@@ -22,8 +23,8 @@ from ...numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArr
 TOLERANCE = 1e-12
 
 
-#: Roundings of a double that θ, L, x and y in double-double arithmetic are off by when they are stored: the arc tangent is within
-#: one unit in the last place, and its argument is rounded.
+#: Roundings of a double that θ, L, x and y in double-double arithmetic are off by when they are
+#: stored: the arc tangent is within one unit in the last place, and its argument is rounded.
 _STORED = 4 * 2.0**-53
 
 
@@ -33,10 +34,12 @@ A_THREAD, A_COUNTING_THREAD = 1 << 16, 1 << 19
 
 @quiet()
 def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
-    """Solve ``size`` points, write what is settled to ``out`` from row ``begin`` on, and return which of them are not.
+    """Solve ``size`` points, write what is settled to ``out`` from row ``begin`` on, and return
+    which of them are not.
 
-    Settled: every root is an equilibrium with its digits or certainly none, all of them are different, and in contact their
-    number is odd. ``values`` are θ₀, μ₀, κ, α, σ and β, arrays of length ``size`` or 1.
+    Settled: every root is an equilibrium with its digits or certainly none, all of them are
+    different, and in contact their number is odd. ``values`` are θ₀, μ₀, κ, α, σ and β, arrays of
+    length ``size`` or 1.
     """
     point = _point(values, contact)
     line = kernel.Balance(
@@ -49,7 +52,9 @@ def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size:
 def solve_widely(
     values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int
 ) -> IntArray:
-    """:func:`solve` in double-double arithmetic, of points given by θ₀, μ₀, κ, α, σ and β, arrays of length ``size``."""
+    """:func:`solve` in double-double arithmetic, of points given by θ₀, μ₀, κ, α, σ and β, arrays
+    of length ``size``.
+    """
     theta0, *others = values
     point = kernel.Point(*cosine_and_sine(theta0), *[*map(DoubleDouble, others), int(contact)])
     line = kernel.balance(point)
@@ -65,7 +70,9 @@ def _solved(
     begin: int,
     safe: Any,
 ) -> IntArray:
-    """First the roots that every point has, one in contact and two in lift-off, then all of points that have two more."""
+    """First the roots that every point has, one in contact and two in lift-off, then all of points
+    that have two more.
+    """
     found, least = kernel.guesses(point, line, u), 1 if point.nbar else 2
     safe = safe & found.certain
     settled = safe & _some(found[:least], point, line, out, slice(begin, begin + safe.size), u)
@@ -125,9 +132,12 @@ def _some(
     rows: IntArray | slice,
     u: np.floating[Any],
 ) -> BoolArray:
-    """Which points have all of these roots settled, one array of each in ascending order; all are examined in one call."""
+    """Which points have all of these roots settled, one array of each in ascending order; all are
+    examined in one call.
+    """
     t, alone = _stacked(roots), len(roots) == 1
-    # What depends on the point alone is computed once for all of its roots; arrays of one root are faster without an axis for it.
+    # What depends on the point alone is computed once for all of its roots; arrays of one root are
+    # faster without an axis for it.
     root = kernel.at_root(roots[0] if alone else t, point, line, u)
     root = kernel.Root(*(value[None] for value in root)) if alone else root
     candidates = _columns(t, root)
@@ -156,11 +166,12 @@ Columns = Mapping[str, NDArray[Any]]
 
 @dataclass
 class Slots:
-    """Equilibria of ``size`` points, up to ``slots`` of each; ``count`` says how many each point has.
+    """Equilibria of ``size`` points, up to ``slots`` of each; ``count`` says how many each point
+    has.
 
-    ``first`` is the first equilibrium of every point that has one. ``further`` are rows and columns: of some points the
-    equilibria in slots 1 and up, of shape (further slots, len(rows)), NaN and 0 beyond the count; slots behind these are empty.
-    A later entry replaces an earlier one.
+    ``first`` is the first equilibrium of every point that has one. ``further`` are rows and
+    columns: of some points the equilibria in slots 1 and up, of shape (further slots, len(rows)),
+    NaN and 0 beyond the count; slots behind these are empty. A later entry replaces an earlier one.
     """
 
     size: int
@@ -174,14 +185,18 @@ class Slots:
         self.first = {name: np.empty(self.size, dtype=kind) for name, kind in _TYPES.items()}
 
     def put(self, rows: IntArray | slice, count: NDArray[Any] | int, columns: Columns) -> None:
-        """Store all equilibria of the points in ``rows``, columns of shape (some slots, len(rows))."""
+        """Store all equilibria of the points in ``rows``, columns of shape (some slots,
+        len(rows)).
+        """
         self.count[rows] = count
         for name, values in columns.items():
             self.first[name][rows] = values[0]
         self.further.append((rows, {name: values[1:] for name, values in columns.items()}))
 
     def padded(self, name: str) -> NDArray[Any]:
-        """A column as an array of shape (size, slots), in memory slot by slot; NaN, or 0 for the stability, beyond the count."""
+        """A column as an array of shape (size, slots), in memory slot by slot; NaN, or 0 for the
+        stability, beyond the count.
+        """
         table: NDArray[Any] = np.empty((self.slots, self.size), dtype=_TYPES[name])
         table[0], table[1:] = self.first[name], _NOTHING[name]
         for rows, columns in self.further:
@@ -191,7 +206,8 @@ class Slots:
 
 
 def gathered(members: BoolArray, candidates: Columns) -> tuple[IntArray, Columns]:
-    """Move the members among the candidates of each point, shape (candidates, points), to the front; and count them.
+    """Move the members among the candidates of each point, shape (candidates, points), to the
+    front; and count them.
 
     Points without one keep what they have.
     """

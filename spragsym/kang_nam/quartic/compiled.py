@@ -15,7 +15,9 @@ A_THREAD, A_COUNTING_THREAD = 1 << 15, 1 << 17
 
 
 def available() -> bool:
-    """Whether the extension module was built, and from the C library that was generated with the rest."""
+    """Whether the extension module was built, and from the C library that was generated with the
+    rest.
+    """
     return fits(f"{__package__}._compiled")
 
 
@@ -28,7 +30,8 @@ def solve(
     *,
     how: Literal["solve", "solve_widely"] = "solve",
 ) -> IntArray:
-    """:func:`.block.solve` in float64, or as that says: write settled points to ``out`` and return which are not settled.
+    """:func:`.block.solve` in float64, or as that says: write settled points to ``out`` and return
+    which are not settled.
 
     ``values`` are θ₀, μ₀, κ, α, σ, β, contiguous, each of length ``size`` or 1.
     """
@@ -66,7 +69,9 @@ solve_widely = partial(solve, how="solve_widely")
 
 
 def count(values: Sequence[FloatArray], size: int) -> Int8Array:
-    """The number of equilibria in contact, 0 where that is open; ``values`` as for :func:`solve`."""
+    """The number of equilibria in contact, 0 where that is open; ``values`` as for
+    :func:`solve`.
+    """
     from . import _compiled
 
     counts = np.empty(size, dtype=np.int8)

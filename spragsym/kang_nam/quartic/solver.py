@@ -32,8 +32,9 @@ from .block import COLUMNS, Slots
 
 T = TypeVar("T")
 
-#: Points solved at a time, or up to twice as many: enough to forget the calls' overhead, and for NumPy to compute in place, which
-#: it does in arrays of 256 KB and more; few enough for the arrays in between to stay in cache.
+#: Points solved at a time, or up to twice as many: enough to forget the calls' overhead, and for
+#: NumPy to compute in place, which it does in arrays of 256 KB and more; few enough for the arrays
+#: in between to stay in cache.
 BLOCK = 1 << 15
 #: Points solved at a time in double-double arithmetic, which has more in between.
 WIDE_BLOCK = 1 << 12
@@ -85,7 +86,8 @@ class _Closed(Linearizing):
             trace, determinant, discriminant = kernel.invariants(
                 *kernel.cos_sin(theta), L, *others, int(self.contact)
             )
-            # λ² = −κ for the two eigenvalues κ of K, the larger first, the other from their product.
+            # λ² = −κ for the two eigenvalues κ of K, the larger first, the other from their
+            # product.
             root = np.sqrt(discriminant.astype(complex))
             large = 0.5 * (trace + np.where(trace < 0, -root, root))
             frequencies = np.stack([np.sqrt(-large), np.sqrt(-determinant / large)], axis=-1)
@@ -93,13 +95,15 @@ class _Closed(Linearizing):
 
 
 def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
-    """The closed form of :func:`spragsym.equilibria`: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x.
+    """The closed form of :func:`spragsym.equilibria`: the quartic in t = tan(θ/2) of f(θ) = q sin θ
+    F_x.
 
     Notes
     -----
-    Source: (12)–(13) eliminated; stability by (27)–(28). The count is proved: the sign of the discriminant with a bound on its
-    rounding error, each root by Newton–Kantorovich. Where float64 can't, the point is solved again with more digits: in
-    double-double arithmetic, and what that can't settle in intervals.
+    Source: (12)–(13) eliminated; stability by (27)–(28). The count is proved: the sign of the
+    discriminant with a bound on its rounding error, each root by Newton–Kantorovich. Where float64
+    can't, the point is solved again with more digits: in double-double arithmetic, and what that
+    can't settle in intervals.
     """
     if not isinstance(contact, int | np.bool_):
         raise NotInClosedForm  # the general algorithm says what contact may be
@@ -141,8 +145,9 @@ def count(p: Parameters) -> Int8Array:
 
     Notes
     -----
-    Source: the sign of the discriminant of the quartic in t = tan(θ/2) and Descartes' rule say how many of its roots are
-    positive, and Budan's theorem how many of three are in contact, all with bounds on rounding errors; what is left is solved.
+    Source: the sign of the discriminant of the quartic in t = tan(θ/2) and Descartes' rule say how
+    many of its roots are positive, and Budan's theorem how many of three are in contact, all with
+    bounds on rounding errors; what is left is solved.
     """
     p.require("theta0", "mu0")
     backend = chosen()
@@ -157,13 +162,15 @@ def count(p: Parameters) -> Int8Array:
     return counts.reshape(p.shape)
 
 
-# ----------------------------------------------------------------------------------------------------- float64
+# ------------------------------------------------------------------------------------------------
+# float64
 
 
 def _in_blocks(
     p: Parameters, a_thread: int, work: Callable[[list[FloatArray], int, int], T]
 ) -> list[T]:
-    """``work(values, begin, size)`` for every block of points, in order; values have the block's size, or are one number.
+    """``work(values, begin, size)`` for every block of points, in order; values have the block's
+    size, or are one number.
 
     No more threads than have ``a_thread`` points each.
     """
@@ -198,13 +205,15 @@ def _column(p: Parameters, name: str) -> FloatArray:
     ).reshape(-1)
 
 
-# -------------------------------------------------------------------------------------------------- more digits
+# ------------------------------------------------------------------------------------------------
+# more digits
 
 
 def _escalate(
     p: Parameters, contact: bool, out: Slots, rows: IntArray
 ) -> tuple[IntArray, dict[int, str]]:
-    """Solve the given points again, in double-double arithmetic and then, what that can't settle, in intervals.
+    """Solve the given points again, in double-double arithmetic and then, what that can't settle,
+    in intervals.
 
     Returns which of them are folds, and why points are left without an answer, by row.
     """
@@ -230,7 +239,9 @@ def _escalate(
 
 
 def _solve_widely(given: list[FloatArray], contact: bool, out: Slots, rows: IntArray) -> IntArray:
-    """Double-double arithmetic on the points of ``rows``; which of them it leaves open, by position in ``rows``."""
+    """Double-double arithmetic on the points of ``rows``; which of them it leaves open, by position
+    in ``rows``.
+    """
     backend = chosen()
     again = Slots(rows.size, out.slots)
     left = []
@@ -242,13 +253,16 @@ def _solve_widely(given: list[FloatArray], contact: bool, out: Slots, rows: IntA
 
 
 def _columns(found: Sequence[Any], point: str) -> dict[str, NDArray[Any]]:
-    """States rounded to float64, by at most half a unit in the last place, which the error includes; of shape (states, 1)."""
+    """States rounded to float64, by at most half a unit in the last place, which the error
+    includes; of shape (states, 1).
+    """
     from mpmath import log10  # numbers of any size
 
     for state in found:
         if not math.isfinite(float(state.L)):  # |x| and |y| are at most 1 + L
             raise ConvergenceError(
-                f"log10 L = {float(log10(state.L)):.6g} at an equilibrium of {point} is beyond float64; "
+                f"log10 L = {float(log10(state.L)):.6g} at an equilibrium of {point} is "
+                "beyond float64; "
                 "spragsym.precise carries it"
             )
     columns = {
@@ -257,7 +271,8 @@ def _columns(found: Sequence[Any], point: str) -> dict[str, NDArray[Any]]:
     return columns | {"error": columns["error"] + 1.2e-16}
 
 
-# ---------------------------------------------------------------------------------------------------- backends
+# ------------------------------------------------------------------------------------------------
+# backends
 
 
 @dataclass
@@ -270,13 +285,14 @@ _choice = _Choice()
 
 
 def set_backend(name: str, threads: int = 1) -> None:
-    """Choose how :func:`spragsym.equilibria` solves points; counts are the same, and digits within the bounds.
+    """Choose how :func:`spragsym.equilibria` solves points; counts are the same, and digits within
+    the bounds.
 
     Parameters
     ----------
     name : {"auto", "numpy", "compiled"}
-        ``"auto"``, the default, takes the compiled solver where a C compiler was at hand on installation, as in the wheels, and
-        NumPy otherwise.
+        ``"auto"``, the default, takes the compiled solver where a C compiler was at hand on
+        installation, as in the wheels, and NumPy otherwise.
     threads : int
         Threads that solve blocks of points; results do not depend on it.
 
@@ -298,7 +314,8 @@ def set_backend(name: str, threads: int = 1) -> None:
     threads = as_count("threads", threads)
     if name == "compiled" and not compiled.available():
         raise BackendError(
-            "the backend 'compiled' was not built, for want of a C compiler or for a derivation that has changed since; "
+            "the backend 'compiled' was not built, for want of a C compiler or for a "
+            "derivation that has changed since; "
             "install spragsym again, with a compiler, or install a wheel"
         )
     _choice.name, _choice.threads = name, threads

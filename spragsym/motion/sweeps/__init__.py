@@ -1,4 +1,6 @@
-"""Many motions: over parameters and initial states, on all cores, resumable, and the files that hold them."""
+"""Many motions: over parameters and initial states, on all cores, resumable, and the files that
+hold them.
+"""
 
 from ..regimes import Regime
 from .basins import Basin, basin

@@ -19,7 +19,8 @@ from .many import Sweep, rms_sweep
 
 @dataclass(frozen=True, eq=False)
 class Basin(Named):
-    """Basins of attraction: the attractor that each initial state reaches, over two axes of starts, named as x and vx.
+    """Basins of attraction: the attractor that each initial state reaches, over two axes of starts,
+    named as x and vx.
 
     Attributes
     ----------
@@ -30,8 +31,9 @@ class Basin(Named):
     attractor : ndarray of int
         Row of ``attractors`` that the motion reaches; −1 where it failed.
     attractors : tuple of (Regime, int, float, float)
-        EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED, whether reached or approached; index of the equilibrium or −1; for
-        a limit cycle its mean and its RMS of x about that over one period, else NaN.
+        EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED, whether reached or approached; index of the
+        equilibrium or −1; for a limit cycle its mean and its RMS of x about that over one period,
+        else NaN.
     sweep : Sweep
         Everything that was measured.
     """
@@ -69,10 +71,11 @@ def basin(
     V, d : float, optional
         In place of those of ``p``.
     **starts
-        Two of the coordinates and rates by their names, one axis each, as ``x=…, vx=…``: every value of one with every value of
-        the other. The rest of the initial state, as ``y0=…``, and the options are those of :func:`rms_sweep`. A motion that by
-        ``t_end`` approaches nothing is ``Regime.UNSETTLED``: in the article's model deviations die out at a rate of
-        μ₀ d exp(−d V) n, n the contact force, so that it can take tens of thousands of time units.
+        Two of the coordinates and rates by their names, one axis each, as ``x=…, vx=…``: every
+        value of one with every value of the other. The rest of the initial state, as ``y0=…``, and
+        the options are those of :func:`rms_sweep`. A motion that by ``t_end`` approaches nothing is
+        ``Regime.UNSETTLED``: in the article's model deviations die out at a rate of μ₀ d exp(−d V)
+        n, n the contact force, so that it can take tens of thousands of time units.
 
     Returns
     -------
@@ -117,7 +120,9 @@ def basin(
 
 
 def _attractors(sweep: Sweep) -> tuple[IntArray, tuple[tuple[Regime, int, float, float], ...]]:
-    """Group motions by what they settle to or approach: by all numbers of an equilibrium's place or of a cycle's one state."""
+    """Group motions by what they settle to or approach: by all numbers of an equilibrium's place or
+    of a cycle's one state.
+    """
     labels = np.full(sweep.regime.shape, -1)
     known: list[Outcome] = []
     for index in np.argwhere(sweep.regime != Regime.FAILED):

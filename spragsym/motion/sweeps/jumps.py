@@ -57,7 +57,8 @@ def sensitivity(
     Parameters
     ----------
     p : Parameters
-        Of a model with these three: ``theta0`` an ascending axis of at least two angles, and the rest scalars, but V and d.
+        Of a model with these three: ``theta0`` an ascending axis of at least two angles, and the
+        rest scalars, but V and d.
     V, d : array_like, one axis each, optional
         Every V with every d; those of ``p`` where left out.
     refine : int
@@ -76,8 +77,8 @@ def sensitivity(
 
     Notes
     -----
-    The jump is where the RMS grows by the largest factor from one angle to the next; bisection keeps the half
-    with the larger one.
+    The jump is where the RMS grows by the largest factor from one angle to the next; bisection
+    keeps the half with the larger one.
 
     Examples
     --------
@@ -93,13 +94,15 @@ def sensitivity(
     missing = [name for name in ("theta0", "V", "d") if name not in model.parameters]
     if missing:
         raise ModelError(
-            f"{model.name} has no {missing[0]}, along which sensitivity looks; rms_sweep(p) takes any axes"
+            f"{model.name} has no {missing[0]}, along which sensitivity looks; rms_sweep(p) "
+            "takes any axes"
         )
     p.require("theta0")
     angles = p.theta0
     if angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
         raise ParameterError(
-            "theta0 must be an ascending axis of two angles or more; use p.replace(theta0=numpy.linspace(...))"
+            "theta0 must be an ascending axis of two angles or more; use "
+            "p.replace(theta0=numpy.linspace(...))"
         )
     p.require(*(name for name, value in (("V", V), ("d", d)) if value is None))
     speeds, creeps = np.atleast_1d(

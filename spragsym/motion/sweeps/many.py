@@ -1,4 +1,6 @@
-"""Many motions: RMS and final regime over parameters and initial states, resumable, on all cores."""
+"""Many motions: RMS and final regime over parameters and initial states, resumable, on all
+cores.
+"""
 
 from __future__ import annotations
 
@@ -50,7 +52,8 @@ PARTS = 16
 #: The package's folder.
 PACKAGE = Path(__file__).parents[2]
 
-#: What a motion's record is made by: rooms, and single modules. ``test_sweeps`` compares them with what is imported.
+#: What a motion's record is made by: rooms, and single modules. ``test_sweeps`` compares them with
+#: what is imported.
 DECIDING = (
     "generated",
     "kang_nam",
@@ -78,7 +81,8 @@ def rms_sweep(
     store: str | os.PathLike[str] | None = None,
     **initial: ArrayLike,
 ) -> Sweep:
-    """Simulate every point of a broadcast of parameters and initial states, and tell what each comes to.
+    """Simulate every point of a broadcast of parameters and initial states, and tell what each
+    comes to.
 
     Parameters
     ----------
@@ -89,7 +93,8 @@ def rms_sweep(
     x0, y0, vx0, vy0, … : array_like, optional
         As for :func:`~spragsym.simulate`; they broadcast with ``p``.
     t_end, transient : float
-        Until when to integrate, and what to leave out of every result, by default three quarters of it.
+        Until when to integrate, and what to leave out of every result, by default three quarters of
+        it.
     rtol : float
         Relative tolerance.
     backend : {"heyoka", "compiled", "scipy"}, optional
@@ -97,14 +102,15 @@ def rms_sweep(
     max_steps : int
         As for :func:`~spragsym.simulate`; a motion that needs more has failed.
     workers : int or map-like callable
-        Processes, −1 for one a core; or ``map(function, tasks)`` of an engine, which may give results or
-        futures with a ``result()``, in any order. A task is a point; of many points that heyoka integrates, up to 1024 of them.
-        Results are the same to the last bit for any.
+        Processes, −1 for one a core; or ``map(function, tasks)`` of an engine, which may give
+        results or futures with a ``result()``, in any order. A task is a point; of many points that
+        heyoka integrates, up to 1024 of them. Results are the same to the last bit for any.
     progress : bool
         Show a bar with the estimated end on stderr.
     store : path, optional
-        ``*.nc`` or ``*.csv``. Finished points go to ``<store>.partial`` task by task. The same call resumes
-        from there after a kill, and loads the file when it is finished. One process at a time may write to it.
+        ``*.nc`` or ``*.csv``. Finished points go to ``<store>.partial`` task by task. The same call
+        resumes from there after a kill, and loads the file when it is finished. One process at a
+        time may write to it.
 
     Returns
     -------
@@ -114,18 +120,18 @@ def rms_sweep(
     Raises
     ------
     ParameterError, ParameterTypeError
-        Before the work starts, for arguments that make no sense and files that cannot be written. A motion
-        that fails is NaN, with its reason, and stops nothing.
+        Before the work starts, for arguments that make no sense and files that cannot be written. A
+        motion that fails is NaN, with its reason, and stops nothing.
     SweepError
-        For any failure that is not the motion's: memory, a package that is missing, a worker that was killed.
-        The store keeps what is finished.
+        For any failure that is not the motion's: memory, a package that is missing, a worker that
+        was killed. The store keeps what is finished.
     StoreError
         When the store is damaged, full, or being written by another process.
 
     Notes
     -----
-    Source: (8)–(11); the article's Figure 7b. Which equilibrium: with μ(V), (10), for μ₀, which is where the
-    motion can rest.
+    Source: (8)–(11); the article's Figure 7b. Which equilibrium: with μ(V), (10), for μ₀, which is
+    where the motion can rest.
 
     Examples
     --------
@@ -150,7 +156,8 @@ def rms_sweep(
     )
     if transient >= t_end:
         raise ParameterError(
-            f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure"
+            f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left "
+            "to measure"
         )
     settings = {
         "t_end": t_end,
@@ -171,7 +178,9 @@ def rms_sweep(
 
 
 def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:
-    """How many motions are one task: what a kill loses, and what every worker gets many of. No result depends on it."""
+    """How many motions are one task: what a kill loses, and what every worker gets many of. No
+    result depends on it.
+    """
     if settings["backend"] != "heyoka":  # which alone carries many at a time
         return 1
     lasting = max(LANES, int(TOGETHER_FOR / settings["t_end"]))
@@ -180,35 +189,39 @@ def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:
 
 @dataclass(frozen=True, eq=False)
 class Sweep(Named):
-    """Results of a sweep; every array has the common shape of the inputs. NaN where a motion failed.
+    """Results of a sweep; every array has the common shape of the inputs. NaN where a motion
+    failed.
 
     Attributes
     ----------
     inputs : dict of str to ndarray
-        The model's parameters and initial state as they were given, which broadcast together; for the article's θ₀, μ₀, κ, α,
-        σ, β, V, d, x0, y0, vx0, vy0. In what follows x is the model's first coordinate, and y stands for every other one.
+        The model's parameters and initial state as they were given, which broadcast together; for
+        the article's θ₀, μ₀, κ, α, σ, β, V, d, x0, y0, vx0, vy0. In what follows x is the model's
+        first coordinate, and y stands for every other one.
     measured : dict of str to ndarray
         What follows, up to ``distance``; each is an attribute of its name.
     rms, spread, largest, mean, mean_y : ndarray
-        Of x after the transient, over L_0: root mean square about zero, and about the mean; largest \\|x\\|;
-        means of x and y.
+        Of x after the transient, over L_0: root mean square about zero, and about the mean; largest
+        \\|x\\|; means of x and y.
     contact_lost, slip_reversed : ndarray
         How often, after the transient; what sticks in between does not reverse.
     period, cycle_mean, cycle_rms : ndarray
-        Of the cycle that the motion is on or approaches: period, mean of x, and root mean square of x about zero, over
-        one whole period. NaN for no cycle. Unlike ``mean`` and ``rms`` they depend on no window.
+        Of the cycle that the motion is on or approaches: period, mean of x, and root mean square of
+        x about zero, over one whole period. NaN for no cycle. Unlike ``mean`` and ``rms`` they
+        depend on no window.
     cycle_x, cycle_y, cycle_vx, cycle_vy : ndarray
         State of that cycle where its x is largest, or 0 if x turns around; NaN for no cycle.
     rest_x, rest_y : ndarray
         Where the equilibrium is that the motion is at or approaches; NaN for none.
     rate, distance : ndarray
-        In the long run a motion nears what it settles to or approaches as exp(−rate τ); ``distance`` is what is left of the
-        way at ``t_end``, relative to the reach of a cycle, or over L_0 for rest. See :class:`~spragsym.motion.regimes.Outcome`.
+        In the long run a motion nears what it settles to or approaches as exp(−rate τ);
+        ``distance`` is what is left of the way at ``t_end``, relative to the reach of a cycle, or
+        over L_0 for rest. See :class:`~spragsym.motion.regimes.Outcome`.
     regime : ndarray of int8
         Codes of :class:`Regime`.
     equilibrium : ndarray of int8
-        For ``Regime.EQUILIBRIUM`` and ``APPROACHES_EQUILIBRIUM`` its slot among ``equilibria(p)`` in contact at the friction
-        μ(V); −1 otherwise.
+        For ``Regime.EQUILIBRIUM`` and ``APPROACHES_EQUILIBRIUM`` its slot among ``equilibria(p)``
+        in contact at the friction μ(V); −1 otherwise.
     reason : ndarray of str
         Why a motion failed.
     model : Model
@@ -251,8 +264,8 @@ class Sweep(Named):
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
 
-        An axis along which one input alone varies is named after it; others are ``axis_0``, ``axis_1``, …. θ₀ is there
-        in radians and, as ``theta0_deg``, in degrees.
+        An axis along which one input alone varies is named after it; others are ``axis_0``,
+        ``axis_1``, …. θ₀ is there in radians and, as ``theta0_deg``, in degrees.
         """
         dims = _dimensions(self.inputs, self.rms.shape)
         # A single number stays one, an axis becomes a coordinate, and a table keeps the full shape.
@@ -292,10 +305,11 @@ class Sweep(Named):
 
 
 def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...]:
-    """Numbers that a file and a result hold, by names of the model; a record holds these, then the code of the regime.
+    """Numbers that a file and a result hold, by names of the model; a record holds these, then the
+    code of the regime.
 
-    Of the first coordinate after the transient, and means of the others; then about the limit, from ``period`` on: an equilibrium
-    by its place, a cycle by one state.
+    Of the first coordinate after the transient, and means of the others; then about the limit, from
+    ``period`` on: an equilibrium by its place, a cycle by one state.
     """
     return (
         "rms",
@@ -318,7 +332,9 @@ def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...
 def measured(
     model: Any, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]
 ) -> list[Record]:
-    """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong is raised."""
+    """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong
+    is raised.
+    """
     count, names = len(model.parameters), ("t_end", "rtol", "max_steps")
     given = {
         "t_record": settings["transient"],
@@ -375,7 +391,9 @@ def _made_of(
     columns: dict[str, Any],
     known: Mapping[str, Any],
 ) -> Sweep:
-    """The sweep of these columns; of a file the slots of equilibria are ``known``, which are searched for otherwise."""
+    """The sweep of these columns; of a file the slots of equilibria are ``known``, which are
+    searched for otherwise.
+    """
     reason, regime = columns.pop("reason"), columns.pop("regime")
     if "equilibrium" in known:
         which = np.asarray(known["equilibrium"]).astype(np.int8).reshape(regime.shape)
@@ -436,7 +454,9 @@ def fingerprint(
 
 @cache
 def digest(*further: str) -> str:
-    """SHA-256 of the text of all modules that decide a record, whatever their line ends are; ``further`` places among them."""
+    """SHA-256 of the text of all modules that decide a record, whatever their line ends are;
+    ``further`` places among them.
+    """
     total, places = hashlib.sha256(), [PACKAGE / place for place in (*DECIDING, *further)]
     for module in sorted(
         found for there in places for found in ([there] if there.is_file() else there.rglob("*.py"))

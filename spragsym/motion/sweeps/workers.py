@@ -1,9 +1,10 @@
-"""One function over many points: in this process, in others, or by a map-like callable of the user's; kept as they are done.
+"""One function over many points: in this process, in others, or by a map-like callable of the
+user's; kept as they are done.
 
-The processes are not those of ``multiprocessing``: they import spragsym and nothing of the user's, so that no script
-needs ``if __name__ == "__main__":`` and none can start itself again. Each has pipes of its own and shares no lock
-with another: one that is killed is noticed by the end of its pipe, at once. One whose parent is killed ends by the
-same sign.
+The processes are not those of ``multiprocessing``: they import spragsym and nothing of the user's,
+so that no script needs ``if __name__ == "__main__":`` and none can start itself again. Each has
+pipes of its own and shares no lock with another: one that is killed is noticed by the end of its
+pipe, at once. One whose parent is killed ends by the same sign.
 """
 
 import base64
@@ -38,7 +39,8 @@ Map: TypeAlias = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 #: An int, or a map-like callable such as ``pool.imap`` or the ``map`` of a dask.distributed client.
 Workers: TypeAlias = int | Map
 
-#: A point with its number; and its outcome: the number, the result, and the error if there is no result.
+#: A point with its number; and its outcome: the number, the result, and the error if there is no
+#: result.
 Task: TypeAlias = tuple[int, Any]
 Answer: TypeAlias = tuple[int, Any, str]
 
@@ -59,11 +61,13 @@ def made_or_loaded(
     store: str | os.PathLike[str] | None,
     together: Callable[[int, int], int] = lambda *_: 1,
 ) -> R:
-    """The result for a broadcast of ``inputs``: computed, or gone on with, or loaded, if its file is there.
+    """The result for a broadcast of ``inputs``: computed, or gone on with, or loaded, if its file
+    is there.
 
-    ``work(points)`` gives a record each, in other processes too, ``made(columns, known)`` the result, of ``known`` columns of the
-    file if it is loaded: ``names`` for the numbers of a record, ``text`` for its words. ``key()`` is a hash of everything that
-    decides the bits of the result; ``together(points, workers)`` says how many are one task.
+    ``work(points)`` gives a record each, in other processes too, ``made(columns, known)`` the
+    result, of ``known`` columns of the file if it is loaded: ``names`` for the numbers of a record,
+    ``text`` for its words. ``key()`` is a hash of everything that decides the bits of the result;
+    ``together(points, workers)`` says how many are one task.
     """
     shape = common_shape({name: values.shape for name, values in inputs.items()})
     columns = [np.broadcast_to(values, shape).ravel().tolist() for values in inputs.values()]
@@ -145,14 +149,16 @@ def results(
     points: Mapping[int, Any],
     told: Callable[[Any], str],
 ) -> Generator[tuple[int, Any], None, None]:
-    """Every number with the result of its point, once, in the order in which they are done; ``told`` names a point in an error.
+    """Every number with the result of its point, once, in the order in which they are done;
+    ``told`` names a point in an error.
 
     To be closed, also after an error: processes end, and Ctrl-C is what it was, when it is.
 
     Raises
     ------
     SweepError
-        When a point raises anything, a process ends, or a map-like callable gives what it should not.
+        When a point raises anything, a process ends, or a map-like callable gives what it should
+        not.
     KeyboardInterrupt
         After Ctrl-C, also where a library turned it into another error or into none.
     """
@@ -168,7 +174,8 @@ def results(
         check()
     if missing:
         raise SweepError(
-            f"the map given as workers left out {len(missing)} of {len(points)} points; give one that maps all"
+            f"the map given as workers left out {len(missing)} of {len(points)} points; give "
+            "one that maps all"
         )
 
 
@@ -188,7 +195,8 @@ def _attempt(function: Callable[[Any], Any], task: Task) -> Answer:
 def _failed(point: str, trouble: str) -> SweepError:
     what, _, trouble = trouble.partition("\n")
     error = SweepError(
-        f"stopped at {point}: {what}; no motion fails so: it is the machine, what is installed, or a mistake in spragsym"
+        f"stopped at {point}: {what}; no motion fails so: it is the machine, what is "
+        "installed, or a mistake in spragsym"
     )
     error.add_note(trouble)
     return error
@@ -202,7 +210,8 @@ def _checked(answer: Any, missing: set[int]) -> Answer:
         and answer[0] in missing
     ):
         raise SweepError(
-            f"the map given as workers gave {answer!r:.80}, which the function that it was given did not return, "
+            f"the map given as workers gave {answer!r:.80}, which the function that it was "
+            "given did not return, "
             "or returned once only; give a map that returns every result"
         )
     return answer
@@ -226,7 +235,8 @@ def _answers(
         ) from error
 
 
-# ---------------------------------------------------------------------------------------------- processes: parent
+# ----------------------------------------------------------------------------------------------
+# processes: parent
 
 #: Run by every process, with the import path of its parent.
 _BOOT = (
@@ -319,7 +329,8 @@ def _begun() -> subprocess.Popen[bytes]:
             "this Python does not know its own executable, so it starts no others; use workers=1"
         )
     call, pipe = [sys.executable, "-P", "-c", _BOOT], subprocess.PIPE
-    # Ctrl-C goes to all processes of a terminal's group, and is for the parent, which ends the others.
+    # Ctrl-C goes to all processes of a terminal's group, and is for the parent, which ends the
+    # others.
     group: dict[str, Any] = {"process_group": 0}
     if sys.platform == "win32":
         group = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
@@ -356,11 +367,14 @@ def _unpacked(line: bytes) -> Any:
     return pickle.loads(base64.b64decode(line[1:-1]))  # noqa: S301 -- see above
 
 
-# ----------------------------------------------------------------------------------------------- processes: child
+# -----------------------------------------------------------------------------------------------
+# processes: child
 
 
 def serve() -> None:
-    """Run what comes on stdin, and write to stdout, until stdin ends or breaks, because the parent is gone."""
+    """Run what comes on stdin, and write to stdout, until stdin ends or breaks, because the parent
+    is gone.
+    """
     asked: queue.SimpleQueue[bytes] = queue.SimpleQueue()
     threading.Thread(target=_listen, args=(asked,), daemon=True).start()
     while True:
@@ -369,7 +383,9 @@ def serve() -> None:
 
 
 def _listen(asked: queue.SimpleQueue[bytes]) -> None:
-    """Always wait for input, so that this process ends with its parent, even in the middle of a motion."""
+    """Always wait for input, so that this process ends with its parent, even in the middle of a
+    motion.
+    """
     for line in sys.stdin.buffer:
         asked.put(line)
     os._exit(0)

@@ -1,4 +1,5 @@
-r"""Half of a shallow truss that a load presses down until it snaps through: no friction, no contact, no angle.
+r"""Half of a shallow truss that a load presses down until it snaps through: no friction, no
+contact, no angle.
 
 ::
 

@@ -1,4 +1,5 @@
-r"""Two masses in a row, of which the first rubs on the belt with a friction that falls, and tows the second.
+r"""Two masses in a row, of which the first rubs on the belt with a friction that falls, and tows
+the second.
 
 ::
 
@@ -13,7 +14,8 @@ r"""Two masses in a row, of which the first rubs on the belt with a friction tha
 from spragsym.derive.model import Abs, Page, exp, sgn
 
 page = Page(
-    "Two masses in a row: one rubs with a falling friction, the other is towed by a spring and a damper."
+    "Two masses in a row: one rubs with a falling friction, the other is towed by a spring "
+    "and a damper."
 )
 
 m = page.unit("m", "kg", "mass that rubs")

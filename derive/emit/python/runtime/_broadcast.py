@@ -1,6 +1,7 @@
 """Shape of results: whatever a result depends on, it has the shape of all arguments together.
 
-An argument is anything with + − × ÷ and integer powers: float, array, Fraction, mpmath number or interval, Arb ball, expression.
+An argument is anything with + − × ÷ and integer powers: float, array, Fraction, mpmath number or
+interval, Arb ball, expression.
 
 @header@
 """
@@ -18,7 +19,8 @@ _R = TypeVar("_R")
 
 
 def broadcasting(module: dict[str, Any]) -> list[str]:
-    """Give every result of a module's functions the common shape of the arguments, constants included; the names of the functions.
+    """Give every result of a module's functions the common shape of the arguments, constants
+    included; the names of the functions.
 
     The algebra alone is ``function.__wrapped__``, for compilers.
     """
@@ -36,7 +38,9 @@ def broadcasting(module: dict[str, Any]) -> list[str]:
 def everywhere(
     borders: Callable[..., Any], regime: Callable[..., Any], at: tuple[Any, ...], xp: Any
 ) -> Any:
-    """What a function of regimes gives at a place by the regime there, with all exponentials felt; on a border of two by their mean."""
+    """What a function of regimes gives at a place by the regime there, with all exponentials felt;
+    on a border of two by their mean.
+    """
     level, smooth = unwrap(borders), unwrap(regime)
     gap, slip = level(*at, xp=xp) if level.__kwdefaults__ else level(*at)
     felt = (1,) * (smooth.__code__.co_argcount - len(at) - 2)
@@ -64,7 +68,9 @@ def _shaped(function: Callable[_P, _R]) -> Callable[_P, _R]:
 
 
 def _documentation(function: Callable[..., Any]) -> str:
-    """What ``help`` shows: the function's own text, and its arguments by the table at the head of its module."""
+    """What ``help`` shows: the function's own text, and its arguments by the table at the head of
+    its module.
+    """
     table = dict(
         line.split(" : ", 1)
         for line in (function.__globals__["__doc__"] or "").splitlines()

@@ -1,4 +1,5 @@
-"""The choice between numbers by a flag, without a branch: NumPy's own takes four times as long where flags are hard to guess.
+"""The choice between numbers by a flag, without a branch: NumPy's own takes four times as long
+where flags are hard to guess.
 
 @header@
 """
@@ -14,7 +15,9 @@ _MANY, _RARE = 1024, 1 / 16
 
 
 def where(flag: Any, one: Any, other: Any) -> Any:
-    """As ``numpy.where``, bit for bit; of many doubles with mixed flags by their bits, ((one ^ other) & mask) ^ other."""
+    """As ``numpy.where``, bit for bit; of many doubles with mixed flags by their bits, ((one ^
+    other) & mask) ^ other.
+    """
     if (
         _is_mixed(flag)
         and (ones := _bits(one)) is not None

@@ -1,4 +1,6 @@
-"""C99: the algebra, the kernel if there is one, and what the model brings with it; no allocation, no global state."""
+"""C99: the algebra, the kernel if there is one, and what the model brings with it; no allocation,
+no global state.
+"""
 
 import re
 import textwrap
@@ -14,7 +16,9 @@ _EXAMPLE = "main.c"
 
 
 def render(material: Material) -> dict[str, str]:
-    """The header and the source, and for a model that has an example the example with its makefile."""
+    """The header and the source, and for a model that has an example the example with its
+    makefile.
+    """
     library = material.library
     own = material.runtime.get("c", {})
     definitions = "\n".join(
@@ -60,7 +64,9 @@ def render(material: Material) -> dict[str, str]:
 
 
 def _words(material: Material) -> dict[str, str]:
-    """What stands in comments: where the library comes from, what it is, and the nomenclature's words."""
+    """What stands in comments: where the library comes from, what it is, and the nomenclature's
+    words.
+    """
     words = {
         "source": material.digest[:16],
         "header": textwrap.fill(material.header.replace("``", ""), WIDTH, subsequent_indent=" * "),
@@ -92,7 +98,9 @@ def _costs(source: str, emitted: dict[str, int]) -> dict[str, str]:
 
 
 def _filled(text: str, parts: Mapping[str, str]) -> str:
-    """Put emitted text in the places marked ``/* @name@ */``; a text that is put in may hold further such places."""
+    """Put emitted text in the places marked ``/* @name@ */``; a text that is put in may hold
+    further such places.
+    """
     for name, part in parts.items():
         text = text.replace(f"/* @{name}@ */\n", f"{part}\n" if part else "")
     return text

@@ -54,7 +54,12 @@ def static(name: str, function: Definition) -> str:
         f"{function.summary} Source: {function.equations}. Operations: {function.operations}."
     )
     start = f"INLINE {'void' if several else 'double'} {name}"
-    head = f"{_signature(start, map(c_name, function.arguments), _result(function) if several else None)} {{"
+    head = (
+        f"{_signature(start, map(c_name, function.arguments), _result(function) if several else None)} "
+        ""
+        ""
+        f"{{"
+    )
     unused = [
         f"    (void){c_name(name)};" for name in function.arguments if name not in function.read
     ]
@@ -63,7 +68,9 @@ def static(name: str, function: Definition) -> str:
 
 
 def _statements(function: Definition, result: str) -> list[str]:
-    """Shorthands, then the results: into an array, or for one result behind what begins its statement."""
+    """Shorthands, then the results: into an array, or for one result behind what begins its
+    statement.
+    """
     if isinstance(function.results, tuple):
         results = [(f"{result}[{place}] =", value) for place, value in enumerate(function.leaves)]
     else:
@@ -78,7 +85,9 @@ def _statements(function: Definition, result: str) -> list[str]:
 
 
 def public(function: Definition, library: str, angles: Angles, *, inside: bool) -> str:
-    """The public function: no null pointer in, no NaN out. What the library calls itself, ``inside``, stands in a function of its own."""
+    """The public function: no null pointer in, no NaN out. What the library calls itself,
+    ``inside``, stands in a function of its own.
+    """
     count = len(function.leaves)
     several = isinstance(function.results, tuple)
     names = list(map(c_name, taken(function, angles)))
@@ -114,7 +123,10 @@ def public(function: Definition, library: str, angles: Angles, *, inside: bool) 
 
 def prototype(function: Definition, library: str, angles: Angles) -> str:
     """The declaration of the public function."""
-    text = f"{function.summary} Result: {function.returns}. Source: {function.equations}. Operations: {function.operations}."
+    text = (
+        f"{function.summary} Result: {function.returns}. Source: {function.equations}. "
+        f"Operations: {function.operations}."
+    )
     said = textwrap.fill(
         plain(text), WIDTH - len(" */"), initial_indent="/** ", subsequent_indent=" * "
     )

@@ -1,4 +1,6 @@
-"""Worst-case operations of C functions, counted in their text: every branch, and every pass of every loop."""
+"""Worst-case operations of C functions, counted in their text: every branch, and every pass of
+every loop.
+"""
 
 import re
 from collections import Counter
@@ -13,12 +15,15 @@ _BLOCKS = re.compile(r"for \(size_t \w+ = 0; \w+ < points; \w+ \+= BLOCK\)")
 _CALL = re.compile(r"\b([a-z]\w*)\(")
 _FUNCTION = re.compile(r"^(?!typedef)[\w *]*?\b(\w+)\([^;{]*\) \{", re.MULTILINE)
 
-#: Length of the longest array that the algorithms pass to a loop over all items of an array: the passes counted for such a loop.
+#: Length of the longest array that the algorithms pass to a loop over all items of an array: the
+#: passes counted for such a loop.
 _LONGEST_ARRAY = 4
 
 
 def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
-    """Cost of each function of ``source``; ``emitted`` gives the operations of those functions that were counted before."""
+    """Cost of each function of ``source``; ``emitted`` gives the operations of those functions that
+    were counted before.
+    """
     named = constants(source) | {"length": _LONGEST_ARRAY}
     source = _BLOCKS.sub("", re.sub(r"/\*.*?\*/", "", source, flags=re.DOTALL))
     known: dict[str, Counter[str]] = {name: Counter({name: 1}) for name in LIBM}

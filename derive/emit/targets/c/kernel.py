@@ -1,4 +1,6 @@
-"""The kernel's functions in C: records become structures, flags ints, and both sides of a choice are computed."""
+"""The kernel's functions in C: records become structures, flags ints, and both sides of a choice
+are computed.
+"""
 
 import ast
 import itertools
@@ -91,7 +93,8 @@ class _Printer(Printer):
             fields = [f"{results}.{field}" for field, _ in record.fields]
             kind = record.fields[0][1]
             lines = [
-                f"const {record.name} {results} = {function}({self.expressions.listed(called.args)});"
+                f"const {record.name} {results} = "
+                f"{function}({self.expressions.listed(called.args)});"
             ]
         else:
             fields = [f"{results}[{place}]" for place in range(len(names))]

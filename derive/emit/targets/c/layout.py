@@ -1,7 +1,9 @@
-"""Layout of C as clang-format has it with the project's settings: where a long line is broken, and how comments are spelled.
+"""Layout of C as clang-format has it with the project's settings: where a long line is broken, and
+how comments are spelled.
 
-Lines are broken only where clang-format leaves a break: after an operator outside of all brackets, or after a comma of the outermost
-ones. Text inside further brackets stays on one line, however long.
+Lines are broken only where clang-format leaves a break: after an operator outside of all brackets,
+or after a comma of the outermost ones. Text inside further brackets stays on one line, however
+long.
 """
 
 import itertools
@@ -15,7 +17,8 @@ _INDENT = "    "
 #: Operators, by how weakly they bind: a line is broken only after the weakest that it has.
 _OPERATORS = (r"&|\|", r"\+|-", r"\*|/")
 _UNBREAKABLE = re.compile(r" (\?|[<>]=?|==|!=) ")
-#: Signs as C sources have them, and what would end a comment or begin one; letters are spelled by their names.
+#: Signs as C sources have them, and what would end a comment or begin one; letters are spelled by
+#: their names.
 _SPELLED = {
     "n̄": "nbar",
     "√": "sqrt ",
@@ -109,7 +112,9 @@ def plain(text: str) -> str:
 
 
 def _ascii(character: str) -> str:
-    """A Greek letter by its name, another letter without its accent; what is left by its name in Unicode, in brackets."""
+    """A Greek letter by its name, another letter without its accent; what is left by its name in
+    Unicode, in brackets.
+    """
     if character.isascii():
         return character
     name = unicodedata.name(character, f"U+{ord(character):04X}")

@@ -1,6 +1,8 @@
-"""FMU: a model of a page for importers of FMI 3.0, for Model Exchange and Co-Simulation, on the C library of the same page.
+"""FMU: a model of a page for importers of FMI 3.0, for Model Exchange and Co-Simulation, on the C
+library of the same page.
 
-An importer sees quantities and motion in their units where data came with units of measure; inside all is dimensionless.
+An importer sees quantities and motion in their units where data came with units of measure; inside
+all is dimensionless.
 """
 
 import hashlib
@@ -36,7 +38,8 @@ _FLAGS = (
     "-fvisibility=hidden",
     "-shared",
 )
-#: Functions of the library that the motion calls, and what they are given: state, accelerations, parameters, numbers of the mode.
+#: Functions of the library that the motion calls, and what they are given: state, accelerations,
+#: parameters, numbers of the mode.
 _CALLED = {
     "rhs": "sp",
     "regime_rhs": "spm",
@@ -83,13 +86,16 @@ def render(material: Material) -> dict[str, str]:
 
 
 def packed(files: Mapping[str, str]) -> bytes:
-    """The archive, the same bytes for the same files and compiler; a warning where it has no binary for this machine."""
+    """The archive, the same bytes for the same files and compiler; a warning where it has no binary
+    for this machine.
+    """
     members = {name: text.encode() for name, text in files.items()}
     try:
         members |= _binary(members)
     except (OSError, KeyError, subprocess.CalledProcessError) as error:
         warnings.warn(
-            f"the FMU has sources, and no binary for this machine: {error}; give CC a compiler of C99",
+            f"the FMU has sources, and no binary for this machine: {error}; give CC a "
+            "compiler of C99",
             stacklevel=2,
         )
     stream = io.BytesIO()
@@ -100,7 +106,9 @@ def packed(files: Mapping[str, str]) -> bytes:
 
 
 def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
-    """The shared library for this machine, by its path, from the compiler that CC names or the usual ones."""
+    """The shared library for this machine, by its path, from the compiler that CC names or the
+    usual ones.
+    """
     system, ending = _SYSTEMS[sys.platform]
     machine = platform.machine().lower()
     compiler = next(
@@ -126,11 +134,14 @@ def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
         }
 
 
-# --------------------------------------------------------------------------------------------------------- model.h
+# ------------------------------------------------------------------------------------------------
+# model.h
 
 
 def _model(material: Material, seen: Motion, words: Mapping[str, str]) -> str:
-    """Sizes, quantities with their units, and adapters of the library's functions, which take arrays."""
+    """Sizes, quantities with their units, and adapters of the library's functions, which take
+    arrays.
+    """
     algebra, parameters, count = material.algebra, len(material.parameters), len(seen.accelerations)
     layers, turnings = (
         len(algebra[name].leaves) if name in algebra else 0
@@ -180,7 +191,10 @@ def _adapter(
     arrays = dict.fromkeys("m" if kind in "lw" else kind for kind in kinds)
     head = ", ".join(f"const double *{name}" for name in arrays)
     called = f"{material.library}_{function.name}({', '.join(given)}, result)"
-    return f"static int {function.name}({head}, double *result) {{ return {called} != {material.library.upper()}_OK; }}\n"
+    return (
+        f"static int {function.name}({head}, double *result) {{ return {called} != "
+        f"{material.library.upper()}_OK; }}\n"
+    )
 
 
 def _quantity(one: Variable) -> str:
@@ -189,18 +203,24 @@ def _quantity(one: Variable) -> str:
         for end in (one.allowed.low, one.allowed.high)
     )
     opened = f"{one.allowed.low_open:d}, {one.allowed.high_open:d}"
-    return f'{{"{plain(one.name)}", {number(one.start)}, {", ".join(ends)}, {opened}, {number(one.factor)}, {_powers(one)}}}'
+    return (
+        f'{{"{plain(one.name)}", {number(one.start)}, {", ".join(ends)}, {opened}, '
+        f"{number(one.factor)}, {_powers(one)}}}"
+    )
 
 
 def _powers(one: Variable) -> str:
     return f"{{{', '.join(map(number, (*one.powers, 0.0, 0.0, 0.0)[:3]))}}}"
 
 
-# ----------------------------------------------------------------------------------------------- modelDescription.xml
+# -----------------------------------------------------------------------------------------------
+# modelDescription.xml
 
 
 def _description(summary: str, seen: Motion) -> dict[str, str]:
-    """Units, variables in the order of their value references, and what each of them is in the structure of the model."""
+    """Units, variables in the order of their value references, and what each of them is in the
+    structure of the model.
+    """
     everything = (seen.time, *seen.states, *seen.accelerations, *seen.given)
     variables = list[ET.Element]()
     structure = {part: list[str]() for part in _PARTS}
@@ -278,7 +298,9 @@ def _description(summary: str, seen: Motion) -> dict[str, str]:
 
 
 def _units(variables: Iterable[Variable]) -> str:
-    """Every unit with its dimension and what one of it is in SI; the standard has none with broken powers."""
+    """Every unit with its dimension and what one of it is in SI; the standard has none with broken
+    powers.
+    """
     units = ET.Element("UnitDefinitions")
     for one in variables:
         unit = ET.SubElement(units, "Unit", name=one.unit)

@@ -1,4 +1,6 @@
-"""JavaScript: one ES module without dependencies, its types, and for a model that has one an example."""
+"""JavaScript: one ES module without dependencies, its types, and for a model that has one an
+example.
+"""
 
 import json
 import math
@@ -10,11 +12,13 @@ from . import algebra, kernel
 
 _EXAMPLE = "example.mjs"
 _OF_A_SOLVER = (
-    "Names are those of the Python package and of the C library. The solver throws at bad input: TypeError for what is no number or has "
+    "Names are those of the Python package and of the C library. The solver throws at bad "
+    "input: TypeError for what is no number or has "
     "an unknown name, RangeError for a number out of its range."
 )
 _OF_A_PAGE = (
-    "Names are those of the page; as arguments of functions they end with an underscore. Functions compute with any numbers: whether "
+    "Names are those of the page; as arguments of functions they end with an underscore. "
+    "Functions compute with any numbers: whether "
     "parameters are in RANGES is for the caller to see to."
 )
 _DECLARATIONS = "declarations.d.ts"
@@ -77,7 +81,9 @@ def _words(material: Material) -> dict[str, str]:
 
 
 def _ranges(material: Material) -> str:
-    """The allowed values of what the algebra takes, one a line; what may have any value is left out, and infinite ends."""
+    """The allowed values of what the algebra takes, one a line; what may have any value is left
+    out, and infinite ends.
+    """
     lines = []
     for name, allowed in ranges(material).items():
         ends: dict[str, float | bool] = {}

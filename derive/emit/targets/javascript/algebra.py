@@ -1,4 +1,6 @@
-"""Generated algebra in JavaScript: the statements of Python, operation for operation, for one number at a time."""
+"""Generated algebra in JavaScript: the statements of Python, operation for operation, for one
+number at a time.
+"""
 
 import textwrap
 from collections.abc import Iterable, Mapping
@@ -11,12 +13,15 @@ _FUNCTIONS = {name: f"Math.{name}" for name in NAMES} | {"pi": "Math.PI"}
 
 
 def definition(function: Definition) -> str:
-    """One method of the algebra: one result is returned as a number, several as an array, nested as in Python."""
+    """One method of the algebra: one result is returned as a number, several as an array, nested as
+    in Python.
+    """
     given = [f"{name} = 0" if name in function.further else name for name in function.accepted]
     return "\n".join(
         [
             comment(
-                f"{function.summary} Source: {function.equations}. Operations: {function.operations}.",
+                f"{function.summary} Source: {function.equations}. Operations: "
+                f"{function.operations}.",
                 "  ",
             ),
             wrapped(f"  {function.name}({', '.join(given)}) {{"),
@@ -54,7 +59,10 @@ def declaration(function: Definition) -> str:
         f"{name}{'?' if name in function.further else ''}: number" for name in function.accepted
     )
     said = f"  /** {function.summary} Source: {function.equations}. Returns {function.returns}. */"
-    return f"{said}\n  {function.name}({given}): {nested(function.results, '[]', lambda _: 'number')};\n"
+    return (
+        f"{said}\n  {function.name}({given}): "
+        f"{nested(function.results, '[]', lambda _: 'number')};\n"
+    )
 
 
 def wrapped(line: str, further: str = "      ") -> str:

@@ -1,4 +1,6 @@
-"""The kernel's functions in JavaScript: records become objects, and of a choice only the side that is taken is computed."""
+"""The kernel's functions in JavaScript: records become objects, and of a choice only the side that
+is taken is computed.
+"""
 
 import ast
 import math
@@ -89,7 +91,9 @@ class _Printer(Printer):
         return self.line(f"return [{self.expressions.listed(values)}];", indent)
 
     def _pattern(self, target: ast.expr) -> str:
-        """Names for the results of generated algebra, which come in an array; an empty place for one that is not used."""
+        """Names for the results of generated algebra, which come in an array; an empty place for
+        one that is not used.
+        """
         if isinstance(target, ast.Tuple):
             return f"[{', '.join(map(self._pattern, target.elts)).rstrip(', ')}]"
         assert isinstance(target, ast.Name)

@@ -1,4 +1,6 @@
-"""JAX: a module of functions for ``jax.jit``, ``grad`` and ``vmap``, in whatever precision JAX is set to."""
+"""JAX: a module of functions for ``jax.jit``, ``grad`` and ``vmap``, in whatever precision JAX is
+set to.
+"""
 
 from .. import Material, python
 

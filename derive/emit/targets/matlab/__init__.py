@@ -1,6 +1,8 @@
-"""MATLAB and Octave: a package folder, a file for each function that is called by hand and one for each namespace, and examples.
+"""MATLAB and Octave: a package folder, a file for each function that is called by hand and one for
+each namespace, and examples.
 
-A namespace is a class without objects, whose static methods are called ``library.algebra.name(...)``.
+A namespace is a class without objects, whose static methods are called
+``library.algebra.name(...)``.
 """
 
 import json
@@ -114,7 +116,10 @@ def _ends(allowed: Interval, unit: str) -> str:
     ends = [_number(allowed.low), _number(allowed.high)]
     text = f"{'(' if allowed.low_open else '['}{', '.join(ends)}{')' if allowed.high_open else ']'}"
     said = ": angles are radians" if unit == "rad" else ""
-    return f"ends = [{', '.join(ends)}, {allowed.low_open:d}, {allowed.high_open:d}]; text = '{text}'; remedy = '{said}';"
+    return (
+        f"ends = [{', '.join(ends)}, {allowed.low_open:d}, {allowed.high_open:d}]; text = "
+        f"'{text}'; remedy = '{said}';"
+    )
 
 
 def _number(value: float) -> str:

@@ -1,4 +1,6 @@
-"""Generated algebra in MATLAB, for arrays of any one size; nested results come one after the other."""
+"""Generated algebra in MATLAB, for arrays of any one size; nested results come one after the
+other.
+"""
 
 import textwrap
 
@@ -52,7 +54,9 @@ def comment(text: str, indent: str) -> list[str]:
 
 
 def wrapped(line: str) -> list[str]:
-    """A statement on as many lines as it needs, broken at spaces, and after brackets where these leave a line too long."""
+    """A statement on as many lines as it needs, broken at spaces, and after brackets where these
+    leave a line too long.
+    """
     if len(line) <= WIDTH:
         return [line]
     width = WIDTH - len(" ...")

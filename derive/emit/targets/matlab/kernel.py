@@ -1,4 +1,6 @@
-"""The kernel's functions in MATLAB: records become structures of columns, and both sides of a choice are computed."""
+"""The kernel's functions in MATLAB: records become structures of columns, and both sides of a
+choice are computed.
+"""
 
 import ast
 import math
@@ -12,7 +14,8 @@ from .. import Material
 from .algebra import WIDTH, comment, wrapped
 
 
-#: Names of functions that MATLAB and Octave have: Octave warns of others by that name, even in a package.
+#: Names of functions that MATLAB and Octave have: Octave warns of others by that name, even in a
+#: package.
 _TAKEN = frozenset({"single", "balance"})
 
 

@@ -14,11 +14,15 @@ Place = tuple[float, float]
 #: Colours by light and by dark; the card behind the drawing makes it readable on a page of either
 #: kind.
 STYLE = """
-.card{fill:#fff}.ink{stroke:#24292f;fill:none;stroke-width:2;stroke-linecap:round;stroke-linejoin:round}
-.thin{stroke-width:1}.body{fill:#dbe7f5}.belt{fill:#eceff2}.force{stroke:#b3261e}.dash{stroke-dasharray:4 4}
-text{fill:#24292f;font:italic 20px 'STIX Two Text','Times New Roman',serif}.force-name{fill:#b3261e}.index{font-size:14px}
+.card{fill:#fff}.ink{stroke:#24292f;fill:none;stroke-width:2;stroke-linecap:round;\
+stroke-linejoin:round}
+.thin{stroke-width:1}.body{fill:#dbe7f5}.belt{fill:#eceff2}.force{stroke:#b3261e}\
+.dash{stroke-dasharray:4 4}
+text{fill:#24292f;font:italic 20px 'STIX Two Text','Times New Roman',serif}\
+.force-name{fill:#b3261e}.index{font-size:14px}
 .typed{font:15px 'DejaVu Sans Mono',Menlo,Consolas,monospace}
-@media(prefers-color-scheme:dark){.card{fill:#161b22}.ink{stroke:#e6edf3}.body{fill:#1f3a5c}.belt{fill:#2b323b}
+@media(prefers-color-scheme:dark){.card{fill:#161b22}.ink{stroke:#e6edf3}.body{fill:#1f3a5c}\
+.belt{fill:#2b323b}
 .force{stroke:#ff8a80}text{fill:#e6edf3}.force-name{fill:#ff8a80}}
 """.strip()
 

@@ -11,7 +11,9 @@ __all__ = ["cube_root"]
 
 
 def cube_root(x: Any) -> Any:
-    """Cube root of x > 0, 0 of 0: of doubles a third of the exponent by the bits, then Halley's method; of others NumPy's."""
+    """Cube root of x > 0, 0 of 0: of doubles a third of the exponent by the bits, then Halley's
+    method; of others NumPy's.
+    """
     given = numpy.asarray(x)
     if given.dtype != numpy.float64:
         return numpy.cbrt(x)

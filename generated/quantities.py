@@ -10,7 +10,9 @@ from typing import NamedTuple
 
 
 class Quantity(NamedTuple):
-    """Name in print (LaTeX), meaning, unit, ends of the interval of allowed values, and whether each end is left out."""
+    """Name in print (LaTeX), meaning, unit, ends of the interval of allowed values, and whether
+    each end is left out.
+    """
 
     article: str
     meaning: str

@@ -213,7 +213,8 @@ def cusps(
     >>> found = precise.cusps(dps=30)
     >>> len(found), found.count, str(found[2].decimals(25)["mu0"]), found[2].versal
     (4, 2, '0.2009317818050900185134401 ± 4.8e-26', True)
-    >>> found = precise.cusps(ss.load("two_springs").Parameters(), between={"theta0": (0, 2), "mu0": (0, 2)})
+    >>> p = ss.load("two_springs").Parameters()
+    >>> found = precise.cusps(p, between={"theta0": (0, 2), "mu0": (0, 2)})
     >>> len(found), found.complete, str(found[0].decimals(20)["mu0"])
     (1, True, '1.0630183449987103511 ± 3.8e-20')
     """

@@ -95,7 +95,8 @@ def nested(results: Any, brackets: str, printed: Callable[[Any], str]) -> str:
     if not isinstance(results, tuple):
         return printed(results)
     comma = "," if brackets == "()" and len(results) == 1 else ""
-    return f"{brackets[0]}{', '.join(nested(item, brackets, printed) for item in results)}{comma}{brackets[1]}"
+    items = ", ".join(nested(item, brackets, printed) for item in results)
+    return f"{brackets[0]}{items}{comma}{brackets[1]}"
 
 
 def of_module(text: str) -> tuple[Definition, ...]:

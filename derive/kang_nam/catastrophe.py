@@ -277,11 +277,13 @@ def identities() -> dict[str, bool]:
             unit_circles.equal(value.subs(fold_relations()), 0) for value in (f_form, slope)
         ),
         "the cusp polynomial has degree 9": len(cusp_polynomial()) == 10,
-        "no cusp is lost at 3 sin² θ = 2: the cusp polynomial is 16 σ⁴ (B − α)⁴/27 there": sp.expand(
-            sp.rem(unit_circles.polynomial(cusp_polynomial(), nm.s), 3 * nm.s**2 - 2, nm.s)
-            - sp.Rational(16, 27) * nm.sigma**4 * (nm.B - nm.alpha) ** 4
-        )
-        == 0,
+        "no cusp is lost at 3 sin² θ = 2: the cusp polynomial is 16 σ⁴ (B − α)⁴/27 there": (
+            sp.expand(
+                sp.rem(unit_circles.polynomial(cusp_polynomial(), nm.s), 3 * nm.s**2 - 2, nm.s)
+                - sp.Rational(16, 27) * nm.sigma**4 * (nm.B - nm.alpha) ** 4
+            )
+            == 0
+        ),
         "the cusp cubic (α = 0) has degree 3": len(cusp_cubic()) == 4,
         "the trace of K in contact is α + σ + (B sin θ₀ + κ)/(L sin θ) > 0, so that no onset "
         "of flutter is a fold": (stability.trace_identity()),

@@ -195,7 +195,8 @@ CORRECTIONS: dict[str, Correction] = {
         r"y\right)^2}",
         expression=_DISTANCE,
         gap=_DISTANCE.subs({nm.c0: nm.c, nm.s0: nm.s}) - _DISTANCE,
-        cause="the index o of θ_o is missing: (4) and (5), squared and added, give the form with θ_o",
+        cause="the index o of θ_o is missing: (4) and (5), squared and added, give the form with "
+        "θ_o",
         evidence=_length_evidence,
         consequence=_length_consequence,
     ),
@@ -227,8 +228,8 @@ CORRECTIONS: dict[str, Correction] = {
         latex=r"d_0 = \left(b_3^2 + b_4^2\right)\sigma^2 - \sigma^4",
         expression=(nm.b3**2 + nm.b4**2) * nm.sigma**2 - nm.sigma**4,
         gap=(nm.b1**2 + nm.b2**2 - nm.b3**2 - nm.b4**2) * nm.sigma**2,
-        cause="c_0 and d_0 were set in one line; in lift-off b_3, b_4 stand where b_1, b_2 stand in "
-        "contact",
+        cause="c_0 and d_0 were set in one line; in lift-off b_3, b_4 stand where b_1, b_2 stand "
+        "in contact",
         evidence=_constant_evidence,
         consequence=_constant_consequence,
     ),
@@ -293,9 +294,8 @@ DEFINITIONS: dict[str, str] = {
     "eq-4": "defines θ, with (5): the spring's direction from the mass to its anchor",
     "eq-5": "defines θ, with (4)",
     "eq-7": "the contact law, an assumption",
-    "eq-10": "the friction law, an assumption. Its form is the same with and without dimensions, since "
-    "d |V − dx/dt| is a "
-    "number; in (10) the dot stands for the prime of (8)",
+    "eq-10": "the friction law, an assumption. Its form is the same with and without dimensions, "
+    "since d |V − dx/dt| is a number; in (10) the dot stands for the prime of (8)",
     "def-prime": "names the derivative with respect to τ",
 }
 

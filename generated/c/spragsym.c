@@ -998,8 +998,7 @@ INLINE double outermost(double P, double Q) {
     const double w = cube_root(size + sqrt(larger(inside, 0.0)) + SMALLEST_NORMAL);
     const double v = P / w;
     const double alone = P > 0.0 ? 2.0 * size / (w * w + P + v * v) : w - v;
-    /* Three: 2 sqrt -P cos(phi/3) with cos phi = |Q| / sqrt -P^3, from 4 z^3 - 3 z = cos phi on [sqrt 3/2, 1], where Newton
-     * converges at once. */
+    /* Newton converges at once. */
     const double root = sqrt(larger(-P, SMALLEST_NORMAL));
     const double cosine = smaller(size / (root * root * root), 1.0);
     double z = 0.8660254037844386 + cosine * (0.16306 - 0.02908 * cosine);
@@ -1125,7 +1124,7 @@ INLINE Kind stability(Direction at, double L, double slope, double uncertainty, 
     const double sigma = point.sigma;
     const double nbar = point.nbar;
     const double pull = sigma / fabs(L);
-    /* N + 2 pull. */
+    /* nbar + pull), those of the trace to N + 2 pull. */
     const double size = point.alpha + point.beta + nbar + 2.0 * sigma + 3.0 * pull;
     const double margin = COUNT_K * uncertainty * size;
     const int saddle = slope < 0.0;

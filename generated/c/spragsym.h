@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "691b0be023c458ed"
+#define SPRAGSYM_SOURCE "4bf527840f614237"
 
 /** What became of a call. */
 typedef enum {

@@ -106,7 +106,8 @@ def critical_friction(
     >>> found = ss.critical_friction(ss.Parameters.article())
     >>> print(found, found.kind, np.degrees(found.theta0).round(6))
     0.20093178180509003 cusp 68.020959
-    >>> found = ss.critical_friction(ss.load("inclined_belt").Parameters(), between={"mu0": (0.0, 0.5)})
+    >>> p = ss.load("inclined_belt").Parameters()
+    >>> found = ss.critical_friction(p, between={"mu0": (0.0, 0.5)})
     >>> round(found.mu0, 6), found.kind, found.complete
     (0.207376, 'cusp', True)
     """

@@ -70,7 +70,8 @@ def folds(
     [ 44.5593177  155.05941879]
     >>> print(ss.folds(ss.Parameters.article(mu0=0.0, alpha=0.0)).kind)
     ['pitchfork' 'pitchfork']
-    >>> found = ss.folds(ss.load("cubic_contact").Parameters(), vary="theta0", between={"theta0": (0.5, 1.5)})
+    >>> p = ss.load("cubic_contact").Parameters()
+    >>> found = ss.folds(p, vary="theta0", between={"theta0": (0.5, 1.5)})
     >>> np.degrees(found.theta0).round(2).tolist(), found.complete
     ([44.59], True)
     """

@@ -59,7 +59,8 @@ class NormalForm:
     q, p : ndarray of complex
         The eigenvector of i ω, of length 1, and that of Aᵀ for −i ω, with ⟨p, q⟩ = p̄ᵀ q = 1.
     reach : float
-        |z| of u = z q + z̄ q̄ at which the sliding speed would come to 0, to first order, in floats; infinite without friction.
+        |z| of u = z q + z̄ q̄ at which the sliding speed would come to 0, to first order, in
+        floats; infinite without friction.
     along, square, mean : ndarray
         Of floats: ∂u/∂parameter of the equilibrium, g and h of the module's first lines.
     """

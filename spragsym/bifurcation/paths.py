@@ -128,7 +128,8 @@ def quasi_static_path(
     Examples
     --------
     >>> import numpy as np, spragsym as ss
-    >>> up = ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", np.radians(np.arange(1.0, 180.0)))
+    >>> inclinations = np.radians(np.arange(1.0, 180.0))
+    >>> up = ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", inclinations)
     >>> [round(float(np.degrees(jump.value)), 6) for jump in up.jumps]
     [35.353706]
     """

@@ -110,7 +110,8 @@ def jump_value(
     array([0.850303, 0.5     ,      nan])
     >>> round(float(np.degrees(ss.jump_value(ss.Parameters.article(mu0=0.7), "theta0"))), 6)
     35.353706
-    >>> np.round(ss.jump_value(ss.load("cubic_contact").Parameters(theta0=[0.7, 0.9, 1.4], gamma=3000.0)), 6)
+    >>> p = ss.load("cubic_contact").Parameters(theta0=[0.7, 0.9, 1.4], gamma=3000.0)
+    >>> np.round(ss.jump_value(p), 6)
     array([0.597422, 0.385931,      nan])
     """
     found = told(
@@ -154,7 +155,8 @@ def jump_gradient(
     --------
     >>> import numpy as np, spragsym as ss
     >>> slopes = ss.jump_gradient(ss.Parameters.article(theta0=np.radians(30.0)))
-    >>> print(f"{slopes.theta0 * np.radians(1.0):.4f} for each degree, {slopes.sigma * 0.01:.4f} for each 0.01 of sigma")
+    >>> each = slopes.theta0 * np.radians(1.0), slopes.sigma * 0.01
+    >>> print("{:.4f} for each degree, {:.4f} for each 0.01 of sigma".format(*each))
     -0.0313 for each degree, 0.0186 for each 0.01 of sigma
     """
     found = told(first_ends(p, vary, direction=direction, begin=begin, until=until, method=method))

@@ -99,7 +99,8 @@ def jump_margin(
     >>> margin = ss.jump_margin(p, {"theta0": np.radians(1.0), "mu0": 0.05})
     >>> round(margin.distance, 4), {name: round(value, 4) for name, value in margin.change.items()}
     (1.6845, {'theta0': 0.0114, 'mu0': 0.0776})
-    >>> margin = ss.jump_margin(ss.load("cubic_contact").Parameters(theta0=0.7, gamma=3000.0, mu0=0.5), {"mu0": 0.05})
+    >>> p = ss.load("cubic_contact").Parameters(theta0=0.7, gamma=3000.0, mu0=0.5)
+    >>> margin = ss.jump_margin(p, {"mu0": 0.05})
     >>> round(margin.distance, 6)
     1.948441
     """

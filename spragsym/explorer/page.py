@@ -179,10 +179,11 @@ def _solver(model: Model) -> dict[str, str]:
     if model.search is model or not folder.is_dir():
         return parts
     own = {path.name: path.read_text(encoding="utf-8") for path in folder.iterdir()}
+    worker = _in_a_script(own["worker.js"])
     solver = f"{_in_a_script(exported('javascript')['spragsym.mjs'])}\n{own['start.js']}"
     return {name: own.get(f"{name.lower()}.html", part) for name, part in parts.items()} | {
         "BUNDLES": f"{bundle}\n{_in_a_script(own['closed_forms.js'])}",
-        "WORKER": f'<script type="text/plain" id="worker">{_in_a_script(own["worker.js"])}</script>',
+        "WORKER": f'<script type="text/plain" id="worker">{worker}</script>',
         "SOLVER": f'<script type="module" id="code">\n{solver}</script>',
     }
 

@@ -155,11 +155,12 @@ def stability_figure(found: OnsetCurves) -> Sheet:
     model = found.points.parameters.model
     if not found.curves and not len(found.points):
         say(ax, _no("onsets", found.complete))
-    lines = """, supercritical (gentle) on full lines, subcritical (dangerous) on dashed, undecided on dotted ones. Dots: GH;
-        squares: curves end on folds (BT, ZH) or cross (HH)."""
+    lines = " without damping: two modes meet."
+    if found.damping:
+        lines = """, supercritical (gentle) on full lines, subcritical (dangerous) on dashed,
+        undecided on dotted ones. Dots: GH; squares: curves end on folds (BT, ZH) or cross (HH)."""
     return figure.describe(
-        "Onsets of oscillation of "
-        f"{model.name}{lines if found.damping else ' without damping: two modes meet.'}{_open(found)}",
+        f"Onsets of oscillation of {model.name}{lines}{_open(found)}",
         a=_table(found, *model.coordinates, "omega", "lyapunov", "lyapunov_error"),
     )
 

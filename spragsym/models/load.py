@@ -202,8 +202,8 @@ def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
             continue
         module.__file__ = os.path.join(where, f"{name}.py")
         try:
-            # a model's folder is code
-            exec(compile(files[f"{name}.py"], module.__file__, "exec"), module.__dict__)  # noqa: S102
+            code = compile(files[f"{name}.py"], module.__file__, "exec")
+            exec(code, module.__dict__)  # noqa: S102  # a model's folder is code
         except BaseException:
             del sys.modules[whole]
             raise

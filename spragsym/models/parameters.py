@@ -428,8 +428,9 @@ class ParameterSet(Values):
         )
 
     def __repr__(self) -> str:
-        given = ((name, getattr(self, name)) for name in self.ranges)
-        text = f"{type(self).__name__}({', '.join(f'{name}={_plain(value)}' for name, value in given if value is not None)})"
+        given = {name: getattr(self, name) for name in self.ranges}
+        words = ", ".join(f"{n}={_plain(value)}" for n, value in given.items() if value is not None)
+        text = f"{type(self).__name__}({words})"
         chosen = ", ".join(f"{name}={value!r}" for name, value in (self.followed or {}).items())
         return f"{text}.following({chosen})" if chosen else text
 

@@ -236,7 +236,10 @@ class PhysicalParameters(Values):
     Examples
     --------
     >>> from math import radians
-    >>> brake = PhysicalParameters(m=0.4, k=1e5, k_x=7e3, k_y=0, k_c=1e6, F_L=350, L_0=0.05, theta0=radians(49), mu0=0.5, V=20)
+    >>> brake = PhysicalParameters(
+    ...     m=0.4, k=1e5, k_x=7e3, k_y=0, k_c=1e6, F_L=350, L_0=0.05,
+    ...     theta0=radians(49), mu0=0.5, V=20,
+    ... )
     >>> brake.dimensionless().replace(theta0=None)
     Parameters(mu0=0.5, kappa=0.007, alpha=0.007, sigma=0.1, beta=0.0, V=0.2529822128134704)
     >>> brake.scales.force

@@ -551,8 +551,10 @@ def cycle_events(
     --------
     >>> import numpy as np
     >>> import spragsym as ss
-    >>> found = ss.cycle(ss.Parameters.article(theta0=np.radians(43.1)), V=0.5, d=10.0, near=(2.54, 3.36, 0, 0.36))
-    >>> (doubling,) = ss.cycle_branch(found, "theta0", np.radians([43.09, 43.13])).of("period_doubling")
+    >>> p = ss.Parameters.article(theta0=np.radians(43.1))
+    >>> found = ss.cycle(p, V=0.5, d=10.0, near=(2.54, 3.36, 0, 0.36))
+    >>> branch = ss.cycle_branch(found, "theta0", np.radians([43.09, 43.13]))
+    >>> (doubling,) = branch.of("period_doubling")
     >>> curve = ss.cycle_events(doubling, ("theta0", "mu0"), points=1)
     >>> np.degrees(curve.values[:, 0]).round(2).tolist(), curve.values[1, 1].item()
     ([43.03, 43.12, 43.21], 0.5)

@@ -152,7 +152,8 @@ def lyapunov(
     --------
     >>> import numpy as np
     >>> import spragsym as ss
-    >>> found = ss.lyapunov(ss.Parameters.article(theta0=np.radians(30)), V=0.5, d=4.0, start=(0.1, 0, 0, 0), t_end=2000)
+    >>> p = ss.Parameters.article(theta0=np.radians(30))
+    >>> found = ss.lyapunov(p, V=0.5, d=4.0, start=(0.1, 0, 0, 0), t_end=2000)
     >>> bool(abs(found.exponents.sum() - found.trace) < 1e-9)
     True
     """

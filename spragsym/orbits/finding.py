@@ -323,9 +323,9 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
 
     The motion takes friction at its sliding speed. Where statics takes its limit at fast sliding
     (``at_rest`` on the page), the Hopf point of the motion is sought beside the one that is proved.
-    From there the normal form u = u* + 2 Re(z q) + …, with
-    |z|² = −(d Re λ/dp) (p − p*)/(ω l₁), is corrected by Newton's method on the closed orbit, its period and the parameter.
-    Without an amplitude it is a tenth of that at which the motion would come to a border of the field.
+    From there the normal form u = u* + 2 Re(z q) + …, with |z|² = −(d Re λ/dp) (p − p*)/(ω l₁), is
+    corrected by Newton's method on the closed orbit, its period and the parameter. Without an
+    amplitude it is a tenth of that at which the motion would come to a border of the field.
     """
     if not len(onsets):
         raise ParameterError("there are no onsets; search where there is one to begin from")

@@ -215,10 +215,8 @@ def _run(claim: dict[str, Any], patience: float) -> dict[str, Any]:
             check=False,
         )
     except subprocess.TimeoutExpired:
-        return {
-            "proved": False,
-            "reason": f"it was given up after {patience:g} s; give a larger patience or fewer digits",
-        }
+        reason = f"it was given up after {patience:g} s; give a larger patience or fewer digits"
+        return {"proved": False, "reason": reason}
     if done.returncode:
         raise ConvergenceError(
             "the proof stopped: "

@@ -131,7 +131,8 @@ def _short(result: Any) -> str:
         else {}
     )
     given.pop("values" if given.get("vary") in shown else "", None)
-    return f"{type(result).__name__}({', '.join(f'{name}={_named(value)}' for name, value in {**shown, **given}.items())})"
+    words = ", ".join(f"{name}={_named(value)}" for name, value in {**shown, **given}.items())
+    return f"{type(result).__name__}({words})"
 
 
 def _named(value: Any) -> str:

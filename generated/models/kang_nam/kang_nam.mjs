@@ -14,7 +14,7 @@
  */
 
 /** Head of the SHA-256 of what was emitted together. */
-export const SOURCE = "ff054c94dac84a09";
+export const SOURCE = "077d29719d59afa0";
 
 /** Names of the parameters, in the order in which the algebra takes them. */
 export const NAMES = Object.freeze(["theta0", "mu0", "kappa", "alpha", "sigma", "beta", "V", "d"]);

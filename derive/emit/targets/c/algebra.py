@@ -54,12 +54,8 @@ def static(name: str, function: Definition) -> str:
         f"{function.summary} Source: {function.equations}. Operations: {function.operations}."
     )
     start = f"INLINE {'void' if several else 'double'} {name}"
-    head = (
-        f"{_signature(start, map(c_name, function.arguments), _result(function) if several else None)} "
-        ""
-        ""
-        f"{{"
-    )
+    result = _result(function) if several else None
+    head = f"{_signature(start, map(c_name, function.arguments), result)} {{"
     unused = [
         f"    (void){c_name(name)};" for name in function.arguments if name not in function.read
     ]

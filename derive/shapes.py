@@ -84,10 +84,9 @@ class Sheet:
         words = []
         for word in text.split():
             stem, _, index = word.partition("_")
-            stem, digits = (
-                (stem, "") if stem in _GREEK else re.fullmatch(r"(.*?)(\d*)", stem).groups()
-            )  # type: ignore[union-attr]  # always matches
-            index = digits + index
+            if stem not in _GREEK:
+                name = stem.rstrip("0123456789")
+                stem, index = name, stem[len(name) :] + index
             lowered = (
                 f'<tspan class="index" dy="5">{escape(index)}</tspan><tspan dy="-5">&#8203;</tspan>'
                 if index

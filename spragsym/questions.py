@@ -50,10 +50,8 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
         asked = model
         if method != "auto":
             asked = model.whole if one_of("method", method, WAYS) == "closed" else model.search
-            args, options = (
-                of(asked, args),
-                {key: of(asked, value) for key, value in options.items()},
-            )  # type: ignore[assignment]
+            args = of(asked, args)
+            options.update({key: of(asked, value) for key, value in options.items()})
         if (closed := _closed_form(asked, name, args, options)) is not None:
             try:
                 return closed(

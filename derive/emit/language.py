@@ -135,10 +135,10 @@ def parse(text: str) -> Source:
             constants.append(_constant(node, lines))
         elif isinstance(node, ast.ClassDef):
             fields = [
-                (item.target.id, item.annotation.id)
+                (ast.unparse(item.target), ast.unparse(item.annotation))
                 for item in node.body
                 if isinstance(item, ast.AnnAssign)
-            ]  # type: ignore[union-attr]  # fields of a NamedTuple are plain names
+            ]
             records[node.name] = Record(node.name, ast.get_docstring(node) or "", tuple(fields))
         elif isinstance(node, ast.FunctionDef):
             arguments = tuple(
@@ -167,11 +167,11 @@ def _comment_above(node: ast.stmt, lines: list[str]) -> list[str]:
     return lines[first : node.lineno - 1]
 
 
-def _kind(annotation: ast.expr | None, node: ast.AST) -> str:
+def _kind(annotation: ast.expr | None, node: ast.stmt | ast.arg) -> str:
     if not isinstance(annotation, ast.Name):
         raise KernelError(
             f"line {node.lineno}: arguments and results need a kind: Real, Flag or a record"
-        )  # type: ignore[attr-defined]  # statements and arguments have lines
+        )
     return annotation.id
 
 

@@ -15,8 +15,9 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.models.load import load
-from spragsym.report.brake_files import example
-from spragsym.report.reports import Asked, Report
+from spragsym.report import Report
+from spragsym.report.example import example
+from spragsym.report.facts import ReportOptions
 
 CASES = 200
 MODELS = ("kang_nam", "sprag_rod", "two_springs", "cubic_contact", "damped")
@@ -75,7 +76,7 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         file = Path(folder) / "brake.toml"
         file.write_text("\n".join(lines), encoding="utf-8")
         study = ss.Study.from_file(file)
-    report = Report(study, Asked(False, False, False))
+    report = Report.of(study, ReportOptions(False, False, False))
     verdict = next(report.blocks())
     end = end_by_hand(study.dimensionless, study.full[2])
     spared, wrong = "does not sprag" in verdict, []

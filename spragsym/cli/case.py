@@ -356,9 +356,14 @@ def study_of(path: str | Path, model: str | None, trust: bool, *, warn: bool = T
     what numbers may mean.
     """
     from ..report import Study
-    from ..report.brake_files import read_brake
+    from ..report.data import read_brake
 
-    study = (Study.from_file if warn else read_brake)(path, trust=trust or model or False)
+    trusted = trust or model or False
+    study = (
+        Study.from_file(path, trust=trusted)
+        if warn
+        else Study.of(**vars(read_brake(path, trusted)))
+    )
     if model not in (None, study.model):
         raise ParameterError(
             f"--model {model}: {path} is about {study.model}; leave one of the two out"

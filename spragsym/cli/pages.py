@@ -76,7 +76,7 @@ def report(
       spragsym report brake.toml --html report.html
     """
     if example:
-        from ..report.brake_files import example as text_of
+        from ..report.example import example as text_of
 
         click.echo(text_of(load(model or USUAL)), nl=False)
         return
@@ -85,23 +85,19 @@ def report(
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
         raise ParameterError(f"--html {html}: the ending must be .html")
     refuse([html], force)
-    from ..report.reports import Asked, Report
+    from ..report import Report
+    from ..report.facts import ReportOptions
 
     study = study_of(file, model, trust, warn=False)  # the report has its own warnings
-    found = Report(study, Asked(redesign=redesign, oscillation=oscillation, safety=safety))
-    blocks = found.blocks()
-
-    def computed() -> str | None:
-        with show_progress(
-            "computing the report (--no-oscillation and --no-redesign leave out what takes longest)"
-        ):
-            return next(blocks, None)
-
-    for block in iter(computed, None):
-        if not json_output:
-            click.echo(block)
+    options = ReportOptions(redesign=redesign, oscillation=oscillation, safety=safety)
+    with show_progress(
+        "computing the report (--no-oscillation and --no-redesign leave out what takes longest)"
+    ):
+        found = Report.of(study, options)
     if json_output:
         print_json(found.to_dict())
+    else:
+        click.echo(found.text())
     if html is not None:
         with show_progress("drawing the page"):
             found.to_html(html)

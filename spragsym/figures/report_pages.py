@@ -24,10 +24,11 @@ from ..errors import ConvergenceError, SpragsymError
 from ..files.text import filled
 from ..models.parameters import ParameterSet, Span
 from ..questions import model_of
-from ..report import Report
-from ..report.advice import Rows
+from ..report.advice import Rows, warnings
+from ..report.facts import Facts
 from ..report.states import unit_of
-from ..report.texts import sections
+from ..report.texts import about as about_of
+from ..report.texts import sections, verdict
 from .curves import curves_between, draw_branches, draw_path, mark_folds
 from .motions import draw_phase, draw_spectrum
 from .planes import draw_onset_curves, draw_plane
@@ -70,9 +71,9 @@ _ONSETS = 12
 _LINES, _VALUES = 40, 80
 
 
-def report_page(report: Report) -> str:
+def report_page(report: Facts) -> str:
     """A report as one page of HTML, which needs no other file (extra ``plot``): the text of it."""
-    study, about = report.study, report.about
+    study, about = report.study, about_of(report)
     data = [
         (
             f"{name}, {study.kind.meanings[name]}",
@@ -91,15 +92,15 @@ def report_page(report: Report) -> str:
         "the page of a report",
         title=title,
         about=", ".join(filter(None, about.values())),
-        verdict=report.verdict,
-        warnings=report.warnings,
+        verdict=" ".join(verdict(report)),
+        warnings=warnings(report),
         drawn=pictures(report),
         headed=(headed | {"Data": data} | last).items(),
         mechanism=study.kind.drawing,
     )
 
 
-def pictures(report: Report) -> Rows:
+def pictures(report: Facts) -> Rows:
     """Each picture as SVG, with its caption; none of a plane that the model does not have."""
     study, odds = report.study, report.probability
     if study.rise is not None:
@@ -116,7 +117,7 @@ def pictures(report: Report) -> Rows:
         yield from _of_motion(report, report.oscillation)
 
 
-def _planes(report: Report) -> Rows:
+def _planes(report: Facts) -> Rows:
     """The brake in the plane of angle and friction, where there is an angle, and its states over
     the loading parameter.
     """
@@ -165,7 +166,7 @@ def _planes(report: Report) -> Rows:
     )
 
 
-def _stability_map(report: Report) -> Rows:
+def _stability_map(report: Facts) -> Rows:
     """Where oscillation sets in, over angle and friction; nothing where the belt or its law is not
     known.
     """
@@ -198,7 +199,7 @@ def _stability_map(report: Report) -> Rows:
         )
 
 
-def _of_motion(report: Report, lives: Any) -> Rows:
+def _of_motion(report: Facts, lives: Any) -> Rows:
     (unit, size), time, name = (
         unit_of(report.study),
         report.study.scales.time,

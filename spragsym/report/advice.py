@@ -7,21 +7,17 @@ from __future__ import annotations
 import math
 import shlex
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
-from .brake_files import example_of
+from .brake import Brake
+from .example import example_of
+from .facts import FRICTION, Facts
 from .states import State
-from .study import Study
 from .tolerances import deciding
-
-if TYPE_CHECKING:
-    from .reports import Report
 
 #: Pairs of texts: a name and a value, or a picture and its caption.
 Rows: TypeAlias = Iterator[tuple[str, str]]
 
-#: A friction coefficient that no brake has.
-FRICTION = 2.0
 #: Penetration over the length of the spring beyond which a linear contact means nothing.
 DEEP = 0.05
 #: Displacement over the length of the spring beyond which a state is none of small deformation.
@@ -39,7 +35,12 @@ FAST = 100.0
 FLAT = 3.15
 
 
-def cautions(report: Report) -> tuple[str, ...]:
+def warnings(report: Facts) -> tuple[str, ...]:
+    """Sentences on where an answer would mislead, or is not known."""
+    return (*cautions(report), *report.remarks)
+
+
+def cautions(report: Facts) -> tuple[str, ...]:
     """All warnings for a study and the states that were found."""
     study = report.study
     return (
@@ -52,7 +53,7 @@ def cautions(report: Report) -> tuple[str, ...]:
     )
 
 
-def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
+def _contact(study: Brake, found: Sequence[State]) -> Iterator[str]:
     if not {"L_0", "F_L", "k_c"} <= set(study.values):
         return
     length = 1e3 * study.values["L_0"]
@@ -68,7 +69,7 @@ def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
             )
 
 
-def _far(report: Report) -> Iterator[str]:
+def _far(report: Facts) -> Iterator[str]:
     length, here = 1e3 * report.study.values.get("L_0", math.inf), report.current
     x = here.places.get("x_mm", 0.0) if here and not report.jumped else 0.0
     if abs(x) > FAR * length:
@@ -79,7 +80,7 @@ def _far(report: Report) -> Iterator[str]:
         )
 
 
-def _stiffness(study: Study) -> Iterator[str]:
+def _stiffness(study: Brake) -> Iterator[str]:
     if "k_c" not in study.values or not study.kind.about["contact"]["unilateral"]:
         return
     for name in ("k", "k_x", "k_y"):
@@ -92,7 +93,7 @@ def _stiffness(study: Study) -> Iterator[str]:
         yield f"k = {study.shown('k')} is only {sigma:.1g} times k_c: check its unit"
 
 
-def _friction_caution(study: Study) -> Iterator[str]:
+def _friction_caution(study: Brake) -> Iterator[str]:
     missing = [name for name in study.kind.of_the_law if name not in study.values]
     if missing:
         yield (
@@ -113,7 +114,7 @@ def _friction_caution(study: Study) -> Iterator[str]:
         yield f"the belt is so slow that friction is {share}: check {cause}"
 
 
-def _fit(study: Study) -> Iterator[str]:
+def _fit(study: Brake) -> Iterator[str]:
     fit = study.fit
     if fit is None:
         return
@@ -140,7 +141,7 @@ def _fit(study: Study) -> Iterator[str]:
         )
 
 
-def of_data(study: Study) -> Iterator[str]:
+def of_data(study: Brake) -> Iterator[str]:
     """What the numbers alone say, whatever is asked of them: a unit that was probably meant
     otherwise.
     """
@@ -166,7 +167,7 @@ def of_data(study: Study) -> Iterator[str]:
         )
 
 
-def _damping(report: Report) -> Iterator[str]:
+def _damping(report: Facts) -> Iterator[str]:
     here = report.current
     if here is None or here.settles is not None or not report.study.moves:
         return
@@ -186,7 +187,7 @@ def _damping(report: Report) -> Iterator[str]:
 MOST, NAMED = 5, 4
 
 
-def next_steps(report: Report) -> Rows:
+def next_steps(report: Facts) -> Rows:
     """Verb and object of each step, the most useful first, the command to go on with last."""
     study, steps = (
         report.study,
@@ -200,7 +201,7 @@ def next_steps(report: Report) -> Rows:
     yield from (*steps[: MOST - len(run)], *run)
 
 
-def _changes(report: Report) -> Rows:
+def _changes(report: Facts) -> Rows:
     study = report.study
     if study.rise is None and study.kind.rises:
         yield "name", f'what rises until it jumps, in the file, as vary = "{study.kind.rises}"'
@@ -219,7 +220,7 @@ def _changes(report: Report) -> Rows:
             f"{values}: then "
             f"{then}{', proved for all tolerances' if one.outcome == 'proved' else ''}",
         )
-    if report.needed and not report.redesign:
+    if report.searched and not report.redesign:
         yield (
             "allow",
             "wider ranges in may_change, or smaller tolerances: no change within them was "
@@ -227,7 +228,7 @@ def _changes(report: Report) -> Rows:
         )
 
 
-def _ranges(report: Report) -> Rows:
+def _ranges(report: Facts) -> Rows:
     study, jump, odds = report.study, report.jump_at, report.probability
     low, _, high = study.working
     if jump is not None and low < jump <= high and low < high:
@@ -244,7 +245,7 @@ def _ranges(report: Report) -> Rows:
             yield "narrow", f"the tolerance of {name}: it decides most, {share}"
 
 
-def _measurements(report: Report) -> Rows:
+def _measurements(report: Facts) -> Rows:
     study, here = report.study, report.current
     missing = [name for name in study.kind.of_the_law if name not in study.quantities]
     if missing:
@@ -276,7 +277,7 @@ def _measurements(report: Report) -> Rows:
         )
 
 
-def _other_state(report: Report) -> Rows:
+def _other_state(report: Facts) -> Rows:
     for place, _ in report.others[:1]:
         name, _, unit = next(iter(place)).rpartition("_")
         text = f'state = {{ {name} = "{place[f"{name}_{unit}"]:.3g} {unit}" }}'

@@ -21,7 +21,7 @@ from ..models.parameters import Range, Span
 from ..models.quantities import factor
 from ..numerics.interval_arrays import BoolArray
 from ..results import Result
-from .study import Study
+from .brake import Brake
 from .tolerances import (
     begins_alike,
     certificate,
@@ -68,7 +68,7 @@ class Change(Result):
     outcome: str
 
 
-def changes(study: Study, target: float) -> tuple[Change, ...]:
+def changes(study: Brake, target: float) -> tuple[Change, ...]:
     """Changes that keep the jump at or beyond a target, and beyond the largest value given for all
     brakes within the tolerances.
 
@@ -91,7 +91,7 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
     return (*found, together)
 
 
-def distance(study: Study) -> float:
+def distance(study: Brake) -> float:
     """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without
     one, or a jump.
     """
@@ -103,7 +103,7 @@ def distance(study: Study) -> float:
     )
 
 
-def design(study: Study) -> Design:
+def design(study: Brake) -> Design:
     """The brake as drawn, with the friction that works, as a design of the model: quantities in
     SI.
     """
@@ -124,7 +124,7 @@ def design(study: Study) -> Design:
 class _Search:
     """The changes of one brake."""
 
-    def __init__(self, study: Study, target: float) -> None:
+    def __init__(self, study: Brake, target: float) -> None:
         self.study, self.target, self.effort = study, target, effort(study)
         self.span = {
             name: self._span(name) for name in study.kind.balanced if name != study.rises.quantity
@@ -347,7 +347,7 @@ class _Search:
         )
 
 
-def _rounded(study: Study, name: str, after: float, further: int) -> float:
+def _rounded(study: Brake, name: str, after: float, further: int) -> float:
     """A value rounded away from the old one to few digits in its unit, and then by single units of
     the last digit farther.
     """

@@ -21,7 +21,7 @@ from ..orbits import cycle
 from ..results import Equilibria, Named, Result, Stability
 from ..statics.balance import Balance
 from ..statics.stability import NEUTRAL, linearization, roots
-from .study import Study
+from .brake import Brake
 from .units import Numbers
 
 #: What the eigenvalues of a matrix of some rows are off by, relative to the largest, generously.
@@ -166,7 +166,7 @@ class Oscillation(Result):
         )
 
 
-def unit_of(study: Study, name: str = "") -> tuple[str, float]:
+def unit_of(study: Brake, name: str = "") -> tuple[str, float]:
     """The unit of a coordinate, by default of the first, and its size: lengths in millimetres,
     angles in degrees.
     """
@@ -174,19 +174,19 @@ def unit_of(study: Study, name: str = "") -> tuple[str, float]:
     return ("mm", 1e3 * study.scales.length) if si == "m" else ("deg", math.degrees(1.0))
 
 
-def in_units(study: Study, place: Numbers) -> Numbers:
+def in_units(study: Brake, place: Numbers) -> Numbers:
     """The coordinates of a place by name and unit."""
     known = ((name, *unit_of(study, name)) for name in study.kind.coordinates if name in place)
     return {f"{name}_{unit}": size * float(place[name]) for name, unit, size in known}
 
 
-def _of_springs(study: Study, values: Sequence[Any]) -> Any:
+def _of_springs(study: Brake, values: Sequence[Any]) -> Any:
     if len(values) < 2:
         return next(iter(values), None)
     return dict(zip((entry["name"] for entry in study.kind.about["springs"]), values, strict=True))
 
 
-def _forces(study: Study, ends: Ranges, known: float = 1.0) -> tuple[Any, Any]:
+def _forces(study: Brake, ends: Ranges, known: float = 1.0) -> tuple[Any, Any]:
     size = known * study.scales.force
     told = {name: (low * size, high * size) for name, (low, high) in ends.items()}
     contact = told.pop("contact_force", None)
@@ -199,7 +199,7 @@ def _extremes(p: Any, states: FloatArray) -> Ranges:
     return {name: (float(np.min(force)), float(np.max(force))) for name, force in told}
 
 
-def states(study: Study, eq: Equilibria, here: Numbers | None) -> tuple[State, ...]:
+def states(study: Brake, eq: Equilibria, here: Numbers | None) -> tuple[State, ...]:
     """Every state of ``eq``, in contact at the friction that works, in its order; the one that is
     ``here`` is ``current``.
     """
@@ -215,7 +215,7 @@ def states(study: Study, eq: Equilibria, here: Numbers | None) -> tuple[State, .
 
 
 def others(
-    study: Study, eq: Equilibria, known: Sequence[State]
+    study: Brake, eq: Equilibria, known: Sequence[State]
 ) -> tuple[tuple[Numbers, float | None], ...]:
     """Other stable states of ``eq``, as they are known, than the current one: each place in units,
     and the loading parameter where it ends, NaN where it does not, None where that is not known.
@@ -236,7 +236,7 @@ def others(
     return tuple(found)
 
 
-def current(study: Study, eq: Equilibria) -> Numbers | None:
+def current(study: Brake, eq: Equilibria) -> Numbers | None:
     """The coordinates of the state that is reached as the loading parameter rises; where nothing
     does, of the only one.
     """
@@ -256,7 +256,7 @@ def _places(eq: Equilibria) -> list[Numbers]:
     ]
 
 
-def _state(study: Study, eq: Equilibria, slot: int, place: Numbers, is_here: bool) -> State:
+def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: bool) -> State:
     scales, model = study.scales, study.kind.model
 
     def of(names: Iterable[str], scale: float) -> Any:
@@ -289,7 +289,7 @@ def _state(study: Study, eq: Equilibria, slot: int, place: Numbers, is_here: boo
     )
 
 
-def _roots(study: Study, q: list[float]) -> ComplexArray:
+def _roots(study: Brake, q: list[float]) -> ComplexArray:
     """λ over the unit of time, of the motion at the belt's speed; the friction law has no slope
     where that is not known.
     """
@@ -304,7 +304,7 @@ def _roots(study: Study, q: list[float]) -> ComplexArray:
     )[0]
 
 
-def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
+def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
     """The jump as a motion; None where the belt's friction reaches none, the law is not known, or
     the motion creeps.
 
@@ -360,7 +360,7 @@ def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
     )
 
 
-def _moving(study: Study, value: float, speed: float) -> Any:
+def _moving(study: Brake, value: float, speed: float) -> Any:
     """The parameters of the motion where it jumps; None where the law is not known or brings no
     such friction.
     """
@@ -391,7 +391,7 @@ def _balanced(p: Any, place: FloatArray, held: int) -> FloatArray:
     return q
 
 
-def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillation:
+def oscillation_of(study: Brake, settles: bool | None, holds: bool) -> Oscillation:
     """The cycle that the motion comes to, from rest or from far out; or what it does instead.
 
     ``settles`` is of the state that the brake is in, and ``holds`` whether that is stable in the

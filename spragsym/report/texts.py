@@ -6,19 +6,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
+from .._version import __version__
 from ..design.probability import JumpProbability
 from ..models.load import USUAL
-from ..progress import doing
-from .advice import Rows, next_steps
+from .advice import Rows, next_steps, warnings
+from .brake import Brake
+from .facts import Facts, percent_beyond
 from .redesigns import FACTOR
 from .states import AWAY, State, in_units
-from .study import Study
 from .units import ENDS, Numbers
-
-if TYPE_CHECKING:
-    from .reports import Report
 
 #: An object in JSON.
 Json: TypeAlias = dict[str, Any]
@@ -30,17 +28,7 @@ WIDTH, SHORT = 32, 8
 MOST_DIGITS = 8
 
 
-def percent_beyond(value: float, other: float) -> float:
-    """By how much a value exceeds another, in percent of the size of that; infinite where that is
-    0.
-    """
-    gap = value - other
-    return (
-        100 * gap / abs(other) if other else math.copysign(math.inf, gap) if abs(gap) > 0 else gap
-    )
-
-
-def verdict(report: Report) -> Iterator[str]:
+def verdict(report: Facts) -> Iterator[str]:
     """Whether it sprags, at what friction, and how far that is; then what other states, motion and
     tolerances add: line by line, each as soon as it is known.
     """
@@ -49,7 +37,7 @@ def verdict(report: Report) -> Iterator[str]:
             yield text
 
 
-def _on_others(report: Report) -> str:
+def _on_others(report: Facts) -> str:
     study, told = report.study, []
     for place, end in report.others:
         until = ""
@@ -59,7 +47,7 @@ def _on_others(report: Report) -> str:
     return f"At the design another state is stable: {'; and '.join(told)}." if told else ""
 
 
-def followed_state(study: Study) -> str:
+def followed_state(study: Brake) -> str:
     """What the state is called that is followed."""
     return (
         f"the state chosen near {_places(in_units(study, study.near))}"
@@ -68,7 +56,7 @@ def followed_state(study: Study) -> str:
     )
 
 
-def _on_the_motion(report: Report) -> str:
+def _on_the_motion(report: Facts) -> str:
     """What steady sliding does not say of the brake as drawn; nothing, where it comes to rest or is
     not known to move.
     """
@@ -100,7 +88,7 @@ def _on_the_motion(report: Report) -> str:
     return f"If it is disturbed far enough it oscillates at {at}{beside}."
 
 
-def _on_the_jump(report: Report) -> str:
+def _on_the_jump(report: Facts) -> str:
     study, jump, rise = report.study, report.jump_at, report.study.rises
     if jump is None:
         return _unknown(report)
@@ -152,7 +140,7 @@ def _on_the_jump(report: Report) -> str:
     return f"It sprags{model}: {state} {jumps}, {where} {rise.word} {ends}."
 
 
-def _apart(study: Study, jump: float, ends: Sequence[float]) -> int:
+def _apart(study: Brake, jump: float, ends: Sequence[float]) -> int:
     """The digits, from four on, in which the jump and what it is compared with are told apart."""
     for digits in range(4, MOST_DIGITS):
         if study.amount(jump, digits) not in {
@@ -162,10 +150,10 @@ def _apart(study: Study, jump: float, ends: Sequence[float]) -> int:
     return MOST_DIGITS
 
 
-def _unknown(report: Report) -> str:
-    states, about = report.states, report.study.kind.about
+def _unknown(report: Facts) -> str:
+    states, kind = report.states, report.study.kind.about
     where = (" of sliding" if report.study.slides else "") + (
-        " in contact" if about["contact"]["gap"] is not None else ""
+        " in contact" if kind["contact"]["gap"] is not None else ""
     )
     there = f"are {len(states)} states{where}, {sum(state.stable for state in states)} stable"
     if len(states) == 1:
@@ -175,10 +163,10 @@ def _unknown(report: Report) -> str:
         if report.study.rise is None
         else "whether it sprags is not known"
     )
-    return f"With the model {about['name']} there {there}; {why}."
+    return f"With the model {kind['name']} there {there}; {why}."
 
 
-def _on_the_tolerances(report: Report) -> str:
+def _on_the_tolerances(report: Facts) -> str:
     odds, speed = report.probability, " at this speed" if report.reach == "faster" else ""
     if report.within == "proved":
         return (
@@ -220,7 +208,19 @@ def _percent(number: float) -> str:
     return f"{100 * number:.6g} %" if text == "100" and number < 1 else f"{text} %"
 
 
-def blocks(report: Report) -> Iterator[str]:
+def about(report: Facts) -> dict[str, str]:
+    """Title and date, as the file gives them, the file, its model, and the version of spragsym."""
+    study = report.study
+    return {
+        "title": study.title,
+        "date": study.date,
+        "file": study.source,
+        "model": f"model {study.kind.about['name']}",
+        "version": f"spragsym {__version__}",
+    }
+
+
+def blocks(report: Facts) -> Iterator[str]:
     """The verdict line by line, the numbers under headings, warnings, and what to do next: each as
     soon as it is known.
     """
@@ -228,7 +228,7 @@ def blocks(report: Report) -> Iterator[str]:
     for title, rows in sections(report):
         if rows:
             yield "\n".join(["", title, *lines(rows)])
-    yield "\n" + ", ".join(filter(None, report.about.values()))
+    yield "\n" + ", ".join(filter(None, about(report).values()))
 
 
 def lines(rows: Sequence[tuple[str, str]]) -> list[str]:
@@ -240,7 +240,7 @@ def lines(rows: Sequence[tuple[str, str]]) -> list[str]:
     ]
 
 
-def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
+def sections(report: Facts) -> Iterator[tuple[str, list[tuple[str, str]]]]:
     """Headings, each with rows of a name and a value."""
     parts = {
         "State": _state,
@@ -254,12 +254,10 @@ def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
         "What to do next": next_steps,
     }
     for title, rows in parts.items():
-        with doing(title):
-            found = list(rows(report))
-        yield title, found
+        yield title, list(rows(report))
 
 
-def _jump(report: Report) -> Rows:
+def _jump(report: Facts) -> Rows:
     study, rise, (low, works, high) = report.study, report.study.rise, report.study.friction
     if study.slides:
         yield (
@@ -357,7 +355,7 @@ def _places(places: Numbers) -> str:
     return ", ".join(f"{name} = {value:.4g} {unit}" for name, _, unit, value in named)
 
 
-def _state(report: Report) -> Rows:
+def _state(report: Facts) -> Rows:
     followed = "the state it jumped to" if report.jumped else followed_state(report.study)
     followed = "the state" if report.jump_at is None else followed
     for state in report.states:
@@ -394,7 +392,7 @@ def _described(state: State) -> str:
     )
 
 
-def _peak(report: Report) -> Rows:
+def _peak(report: Facts) -> Rows:
     found, study = report.peak, report.study
     if found is None:
         return
@@ -422,11 +420,11 @@ def _peak(report: Report) -> Rows:
     yield "then", ends_in[found.settles]
 
 
-def _warnings(report: Report) -> Rows:
-    yield from ((f"{number}.", one) for number, one in enumerate(report.warnings, 1))
+def _warnings(report: Facts) -> Rows:
+    yield from ((f"{number}.", one) for number, one in enumerate(warnings(report), 1))
 
 
-def _folds(report: Report) -> Rows:
+def _folds(report: Facts) -> Rows:
     study = report.study
     nothing = (
         "nothing is left in contact"
@@ -459,7 +457,7 @@ def _folds(report: Report) -> Rows:
             )
 
 
-def _tolerances(report: Report) -> Rows:
+def _tolerances(report: Facts) -> Rows:
     study, reached, odds = report.study, report.certificate, report.probability
     if reached is not None:
         within = box(report.unbounded) if report.unbounded else "all of them"
@@ -512,7 +510,7 @@ def _tolerances(report: Report) -> Rows:
         yield f"how much {name} decides", shares
 
 
-def _oscillation(report: Report) -> Rows:
+def _oscillation(report: Facts) -> Rows:
     found = report.oscillation
     if found is None:
         return
@@ -544,9 +542,9 @@ def _oscillation(report: Report) -> Rows:
     yield f"coexists with stable {'sliding' if sliding else 'rest'}", beside
 
 
-def _changes(report: Report) -> Rows:
+def _changes(report: Facts) -> Rows:
     study, largest = report.study, report.largest
-    if report.needed:
+    if report.searched:
         factor = (
             f" = {report.target / largest:.3g} x {study.amount(largest)}" if largest > 0 else ""
         )
@@ -560,7 +558,7 @@ def _changes(report: Report) -> Rows:
             f"{study.amount(report.target)}{factor}{' at full slip' if report.reach == 'faster' else ''}"
         )
         yield "each of them keeps", f"{kept}, and all within the tolerances from jumping; {limits}"
-    if report.needed and not report.redesign:
+    if report.searched and not report.redesign:
         yield "none", "no change of one quantity or of several was found that does it"
     for one in report.redesign:
         values = "; ".join(
@@ -612,7 +610,7 @@ _STATE = (
 _PEAK = ("spring_force_N", "contact_force_N", "lifts_off", "settles", "followed_s")
 
 
-def as_json(report: Report) -> Json:
+def as_json(report: Facts) -> Json:
     """The keys of the report; numbers that don't exist are NaN, which the command writes as
     null.
     """
@@ -687,7 +685,7 @@ def as_json(report: Report) -> Json:
             }
             for change in report.redesign
         ],
-        "warnings": list(report.warnings),
+        "warnings": list(warnings(report)),
         "reach": report.reach or None,
         "speed_jump": None
         if study.belt is None or math.isnan(report.speed)
@@ -701,7 +699,7 @@ def as_json(report: Report) -> Json:
             **jump.ranges,
             **_some(jump, _PEAK),
         },
-        "verdict": report.verdict,
+        "verdict": " ".join(verdict(report)),
         "folds": [
             {
                 **vars(row),
@@ -714,8 +712,8 @@ def as_json(report: Report) -> Json:
         "vary": report.vary,
         "jump_at": told(report.jump_at),
         "other_states": [{**place, "ends_at": told(end)} for place, end in report.others],
-        "next_steps": list(report.next_steps),
-        "about": report.about,
+        "next_steps": [f"{verb} {what}" for verb, what in next_steps(report)],
+        "about": about(report),
     }
 
 

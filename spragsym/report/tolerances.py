@@ -10,18 +10,15 @@ from typing import Any
 import numpy as np
 from scipy.stats import qmc
 
-from ..bifurcation.tubes import halves
-from ..design.certificates import Certificate, corner_values
+from ..design.certificates import Certificate
 from ..design.jumps import have_jumped
 from ..design.probability import JumpProbability, estimated, measured
 from ..design.tube_certificates import Splitting, certify
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray, Span
 from ..models.quantities import Unit
-from ..numerics.interval_arrays import Intervals
-from ..statics.balance import BalanceInUnits
-from ..statics.forces import as_intervals
-from .study import Study
+from .brake import Brake
+from .friction_law import friction_bounds, friction_depends_on, parameter_ends
 from .units import Measured, Numbers
 
 #: Quantities with tolerances up to which their probability is bracketed by proof, and parts of
@@ -67,12 +64,12 @@ _ENDLESS = Effort(
 )
 
 
-def effort(study: Study) -> Effort:
+def effort(study: Brake) -> Effort:
     """Effort for the study's model."""
     return _ENDLESS if math.isinf(study.top) else Effort()
 
 
-def deciding(study: Study) -> tuple[str, ...]:
+def deciding(study: Brake) -> tuple[str, ...]:
     """The quantities that decide whether it jumps: those of the balance of forces, and of the
     friction that works.
     """
@@ -80,12 +77,12 @@ def deciding(study: Study) -> tuple[str, ...]:
     return tuple(name for name in study.quantities if name in names)
 
 
-def varied(study: Study) -> list[str]:
+def varied(study: Brake) -> list[str]:
     """Quantities that have a tolerance."""
     return [name for name in deciding(study) if study.quantities[name].varies]
 
 
-def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
+def values_at(study: Brake, shares: FloatArray) -> dict[str, FloatArray]:
     """All quantities in SI, within their ranges, at shares of what is :func:`varied`, of shape (n,
     varied).
     """
@@ -99,7 +96,7 @@ def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
     return values
 
 
-def corners(study: Study) -> FloatArray:
+def corners(study: Brake) -> FloatArray:
     """Shares of the brake as drawn with most of what rises, and of all corners of the tolerances
     that may occur, at its upper end only.
     """
@@ -115,7 +112,7 @@ def corners(study: Study) -> FloatArray:
     return np.vstack([drawn, found])
 
 
-def samples(study: Study, number: int) -> FloatArray:
+def samples(study: Brake, number: int) -> FloatArray:
     """Shares of Sobol' points, correlated as the quantities are."""
     names = varied(study)
     return (
@@ -126,7 +123,7 @@ def samples(study: Study, number: int) -> FloatArray:
 
 
 def ending(
-    study: Study, values: Mapping[str, Any], target: float | None = None, *, hasty: bool = False
+    study: Brake, values: Mapping[str, Any], target: float | None = None, *, hasty: bool = False
 ) -> FloatArray:
     """1 for brakes, by their quantities in SI, that jump up to a target, or to the own value of
     each; 0 or NaN for others.
@@ -134,7 +131,7 @@ def ending(
     return have_jumped(study.risen(values, target), **study.along(values), hasty=hasty)
 
 
-def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
+def box(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
     """Corners between which all brakes lie, with the μ₀ of the friction that works; what rises has
     begun to.
     """
@@ -147,18 +144,18 @@ def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
     return low, high, units
 
 
-def splitting(study: Study) -> Splitting:
+def splitting(study: Brake) -> Splitting:
     """The state of all brakes, followed as what rises does, in parts of their box."""
     low, high, units = box(study)
     return Splitting(low, high, study.rises.name, study.begins(), units)
 
 
-def _all_works(study: Study) -> bool:
+def _all_works(study: Brake) -> bool:
     """Whether statics takes the friction as the parameters have it, and not a share of μ₀."""
     return study.kind.law["at_rest"] != "mu0" or study.law == "friction_at_rest"
 
 
-def certificate(study: Study, *, hasty: bool = False) -> Certificate:
+def certificate(study: Brake, *, hasty: bool = False) -> Certificate:
     """Whether no brake within the tolerances jumps: proved, refuted by one in SI, or undecided;
     ``hasty`` ends earlier.
 
@@ -186,7 +183,7 @@ def certificate(study: Study, *, hasty: bool = False) -> Certificate:
     )
 
 
-def counterexample(study: Study, number: int) -> Numbers | None:
+def counterexample(study: Brake, number: int) -> Numbers | None:
     """A brake within the tolerances that jumps, in SI: a corner if there is one, or one of some
     points.
     """
@@ -198,7 +195,7 @@ def counterexample(study: Study, number: int) -> Numbers | None:
     return None
 
 
-def chance(study: Study, n: int) -> JumpProbability:
+def chance(study: Brake, n: int) -> JumpProbability:
     """How probable a jump is with the distributions of the file, what varies together included."""
     return estimated(
         study.values | {name: study.quantities[name].whole for name in varied(study)},
@@ -210,7 +207,7 @@ def chance(study: Study, n: int) -> JumpProbability:
     )
 
 
-def begins_alike(study: Study, after: Numbers) -> bool:
+def begins_alike(study: Brake, after: Numbers) -> bool:
     """Whether the state that is followed in a changed brake is the one of the brake as drawn, not
     one behind its end.
     """
@@ -232,7 +229,7 @@ def begins_alike(study: Study, after: Numbers) -> bool:
         return False
 
 
-def bracket(study: Study) -> Span:
+def bracket(study: Brake) -> Span:
     """Bounds of the probability of a jump, by proof: what is proved to jump, and one minus what is
     proved not to.
 
@@ -262,7 +259,7 @@ def bracket(study: Study) -> Span:
     return max(0.0, below - off), min(1.0, above + off)
 
 
-def _shares_that_work(study: Study) -> Span:
+def _shares_that_work(study: Brake) -> Span:
     """Bounds of the share of μ₀ that works, over all tolerances but that of μ₀."""
     if _all_works(study):
         return 1.0, 1.0
@@ -272,153 +269,7 @@ def _shares_that_work(study: Study) -> Span:
     return max(_NOTHING, least), max(_NOTHING, most)
 
 
-#: How closely the ends of the friction are enclosed, relative; in how many halvings, and in how
-#: many boxes at once, or few.
-CLOSE, HALVINGS, MOST, FEW = 1e-9, 60, 1 << 12, 1 << 6
-#: Times the belt's own speed up to which a speed is looked for, as a power of two; how closely; and
-#: parts that are looked at.
-OCTAVES, SHARP, SPANS = 30, 2.0**-44, 1 << 12
-
-
-def friction_depends_on(study: Study) -> tuple[str, ...]:
-    """Quantities on which the friction that works depends."""
-    law = study.kind.law
-    return (
-        ("mu0",)
-        if law["at_rest"] == "mu0" and study.law == "friction_at_rest"
-        else tuple(law["quantities"])
-    )
-
-
-def friction_bounds(study: Study) -> Span:
-    """Bounds of the friction that works for everything within the tolerances, by intervals."""
-    law = _Law(study)
-    least, most = -law.largest(-1), law.largest()
-    # A law that is proportional to μ₀ does not drive.
-    return max(0.0, least) if study.kind.law["at_rest"] == "mu0" else least, most
-
-
-def speed_for(study: Study, friction: float) -> float:
-    """The least speed of the belt in m/s at which the largest friction within the tolerances is
-    this one; NaN where none is.
-
-    It is a little less where the law neither rises nor falls over the tolerances, where bounds over
-    intervals are loose.
-    """
-    if (
-        not study.moves
-        or study.law != "friction_at_speed"
-        or study.belt is None
-        or not study.values[study.belt]
-    ):
-        return math.nan
-    law, name = _Law(study), study.kind.law["belt"]
-    place, speed = (
-        law.balance.parameters.index(name),
-        abs(float(getattr(study.dimensionless, name))),
-    )
-    parts = [
-        (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(OCTAVES))
-    ] + [(0.0, speed)]
-    for _ in range(SPANS):
-        if not parts:
-            return math.nan
-        slow, fast = parts.pop()
-        law.low[place], law.high[place] = slow, fast
-        if law.largest(1, FEW) < friction:
-            continue
-        middle = 0.5 * (slow + fast)
-        if fast - slow <= SHARP * fast:
-            return float(middle * study.scales.length / study.scales.time)
-        parts += [(middle, fast), (slow, middle)]
-    return math.nan
-
-
-class _Law:
-    """The law that works, and corners within the tolerances of all on which it depends; units of
-    measure cancel in it.
-    """
-
-    def __init__(self, study: Study) -> None:
-        names = study.kind.law["quantities"]
-        exact = {
-            name: replace(one, low=one.value, high=one.value)
-            for name, one in study.quantities.items()
-            if name not in names
-        }
-        low, high, units = parameter_ends(study.with_quantities({**study.quantities, **exact}))
-        self.low, self.high = corner_values(low.model.parameters, low, high, units)
-        self.balance = BalanceInUnits(low.model, units, study.law)
-
-    def over(self, low: FloatArray, high: FloatArray, sign: int = 1) -> Intervals:
-        """Bounds over boxes of the law, or with ``sign=-1`` of its negative."""
-        arguments = self.balance.over(Intervals.between(low, high))
-        found = as_intervals(self.balance.at((), arguments).friction, low.shape[1:])
-        return found if sign > 0 else -found
-
-    def largest(self, sign: int = 1, most: int = MOST) -> float:
-        """A bound of ± the law over the box: parts are halved along the side over which it moves
-        most, until it is close.
-        """
-        low, high, above, done = self.low, self.high, np.full(1, np.inf), -np.inf
-        for _ in range(HALVINGS):
-            above = self.over(low, high, sign).high
-            best = max(float(self.over(end, end, sign).low.max()) for end in (low, high))
-            open_ = np.flatnonzero(above > best + CLOSE * abs(best))
-            if not open_.size or 2 * open_.size > most:
-                break
-            done = max(done, float(np.delete(above, open_).max(initial=-np.inf)))
-            low, high = low[:, open_], high[:, open_]
-            _, first, second = halves(
-                low, high, np.array([self._moves(low, high, side) for side in range(len(low))])
-            )
-            low, high = np.concatenate([low, second], axis=1), np.concatenate([first, high], axis=1)
-        return max(done, float(above.max()))
-
-    def _moves(self, low: FloatArray, high: FloatArray, side: int) -> FloatArray:
-        """By how much the law moves over one side, all others in their middles."""
-        one, other = 0.5 * (low + high), 0.5 * (low + high)
-        one[side], other[side] = low[side], high[side]
-        found = self.over(one, other)
-        return np.where(low[side] < high[side], found.high - found.low, -1.0)
-
-
-#: Some roundings of half a unit each.
-ROUNDED = 2.0**-48
-
-
-def parameter_ends(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
-    """Two sets of parameters at the study's own units, rounded outward, and units of measure that
-    have tolerances too.
-    """
-    kind, low, high = study.kind, dict[str, float](), dict[str, float]()
-    of_units: dict[str, dict[str, float]] = {name: {} for name in kind.bases}
-    for quantity, name in kind.parameters.items():
-        if quantity not in study.quantities:
-            continue
-        powers, allowed = kind.powers(kind.units[quantity]), kind.model.Parameters.ranges[name]
-        for base, power in powers.items():
-            if power:
-                of_units[base][name] = -power
-        off = ROUNDED if any(powers.values()) else 0.0
-        ends = outward(study.quantities[quantity], study.scale(kind.units[quantity]), off)
-        low[name], high[name] = max(ends[0], allowed.low), min(ends[1], allowed.high)
-    units = {
-        f"{base}/{base}_0": Unit(*outward(study.quantities[base], study.values[base], ROUNDED), of)
-        for base, of in of_units.items()
-        if of and study.quantities[base].varies
-    }
-    return study.placed(kind.model.Parameters(**low)), kind.model.Parameters(**high), units
-
-
-def outward(one: Measured, scale: float, off: float) -> Span:
-    """Ends over a scale, the lower one no higher and the upper one no lower than they are."""
-    return one.low / scale * (1 - math.copysign(off, one.low)), one.high / scale * (
-        1 + math.copysign(off, one.high)
-    )
-
-
-def sides(study: Study) -> dict[str, tuple[str, float]]:
+def sides(study: Brake) -> dict[str, tuple[str, float]]:
     """For each parameter and each unit the quantity that it is, and its unit in SI."""
     kind = study.kind
     return {f"{base}/{base}_0": (base, study.values[base]) for base in kind.bases} | {

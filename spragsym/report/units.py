@@ -32,6 +32,14 @@ EXAMPLES: Mapping[str, tuple[str, str]] = {
     "m/s^2": ("9.81 m/s^2", "[9, 10] m/s^2"),
     "1": ("0.45 ± 10 %", "[0.3, 0.6]"),
 }
+#: Units of the report where the data came as plain numbers in SI.
+PLAIN_UNITS: Mapping[str, str] = {
+    "N/m": "N/mm",
+    "N/m^3": "N/mm^3",
+    "m": "mm",
+    "rad": "deg",
+    "1": "",
+}
 #: Standard deviations on either side of a normal distribution's mean that its ends are, and that
 #: lie within its range.
 ENDS, WITHIN = 3.0, 6.0

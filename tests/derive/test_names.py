@@ -12,7 +12,7 @@ pytest.importorskip("sympy")
 import spragsym as ss
 from spragsym.derive import export, folder, pages
 from spragsym.derive.model import PageError
-from spragsym.report.brake_files import example
+from spragsym.report.example import example
 from tests.oracles import exported_names as names
 from tests.oracles.languages import NODE, OCTAVE
 

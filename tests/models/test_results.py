@@ -17,7 +17,8 @@ import pytest
 
 import spragsym as ss
 from spragsym.bifurcation.paths import first_end
-from spragsym.report.brake_files import example, fit_friction
+from spragsym.report.example import example
+from spragsym.report.friction_fit import fit_friction
 from spragsym.results.equilibria import Undecided
 from spragsym.results.result import Result
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, few

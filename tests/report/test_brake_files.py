@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 import spragsym as ss
-from spragsym.report.brake_files import read_brake, read_friction
+from spragsym.report.data import read_brake
+from spragsym.report.friction_curve import read_friction
 
 GOOD = {
     "m": '"0.35 kg"',

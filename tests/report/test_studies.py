@@ -13,7 +13,7 @@ import pytest
 import spragsym as ss
 from spragsym import figures
 from spragsym.files.text import filled
-from spragsym.report import redesigns, reports, tolerances
+from spragsym.report import facts, redesigns, tolerances
 from spragsym.report.tolerances import certificate
 from tests.conftest import Run
 from tests.oracles import user_pages
@@ -360,7 +360,7 @@ def test_folds_that_are_undecided_are_said_to_be_missing(monkeypatch: pytest.Mon
     left = dataclasses.replace(
         ss.folds(study.at_work, "mu0"), undecided=np.zeros((1, 3, 2)), remarks=("one box is left",)
     )
-    monkeypatch.setattr(reports, "folds", lambda p, vary: left)
+    monkeypatch.setattr(facts, "folds", lambda p, vary: left)
     assert any(
         one.endswith("may be missing: one box is left") for one in study.report(**QUICKLY).remarks
     )

@@ -1,0 +1,475 @@
+"""A brake: its data with units and tolerances, the loading parameter, and the effective
+friction.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from types import MappingProxyType
+from typing import Any, Self, TypeAlias
+
+import numpy as np
+
+from ..design.jumps import Ends, first_ends, told
+from ..design.sampling import Correlation, Dependence, dependence
+from ..errors import ParameterError, hint
+from ..models.load import USUAL
+from ..models.parameters import Range, Ranges, Span, as_number, as_range
+from ..models.quantities import PhysicalParameters, Quantities, Scales, factor, quantities, share
+from ..statics.balance import NOTHING
+from .friction_fit import FrictionFit
+from .friction_law import friction_bounds, friction_depends_on
+from .units import PLAIN_UNITS, Measured, Numbers, read, shown_in
+
+#: Least, as drawn, and largest within the tolerances.
+Spread: TypeAlias = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Rise:
+    """The loading parameter: its quantity in the file, the parameter that it is in the model, and
+    from where it rises, in SI.
+    """
+
+    quantity: str
+    name: str
+    begin: float
+    #: Whether it is the friction at full slip.
+    is_friction: bool
+
+    @property
+    def word(self) -> str:
+        """What it is called in a sentence."""
+        return "friction" if self.is_friction else self.quantity
+
+    def check(self, values: Numbers) -> Rise:
+        """Itself; an error for a brake in which it is below where it begins."""
+        if self.begin > values[self.quantity]:
+            above = f"begin = {self.begin:g} is above {self.quantity} = {values[self.quantity]:g}"
+            raise ParameterError(f"{above}; begin where it is lower")
+        return self
+
+
+#: The loading parameter where none is named.
+_NOTHING = Rise("", "", math.nan, False)
+
+
+def rise_of(
+    kind: Quantities, vary: str | None, begin: float | None, values: Numbers
+) -> Rise | None:
+    """The loading parameter: the quantity that is named, else the friction at full slip; None for a
+    model without it.
+
+    ``begin`` and the quantities are in SI; without it the quantity rises from its least value.
+    """
+    if vary is None:
+        if begin is not None:
+            raise ParameterError(
+                f"begin = {begin!r} says from where a quantity rises; give vary, its name, too"
+            )
+        return Rise("mu0", "mu0", 0.0, kind.of_mu0) if "mu0" in kind.parameters else None
+    if vary not in kind.may_rise:
+        cure = hint(vary, kind.may_rise) or f"; choose one of {', '.join(kind.may_rise)}"
+        raise ParameterError(
+            f"vary = {vary!r} does not move the states of {kind.model.where}, or is a unit{cure}"
+        )
+    allowed = kind.ranges(values)[vary]
+    if begin is None and not allowed.contains(allowed.low):
+        raise ParameterError(
+            f"vary = {vary!r} has no least value in {allowed}; give begin, from where it rises"
+        )
+    start = allowed.low if begin is None else as_number("begin", begin, allowed)
+    of_friction = kind.of_mu0 and kind.parameters[vary] == "mu0"
+    if of_friction and start != allowed.low:
+        raise ParameterError(
+            f"begin = {start:g}: friction rises from {allowed.low:g}; leave begin out"
+        )
+    return Rise(vary, kind.parameters[vary], start, of_friction).check(values)
+
+
+def spanned(kind: Quantities, name: str, ends: Span) -> Span:
+    """The range in which a quantity may change, in SI; refused if it is none, or empty."""
+    if name not in kind.balanced:
+        cure = hint(name, kind.balanced) or f"; give some of {', '.join(kind.balanced)}"
+        raise ParameterError(f"may_change: no state depends on {name}{cure}")
+    return as_range(f"may_change of {name}", ends, kind.ranges()[name])
+
+
+class Brake:
+    """The data of one brake, its scales, its loading parameter and its friction: of a
+    :class:`Study`.
+    """
+
+    quantities: Mapping[str, Measured]
+    model: str
+    source: str = ""
+    fit: FrictionFit | None = None
+    correlation: Correlation = MappingProxyType({})
+    rise: Rise | None = None
+    state: Numbers = MappingProxyType({})
+    may_change: Ranges = MappingProxyType({})
+    title: str = ""
+    date: str = ""
+
+    def __init__(
+        self,
+        parameters: PhysicalParameters | Numbers,
+        tolerance: Mapping[str, Any] | None = None,
+        correlation: Correlation | None = None,
+        *,
+        model: str = USUAL,
+        vary: str | None = None,
+        begin: float | None = None,
+        state: Numbers | None = None,
+        may_change: Ranges | None = None,
+    ) -> None:
+        kind, off = quantities(model), dict(tolerance or {})
+        given, allowed = _given(parameters, kind, model), kind.ranges()
+        for name in off:
+            if name not in given:
+                raise ParameterError(
+                    f"tolerance of {name!r}: no such quantity{hint(name, kind.units)}; leave it out"
+                )
+        self.model, self.correlation, self.state = model, dict(correlation or {}), dict(state or {})
+        self.quantities = {
+            name: _measured(name, given[name], off.get(name), si, allowed[name])
+            for name, si in kind.units.items()
+            if name in given
+        }
+        self.rise = rise_of(kind, vary, begin, self.values)
+        self.may_change = {
+            name: spanned(kind, name, (low, high))
+            for name, (low, high) in (may_change or {}).items()
+        }
+        self.dimensionless  # noqa: B018  # an error for a state that is none here, not later
+        dependence(list(self.tolerances), self.correlation)
+
+    @classmethod
+    def of(cls, **data: Any) -> Self:
+        """The study of attributes that are known to fit together."""
+        study = cls.__new__(cls)
+        study.__dict__.update(data)
+        return study
+
+    def with_quantities(self, changed: Mapping[str, Measured]) -> Self:
+        """The study of the same file with other quantities."""
+        held = {name: value for name, value in vars(self).items() if name in Brake.__annotations__}
+        study = type(self).of(**held | {"quantities": changed})
+        if study.rise is not None:
+            study.rise.check(study.values)
+        return study
+
+    def changed(self, after: Numbers) -> Self:
+        """The study of another design: a quantity that changes keeps its tolerance as a share of
+        its value, an angle as it is.
+        """
+        new = {
+            name: self.quantities[name].scaled(value, self.kind.units[name] != "rad")
+            for name, value in after.items()
+        }
+        return self.with_quantities({**self.quantities, **new})
+
+    def at_full_slip(self) -> Self:
+        """The study without the belt's speed: friction is μ₀."""
+        return self.with_quantities(
+            {name: one for name, one in self.quantities.items() if name not in self.kind.of_the_law}
+        )
+
+    @cached_property
+    def kind(self) -> Quantities:
+        """The quantities of the model."""
+        return quantities(self.model)
+
+    @cached_property
+    def values(self) -> dict[str, float]:
+        """The values in SI by name."""
+        return {name: one.value for name, one in self.quantities.items()}
+
+    @property
+    def tolerances(self) -> Numbers:
+        """Half of the width of every quantity that has one, in SI."""
+        return {
+            name: 0.5 * (one.high - one.low) for name, one in self.quantities.items() if one.varies
+        }
+
+    @cached_property
+    def scales(self) -> Scales:
+        """Scales of length, time and force."""
+        return self.kind.scales(self.values)
+
+    def scale(self, si: str) -> float:
+        """What one of the model's is in an SI unit."""
+        return float(self.kind.scale(si, self.values))
+
+    @cached_property
+    def dimensionless(self) -> Any:
+        """The dimensionless parameters at the operating point, with the friction μ₀."""
+        return self.placed(self.kind.parameter_set(self.values))
+
+    def placed(self, p: Any) -> Any:
+        """A set of parameters that follows the state that was chosen, if one was."""
+        return p.following(**self.near) if self.near else p
+
+    @property
+    def near(self) -> Numbers:
+        """Coordinates near which that lies, as the model has them."""
+        return {
+            name: value / self.scale(self.kind.coordinates.get(name, "1"))
+            for name, value in self.state.items()
+        }
+
+    @cached_property
+    def at_work(self) -> Any:
+        """The brake with the μ₀ with which statics has the friction that works, where the model has
+        one.
+        """
+        return self.risen(self.values, None)
+
+    @cached_property
+    def moves(self) -> bool:
+        """Whether all that the motion in time depends on is known; a file may leave out V and d."""
+        return set(self.kind.parameters) <= set(self.quantities)
+
+    @property
+    def belt(self) -> str | None:
+        """The quantity that is the speed of the belt, whatever the page calls it; None where none
+        alone is that.
+        """
+        belt = self.kind.law["belt"]
+        return next(
+            (quantity for quantity, name in self.kind.parameters.items() if name == belt), None
+        )
+
+    @cached_property
+    def law(self) -> str:
+        """Which friction works: that at the belt's speed where it is known and a value of μ₀ stands
+        for it, else that at rest.
+        """
+        law = self.kind.law
+        known = law["belt"] != "0" and set(law["quantities"]) <= set(self.quantities)
+        return "friction_at_speed" if known and law["at_rest"] != "other" else "friction_at_rest"
+
+    @property
+    def slides(self) -> bool:
+        """Whether there is friction."""
+        return bool(self.kind.about["friction"])
+
+    @cached_property
+    def friction(self) -> Spread:
+        """The friction that works, by the law: least, as drawn, and largest within the tolerances;
+        0 without friction.
+        """
+        p = self.dimensionless
+        if not self.slides:
+            return 0.0, 0.0, 0.0
+        here = float(p.model.friction(p, self.law))
+        if not set(friction_depends_on(self)) & set(self.tolerances):
+            return here, here, here
+        low, high = friction_bounds(self)
+        return (
+            low,
+            here,
+            high if high > here + NOTHING else here,
+        )  # bounds of a friction that is 0 are a little above it
+
+    def of_statics(self, mu0: float) -> float:
+        """The friction that statics takes with a value of μ₀."""
+        p = self.dimensionless
+        return (
+            float(p.model.friction(p.replace(mu0=mu0), "friction_at_rest"))
+            if mu0 < math.inf
+            else mu0
+        )
+
+    @property
+    def rises(self) -> Rise:
+        """The loading parameter; one without a name where nothing is said to rise."""
+        return self.rise or _NOTHING
+
+    @property
+    def of_friction(self) -> bool:
+        """Whether it is the friction that rises."""
+        return self.rises.is_friction
+
+    @property
+    def working(self) -> Spread:
+        """The loading parameter, where the brake works: least, as drawn, and largest within the
+        tolerances.
+        """
+        if self.rise is None or self.of_friction:
+            return self.friction
+        one = self.quantities[self.rise.quantity]
+        return one.low, one.value, one.high
+
+    @property
+    def full(self) -> Spread:
+        """The friction at full slip."""
+        if not self.of_friction:
+            return self.working
+        one = self.quantities["mu0"]
+        return self.of_statics(one.low), self.of_statics(one.value), self.of_statics(one.high)
+
+    @property
+    def rise_scale(self) -> float:
+        """What one of the parameter that rises is as it is told: in SI, in the units of the brake
+        as drawn.
+        """
+        return self.scale(self.kind.units[self.rises.quantity])
+
+    def told(self, value: float) -> float:
+        """A value of the parameter that rises as it is told: the friction of the law, or in SI."""
+        return self.of_statics(value) if self.of_friction else value * self.rise_scale
+
+    def begins(self, values: Mapping[str, Any] | None = None) -> Any:
+        """From where it rises, as its parameter; of other brakes in their own units, each at the
+        same value in SI.
+        """
+        rise = self.rises
+        allowed = self.kind.model.Parameters.ranges[rise.name]
+        scale = self.kind.scale(self.kind.units[rise.quantity], values or self.values)
+        return np.maximum(rise.begin / scale, allowed.reached(allowed.low))
+
+    def along(self, values: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """The loading parameter as arguments of the model's questions."""
+        return {"vary": self.rises.name, "begin": self.begins(values)}
+
+    @cached_property
+    def ends(self) -> Ends:
+        """Where the state ends as something rises, and how far that was looked for."""
+        return first_ends(self.at_work, **self.along())
+
+    def jump(self) -> float:
+        """Where the state jumps, as the parameter that rises; NaN where it does not."""
+        return float(told(self.ends).value)
+
+    def risen(self, values: Mapping[str, Any], target: float | None) -> Any:
+        """Parameters of brakes, by their quantities in SI, with the loading parameter at a target,
+        or at its own value.
+        """
+        if target is not None and not self.of_friction:
+            values = {**values, self.rises.quantity: target}
+        p = self.placed(self.kind.parameter_set(values))
+        if "mu0" in p.model.parameters:
+            works = p.mu0 * (share(p.model, p) if self.law == "friction_at_speed" else 1.0)
+            p = p.replace(
+                mu0=np.broadcast_to(
+                    works if target is None or not self.of_friction else target, p.shape
+                )
+            )
+        return p
+
+    @property
+    def top(self) -> float:
+        """Up to which value a jump is looked for, as it is told: all, or the end of a search."""
+        return self.told(float(self.ends.until))
+
+    def shown(self, name: str, value: float | None = None, digits: int = 4) -> str:
+        """A value of a quantity, by default its own, as text in the unit in which it came."""
+        one = self.quantities[name]
+        return shown_in(
+            one.value if value is None else value, one.unit, self.kind.units[name], digits
+        )
+
+    def in_file(self, name: str, value: float) -> float:
+        """A value of a quantity in the unit in which it came."""
+        return value / factor(self.quantities[name].unit, self.kind.units[name])
+
+    def in_units(self) -> dict[str, tuple[float, str, float]]:
+        """Every quantity as it came: its value, its unit, and what one of that is in SI."""
+        si = self.kind.units
+        return {
+            name: (self.in_file(name, one.value), one.unit, factor(one.unit, si[name]))
+            for name, one in self.quantities.items()
+        }
+
+    def shown_speed(self, speed: float, digits: int = 4) -> str:
+        """A speed of the belt as text, by the name of the page: ``V = 1.2 m/s``."""
+        if self.belt is None:
+            return f"a speed of {speed:.{digits}g} m/s"
+        return f"{self.belt} = {self.shown(self.belt, speed, digits)}"
+
+    def amount(self, value: float, digits: int = 4) -> str:
+        """A value of the loading parameter: a friction as a number, a quantity with its unit."""
+        return (
+            f"{value:.{digits}g}"
+            if self.of_friction
+            else self.shown(self.rises.quantity, value, digits)
+        )
+
+    def named(self, value: float, digits: int = 4) -> str:
+        """The value in a sentence: ``a friction of 0.4`` or ``P = 20 N``."""
+        return (
+            f"{'a friction of' if self.of_friction else f'{self.rises.quantity} ='} "
+            f"{self.amount(value, digits)}"
+        )
+
+    @property
+    def looked(self) -> str:
+        """Where a jump is looked for, in a sentence: ``friction`` at all, or ``P up to 20 N``."""
+        word = self.rises.word
+        return word if math.isinf(self.top) else f"{word} up to {self.amount(self.top)}"
+
+    def unit_of(self, si: str, name: str = "") -> tuple[str, float]:
+        """The unit of this file for an SI unit, that of a quantity if it is there, and what one of
+        the model's is in it.
+        """
+        alike = (other for other in self.quantities if self.kind.units[other] == si)
+        here = name if name in self.quantities else next(alike, "")
+        unit = self.quantities[here].unit if here else PLAIN_UNITS.get(si, si)
+        return unit, self.scale(si) / factor(unit, si)
+
+    def pairs(self, names: Sequence[str]) -> dict[tuple[str, str], float]:
+        """Pairs that vary together, of some of the quantities."""
+        return {pair: value for pair, value in self.correlation.items() if set(pair) <= set(names)}
+
+    def together(self, names: Sequence[str]) -> Dependence:
+        """How some of the quantities vary together."""
+        return dependence(names, self.pairs(names))
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={self.shown(name)}' for name in self.quantities)})"
+
+
+def _given(parameters: Any, kind: Quantities, model: str) -> Numbers:
+    allowed = kind.ranges()
+    if isinstance(parameters, PhysicalParameters) and model == USUAL:
+        parameters = parameters.known
+    if not isinstance(parameters, Mapping):
+        raise ParameterError(
+            f"parameters = {type(parameters).__name__}(...): a study needs "
+            "PhysicalParameters, in newtons and metres, or with "
+            "model= a mapping; for dimensionless ones call jump_value, jump_margin, certify "
+            "and jump_probability"
+        )
+    for name in parameters:
+        if name not in allowed:
+            remark = hint(name, allowed) or f"; it has {', '.join(allowed)}"
+            raise ParameterError(f"parameters: {name!r} is no quantity of {model}{remark}")
+    missing = [name for name in allowed if name not in parameters and name not in kind.of_the_law]
+    if missing:
+        raise ParameterError(f"parameters are without {', '.join(missing)}; give them in SI units")
+    return {name: as_number(name, value, allowed[name]) for name, value in parameters.items()}
+
+
+def _measured(name: str, value: float, off: Any, si: str, allowed: Range) -> Measured:
+    """A value with its tolerance as Python is told it: numbers become the text of a file."""
+    told, unit, in_si = f"tolerance of {name}", PLAIN_UNITS.get(si, si), "" if si == "1" else si
+    if off is None:
+        return Measured(value, value, value, unit)
+    if isinstance(off, tuple):
+        if len(off) != 2:
+            raise ParameterError(f"{told} = {off!r}; give two ends, the smaller first")
+        off = f"[{', '.join(repr(as_number(told, end, allowed)) for end in off)}] {in_si}"
+    elif not isinstance(off, str):
+        off = f"{abs(as_number(told, off))!r} {in_si}"
+    if not off.lstrip().startswith("["):
+        sign = "" if off.lstrip().startswith(("±", "+-", "+/-", "+\N{MINUS SIGN}", "sd ")) else "± "
+        off = f"{value!r} {in_si} {sign}{off}"
+    try:
+        ends = read(off, si, allowed)
+    except ParameterError as error:
+        raise ParameterError(f"{told}: {error}") from error
+    return replace(ends, value=value if ends.low <= value <= ends.high else ends.value, unit=unit)

@@ -1,0 +1,277 @@
+"""``brake.toml``: the data of a brake with units and tolerances.
+
+An error for every mistake names the file, the line, the key, the value and what to write.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import tomllib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from ..design.sampling import Correlation, dependence
+from ..errors import ParameterError, SpragsymError, hint
+from ..files.text import FilePath, text_of
+from ..models.load import USUAL
+from ..models.parameters import FINITE, Range, Ranges
+from ..models.quantities import Quantities, quantities
+from .brake import Brake, Rise, rise_of, spanned
+from .example import OWN_EXAMPLES, example_of
+from .friction_curve import read_friction
+from .friction_fit import FrictionFit, fit_friction
+from .trust import trusted_model
+from .units import ENDS, WITHIN, Measured, Numbers, read, remedy
+
+#: Keys of a file that are no quantities.
+_KEYS = (
+    "friction",
+    "correlation",
+    "model",
+    "vary",
+    "begin",
+    "state",
+    "may_change",
+    "title",
+    "date",
+)
+
+
+def read_brake(path: FilePath, trust: bool | str = False) -> Brake:
+    """The data of a brake from a TOML file with one table, ``[brake]``.
+
+    For each quantity it has a text with number, unit and, if there is one, a tolerance;
+    ``correlation = [["k", "k_x", 0.9]]`` for quantities that vary together; ``vary = "F_L"`` where
+    not the friction but a quantity rises until the state jumps, with ``begin = "10 N"`` if not from
+    its least value; and ``state = { phi = "-28 deg" }`` where another state than the reference
+    state is followed; ``may_change = { k = "[100, 250] N/mm" }`` where a proposal may change these
+    only, within these ends; ``title = "Front brake"`` and ``date = 2026-03-01`` for the head of the
+    report. ``trust`` says whether the code of a model's folder may run that the file names, or the
+    one folder whose code may. Every mistake is a ParameterError that names the file, the line, the
+    key, the value and what to write.
+    """
+    return _Reader(
+        os.fspath(path),
+        text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±"),
+    ).read(trust)
+
+
+class _Reader:
+    """The text of a file; mistakes in it are told with the line on which their key stands."""
+
+    def __init__(self, path: str, text: str) -> None:
+        self.path, self.text, self.lines = path, text, text.splitlines()
+
+    def of(self, key: str, pattern: str = r"""\s*(?:brake\s*\.\s*)?["']?{}["']?\s*=""") -> str:
+        """The line of a key."""
+        found = (
+            number
+            for number, line in enumerate(self.lines, 1)
+            if re.match(pattern.format(re.escape(key)), line)
+        )
+        number = next(found, None)
+        return f"{self.path}, line {number}" if number else self.path
+
+    def table(self, name: str) -> str:
+        """The line of a table."""
+        return self.of(name, r"""\s*\[\s*["']?{}["']?\s*\]""")
+
+    @contextmanager
+    def at(self, key: str, before: str = "") -> Iterator[None]:
+        """A mistake in the value of a key is told with its line."""
+        try:
+            yield
+        except SpragsymError as error:
+            raise ParameterError(f"{self.of(key)}: {before}{error}") from error
+
+    def read(self, trust: bool | str) -> Brake:
+        table = self._table()
+        with self.at("model", "model = "):
+            model = trusted_model(table.pop("model", USUAL), trust)
+        kind = quantities(model)
+        own = {key: table.pop(key, None) for key in _KEYS}
+        ranges, found = kind.ranges(), dict[str, Measured]()
+        for key, value in table.items():
+            with self.at(key):
+                if key not in kind.units:
+                    known = [*kind.units, *_KEYS]
+                    remark = hint(key, known) or f"; the keys are {', '.join(known)}"
+                    raise ParameterError(
+                        f"{key} = {value!r} is not a quantity of the model {model}{remark}"
+                    )
+                found[key] = _quantity(key, value, kind.units[key], ranges[key])
+        with self.at("friction", f"friction = {own['friction']!r}: "):
+            fit = None if own["friction"] is None else self._friction(own["friction"], found, kind)
+        missing = [key for key in kind.units if key not in found and key not in kind.of_the_law]
+        if missing:
+            wanted = ", ".join(f'{key} = "{example_of(key, kind.units[key])}"' for key in missing)
+            raise ParameterError(
+                f"{self.table('brake')}: [brake] is without {', '.join(missing)}; add lines "
+                f"such as {wanted}"
+            )
+        study = Brake.of(
+            quantities={key: found[key] for key in kind.units if key in found},
+            model=model,
+            source=Path(self.path).name,
+            fit=fit,
+            title=str(own["title"] or ""),
+            date=str(own["date"] or ""),
+        )
+        with self.at("correlation"):
+            study.correlation = _correlation(own["correlation"], study)
+        with self.at("state"):
+            study.state = _state(own["state"] or {}, kind)
+        with self.at("may_change"):
+            study.may_change = _may_change(own["may_change"] or {}, kind)
+        with self.at("vary" if own["begin"] is None else "begin"):
+            study.rise = _rise(own["vary"], own["begin"], study)
+        return study
+
+    def _table(self) -> dict[str, Any]:
+        try:
+            content = tomllib.loads(self.text)
+        except (
+            ValueError,
+            RecursionError,
+        ) as error:  # TOML that is none, and numbers that are too long
+            raise ParameterError(self._syntax(str(error))) from error
+        if not content:
+            raise ParameterError(
+                f"{self.path} is empty: [brake] is missing; begin with a line [brake]"
+            )
+        other = next((name for name in content if name != "brake"), "brake")
+        table, held = content.get("brake"), content[other]
+        if isinstance(table, dict) and other == "brake":
+            return table
+        where = self.table(other) if isinstance(held, dict) else self.of(other)
+        missing = (
+            "" if isinstance(table, dict) else f", and [brake] is missing{hint(other, ['brake'])}"
+        )
+        raise ParameterError(
+            f"{where}: {other!r} does not belong here{missing}; all keys go below one line [brake]"
+        )
+
+    def _syntax(self, message: str) -> str:
+        """What tomllib says, with the line before it and how a line is written."""
+        found = re.search(r" \(at line (\d+), column \d+\)", message)  # else at the end
+        number = int(found[1]) if found else len(self.lines)
+        line = self.lines[number - 1].strip() if 0 < number <= len(self.lines) else ""
+        key = line.partition("=")[0].strip()
+        example = example_of(key, quantities(USUAL).units.get(key, "kg"))
+        cure = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{example}"'
+        cure = f"{key} is there twice; keep one of the two" if "overwrite" in message else cure
+        return f"{self.path}, line {number}: {line!r} is not TOML; {cure}"
+
+    def _friction(self, given: Any, found: dict[str, Measured], kind: Quantities) -> FrictionFit:
+        """The fit of the measured file; its μ₀ and d go among the quantities, normal, with their
+        standard errors.
+        """
+        if not isinstance(given, str) or not given.strip():
+            raise ParameterError('it is no file name; write friction = "measured.csv"')
+        if not kind.of_mu0:
+            raise ParameterError("this model has another friction law; give its quantities instead")
+        for key in ("mu0", "d"):
+            if key in found:
+                raise ParameterError(f"{key} is given too; leave out one of the two")
+        fit = fit_friction(*read_friction(Path(self.path).parent / given))
+        found |= {
+            "mu0": _fitted(fit.mu0, fit.mu0_error, ""),
+            "d": _fitted(fit.d, fit.d_error, "s/m"),
+        }
+        return fit
+
+
+def _quantity(key: str, given: Any, unit: str, allowed: Range) -> Measured:
+    example = OWN_EXAMPLES.get(key, "")
+    if (
+        unit == "1"
+        and isinstance(given, list)
+        and len(given) == 2
+        and all(type(end) in (int, float) for end in given)
+    ):
+        given = f"[{given[0]!r}, {given[1]!r}]"
+    if isinstance(given, bool) or not isinstance(given, str | int | float):
+        raise ParameterError(
+            f"{key} = {given!r} is neither text nor a number; write "
+            f"{remedy(unit, allowed, example)}"
+        )
+    try:
+        return read(given if isinstance(given, str) else repr(given), unit, allowed, example)
+    except ParameterError as error:
+        raise ParameterError(f"{key} = {error}") from error
+
+
+def _correlation(given: Any, study: Brake) -> Correlation:
+    """Which quantities vary together: those of the file, and μ₀ and d of one fit."""
+    fit, rows = study.fit, given if isinstance(given, list) else [] if given is None else [given]
+    rows = (
+        [*rows, ["mu0", "d", fit.correlation]]
+        if fit is not None and {"mu0", "d"} <= set(study.tolerances)
+        else rows
+    )
+    for row in rows:
+        if not (
+            isinstance(row, list)
+            and len(row) == 3
+            and all(isinstance(name, str) for name in row[:2])
+        ):
+            cure = 'write correlation = [["k", "k_x", 0.9]]'
+            raise ParameterError(
+                f"correlation = {given!r} is no list of two names and a number each; {cure}"
+            )
+    found = {(one, other): value for one, other, value in rows}
+    if len(set(map(frozenset, found))) < len(rows):
+        raise ParameterError(
+            f"correlation = {given!r} has a pair twice, or that of the measured file; keep "
+            "one of them"
+        )
+    dependence(list(study.tolerances), found)
+    return found
+
+
+def _state(given: Any, kind: Quantities) -> Numbers:
+    units = kind.coordinates
+    if not isinstance(given, dict) or not set(given) <= set(units):
+        example = ", ".join(
+            f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items()
+        )
+        raise ParameterError(
+            f"state = {given!r} does not name coordinates; write state = {{ {example} }}"
+        )
+    return {name: _quantity(name, text, units[name], FINITE).value for name, text in given.items()}
+
+
+def _may_change(given: Any, kind: Quantities) -> Ranges:
+    if not isinstance(given, dict) or not set(given) <= set(kind.units):
+        cure = (
+            f'write may_change = {{ {next(iter(kind.units))} = "[100, 250] N/mm" }}, in the '
+            "quantity's own unit"
+        )
+        raise ParameterError(f"may_change = {given!r} does not name quantities; {cure}")
+    ends = {
+        name: _quantity(name, text, kind.units[name], kind.ranges()[name])
+        for name, text in given.items()
+    }
+    return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}
+
+
+def _rise(vary: Any, begin: Any, study: Brake) -> Rise | None:
+    units = study.kind.units
+    if not isinstance(vary, str | None):
+        raise ParameterError(f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
+    if begin is not None and vary in units:
+        begin = _quantity("begin", begin, units[vary], FINITE).value
+    return rise_of(study.kind, vary, begin, study.values)
+
+
+def _fitted(value: float, error: float, unit: str) -> Measured:
+    """A normal distribution; cut off at three standard errors, and above 0, where it would reach 0
+    else.
+    """
+    cut = error == 0 or value <= WITHIN * error
+    return Measured(
+        value, max(value - ENDS * error, value / 100), value + ENDS * error, unit, error, cut
+    )

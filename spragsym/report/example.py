@@ -1,0 +1,82 @@
+"""A file of data to begin with, for each model."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+from ..files.text import shipped_text
+from ..models import Model
+from ..models.load import USUAL
+from ..models.quantities import factor, quantities
+from .units import EXAMPLES, PLAIN_UNITS
+
+#: Quantities that are not of the size that others of the same unit have.
+OWN_EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
+#: Of a file to begin with: what one of a unit of measure is, by its unit in SI, and tolerances.
+_SIZES = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038, "N": 400.0, "N/m^(3/2)": 8e6}
+_TOLERANCES = {"k": " +- 10 %", "k_t": " +- 10 %", "theta0": " +- 1 deg", "mu0": " +- 10 %"}
+#: A speed in m/s that no belt of a brake has, as the unit of a model may be; then speeds are those
+#: of the examples.
+_FASTEST = 10.0
+
+
+def example_of(key: str, unit: str) -> str:
+    """How an engineer would write a quantity."""
+    return OWN_EXAMPLES.get(key) or EXAMPLES.get(unit, (f"1 {unit}",))[0]
+
+
+def example(model: Model) -> str:
+    """The text of ``brake.toml``: the article's example, or the base values of a model in the sizes
+    of a brake.
+
+    >>> import spragsym as ss
+    >>> example(ss.load("stick_slip")).splitlines()[1:3]
+    ['[brake]', 'model = "stick_slip"']
+    """
+    if model.where == USUAL:
+        return shipped_text("spragsym.report", "brake.toml")
+    kind, (_, p) = quantities(model.where), model.cases()[0]
+    sizes = {name: _SIZES.get(unit, 1.0) for name, unit in kind.bases.items()}
+    values = sizes | {
+        quantity: float(getattr(p, name)) * kind.scale(kind.units[quantity], sizes)
+        for quantity, name in kind.parameters.items()
+    }
+    given = ("m/s^2", "m/s", "s/m") if kind.scale("m/s", sizes) > _FASTEST else ("m/s^2",)
+
+    def written(name: str, value: float) -> str:
+        si = kind.units[name]
+        unit = PLAIN_UNITS.get(si, si)
+        return (
+            example_of(name, si)
+            if si in given
+            else f"{float(f'{value / factor(unit, si):.3g}'):g} {unit}".strip()
+        )
+
+    rises, lines = kind.rises, []
+    for name in kind.units:
+        off = "" if name == rises else _TOLERANCES.get(name, "")
+        key = name if name.isascii() else json.dumps(name, ensure_ascii=False)
+        entry = f'{key} = "{written(name, values[name])}{off}"'
+        lines.append(f"{entry:<32}# {kind.meanings[name]}")
+    if rises is not None:
+        least = kind.ranges()[rises]
+        lines.append(f'vary = "{rises}"')
+        lines += (
+            []
+            if least.contains(least.low)
+            else [f'begin = "{written(rises, 0.5 * values[rises])}"']
+        )
+    where = Path(model.where).as_posix()
+    return (
+        "\n".join(
+            [
+                f"# {kind.about['summary']}",
+                "[brake]",
+                f"model = {json.dumps(where, ensure_ascii=False)}",
+                *lines,
+            ]
+        )
+        + "\n"
+    )

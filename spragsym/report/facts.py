@@ -1,0 +1,492 @@
+"""Facts of a report: plain data about a brake, computed in a fixed order by functions of its
+study.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TypeVar
+
+from ..bifurcation.critical import critical_friction, cusp_friction
+from ..bifurcation.folds import folds
+from ..design.certificates import Certificate
+from ..design.jumps import jump_value
+from ..design.probability import JumpProbability
+from ..errors import ParameterError, SpragsymError
+from ..numerics.columns import picked
+from ..progress import doing
+from ..remarks import Remark
+from ..results.points import LowestEnd, Points
+from ..statics.equilibria import equilibria
+from .brake import Brake
+from .friction_law import speed_for
+from .redesigns import Change, changes, distance
+from .states import (
+    JumpPeak,
+    Oscillation,
+    State,
+    current,
+    in_units,
+    jump_peak,
+    oscillation_of,
+    others,
+    states,
+)
+from .tolerances import bracket, certificate, chance, effort, varied
+from .units import Numbers
+
+T = TypeVar("T")
+
+#: A friction coefficient that no brake has.
+FRICTION = 2.0
+
+
+@dataclass(frozen=True)
+class ReportOptions:
+    """Options of a report, see :meth:`Study.report`."""
+
+    probability: bool = True
+    redesign: bool = True
+    oscillation: bool = True
+    safety: float = 1.2
+    n: int | None = None
+
+
+@dataclass(frozen=True)
+class FoldRow:
+    """One fold, or another point at which states meet.
+
+    ``friction``, ``inclination_deg`` or ``value``, of the loading parameter in SI, is where, the
+    others None; ``ends`` and ``when`` are as of :class:`~spragsym.Points`. ``before`` and ``after``
+    are the coordinates in the units of the file, of which those after are NaN where nothing is
+    left.
+    """
+
+    kind: str
+    friction: float | None
+    inclination_deg: float | None
+    value: float | None
+    ends: str
+    when: str
+    before: Numbers
+    after: Numbers
+
+
+@dataclass(frozen=True, repr=False)
+class Facts:
+    """Facts about a brake; what its model does not answer is None, the reason is in ``remarks``.
+
+    Attributes
+    ----------
+    study, options
+        What was asked, of which brake.
+    jump_parameter : float or None
+        Where the followed state jumps, as the loading parameter; NaN where it does not.
+    jump_at : float or None
+        The same as the friction of the law, or another quantity in SI.
+    speed : float
+        The belt speed in m/s above which the largest friction within the tolerances reaches the
+        jump, else NaN.
+    reach : str
+        The friction of the jump against that of the operating point, within the tolerances, and at
+        full slip: ``"jumped"``, ``"within"``, ``"faster"``, ``"beyond"``, ``"never"``, or empty
+        where it is not known.
+    states, others
+        All states in contact; other stable states than the current one, by coordinate and unit, and
+        where each ends as the loading parameter goes on, NaN if nowhere.
+    states_complete : bool
+        No state is missing, by proof.
+    oscillation, certificate, probability
+        See :class:`~spragsym.report.states.Oscillation`, :func:`spragsym.certify` and
+        :func:`spragsym.jump_probability`.
+    folds, fold_rows
+        Folds along the loading parameter and along the inclination, and one by one.
+    theta0_jump_deg : float or None
+        Where the state jumps as the inclination rises, NaN where it never does.
+    mu_lowest, theta0_lowest_deg, kind_lowest
+        The friction below which it jumps at no angle, ``inf`` where it never does; its angle and
+        its kind, see :class:`spragsym.LowestEnd`, empty where it is not known.
+    mu_cusp : float or None
+        Friction of the lowest cusp, ``inf`` where there is none.
+    distance : float
+        The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN without one.
+    peak : JumpPeak or None
+        The jump as a motion; of friction, if there is one that the belt may reach.
+    largest, target : float
+        The largest value of the loading parameter, of friction at full slip if it jumps only there,
+        and the value up to which changes keep it from jumping.
+    searched, redesign
+        Changes were looked for, and those that were found, nearest first.
+    remarks : tuple of str
+        Reasons of what is not known.
+    """
+
+    study: Brake
+    options: ReportOptions
+    jump_parameter: float | None
+    jump_at: float | None
+    speed: float
+    reach: str
+    states: tuple[State, ...]
+    states_complete: bool
+    others: tuple[tuple[Numbers, float | None], ...]
+    oscillation: Oscillation | None
+    certificate: Certificate | None
+    probability: JumpProbability | None
+    folds: dict[str, Points]
+    fold_rows: tuple[FoldRow, ...]
+    theta0_jump_deg: float | None
+    mu_lowest: float | None
+    theta0_lowest_deg: float | None
+    kind_lowest: str
+    mu_cusp: float | None
+    distance: float
+    peak: JumpPeak | None
+    largest: float
+    target: float
+    searched: bool
+    redesign: tuple[Change, ...]
+    remarks: tuple[str, ...]
+
+    @property
+    def current(self) -> State | None:
+        """The state that the brake is in; None where that is not known."""
+        return next((state for state in self.states if state.current), None)
+
+    @property
+    def jumped(self) -> bool:
+        """It has jumped as drawn, at the belt's speed."""
+        return self.reach == "jumped"
+
+    @property
+    def slow(self) -> bool:
+        """Friction at the belt's speed falls short of full slip by more than the printed digits."""
+        full = self.study.full[2]
+        return self.study.working[2] < full - 0.005 * abs(full)
+
+    @property
+    def complete(self) -> bool:
+        """States and folds along the loading parameter are proved to be all there are."""
+        rise = self.study.rise
+        return self.states_complete and (
+            rise is None or (rise.name in self.folds and bool(self.folds[rise.name].complete))
+        )
+
+    @property
+    def within(self) -> str:
+        """The certificate: ``"proved"`` that none jumps, ``"refuted"``, ``"undecided"``, or
+        empty.
+        """
+        return "" if self.certificate is None else self.certificate.outcome
+
+    @property
+    def unbounded(self) -> tuple[str, ...]:
+        """Quantities of whose distribution a part lies beyond the box of the certificate."""
+        return tuple(name for name in varied(self.study) if not self.study.quantities[name].cut)
+
+    @property
+    def hits(self) -> bool | None:
+        """Some of the sampled brakes jump; None without a sample."""
+        return None if self.probability is None else self.probability.probability > 0
+
+    @property
+    def vary(self) -> str | None:
+        """The quantity that is the loading parameter."""
+        return self.study.rises.quantity or None
+
+    @property
+    def mu_jump(self) -> float | None:
+        """The friction at which it jumps."""
+        return self.jump_at if self.study.of_friction else None
+
+    @property
+    def mu0_jump(self) -> float | None:
+        """The parameter mu0 there."""
+        return self.jump_parameter if self.study.of_friction else None
+
+    @property
+    def mu_effective(self) -> float:
+        """The friction in use."""
+        return self.study.friction[1]
+
+    @property
+    def margin_percent(self) -> float | None:
+        """The jump beyond the largest value within the tolerances, in percent of that."""
+        return None if self.jump_at is None else percent_beyond(self.jump_at, self.study.working[2])
+
+
+def percent_beyond(value: float, other: float) -> float:
+    """A value less another, in percent of the size of that; infinite where that is 0."""
+    gap = value - other
+    return (
+        100 * gap / abs(other) if other else math.copysign(math.inf, gap) if abs(gap) > 0 else gap
+    )
+
+
+class _Answers:
+    """Answers about one brake, and remarks about what can't be answered, in the order of asking."""
+
+    def __init__(self, study: Brake) -> None:
+        self.study = study
+        self.remarks: list[str] = []
+
+    def known(self, what: str, question: Callable[[], T]) -> T | None:
+        """An answer; what can't be answered is remarked, and None."""
+        with doing(what.removesuffix(" is").removesuffix(" are")):
+            try:
+                return question()
+            except SpragsymError as reason:
+                self.remarks.append(f"{what} not known: {self.brief(reason)}")
+                return None
+
+    def brief(self, *reasons: object) -> str:
+        """The first clause of each reason, in the units of the file."""
+        study = self.study
+        of = {name: quantity for quantity, name in study.kind.parameters.items()}
+
+        def units(name: str) -> tuple[str, float]:
+            quantity = of.get(name, "")
+            if quantity not in study.quantities:
+                return name, 1.0
+            unit, size = study.unit_of(study.kind.units[quantity], quantity)
+            return f"{quantity}/{unit}" if unit else quantity, size
+
+        told = (
+            reason.told(units) if isinstance(reason, Remark) else str(reason) for reason in reasons
+        )
+        return ", and ".join(dict.fromkeys(text.partition(";")[0] for text in told))
+
+
+def facts(study: Brake, options: ReportOptions) -> Facts:
+    """All facts of a report; the same study and options give the same facts."""
+    _slides(study)
+    answers = _Answers(study)
+    parameter = _jump(answers)
+    jump_at = None if parameter is None else study.told(parameter)
+    speed = math.nan
+    if jump_at is not None and not math.isnan(jump_at) and study.of_friction:
+        speed = speed_for(study, jump_at)
+    reach = _reach(study, jump_at, speed)
+
+    eq = equilibria(study.at_work)
+    here = answers.known("the state that the brake is in is", partial(current, study, eq))
+    found = states(study, eq, here)
+    beside = () if here is None else others(study, eq, found)
+    if here is None and study.rise is None:
+        answers.remarks.append(
+            "which state the brake is in is not known, since nothing is said to rise: "
+            "name it with state"
+        )
+    if not eq.complete:
+        answers.remarks.append(f"states may be missing: {answers.brief(*eq.remarks)}")
+
+    moves = options.oscillation and study.moves
+    motion = _oscillation(answers, found, here) if moves else None
+    proof = None
+    if options.probability and study.rise is not None:
+        proof = answers.known(
+            "whether nothing within the tolerances jumps is", partial(certificate, study)
+        )
+    odds = _probability(answers, proof, options.n) if options.probability else None
+
+    along = _folds(answers)
+    angle = _jump_along_the_inclination(answers)
+    lowest, cusp = _lowest(answers)
+    nearest = answers.known("the nearest jump is", partial(distance, study))
+    peak = None
+    if moves and parameter is not None and not math.isnan(parameter):
+        peak = answers.known("the jump as a motion is", partial(jump_peak, study, parameter, speed))
+
+    largest = (study.full if reach == "faster" else study.working)[2]
+    target = options.safety * largest
+    refuted = proof is not None and proof.outcome == "refuted"
+    fails = refuted or (odds is not None and odds.probability > 0)
+    searched = options.redesign and _changes_are_searched(
+        answers, jump_at, target, options.safety, fails
+    )
+    searched = searched and (reach != "faster" or (jump_at is not None and jump_at <= largest))
+    redesign: tuple[Change, ...] = ()
+    if searched:
+        with doing("changes"):
+            redesign = changes(study.at_full_slip() if reach == "faster" else study, target)
+    return Facts(
+        study=study,
+        options=options,
+        jump_parameter=parameter,
+        jump_at=jump_at,
+        speed=speed,
+        reach=reach,
+        states=found,
+        states_complete=bool(eq.complete),
+        others=beside,
+        oscillation=motion,
+        certificate=proof,
+        probability=odds,
+        folds=along,
+        fold_rows=_rows(study, along),
+        theta0_jump_deg=angle,
+        mu_lowest=study.of_statics(float(lowest.value)) if lowest is not None else None,
+        theta0_lowest_deg=math.degrees(float(lowest.where)) if lowest is not None else None,
+        kind_lowest=str(lowest.kind) if lowest is not None else "",
+        mu_cusp=cusp,
+        distance=math.nan if nearest is None else nearest,
+        peak=peak,
+        largest=largest,
+        target=target,
+        searched=searched,
+        redesign=redesign,
+        remarks=tuple(answers.remarks),
+    )
+
+
+def _slides(study: Brake) -> None:
+    """An error for a belt that stands still, against which nothing slides."""
+    if study.friction[2] == 0 and study.kind.of_mu0 and study.quantities["mu0"].high > 0:
+        law = " and ".join(study.kind.of_the_law)
+        without = f", or leave {law} out for friction at full slip" if law else ""
+        speed = study.shown_speed(study.values[study.belt or "V"])
+        raise ParameterError(
+            f"{speed}: nothing slides at that speed; give the speed of the belt{without}"
+        )
+
+
+def _jump(answers: _Answers) -> float | None:
+    study = answers.study
+    if study.rise is None:
+        name = study.kind.rises
+        cure = f'say which quantity rises until the state jumps, as vary = "{name}"'
+        answers.remarks.append(
+            f"the model has no mu0: {cure if name else 'no quantity moves its states'}"
+        )
+        return None
+    along = f"the jump along {study.rise.quantity} is"
+    found = answers.known(along, study.jump)
+    if found is not None and math.isnan(found) and study.working[2] > study.top:
+        answers.remarks.append(
+            f"{along} not known: there is none up to {study.amount(study.top)}, "
+            "where the search ends"
+        )
+        return None
+    return found
+
+
+def _reach(study: Brake, jump: float | None, speed: float) -> str:
+    _, here, most = study.working
+    if jump is None:
+        return ""
+    if math.isnan(jump):
+        return "never"
+    if jump <= most:
+        return "within" if jump > here else "jumped"
+    return "faster" if jump <= study.full[2] or not math.isnan(speed) else "beyond"
+
+
+def _oscillation(
+    answers: _Answers, found: tuple[State, ...], here: Numbers | None
+) -> Oscillation | None:
+    settles = next((state.settles for state in found if state.current), None)
+    holds = any(state.stable for state in found if state.current or here is None)
+    question = partial(oscillation_of, answers.study, settles, holds)
+    return answers.known("the oscillation is", question)
+
+
+def _probability(
+    answers: _Answers, proof: Certificate | None, n: int | None
+) -> JumpProbability | None:
+    """The probability, by samples and between its proved bounds.
+
+    Nothing is sampled where no brake jumps, by proof.
+    """
+    study = answers.study
+    if study.rise is None or not varied(study):
+        return None
+    cut = all(study.quantities[name].cut for name in varied(study))
+    if proof is not None and proof.outcome == "proved" and cut:
+        return JumpProbability(0.0, 0.0, 0.0, 1.0, 0, 0.0, {}, {}, {}, {}, (0.0, 0.0))
+    odds = chance(study, effort(study).samples if n is None else n)
+    bounds = answers.known("bounds of the probability are", partial(bracket, study))
+    return odds if bounds is None else replace(odds, proved=bounds)
+
+
+def _folds(answers: _Answers) -> dict[str, Points]:
+    study = answers.study
+    rise, p, found = study.rises, study.at_work, dict[str, Points]()
+    for vary in dict.fromkeys((rise.name, "theta0")):
+        if vary in p.model.parameters:
+            known = answers.known(f"folds along {vary} are", partial(folds, p, vary))
+            found |= {} if known is None else {vary: known}
+    own = found.get(rise.name)
+    # Folds at more friction than any brake has do not matter.
+    if (
+        own is not None
+        and not own.complete
+        and (len(own.undecided) or not study.of_friction or study.top <= FRICTION)
+    ):
+        remarks = answers.brief(*own.remarks)
+        answers.remarks.append(f"folds along {rise.quantity} may be missing: {remarks}")
+    return found
+
+
+def _rows(study: Brake, found: dict[str, Points]) -> tuple[FoldRow, ...]:
+    rows = []
+    for vary, points in found.items():
+        for i, value in enumerate(getattr(points, vary).tolist()):
+            angle = math.degrees(value) if vary == "theta0" else None
+            told = None if angle is not None else study.told(value)
+            friction, other = (told, None) if study.of_friction else (None, told)
+            places = (points.coordinates, points.after)
+            before, after = (in_units(study, picked(place, i)) for place in places)
+            words = (points.kind, points.ends, points.when)
+            kind, ends, when = (str(word[i]) for word in words)
+            rows.append(FoldRow(kind, friction, angle, other, ends, when, before, after))
+    return tuple(rows)
+
+
+def _jump_along_the_inclination(answers: _Answers) -> float | None:
+    study, at = answers.study, answers.study.at_work
+    if "theta0" not in at.model.parameters or study.rises.name == "theta0":
+        return None
+    question = partial(jump_value, at, "theta0")
+    found = answers.known("the jump along theta0 is", lambda: float(question()))
+    return None if found is None else math.degrees(found)
+
+
+def _lowest(answers: _Answers) -> tuple[LowestEnd | None, float | None]:
+    """The lowest end at any angle, and the friction of the lowest cusp, where there is an angle."""
+    study, p = answers.study, answers.study.dimensionless
+    if not (study.of_friction and "theta0" in p.model.parameters):
+        return None, None
+    what = "the friction below which it jumps at no angle is"
+    found = answers.known(what, partial(critical_friction, p))
+    if found is not None and found.kind == "undecided":
+        below = "whether some friction is too small for a jump at any angle"
+        if found.value:
+            below = f"below a friction of {found.value:.4g} it cannot jump at any angle; above that"
+        answers.remarks.append(f"{below} is not decided")
+        found = None
+    elif found is not None and not found.complete:
+        reasons = answers.brief(*found.remarks)
+        answers.remarks.append(f"that nothing jumps below mu_lowest is not proved: {reasons}")
+    cusp = answers.known("the lowest cusp is", lambda: study.of_statics(float(cusp_friction(p))))
+    return found, cusp
+
+
+def _changes_are_searched(
+    answers: _Answers, jump: float | None, target: float, safety: float, fails: bool
+) -> bool:
+    study = answers.study
+    if jump is None or not (jump < target or fails):
+        return False
+    plain = not study.of_friction or study.kind.law["at_rest"] == "mu0"
+    if not plain:
+        answers.remarks.append(
+            "changes are not looked for: statics of this model does not take mu0 itself "
+            "for the friction"
+        )
+    if not target > 0:
+        times = f"{safety:g} times {study.named(study.working[2])}"
+        answers.remarks.append(f"changes are not looked for: {times} does not lie beyond it")
+    return target > 0 and plain

@@ -1,0 +1,279 @@
+"""A measured friction curve: sliding speed and coefficient, read from a table of text."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import ParameterError
+from ..files.text import MEASURED, text_of
+from ..models.parameters import FloatArray, Span
+from ..models.quantities import factor
+
+#: Names of the two columns, in small letters without hyphens; a name that is not here is that of
+#: another column.
+SPEED = frozenset(
+    (
+        "v",
+        "v rel",
+        "v s",
+        "v slip",
+        "vrel",
+        "vel",
+        "velocity",
+        "speed",
+        "sliding speed",
+        "sliding velocity",
+        "slip speed",
+        "slip velocity",
+        "relative speed",
+        "relative velocity",
+        "geschwindigkeit",
+        "gleitgeschwindigkeit",
+        "relativgeschwindigkeit",
+        "vitesse",
+        "vitesse de glissement",
+        "velocidad",
+    )
+)
+FRICTION = frozenset(
+    (
+        "mu",
+        "mu k",
+        "muk",
+        "mue",
+        "friction",
+        "friction coefficient",
+        "coefficient of friction",
+        "friction coeff",
+        "coefficient",
+        "cof",
+        "reibwert",
+        "reibzahl",
+        "reibungszahl",
+        "reibungskoeffizient",
+        "reibkoeffizient",
+        "frottement",
+        "coefficient de frottement",
+    )
+)
+#: Characters between columns; blanks last.
+_BETWEEN = (";", "\t", ",", "|", " ")
+_COMMENT = ("#", "%", "//")
+#: Name and unit: v [m/s], v (m/s), v in m/s, v / (m/s), v/m/s, v_m/s, and v, m/s.
+_HEAD = re.compile(
+    r"(?P<name>[^\[\](/]*?)\s*(?:\[(?P<a>[^\[\]]*)\]|/?\s*\((?P<b>.*)\)|\s+in\s+(?P<c>\S+)|/\s*(?P<d>\S+)"
+    r"|[_\s,]\s*(?P<e>[cdkmµμ]?m/(?:s|min|h)))?"
+)
+_NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
+#: A number with marks that stand before thousands only.
+_GROUPED = re.compile(r"[+-]?\d{1,3}(?:['’\u202f\u00a0]\d{3})+(?:[.,]\d*)?")
+#: A number whose mark may stand before thousands.
+_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
+#: A coefficient that is larger is in percent, or none.
+_LARGEST = 2.0
+#: A sliding speed in m/s that is smaller is none.
+_SLOWEST = 1e-15
+#: Lines of a file, and those among which its head is.
+_LINES, _ABOVE = 20_000, 100
+#: What a head looks like.
+EXAMPLE = "v [m/s],mu"
+
+
+class _RefusedError(Exception):
+    """Why a file can't be read with one character between columns, on which line, and how far that
+    came.
+    """
+
+
+def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
+    """Sliding speeds in m/s and friction coefficients.
+
+    The first line that is no comment names the columns in any order, with units, as in
+    ``v [mm/s];mu``; units may stand in a line of their own below the names. Columns stand between
+    semicolons, tabs, commas, bars or blanks, with a decimal point or comma. A ParameterError is
+    raised for a file that has no such head, may be read in two ways, or has a line that is no
+    measurement.
+    """
+    text = text_of(path, MEASURED, "a text file with sliding speed and coefficient").splitlines()
+    stripped = ((number, line.strip(" \r\n")) for number, line in enumerate(text, 1))
+    lines = [
+        (number, line)
+        for number, line in stripped
+        if line.strip() and not line.strip().startswith(_COMMENT)
+    ]
+    if len(lines) > _LINES:
+        raise ParameterError(
+            f"{path} has {len(lines)} lines, and at most {_LINES} are read; give every tenth or so"
+        )
+    found, failures = set[tuple[Span, ...]](), list[_RefusedError]()
+    said = re.fullmatch(r"sep=(.)", lines[0][1]) if lines else None  # as spreadsheets write it
+    for between in (said[1],) if said else _BETWEEN:
+        try:
+            found.add(tuple(_rows(lines[1:] if said else lines, between)))
+        except _RefusedError as error:
+            failures.append(error)
+    if len(found) > 1:
+        raise ParameterError(
+            f"{path} may be read in two ways; put semicolons between the columns, and nowhere else"
+        )
+    if not found:
+        reason, line, _ = max((one.args for one in failures), key=lambda one: one[2])
+        raise ParameterError(f"{path}{f', line {line}' if line else ''}: {reason}")
+    (rows,) = found
+    speed, friction = np.abs([*zip(*rows, strict=True)] or [(), ()])
+    if len(set(speed[speed > 0].tolist())) < 2:
+        few = f"{path} has {len(rows)} measurements"
+        raise ParameterError(
+            f"{few}; at least two at different sliding speeds are needed to fit mu0 and d"
+        )
+    if not ((speed == 0) | ((speed > _SLOWEST) & (speed < 1 / _SLOWEST))).all():
+        ends = f"{speed.min():g} to {speed.max():g} m/s"
+        raise ParameterError(
+            f"{path}: no sliding speeds are from {ends}; look at the unit in the head"
+        )
+    if not friction.any():
+        raise ParameterError(
+            f"{path}: all coefficients are 0; without friction there is nothing to fit, so "
+            "give mu0 = 0 and d"
+        )
+    return speed, friction
+
+
+def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
+    """Speed in m/s and coefficient of every line, if columns stand between these characters."""
+    if not lines:
+        raise _RefusedError(
+            f"the file is empty; begin with a line of names and units such as {EXAMPLE}", 0, 0
+        )
+    cells, texts = [(number, _cells(line, between)) for number, line in lines], dict(lines)
+    # Above the head may stand what a test rig says of itself.
+    words = [{_word(name) for name in row} for _, row in cells[:_ABOVE]]
+    begin = next((at for at, row in enumerate(words) if row & SPEED and row & FRICTION), 0)
+    (number, names), *data = cells[begin:]
+    if any(_NUMBER.fullmatch(name) for name in names):
+        said = "this is no head: it does not say which column is which, and in what unit"
+        raise _RefusedError(f"{said}; put a line such as {EXAMPLE} above it", number, 3)
+    units = [""] * len(names)
+    if (
+        data
+        and len(data[0][1]) == len(names)
+        and not any(_NUMBER.match(cell) for cell in data[0][1] if cell not in ("1", ""))
+    ):
+        units, data = [cell.strip("[]()") for cell in data[0][1]], data[1:]
+    speed, friction = (
+        _column(names, units, SPEED, "m/s", number),
+        _column(names, units, FRICTION, "1", number),
+    )
+    used = []
+    for number, row in data:
+        if len(row) < len(names) or any(row[len(names) :]):
+            said = f"{texts[number]!r} has {len(row)} columns, and the head has {len(names)}"
+            raise _RefusedError(
+                f"{said}; give every column a name, and put semicolons between them", number, 3
+            )
+        used += [row[speed[0]], row[friction[0]]]
+        for cell in used[-2:]:
+            if not _NUMBER.fullmatch(cell) or not math.isfinite(float(cell.replace(",", "."))):
+                said = f"{texts[number]!r} is not a sliding speed and a coefficient"
+                raise _RefusedError(f"{said}, such as 0.5;0.41 or 0,5;0,41", number, 4)
+    marks = {mark for mark in ".," for cell in used if mark in cell}
+    if len(marks) > 1 or any(
+        all(_THOUSANDS.fullmatch(cell) for cell in used if mark in cell) for mark in marks
+    ):
+        said = (
+            "points and commas may stand before decimals or thousands; write all numbers with a "
+            "decimal point"
+        )
+        raise _RefusedError(f"{said}, such as 1500 and 1.50", data[0][0], 5)
+    for number, row in data:
+        at, value = (one[1] * float(row[one[0]].replace(",", ".")) for one in (speed, friction))
+        if value < 0:
+            raise _RefusedError(
+                f"{texts[number]!r}: the coefficient {value:g} is negative; give its size",
+                number,
+                6,
+            )
+        if value > _LARGEST:
+            cure = "write mu [%] in the head if it is in percent"
+            raise _RefusedError(
+                f"{texts[number]!r}: the coefficient {value:g} is more than any brake has; {cure}",
+                number,
+                6,
+            )
+        yield at, value
+
+
+def _cells(line: str, between: str) -> list[str]:
+    if between != " ":
+        try:
+            return [
+                _number(cell.strip(" \t\"'"))
+                for cell in next(csv.reader([line], delimiter=between, skipinitialspace=True))
+            ]
+        except csv.Error as error:
+            raise _RefusedError(
+                f"a line of {len(line)} characters is too long ({error}); write one a line", 0, 0
+            ) from error
+    # Blanks in a row are one: patterns go back over each of them.
+    together = re.sub(r" in (\S+)", r"[\1]", re.sub(r" (?=[\[(])", "", " ".join(line.split())))
+    return [_number(cell.strip("\"'")) for cell in together.split()]
+
+
+def _word(name: str) -> str:
+    """What a column is called: small letters, without its unit and without a symbol behind its
+    name.
+    """
+    parts = _HEAD.fullmatch(" ".join(name.split()))
+    word = re.sub(r"[\s_\-.]+", " ", parts["name"] if parts else name).strip().lower()
+    word = re.sub("[\N{MICRO SIGN}\N{GREEK SMALL LETTER MU}]", "mu", word)
+    first, _, last = word.rpartition(" ")
+    return first if any({first, last} <= known for known in (SPEED, FRICTION)) else word
+
+
+def _number(cell: str) -> str:
+    """A cell; of a number with a minus of print, groups of thousands or Fortran's exponent, as
+    Python writes it.
+    """
+    text = cell.replace("\N{MINUS SIGN}", "-")
+    text = re.sub(r"['’\u202f\u00a0]", "", text) if _GROUPED.fullmatch(text) else text
+    return re.sub(r"^([+-]?[\d.,]+)[dD]([+-]?\d+)$", r"\1e\2", text)
+
+
+def _column(
+    names: Sequence[str], units: Sequence[str], known: frozenset[str], si: str, line: int
+) -> tuple[int, float]:
+    """Which column has one of these names, and what its unit is in SI."""
+    what, write = (
+        ("the sliding speed", "v [m/s]")
+        if si == "m/s"
+        else ("the friction coefficient", "mu or mu [%]")
+    )
+    found = [i for i, name in enumerate(names) if _word(name) in known]
+    if len(found) != 1:
+        several = f"is named {len(found)} times" if found else "is not among the names"
+        raise _RefusedError(f"{what} {several}; name one column {write}, as in {EXAMPLE}", line, 1)
+    (i,), name, below = found, names[found[0]], units[found[0]]
+    parts = _HEAD.fullmatch(" ".join(name.split()))
+    given = parts[parts.lastindex or 0] if parts and parts.lastgroup != "name" else ""
+    if given and below:
+        raise _RefusedError(
+            f"{name!r} has a unit, and the line below gives {below!r}; give one of them", line, 2
+        )
+    unit = (given or below).strip()
+    if not unit and si == "m/s":
+        raise _RefusedError(
+            f"{name!r} has no unit; write it in brackets behind the name, as in v [m/s] or v "
+            "[mm/s]",
+            line,
+            2,
+        )
+    try:
+        return i, factor("" if si == "1" and unit in ("-", "–", "1") else unit, si)
+    except ParameterError as error:
+        raise _RefusedError(f"{name!r}: {error}; write {write}", line, 2) from error

@@ -1,0 +1,168 @@
+"""The friction in use over all tolerances, and the speed of the belt that brings one, enclosed by
+intervals.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..bifurcation.tubes import halves
+from ..design.certificates import corner_values
+from ..models.parameters import FloatArray, Span
+from ..models.quantities import Unit
+from ..numerics.interval_arrays import Intervals
+from ..statics.balance import BalanceInUnits
+from ..statics.forces import as_intervals
+from .units import Measured
+
+if TYPE_CHECKING:
+    from .brake import Brake
+
+#: How closely the ends of the friction are enclosed, relative; in how many halvings, and in how
+#: many boxes at once, or few.
+CLOSE, HALVINGS, MOST, FEW = 1e-9, 60, 1 << 12, 1 << 6
+#: Times the belt's own speed up to which a speed is looked for, as a power of two; how closely; and
+#: parts that are looked at.
+OCTAVES, SHARP, SPANS = 30, 2.0**-44, 1 << 12
+
+
+def friction_depends_on(study: Brake) -> tuple[str, ...]:
+    """Quantities on which the friction that works depends."""
+    law = study.kind.law
+    return (
+        ("mu0",)
+        if law["at_rest"] == "mu0" and study.law == "friction_at_rest"
+        else tuple(law["quantities"])
+    )
+
+
+def friction_bounds(study: Brake) -> Span:
+    """Bounds of the friction that works for everything within the tolerances, by intervals."""
+    law = _Law(study)
+    least, most = -law.largest(-1), law.largest()
+    # A law that is proportional to μ₀ does not drive.
+    return max(0.0, least) if study.kind.law["at_rest"] == "mu0" else least, most
+
+
+def speed_for(study: Brake, friction: float) -> float:
+    """The least speed of the belt in m/s at which the largest friction within the tolerances is
+    this one; NaN where none is.
+
+    It is a little less where the law neither rises nor falls over the tolerances, where bounds over
+    intervals are loose.
+    """
+    if (
+        not study.moves
+        or study.law != "friction_at_speed"
+        or study.belt is None
+        or not study.values[study.belt]
+    ):
+        return math.nan
+    law, name = _Law(study), study.kind.law["belt"]
+    place, speed = (
+        law.balance.parameters.index(name),
+        abs(float(getattr(study.dimensionless, name))),
+    )
+    parts = [
+        (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(OCTAVES))
+    ] + [(0.0, speed)]
+    for _ in range(SPANS):
+        if not parts:
+            return math.nan
+        slow, fast = parts.pop()
+        law.low[place], law.high[place] = slow, fast
+        if law.largest(1, FEW) < friction:
+            continue
+        middle = 0.5 * (slow + fast)
+        if fast - slow <= SHARP * fast:
+            return float(middle * study.scales.length / study.scales.time)
+        parts += [(middle, fast), (slow, middle)]
+    return math.nan
+
+
+class _Law:
+    """The law that works, and corners within the tolerances of all on which it depends; units of
+    measure cancel in it.
+    """
+
+    def __init__(self, study: Brake) -> None:
+        names = study.kind.law["quantities"]
+        exact = {
+            name: replace(one, low=one.value, high=one.value)
+            for name, one in study.quantities.items()
+            if name not in names
+        }
+        low, high, units = parameter_ends(study.with_quantities({**study.quantities, **exact}))
+        self.low, self.high = corner_values(low.model.parameters, low, high, units)
+        self.balance = BalanceInUnits(low.model, units, study.law)
+
+    def over(self, low: FloatArray, high: FloatArray, sign: int = 1) -> Intervals:
+        """Bounds over boxes of the law, or with ``sign=-1`` of its negative."""
+        arguments = self.balance.over(Intervals.between(low, high))
+        found = as_intervals(self.balance.at((), arguments).friction, low.shape[1:])
+        return found if sign > 0 else -found
+
+    def largest(self, sign: int = 1, most: int = MOST) -> float:
+        """A bound of ± the law over the box: parts are halved along the side over which it moves
+        most, until it is close.
+        """
+        low, high, above, done = self.low, self.high, np.full(1, np.inf), -np.inf
+        for _ in range(HALVINGS):
+            above = self.over(low, high, sign).high
+            best = max(float(self.over(end, end, sign).low.max()) for end in (low, high))
+            open_ = np.flatnonzero(above > best + CLOSE * abs(best))
+            if not open_.size or 2 * open_.size > most:
+                break
+            done = max(done, float(np.delete(above, open_).max(initial=-np.inf)))
+            low, high = low[:, open_], high[:, open_]
+            _, first, second = halves(
+                low, high, np.array([self._moves(low, high, side) for side in range(len(low))])
+            )
+            low, high = np.concatenate([low, second], axis=1), np.concatenate([first, high], axis=1)
+        return max(done, float(above.max()))
+
+    def _moves(self, low: FloatArray, high: FloatArray, side: int) -> FloatArray:
+        """By how much the law moves over one side, all others in their middles."""
+        one, other = 0.5 * (low + high), 0.5 * (low + high)
+        one[side], other[side] = low[side], high[side]
+        found = self.over(one, other)
+        return np.where(low[side] < high[side], found.high - found.low, -1.0)
+
+
+#: Some roundings of half a unit each.
+ROUNDED = 2.0**-48
+
+
+def parameter_ends(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
+    """Two sets of parameters at the study's own units, rounded outward, and units of measure that
+    have tolerances too.
+    """
+    kind, low, high = study.kind, dict[str, float](), dict[str, float]()
+    of_units: dict[str, dict[str, float]] = {name: {} for name in kind.bases}
+    for quantity, name in kind.parameters.items():
+        if quantity not in study.quantities:
+            continue
+        powers, allowed = kind.powers(kind.units[quantity]), kind.model.Parameters.ranges[name]
+        for base, power in powers.items():
+            if power:
+                of_units[base][name] = -power
+        off = ROUNDED if any(powers.values()) else 0.0
+        ends = outward(study.quantities[quantity], study.scale(kind.units[quantity]), off)
+        low[name], high[name] = max(ends[0], allowed.low), min(ends[1], allowed.high)
+    units = {
+        f"{base}/{base}_0": Unit(*outward(study.quantities[base], study.values[base], ROUNDED), of)
+        for base, of in of_units.items()
+        if of and study.quantities[base].varies
+    }
+    return study.placed(kind.model.Parameters(**low)), kind.model.Parameters(**high), units
+
+
+def outward(one: Measured, scale: float, off: float) -> Span:
+    """Ends over a scale, the lower one no higher and the upper one no lower than they are."""
+    return one.low / scale * (1 - math.copysign(off, one.low)), one.high / scale * (
+        1 + math.copysign(off, one.high)
+    )

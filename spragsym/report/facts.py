@@ -1,6 +1,4 @@
-"""Facts of a report: plain data about a brake, computed in a fixed order by functions of its
-study.
-"""
+"""Facts of a report: plain data about a brake, computed in a fixed order."""
 
 from __future__ import annotations
 
@@ -61,8 +59,7 @@ class FoldRow:
 
     ``friction``, ``inclination_deg`` or ``value``, of the loading parameter in SI, is where, the
     others None; ``ends`` and ``when`` are as of :class:`~spragsym.Points`. ``before`` and ``after``
-    are the coordinates in the units of the file, of which those after are NaN where nothing is
-    left.
+    are coordinates in the units of the file, of which those after are NaN where nothing is left.
     """
 
     kind: str
@@ -177,9 +174,7 @@ class Facts:
 
     @property
     def within(self) -> str:
-        """The certificate: ``"proved"`` that none jumps, ``"refuted"``, ``"undecided"``, or
-        empty.
-        """
+        """Outcome of the certificate, ``"proved"`` where none jumps; empty if there is none."""
         return "" if self.certificate is None else self.certificate.outcome
 
     @property

@@ -25,21 +25,17 @@ class Report(Facts, Result):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Where an answer would mislead, or is not known."""
+        """Sentences on where an answer would mislead, or is not known."""
         return warnings(self)
 
     @property
     def verdict(self) -> str:
-        """Whether it sprags, at what friction, and how far that is; then what other states, motion
-        and tolerances add.
-        """
+        """Sentences on the jump, on other states, on the motion and on the tolerances."""
         return " ".join(texts.verdict(self))
 
     @property
     def about(self) -> dict[str, str]:
-        """Title and date, as the file gives them, the file, its model, and the version of
-        spragsym.
-        """
+        """Title, date and file, as they were given, the model, and the version of spragsym."""
         return texts.about(self)
 
     @property
@@ -48,15 +44,11 @@ class Report(Facts, Result):
         return tuple(f"{verb} {what}" for verb, what in next_steps(self))
 
     def blocks(self) -> Iterator[str]:
-        """The text of the report, piece by piece, each as soon as it is computed; the verdict
-        first.
-        """
+        """Pieces of the text of the report, the verdict first."""
         return texts.blocks(self)
 
     def to_dict(self) -> texts.Json:
-        """The report as JSON has it: numbers, texts, lists and dictionaries; quantities in the
-        units of the file.
-        """
+        """The report as JSON has it; quantities in the units of the file."""
         return texts.as_json(self)
 
     def text(self) -> str:
@@ -65,8 +57,7 @@ class Report(Facts, Result):
 
     def to_html(self, path: str | os.PathLike[str]) -> None:
         """Write the report as one page with its pictures (extra ``plot``)."""
-        # a shorthand for what a user asks the package: no room imports one behind it
-        import spragsym
+        import spragsym  # a shorthand: no room imports one behind it
 
         put(path, spragsym.figures.report_page(self))
 
@@ -80,8 +71,8 @@ class Report(Facts, Result):
 
     def _for_file(self) -> Report:
         raise ParameterError(
-            "path: a report is computed anew from its study; write to_html(path), or "
-            "json.dumps(to_dict())"
+            "path: a report is computed anew from its study; "
+            "write to_html(path), or json.dumps(to_dict())"
         )
 
     def table_values(self) -> texts.Json:

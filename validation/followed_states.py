@@ -15,9 +15,7 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.models.load import load
-from spragsym.report import Report
 from spragsym.report.example import example
-from spragsym.report.facts import ReportOptions
 
 CASES = 200
 MODELS = ("kang_nam", "sprag_rod", "two_springs", "cubic_contact", "damped")
@@ -76,8 +74,8 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         file = Path(folder) / "brake.toml"
         file.write_text("\n".join(lines), encoding="utf-8")
         study = ss.Study.from_file(file)
-    report = Report.of(study, ReportOptions(False, False, False))
-    verdict = next(report.blocks())
+    report = study.report(probability=False, redesign=False, oscillation=False)
+    verdict = report.verdict
     end = end_by_hand(study.dimensionless, study.full[2])
     spared, wrong = "does not sprag" in verdict, []
     if spared == (end < math.inf) and abs(end - study.full[2]) > CLOSE:

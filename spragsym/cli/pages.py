@@ -85,15 +85,11 @@ def report(
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
         raise ParameterError(f"--html {html}: the ending must be .html")
     refuse([html], force)
-    from ..report import Report
-    from ..report.facts import ReportOptions
-
     study = study_of(file, model, trust, warn=False)  # the report has its own warnings
-    options = ReportOptions(redesign=redesign, oscillation=oscillation, safety=safety)
     with show_progress(
         "computing the report (--no-oscillation and --no-redesign leave out what takes longest)"
     ):
-        found = Report.of(study, options)
+        found = study.report(redesign=redesign, oscillation=oscillation, safety=safety)
     if json_output:
         print_json(found.to_dict())
     else:

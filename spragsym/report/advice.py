@@ -37,11 +37,6 @@ FLAT = 3.15
 
 def warnings(report: Facts) -> tuple[str, ...]:
     """Sentences on where an answer would mislead, or is not known."""
-    return (*cautions(report), *report.remarks)
-
-
-def cautions(report: Facts) -> tuple[str, ...]:
-    """All warnings for a study and the states that were found."""
     study = report.study
     return (
         *_contact(study, report.states),
@@ -50,6 +45,7 @@ def cautions(report: Facts) -> tuple[str, ...]:
         *_friction_caution(study),
         *of_data(study),
         *_damping(report),
+        *report.remarks,
     )
 
 

@@ -27,7 +27,7 @@ from .trust import trusted_model
 from .units import ENDS, WITHIN, Measured, Numbers, read, remedy
 
 #: Keys of a file that are no quantities.
-_KEYS = (
+_KEYS = [
     "friction",
     "correlation",
     "model",
@@ -37,7 +37,7 @@ _KEYS = (
     "may_change",
     "title",
     "date",
-)
+]
 
 
 def read_brake(path: FilePath, trust: bool | str = False) -> Brake:

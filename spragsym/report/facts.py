@@ -78,8 +78,8 @@ class Facts:
 
     Attributes
     ----------
-    study, options
-        What was asked, of which brake.
+    study : Brake
+        The brake.
     jump_parameter : float or None
         Where the followed state jumps, as the loading parameter; NaN where it does not.
     jump_at : float or None
@@ -122,7 +122,6 @@ class Facts:
     """
 
     study: Brake
-    options: ReportOptions
     jump_parameter: float | None
     jump_at: float | None
     speed: float
@@ -309,7 +308,6 @@ def facts(study: Brake, options: ReportOptions) -> Facts:
             redesign = changes(study.at_full_slip() if reach == "faster" else study, target)
     return Facts(
         study=study,
-        options=options,
         jump_parameter=parameter,
         jump_at=jump_at,
         speed=speed,

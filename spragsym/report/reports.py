@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
 
 from ..display import Table
 from ..errors import ParameterError
@@ -11,17 +10,11 @@ from ..files.storage import put
 from ..results import Result
 from . import texts
 from .advice import next_steps, warnings
-from .brake import Brake
-from .facts import Facts, ReportOptions, facts
+from .facts import Facts
 
 
 class Report(Facts, Result):
     """Report on a brake: its facts are attributes; text, page and JSON state them."""
-
-    @classmethod
-    def of(cls, study: Brake, options: ReportOptions) -> Report:
-        """The report of a study; its facts are computed here, once."""
-        return cls(**vars(facts(study, options)))
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -43,17 +36,13 @@ class Report(Facts, Result):
         """What to do next, at most five steps."""
         return tuple(f"{verb} {what}" for verb, what in next_steps(self))
 
-    def blocks(self) -> Iterator[str]:
-        """Pieces of the text of the report, the verdict first."""
-        return texts.blocks(self)
-
     def to_dict(self) -> texts.Json:
         """The report as JSON has it; quantities in the units of the file."""
         return texts.as_json(self)
 
     def text(self) -> str:
         """The report as text: the verdict, then the numbers."""
-        return "\n".join(self.blocks())
+        return "\n".join(texts.blocks(self))
 
     def to_html(self, path: str | os.PathLike[str]) -> None:
         """Write the report as one page with its pictures (extra ``plot``)."""

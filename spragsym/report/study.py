@@ -11,7 +11,7 @@ from ..progress import doing, show_progress
 from .advice import of_data
 from .brake import Brake
 from .data import read_brake
-from .facts import ReportOptions
+from .facts import ReportOptions, facts
 from .reports import Report
 
 
@@ -112,7 +112,7 @@ class Study(Brake):
             probability, redesign, oscillation, as_number("safety", safety, POSITIVE), n
         )
         with show_progress() if progress else nullcontext(), doing(""):
-            return Report.of(self, options)
+            return Report(**vars(facts(self, options)))
 
     def to_html(self, path: str | os.PathLike[str], report: Report | None = None) -> None:
         """Write the report as one page with its pictures, which needs no other file (extra

@@ -12,9 +12,9 @@ import scipy.optimize
 
 import spragsym as ss
 from spragsym.design.probability import JumpProbability
-from spragsym.report import Report, facts, texts
+from spragsym.report import facts, texts
 from spragsym.report.brake import Brake
-from spragsym.report.facts import Facts, FoldRow, ReportOptions
+from spragsym.report.facts import Facts, FoldRow
 from spragsym.report.friction_fit import FrictionFit, fit_friction
 from spragsym.report.redesigns import Change
 from spragsym.report.states import JumpPeak, Oscillation, State, states
@@ -181,7 +181,6 @@ def said_of(study: Brake = EXACT, **known: Any) -> Facts:
     """Facts of a brake that jumps at more friction than it has, with some of them replaced."""
     given: dict[str, Any] = {
         "study": study,
-        "options": ReportOptions(),
         "jump_parameter": 0.3663,
         "jump_at": 0.3663,
         "speed": math.nan,
@@ -1170,7 +1169,7 @@ def test_what_a_report_warns_of_depends_on_no_earlier_question(
     )
     monkeypatch.setattr(facts, "folds", lambda p, vary: left)
     quickly: Any = {"oscillation": False, "probability": False, "redesign": False}
-    fresh = Report.of(study, ReportOptions(**quickly))
+    fresh = study.report(**quickly)
     assert "folds along mu0 may be missing: one box is left" in fresh.to_dict()["warnings"]
     assert fresh.to_dict()["warnings"] == list(study.report(**quickly).warnings)
     assert fresh.warnings == tuple(text for _, text in dict(texts.sections(fresh))["Warnings"])

@@ -76,10 +76,12 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         study = ss.Study.from_file(file)
     report = study.report(probability=False, redesign=False, oscillation=False)
     verdict = report.verdict
-    end = end_by_hand(study.dimensionless, study.full[2])
+    end = end_by_hand(study.dimensionless, study.full_slip[2])
     spared, wrong = "does not sprag" in verdict, []
-    if spared == (end < math.inf) and abs(end - study.full[2]) > CLOSE:
+    if spared == (end < math.inf) and abs(end - study.full_slip[2]) > CLOSE:
         wrong = [f"file {number} of {name}: ends at {end:.6g} by hand; {verdict}"]
-    if end < study.full[2] and not math.isclose(report.jump_at or math.nan, end, abs_tol=CLOSE):
+    if end < study.full_slip[2] and not math.isclose(
+        report.jump_at or math.nan, end, abs_tol=CLOSE
+    ):
         wrong = [f"file {number} of {name}: jumps at {report.jump_at}, by hand at {end:.6g}"]
     return {"kind": f"{name}, {'does not' if spared else 'sprags'}", "wrong": wrong}

@@ -435,7 +435,10 @@ class OfModel(Command):
 
     def _defaults(self, study: Study) -> dict[str, str]:
         """The values of a file, as options take them: of statics with the friction that works."""
-        kind, p = study.kind, study.at_work if self.statics and study.moves else study.dimensionless
+        kind, p = (
+            study.kind,
+            study.operating_point if self.statics and study.moves else study.dimensionless,
+        )
         if not self.statics and not study.moves:
             raise ParameterError(
                 f"--data {study.source}: there is no motion without belt speed and creep; add "

@@ -103,7 +103,7 @@ def report_page(report: Facts) -> str:
 def pictures(report: Facts) -> Rows:
     """Each picture as SVG, with its caption; none of a plane that the model does not have."""
     study, odds = report.study, report.probability
-    if study.rise is not None:
+    if study.load is not None:
         yield from _planes(report)
     if study.of_friction:
         yield from _stability_map(report)
@@ -122,7 +122,11 @@ def _planes(report: Facts) -> Rows:
     the loading parameter.
     """
     study, jump = report.study, report.mu_jump
-    (low, _, high), p, first = study.working, study.at_work, study.kind.about["coordinates"][0]
+    (low, _, high), p, first = (
+        study.in_use,
+        study.operating_point,
+        study.kind.about["coordinates"][0],
+    )
     if "theta0" in p.model.parameters and study.of_friction:
         angles, jump = study.quantities["theta0"], math.nan if jump is None else jump
         caption = "On the lines two states of sliding meet; where it is shaded there are three."
@@ -152,7 +156,7 @@ def _planes(report: Facts) -> Rows:
     )
     rises = "the friction"
     if not study.of_friction:
-        rises, scale = study.rises.quantity, study.rise_scale
+        rises, scale = study.loading.quantity, study.load_scale
         low, high, one = low / scale, high / scale, study.quantities[rises]
         drawn = math.radians(1.0) if study.kind.units[rises] == "rad" else 1.0
         options |= {**study.along(), "size": study.in_file(rises, drawn * scale)}
@@ -170,7 +174,7 @@ def _stability_map(report: Facts) -> Rows:
     """Where oscillation sets in, over angle and friction; nothing where the belt or its law is not
     known.
     """
-    study, p = report.study, report.study.at_work
+    study, p = report.study, report.study.operating_point
     if "theta0" not in p.model.parameters or not study.moves:
         return
     (low, _, high), angles = study.friction, study.quantities["theta0"]

@@ -103,7 +103,7 @@ def _friction_caution(study: Brake) -> Iterator[str]:
         )
     yield from _fit(study)
     full = study.values.get("mu0", 0.0)
-    works = float(study.at_work.mu0) if full else 0.0
+    works = float(study.operating_point.mu0) if full else 0.0
     if works < FULL * full:
         share = f"{works / full:.3g} of mu0, {study.friction[1]:.3g} in place of {full:.3g}"
         cause = "d and V" if {"d", "V"} <= set(study.values) else study.belt
@@ -199,7 +199,7 @@ def next_steps(report: Facts) -> Rows:
 
 def _changes(report: Facts) -> Rows:
     study = report.study
-    if study.rise is None and study.kind.rises:
+    if study.load is None and study.kind.rises:
         yield "name", f'what rises until it jumps, in the file, as vary = "{study.kind.rises}"'
     for one in report.redesign[:1]:
         values = " and ".join(
@@ -209,7 +209,7 @@ def _changes(report: Facts) -> Rows:
         then = (
             "it does not jump"
             if math.isnan(one.jump_at)
-            else f"it jumps at {study.amount(one.jump_at)}"
+            else f"it jumps at {study.load_text(one.jump_at)}"
         )
         yield (
             "change",
@@ -226,12 +226,12 @@ def _changes(report: Facts) -> Rows:
 
 def _ranges(report: Facts) -> Rows:
     study, jump, odds = report.study, report.jump_at, report.probability
-    low, _, high = study.working
+    low, _, high = study.in_use
     if jump is not None and low < jump <= high and low < high:
         yield (
             "narrow",
-            f"the {study.rises.word}, {study.amount(low)} to {study.amount(high)}, to less "
-            f"than {study.amount(jump)}",
+            f"the {study.loading.word}, {study.load_text(low)} to {study.load_text(high)}, to "
+            f"less than {study.load_text(jump)}",
         )
         return
     # The largest total index stands first.

@@ -29,7 +29,7 @@ Spread: TypeAlias = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
-class Rise:
+class LoadParameter:
     """The loading parameter: its quantity in the file, the parameter that it is in the model, and
     from where it rises, in SI.
     """
@@ -45,7 +45,7 @@ class Rise:
         """What it is called in a sentence."""
         return "friction" if self.is_friction else self.quantity
 
-    def check(self, values: Numbers) -> Rise:
+    def check(self, values: Numbers) -> LoadParameter:
         """Itself; an error for a brake in which it is below where it begins."""
         if self.begin > values[self.quantity]:
             above = f"begin = {self.begin:g} is above {self.quantity} = {values[self.quantity]:g}"
@@ -54,12 +54,12 @@ class Rise:
 
 
 #: The loading parameter where none is named.
-_NOTHING = Rise("", "", math.nan, False)
+_NOTHING = LoadParameter("", "", math.nan, False)
 
 
-def rise_of(
+def load_parameter_of(
     kind: Quantities, vary: str | None, begin: float | None, values: Numbers
-) -> Rise | None:
+) -> LoadParameter | None:
     """The loading parameter: the quantity that is named, else the friction at full slip; None for a
     model without it.
 
@@ -70,7 +70,7 @@ def rise_of(
             raise ParameterError(
                 f"begin = {begin!r} says from where a quantity rises; give vary, its name, too"
             )
-        return Rise("mu0", "mu0", 0.0, kind.of_mu0) if "mu0" in kind.parameters else None
+        return LoadParameter("mu0", "mu0", 0.0, kind.of_mu0) if "mu0" in kind.parameters else None
     if vary not in kind.may_rise:
         cure = hint(vary, kind.may_rise) or f"; choose one of {', '.join(kind.may_rise)}"
         raise ParameterError(
@@ -87,7 +87,7 @@ def rise_of(
         raise ParameterError(
             f"begin = {start:g}: friction rises from {allowed.low:g}; leave begin out"
         )
-    return Rise(vary, kind.parameters[vary], start, of_friction).check(values)
+    return LoadParameter(vary, kind.parameters[vary], start, of_friction).check(values)
 
 
 def spanned(kind: Quantities, name: str, ends: Span) -> Span:
@@ -108,7 +108,7 @@ class Brake:
     source: str = ""
     fit: FrictionFit | None = None
     correlation: Correlation = MappingProxyType({})
-    rise: Rise | None = None
+    load: LoadParameter | None = None
     state: Numbers = MappingProxyType({})
     may_change: Ranges = MappingProxyType({})
     title: str = ""
@@ -139,7 +139,7 @@ class Brake:
             for name, si in kind.units.items()
             if name in given
         }
-        self.rise = rise_of(kind, vary, begin, self.values)
+        self.load = load_parameter_of(kind, vary, begin, self.values)
         self.may_change = {
             name: spanned(kind, name, (low, high))
             for name, (low, high) in (may_change or {}).items()
@@ -158,8 +158,8 @@ class Brake:
         """The study of the same file with other quantities."""
         held = {name: value for name, value in vars(self).items() if name in Brake.__annotations__}
         study = type(self).of(**held | {"quantities": changed})
-        if study.rise is not None:
-            study.rise.check(study.values)
+        if study.load is not None:
+            study.load.check(study.values)
         return study
 
     def changed(self, after: Numbers) -> Self:
@@ -222,11 +222,11 @@ class Brake:
         }
 
     @cached_property
-    def at_work(self) -> Any:
+    def operating_point(self) -> Any:
         """The brake with the μ₀ with which statics has the friction that works, where the model has
         one.
         """
-        return self.risen(self.values, None)
+        return self.loaded(self.values, None)
 
     @cached_property
     def moves(self) -> bool:
@@ -285,72 +285,72 @@ class Brake:
         )
 
     @property
-    def rises(self) -> Rise:
+    def loading(self) -> LoadParameter:
         """The loading parameter; one without a name where nothing is said to rise."""
-        return self.rise or _NOTHING
+        return self.load or _NOTHING
 
     @property
     def of_friction(self) -> bool:
         """Whether it is the friction that rises."""
-        return self.rises.is_friction
+        return self.loading.is_friction
 
     @property
-    def working(self) -> Spread:
+    def in_use(self) -> Spread:
         """The loading parameter, where the brake works: least, as drawn, and largest within the
         tolerances.
         """
-        if self.rise is None or self.of_friction:
+        if self.load is None or self.of_friction:
             return self.friction
-        one = self.quantities[self.rise.quantity]
+        one = self.quantities[self.load.quantity]
         return one.low, one.value, one.high
 
     @property
-    def full(self) -> Spread:
+    def full_slip(self) -> Spread:
         """The friction at full slip."""
         if not self.of_friction:
-            return self.working
+            return self.in_use
         one = self.quantities["mu0"]
         return self.of_statics(one.low), self.of_statics(one.value), self.of_statics(one.high)
 
     @property
-    def rise_scale(self) -> float:
+    def load_scale(self) -> float:
         """What one of the parameter that rises is as it is told: in SI, in the units of the brake
         as drawn.
         """
-        return self.scale(self.kind.units[self.rises.quantity])
+        return self.scale(self.kind.units[self.loading.quantity])
 
     def told(self, value: float) -> float:
         """A value of the parameter that rises as it is told: the friction of the law, or in SI."""
-        return self.of_statics(value) if self.of_friction else value * self.rise_scale
+        return self.of_statics(value) if self.of_friction else value * self.load_scale
 
-    def begins(self, values: Mapping[str, Any] | None = None) -> Any:
+    def start(self, values: Mapping[str, Any] | None = None) -> Any:
         """From where it rises, as its parameter; of other brakes in their own units, each at the
         same value in SI.
         """
-        rise = self.rises
-        allowed = self.kind.model.Parameters.ranges[rise.name]
-        scale = self.kind.scale(self.kind.units[rise.quantity], values or self.values)
-        return np.maximum(rise.begin / scale, allowed.reached(allowed.low))
+        load = self.loading
+        allowed = self.kind.model.Parameters.ranges[load.name]
+        scale = self.kind.scale(self.kind.units[load.quantity], values or self.values)
+        return np.maximum(load.begin / scale, allowed.reached(allowed.low))
 
     def along(self, values: Mapping[str, Any] | None = None) -> dict[str, Any]:
         """The loading parameter as arguments of the model's questions."""
-        return {"vary": self.rises.name, "begin": self.begins(values)}
+        return {"vary": self.loading.name, "begin": self.start(values)}
 
     @cached_property
     def ends(self) -> Ends:
         """Where the state ends as something rises, and how far that was looked for."""
-        return first_ends(self.at_work, **self.along())
+        return first_ends(self.operating_point, **self.along())
 
     def jump(self) -> float:
         """Where the state jumps, as the parameter that rises; NaN where it does not."""
         return float(told(self.ends).value)
 
-    def risen(self, values: Mapping[str, Any], target: float | None) -> Any:
+    def loaded(self, values: Mapping[str, Any], target: float | None) -> Any:
         """Parameters of brakes, by their quantities in SI, with the loading parameter at a target,
         or at its own value.
         """
         if target is not None and not self.of_friction:
-            values = {**values, self.rises.quantity: target}
+            values = {**values, self.loading.quantity: target}
         p = self.placed(self.kind.parameter_set(values))
         if "mu0" in p.model.parameters:
             works = p.mu0 * (share(p.model, p) if self.law == "friction_at_speed" else 1.0)
@@ -362,7 +362,7 @@ class Brake:
         return p
 
     @property
-    def top(self) -> float:
+    def upper_limit(self) -> float:
         """Up to which value a jump is looked for, as it is told: all, or the end of a search."""
         return self.told(float(self.ends.until))
 
@@ -391,26 +391,30 @@ class Brake:
             return f"a speed of {speed:.{digits}g} m/s"
         return f"{self.belt} = {self.shown(self.belt, speed, digits)}"
 
-    def amount(self, value: float, digits: int = 4) -> str:
+    def load_text(self, value: float, digits: int = 4) -> str:
         """A value of the loading parameter: a friction as a number, a quantity with its unit."""
         return (
             f"{value:.{digits}g}"
             if self.of_friction
-            else self.shown(self.rises.quantity, value, digits)
+            else self.shown(self.loading.quantity, value, digits)
         )
 
     def named(self, value: float, digits: int = 4) -> str:
         """The value in a sentence: ``a friction of 0.4`` or ``P = 20 N``."""
         return (
-            f"{'a friction of' if self.of_friction else f'{self.rises.quantity} ='} "
-            f"{self.amount(value, digits)}"
+            f"{'a friction of' if self.of_friction else f'{self.loading.quantity} ='} "
+            f"{self.load_text(value, digits)}"
         )
 
     @property
-    def looked(self) -> str:
+    def search_range(self) -> str:
         """Where a jump is looked for, in a sentence: ``friction`` at all, or ``P up to 20 N``."""
-        word = self.rises.word
-        return word if math.isinf(self.top) else f"{word} up to {self.amount(self.top)}"
+        word = self.loading.word
+        return (
+            word
+            if math.isinf(self.upper_limit)
+            else f"{word} up to {self.load_text(self.upper_limit)}"
+        )
 
     def unit_of(self, si: str, name: str = "") -> tuple[str, float]:
         """The unit of this file for an SI unit, that of a quantity if it is there, and what one of

@@ -19,7 +19,7 @@ from ..files.text import FilePath, text_of
 from ..models.load import USUAL
 from ..models.parameters import FINITE, Range, Ranges
 from ..models.quantities import Quantities, quantities
-from .brake import Brake, Rise, rise_of, spanned
+from .brake import Brake, LoadParameter, load_parameter_of, spanned
 from .example import OWN_EXAMPLES, example_of
 from .friction_curve import read_friction
 from .friction_fit import FrictionFit, fit_friction
@@ -127,7 +127,7 @@ class _Reader:
         with self.at("may_change"):
             study.may_change = _may_change(own["may_change"] or {}, kind)
         with self.at("vary" if own["begin"] is None else "begin"):
-            study.rise = _rise(own["vary"], own["begin"], study)
+            study.load = _rise(own["vary"], own["begin"], study)
         return study
 
     def _table(self) -> dict[str, Any]:
@@ -258,13 +258,13 @@ def _may_change(given: Any, kind: Quantities) -> Ranges:
     return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}
 
 
-def _rise(vary: Any, begin: Any, study: Brake) -> Rise | None:
+def _rise(vary: Any, begin: Any, study: Brake) -> LoadParameter | None:
     units = study.kind.units
     if not isinstance(vary, str | None):
         raise ParameterError(f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
     if begin is not None and vary in units:
         begin = _quantity("begin", begin, units[vary], FINITE).value
-    return rise_of(study.kind, vary, begin, study.values)
+    return load_parameter_of(study.kind, vary, begin, study.values)
 
 
 def _fitted(value: float, error: float, unit: str) -> Measured:

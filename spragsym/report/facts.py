@@ -33,7 +33,7 @@ from .states import (
     others,
     states,
 )
-from .tolerances import bracket, certificate, chance, effort, varied
+from .tolerances import bracket, certificate, chance, sampling_budget, varied
 from .units import Numbers
 
 T = TypeVar("T")
@@ -160,15 +160,15 @@ class Facts:
     @property
     def slow(self) -> bool:
         """Friction at the belt's speed falls short of full slip by more than the printed digits."""
-        full = self.study.full[2]
-        return self.study.working[2] < full - 0.005 * abs(full)
+        full = self.study.full_slip[2]
+        return self.study.in_use[2] < full - 0.005 * abs(full)
 
     @property
     def complete(self) -> bool:
         """States and folds along the loading parameter are proved to be all there are."""
-        rise = self.study.rise
+        load = self.study.load
         return self.states_complete and (
-            rise is None or (rise.name in self.folds and bool(self.folds[rise.name].complete))
+            load is None or (load.name in self.folds and bool(self.folds[load.name].complete))
         )
 
     @property
@@ -189,7 +189,7 @@ class Facts:
     @property
     def vary(self) -> str | None:
         """The quantity that is the loading parameter."""
-        return self.study.rises.quantity or None
+        return self.study.loading.quantity or None
 
     @property
     def mu_jump(self) -> float | None:
@@ -209,7 +209,7 @@ class Facts:
     @property
     def margin_percent(self) -> float | None:
         """The jump beyond the largest value within the tolerances, in percent of that."""
-        return None if self.jump_at is None else percent_beyond(self.jump_at, self.study.working[2])
+        return None if self.jump_at is None else percent_beyond(self.jump_at, self.study.in_use[2])
 
 
 def percent_beyond(value: float, other: float) -> float:
@@ -265,11 +265,11 @@ def facts(study: Brake, options: ReportOptions) -> Facts:
         speed = speed_for(study, jump_at)
     reach = _reach(study, jump_at, speed)
 
-    eq = equilibria(study.at_work)
+    eq = equilibria(study.operating_point)
     here = answers.known("the state that the brake is in is", partial(current, study, eq))
     found = states(study, eq, here)
     beside = () if here is None else others(study, eq, found)
-    if here is None and study.rise is None:
+    if here is None and study.load is None:
         answers.remarks.append(
             "which state the brake is in is not known, since nothing is said to rise: "
             "name it with state"
@@ -280,7 +280,7 @@ def facts(study: Brake, options: ReportOptions) -> Facts:
     moves = options.oscillation and study.moves
     motion = _oscillation(answers, found, here) if moves else None
     proof = None
-    if options.probability and study.rise is not None:
+    if options.probability and study.load is not None:
         proof = answers.known(
             "whether nothing within the tolerances jumps is", partial(certificate, study)
         )
@@ -294,7 +294,7 @@ def facts(study: Brake, options: ReportOptions) -> Facts:
     if moves and parameter is not None and not math.isnan(parameter):
         peak = answers.known("the jump as a motion is", partial(jump_peak, study, parameter, speed))
 
-    largest = (study.full if reach == "faster" else study.working)[2]
+    largest = (study.full_slip if reach == "faster" else study.in_use)[2]
     target = options.safety * largest
     refuted = proof is not None and proof.outcome == "refuted"
     fails = refuted or (odds is not None and odds.probability > 0)
@@ -348,18 +348,18 @@ def _slides(study: Brake) -> None:
 
 def _jump(answers: _Answers) -> float | None:
     study = answers.study
-    if study.rise is None:
+    if study.load is None:
         name = study.kind.rises
         cure = f'say which quantity rises until the state jumps, as vary = "{name}"'
         answers.remarks.append(
             f"the model has no mu0: {cure if name else 'no quantity moves its states'}"
         )
         return None
-    along = f"the jump along {study.rise.quantity} is"
+    along = f"the jump along {study.load.quantity} is"
     found = answers.known(along, study.jump)
-    if found is not None and math.isnan(found) and study.working[2] > study.top:
+    if found is not None and math.isnan(found) and study.in_use[2] > study.upper_limit:
         answers.remarks.append(
-            f"{along} not known: there is none up to {study.amount(study.top)}, "
+            f"{along} not known: there is none up to {study.load_text(study.upper_limit)}, "
             "where the search ends"
         )
         return None
@@ -367,14 +367,14 @@ def _jump(answers: _Answers) -> float | None:
 
 
 def _reach(study: Brake, jump: float | None, speed: float) -> str:
-    _, here, most = study.working
+    _, here, most = study.in_use
     if jump is None:
         return ""
     if math.isnan(jump):
         return "never"
     if jump <= most:
         return "within" if jump > here else "jumped"
-    return "faster" if jump <= study.full[2] or not math.isnan(speed) else "beyond"
+    return "faster" if jump <= study.full_slip[2] or not math.isnan(speed) else "beyond"
 
 
 def _oscillation(
@@ -394,32 +394,32 @@ def _probability(
     Nothing is sampled where no brake jumps, by proof.
     """
     study = answers.study
-    if study.rise is None or not varied(study):
+    if study.load is None or not varied(study):
         return None
     cut = all(study.quantities[name].cut for name in varied(study))
     if proof is not None and proof.outcome == "proved" and cut:
         return JumpProbability(0.0, 0.0, 0.0, 1.0, 0, 0.0, {}, {}, {}, {}, (0.0, 0.0))
-    odds = chance(study, effort(study).samples if n is None else n)
+    odds = chance(study, sampling_budget(study).samples if n is None else n)
     bounds = answers.known("bounds of the probability are", partial(bracket, study))
     return odds if bounds is None else replace(odds, proved=bounds)
 
 
 def _folds(answers: _Answers) -> dict[str, Points]:
     study = answers.study
-    rise, p, found = study.rises, study.at_work, dict[str, Points]()
-    for vary in dict.fromkeys((rise.name, "theta0")):
+    load, p, found = study.loading, study.operating_point, dict[str, Points]()
+    for vary in dict.fromkeys((load.name, "theta0")):
         if vary in p.model.parameters:
             known = answers.known(f"folds along {vary} are", partial(folds, p, vary))
             found |= {} if known is None else {vary: known}
-    own = found.get(rise.name)
+    own = found.get(load.name)
     # Folds at more friction than any brake has do not matter.
     if (
         own is not None
         and not own.complete
-        and (len(own.undecided) or not study.of_friction or study.top <= FRICTION)
+        and (len(own.undecided) or not study.of_friction or study.upper_limit <= FRICTION)
     ):
         remarks = answers.brief(*own.remarks)
-        answers.remarks.append(f"folds along {rise.quantity} may be missing: {remarks}")
+        answers.remarks.append(f"folds along {load.quantity} may be missing: {remarks}")
     return found
 
 
@@ -439,8 +439,8 @@ def _rows(study: Brake, found: dict[str, Points]) -> tuple[FoldRow, ...]:
 
 
 def _jump_along_the_inclination(answers: _Answers) -> float | None:
-    study, at = answers.study, answers.study.at_work
-    if "theta0" not in at.model.parameters or study.rises.name == "theta0":
+    study, at = answers.study, answers.study.operating_point
+    if "theta0" not in at.model.parameters or study.loading.name == "theta0":
         return None
     question = partial(jump_value, at, "theta0")
     found = answers.known("the jump along theta0 is", lambda: float(question()))
@@ -480,6 +480,6 @@ def _changes_are_searched(
             "for the friction"
         )
     if not target > 0:
-        times = f"{safety:g} times {study.named(study.working[2])}"
+        times = f"{safety:g} times {study.named(study.in_use[2])}"
         answers.remarks.append(f"changes are not looked for: {times} does not lie beyond it")
     return target > 0 and plain

@@ -27,9 +27,9 @@ from .tolerances import (
     certificate,
     corners,
     counterexample,
-    effort,
     ending,
     samples,
+    sampling_budget,
     values_at,
     varied,
 )
@@ -98,7 +98,7 @@ def distance(study: Brake) -> float:
     scale = {name: size for name, size in study.tolerances.items() if name in study.kind.of_statics}
     return (
         float(jump_margin(design(study), scale, **study.along()).distance)
-        if scale and study.rise
+        if scale and study.load
         else math.nan
     )
 
@@ -108,16 +108,16 @@ def design(study: Brake) -> Design:
     SI.
     """
     kind = study.kind
-    works = {"mu0": float(study.at_work.mu0)} if "mu0" in kind.model.parameters else {}
+    works = {"mu0": float(study.operating_point.mu0)} if "mu0" in kind.model.parameters else {}
     return Design(
         study.values | works,
         kind.ranges(study.values),
         kind.groups,
         dict,
         kind.model.Parameters,
-        study.begins,
+        study.start,
         study.dimensionless.followed,
-        {study.rises.name: study.rises.quantity},
+        {study.loading.name: study.loading.quantity},
     )
 
 
@@ -125,9 +125,9 @@ class _Search:
     """The changes of one brake."""
 
     def __init__(self, study: Brake, target: float) -> None:
-        self.study, self.target, self.effort = study, target, effort(study)
+        self.study, self.target, self.budget = study, target, sampling_budget(study)
         self.span = {
-            name: self._span(name) for name in study.kind.balanced if name != study.rises.quantity
+            name: self._span(name) for name in study.kind.balanced if name != study.loading.quantity
         }
         self.scale = {
             name: self._scale(name) for name, (low, high) in self.span.items() if low < high
@@ -193,7 +193,7 @@ class _Search:
         """
         least = filter(None, (self._least((name,)) for name in self.scale))
         found = [
-            self._first_proved(one) for one in sorted(least, key=self._distance)[: self.effort.most]
+            self._first_proved(one) for one in sorted(least, key=self._distance)[: self.budget.most]
         ]
         return sorted((one for one in found if one is not None), key=lambda one: one.distance)
 
@@ -210,7 +210,7 @@ class _Search:
         try:
             if len(names) < 2:
                 designs = space(design(self.study), self.scale, None)
-                start = Border(designs, self.study.rises.name, self.study.begins())
+                start = Border(designs, self.study.loading.name, self.study.start())
                 _, moved = start.ahead(np.zeros(len(designs.names)))
                 names = tuple(
                     designs.names[j] for j in np.argsort(-np.abs(moved), kind="stable")[:3]
@@ -225,9 +225,9 @@ class _Search:
         """
         study = self.study
         try:
-            target = {study.rises.name: self.target}
+            target = {study.loading.name: self.target}
             after: Any = redesign(
-                self.within, names, target, self.scale, begin=study.begins()
+                self.within, names, target, self.scale, begin=study.start()
             ).parameters
         except SpragsymError:
             return None
@@ -268,7 +268,7 @@ class _Search:
             if not high:
                 break
             tried = np.linspace(tried[first - 1], high, _PARTS + 1)
-        yield from (at(high + share * (1 - high)) for share in self.effort.further)
+        yield from (at(high + share * (1 - high)) for share in self.budget.further)
 
     def _first_proved(self, least: Numbers | None) -> Change | None:
         """A change, or the first further one with a proof; else the first without a brake that
@@ -328,11 +328,11 @@ class _Search:
         outcome = certificate(new, hasty=True).outcome
         undecided = outcome == "undecided"
         if outcome == "refuted" or (
-            undecided and (proof_only or counterexample(new, self.effort.many) is not None)
+            undecided and (proof_only or counterexample(new, self.budget.many) is not None)
         ):
             return None
         share = (
-            float(np.nanmean(ending(new, values_at(new, samples(new, self.effort.shares)))))
+            float(np.nanmean(ending(new, values_at(new, samples(new, self.budget.shares)))))
             if undecided
             else 0.0
         )

@@ -220,16 +220,16 @@ def others(
     """Other stable states of ``eq``, as they are known, than the current one: each place in units,
     and the loading parameter where it ends, NaN where it does not, None where that is not known.
     """
-    at, rise, found = study.at_work, study.rise, []
+    at, load, found = study.operating_point, study.load, []
     for state, place in zip(known, _places(eq), strict=True):
         if state.statics != "stable" or state.current:
             continue
         end = None
-        if rise is not None:
+        if load is not None:
             with suppress(SpragsymError):
                 end = study.told(
                     float(
-                        jump_value(at.following(**place), rise.name, begin=at.scalars(rise.name)[0])
+                        jump_value(at.following(**place), load.name, begin=at.scalars(load.name)[0])
                     )
                 )
         found.append((state.places, end))
@@ -240,11 +240,11 @@ def current(study: Brake, eq: Equilibria) -> Numbers | None:
     """The coordinates of the state that is reached as the loading parameter rises; where nothing
     does, of the only one.
     """
-    if study.rise is None:
+    if study.load is None:
         return _places(eq)[0] if int(eq.count) == 1 else None
-    (value,), begin = study.at_work.scalars(study.rise.name), study.begins()
+    (value,), begin = study.operating_point.scalars(study.load.name), study.start()
     path = quasi_static_path(
-        study.at_work, study.rise.name, [begin, value] if value > begin else [begin]
+        study.operating_point, study.load.name, [begin, value] if value > begin else [begin]
     )
     return {name: float(column[-1]) for name, column in path.coordinates.items()}
 
@@ -317,11 +317,11 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
     a higher speed of the belt. The motion begins at rest, where the coordinate that moves most is a
     hundredth of the way from the fold to the state that is left, and the others are balanced.
     """
-    rise, at = study.rises, _moving(study, value, speed)
+    load, at = study.loading, _moving(study, value, speed)
     if at is None:
         return None
-    p = study.at_work
-    path = quasi_static_path(p, rise.name, [study.begins(), value + 1e-6 * abs(value) + 1e-9])
+    p = study.operating_point
+    path = quasi_static_path(p, load.name, [study.start(), value + 1e-6 * abs(value) + 1e-9])
     if not path.jumps:
         return None
     turn = path.jumps[0]
@@ -330,7 +330,7 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
         for where in (turn.before, turn.after)
     )
     held = int(np.abs(end - begin).argmax())
-    start = _balanced(p.replace(**{rise.name: value}), begin + AWAY * (end - begin), held)
+    start = _balanced(p.replace(**{load.name: value}), begin + AWAY * (end - begin), held)
     for t_end in _T_END:
         try:
             motion = simulate(at, start=(*start, *np.zeros(start.size)), t_end=t_end)
@@ -368,7 +368,7 @@ def _moving(study: Brake, value: float, speed: float) -> Any:
     if not study.moves or (study.slides and study.law != "friction_at_speed"):
         return None
     if not study.of_friction:
-        return p.replace(**{study.rises.name: value})
+        return p.replace(**{study.loading.name: value})
     at, jump = p.replace(mu0=1.0), study.told(value)
     if jump > study.friction[2]:
         if math.isnan(speed):

@@ -52,7 +52,7 @@ class Study(Brake):
         Name of the model.
     fit : FrictionFit or None
         The fit of the friction law, if it was measured.
-    rise : Rise or None
+    load : LoadParameter or None
         The loading parameter until the state jumps; None for a model without mu0 of which that is
         not said.
 

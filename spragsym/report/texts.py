@@ -42,7 +42,11 @@ def _on_others(report: Facts) -> str:
     for place, end in report.others:
         until = ""
         if end is not None:
-            until = f", at any {study.looked}" if math.isnan(end) else f", until {study.named(end)}"
+            until = (
+                f", at any {study.search_range}"
+                if math.isnan(end)
+                else f", until {study.named(end)}"
+            )
         told.append(_places(place) + until)
     return f"At the design another state is stable: {'; and '.join(told)}." if told else ""
 
@@ -89,22 +93,22 @@ def _on_the_motion(report: Facts) -> str:
 
 
 def _on_the_jump(report: Facts) -> str:
-    study, jump, rise = report.study, report.jump_at, report.study.rises
+    study, jump, load = report.study, report.jump_at, report.study.loading
     if jump is None:
         return _unknown(report)
-    (low, _, high), full = study.working, study.full[2]
+    (low, _, high), full = study.in_use, study.full_slip[2]
     model = "" if study.model == USUAL else f" with the model {study.kind.about['name']}"
     state = followed_state(study)
-    if "theta0" in study.quantities and rise.name != "theta0":
+    if "theta0" in study.quantities and load.name != "theta0":
         state = f"at {study.shown('theta0')} {state}"
     digits = _apart(study, jump, (low, high, full))
     jumps = f"jumps at {study.named(jump, digits)}"
     if report.reach in ("never", "beyond"):
-        what = f"has no jump at any {study.looked}" if report.reach == "never" else jumps
+        what = f"has no jump at any {study.search_range}" if report.reach == "never" else jumps
         if report.reach == "beyond" and full:
             what += (
                 f", {percent_beyond(jump, full):.0f} % above the largest that you have, "
-                f"{study.amount(full, digits)}"
+                f"{study.load_text(full, digits)}"
             )
         return (
             f"{'As drawn it' if study.tolerances else 'It'} does not sprag{model}: {state} {what}."
@@ -128,7 +132,7 @@ def _on_the_jump(report: Facts) -> str:
             "jump."
         )
     ends = " to ".join(
-        study.amount(end, digits) for end in ((low, high) if high > low else (high,))
+        study.load_text(end, digits) for end in ((low, high) if high > low else (high,))
     )
     where = (
         "below your"
@@ -137,14 +141,14 @@ def _on_the_jump(report: Facts) -> str:
         if jump < low
         else "within your range of"
     )
-    return f"It sprags{model}: {state} {jumps}, {where} {rise.word} {ends}."
+    return f"It sprags{model}: {state} {jumps}, {where} {load.word} {ends}."
 
 
 def _apart(study: Brake, jump: float, ends: Sequence[float]) -> int:
     """The digits, from four on, in which the jump and what it is compared with are told apart."""
     for digits in range(4, MOST_DIGITS):
-        if study.amount(jump, digits) not in {
-            study.amount(end, digits) for end in ends if end != jump
+        if study.load_text(jump, digits) not in {
+            study.load_text(end, digits) for end in ends if end != jump
         }:
             return digits
     return MOST_DIGITS
@@ -160,7 +164,7 @@ def _unknown(report: Facts) -> str:
         there = f"is one state{where}, {'stable' if states[0].stable else 'unstable'}"
     why = (
         "nothing is said to rise until it jumps"
-        if report.study.rise is None
+        if report.study.load is None
         else "whether it sprags is not known"
     )
     return f"With the model {kind['name']} there {there}; {why}."
@@ -258,31 +262,31 @@ def sections(report: Facts) -> Iterator[tuple[str, list[tuple[str, str]]]]:
 
 
 def _jump(report: Facts) -> Rows:
-    study, rise, (low, works, high) = report.study, report.study.rise, report.study.friction
+    study, load, (low, works, high) = report.study, report.study.load, report.study.friction
     if study.slides:
         yield (
             "friction at the belt's speed",
             f"{works:.4g}" + (f", {low:.4g} to {high:.4g}" if high > low else ""),
         )
-    if rise is None:
+    if load is None:
         return
-    full, most = study.full, study.working[2]
+    full, most = study.full_slip, study.in_use[2]
     if report.slow:
         yield (
             "friction at full slip",
             f"{full[1]:.4g}" + (f", up to {full[2]:.4g}" if full[2] > full[1] else ""),
         )
-    never = "never" if math.isinf(study.top) else f"at no {study.looked}"
+    never = "never" if math.isinf(study.upper_limit) else f"at no {study.search_range}"
     own = "" if report.mu0_jump == report.mu_jump else f", mu0 = {report.mu0_jump:.6g}"
-    at = "at this angle" if rise.is_friction else f"as {rise.word} rises"
+    at = "at this angle" if load.is_friction else f"as {load.word} rises"
     yield (
         f"jump {at}",
         _or_unknown(
-            report.jump_at, lambda value: f"at {rise.word} {study.amount(value, 6)}{own}", never
+            report.jump_at, lambda value: f"at {load.word} {study.load_text(value, 6)}{own}", never
         ),
     )
     if report.jump_at is not None and not math.isnan(report.jump_at) and most:
-        yield f"margin to the largest {rise.word}", f"{report.margin_percent:+.1f} %"
+        yield f"margin to the largest {load.word}", f"{report.margin_percent:+.1f} %"
         if report.slow:
             yield "the same at full slip", f"{percent_beyond(report.jump_at, full[2]):+.1f} %"
     if study.moves and report.mu_jump is not None:
@@ -293,12 +297,12 @@ def _jump(report: Facts) -> Rows:
             else f"{study.shown(str(study.belt), speed)}, with the largest friction"
         )
         yield "speed at which it begins to jump", begins
-    if "theta0" in study.quantities and rise.name != "theta0":
+    if "theta0" in study.quantities and load.name != "theta0":
         yield (
             "jump at this friction",
             _or_unknown(report.theta0_jump_deg, "at {:.6g} deg".format, "never"),
         )
-    if "theta0" in study.quantities and rise.is_friction:
+    if "theta0" in study.quantities and load.is_friction:
         lowest = _or_unknown(report.mu_lowest, "friction {:.6g}".format, "there is none")
         if report.kind_lowest:
             what = "to infinity" if report.kind_lowest == "infinity" else f"a {report.kind_lowest}"
@@ -404,7 +408,7 @@ def _peak(report: Facts) -> Rows:
     faster = f" and {study.shown_speed(report.speed, 3)}" if report.reach == "faster" else ""
     yield (
         "the states before and after",
-        f"at {study.rises.word} {study.amount(found.at)}{faster}, {places}",
+        f"at {study.loading.word} {study.load_text(found.at)}{faster}, {places}",
     )
     yield "let go at rest", f"{100 * AWAY:g} % of the way beyond the fold"
     for key, (least, most) in found.ranges.items():
@@ -433,7 +437,7 @@ def _folds(report: Facts) -> Rows:
     )
     for row in report.fold_rows:
         if row.inclination_deg is None:
-            name = f"{study.rises.word} {study.amount(row.friction or row.value or 0.0, 5)}"
+            name = f"{study.loading.word} {study.load_text(row.friction or row.value or 0.0, 5)}"
         else:
             name = f"inclination {row.inclination_deg:.5g} deg"
         if row.kind != "fold":
@@ -546,7 +550,7 @@ def _changes(report: Facts) -> Rows:
     study, largest = report.study, report.largest
     if report.searched:
         factor = (
-            f" = {report.target / largest:.3g} x {study.amount(largest)}" if largest > 0 else ""
+            f" = {report.target / largest:.3g} x {study.load_text(largest)}" if largest > 0 else ""
         )
         limits = (
             "as far as may_change allows"
@@ -555,7 +559,7 @@ def _changes(report: Facts) -> Rows:
         )
         kept = (
             "the jump at "
-            f"{study.amount(report.target)}{factor}{' at full slip' if report.reach == 'faster' else ''}"
+            f"{study.load_text(report.target)}{factor}{' at full slip' if report.reach == 'faster' else ''}"
         )
         yield "each of them keeps", f"{kept}, and all within the tolerances from jumping; {limits}"
     if report.searched and not report.redesign:
@@ -566,12 +570,12 @@ def _changes(report: Facts) -> Rows:
             f"{study.shown(name, one.after[name])}"
             for name in one.after
         )
-        then = f"then it jumps at {study.amount(one.jump_at)}"
+        then = f"then it jumps at {study.load_text(one.jump_at)}"
         if math.isnan(one.jump_at):
-            looked = study.changed(one.after).looked  # up to where depends on its units
+            looked = study.changed(one.after).search_range  # up to where depends on its units
             then = (
                 "then it never jumps"
-                if looked == study.rises.word
+                if looked == study.loading.word
                 else f"then it jumps at no {looked}"
             )
         known = "undecided within the tolerances: of the brakes that were tried none jumps"
@@ -636,7 +640,9 @@ def as_json(report: Facts) -> Json:
         if value is None:
             return None
         return (
-            {"value": value, "unit": ""} if study.of_friction else one(study.rises.quantity, value)
+            {"value": value, "unit": ""}
+            if study.of_friction
+            else one(study.loading.quantity, value)
         )
 
     def both(name: str) -> Json:

@@ -31,7 +31,7 @@ _NOTHING = 1e-300
 
 
 @dataclass(frozen=True)
-class Effort:
+class SamplingBudget:
     """How much is looked at where states are followed: ``samples`` of a probability, ``boxes`` of a
     proof and the ``points`` at which it is refuted; of a change, ``shares`` that are sampled where
     it is not proved, and ``many`` where not even a sample jumps; the ``most`` single quantities
@@ -51,7 +51,7 @@ class Effort:
 
 #: Where a jump is looked for without end, and so by closed forms, thousands of points in a second:
 #: more.
-_ENDLESS = Effort(
+_ENDLESS = SamplingBudget(
     samples=4096,
     boxes=20_000,
     points=1024,
@@ -64,9 +64,9 @@ _ENDLESS = Effort(
 )
 
 
-def effort(study: Brake) -> Effort:
-    """Effort for the study's model."""
-    return _ENDLESS if math.isinf(study.top) else Effort()
+def sampling_budget(study: Brake) -> SamplingBudget:
+    """SamplingBudget for the study's model."""
+    return _ENDLESS if math.isinf(study.upper_limit) else SamplingBudget()
 
 
 def deciding(study: Brake) -> tuple[str, ...]:
@@ -100,7 +100,7 @@ def corners(study: Brake) -> FloatArray:
     """Shares of the brake as drawn with most of what rises, and of all corners of the tolerances
     that may occur, at its upper end only.
     """
-    names, rises = varied(study), study.rises.quantity
+    names, rises = varied(study), study.loading.quantity
     together = study.together(names)
     found = together.corners()
     if rises in together.titles:  # it depends on no other quantity
@@ -128,7 +128,7 @@ def ending(
     """1 for brakes, by their quantities in SI, that jump up to a target, or to the own value of
     each; 0 or NaN for others.
     """
-    return have_jumped(study.risen(values, target), **study.along(values), hasty=hasty)
+    return have_jumped(study.loaded(values, target), **study.along(values), hasty=hasty)
 
 
 def box(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
@@ -136,8 +136,8 @@ def box(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
     begun to.
     """
     low, high, units = parameter_ends(study)
-    name = study.rises.name
-    low = low.replace(**{name: max(study.begins(), float(getattr(low, name)))})
+    name = study.loading.name
+    low = low.replace(**{name: max(study.start(), float(getattr(low, name)))})
     if not _all_works(study):
         ends = zip((low, high), friction_bounds(study), strict=True)
         low, high = (p.replace(mu0=max(0.0, value)) for p, value in ends)
@@ -147,7 +147,7 @@ def box(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
 def splitting(study: Brake) -> Splitting:
     """The state of all brakes, followed as what rises does, in parts of their box."""
     low, high, units = box(study)
-    return Splitting(low, high, study.rises.name, study.begins(), units)
+    return Splitting(low, high, study.loading.name, study.start(), units)
 
 
 def _all_works(study: Brake) -> bool:
@@ -165,12 +165,12 @@ def certificate(study: Brake, *, hasty: bool = False) -> Certificate:
     Source: :func:`spragsym.certify` over a box of the model's parameters and of the quantities that
     are their units.
     """
-    amount = effort(study)
-    point = counterexample(study, amount.points_of_change if hasty else amount.points)
+    budget = sampling_budget(study)
+    point = counterexample(study, budget.points_of_change if hasty else budget.points)
     if point is not None:
         return Certificate("no jump", "refuted", point, 0.0, 0)
     low, high, units = box(study)
-    most = amount.boxes_of_change if hasty else amount.boxes
+    most = budget.boxes_of_change if hasty else budget.boxes
     found = certify(
         low, high, "no jump", max_boxes=most, refute=False, units=units, **study.along()
     )
@@ -251,7 +251,7 @@ def bracket(study: Brake) -> Span:
 
     whole, of = splitting(study), sides(study)
     laws = {side: law(*of[side]) for side in whole.free}
-    (quantity, size), (least, most) = of[study.rises.name], _shares_that_work(study)
+    (quantity, size), (least, most) = of[study.loading.name], _shares_that_work(study)
     up_to = law(quantity, size / most), law(quantity, size / least)
     below, above = measured(whole, laws, up_to, _PARTS)
     ends = [study.quantities[name] for name in names]

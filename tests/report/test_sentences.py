@@ -291,7 +291,7 @@ VERDICTS: list[tuple[Facts, str]] = [
         "it sprags is not known.",
     ),
     (
-        said_of(named(EXACT, rise=None), **NOTHING, states=(state(stable=False),)),
+        said_of(named(EXACT, load=None), **NOTHING, states=(state(stable=False),)),
         "With the model kang_nam there is one state of sliding in contact, unstable; nothing "
         "is said to rise until it jumps.",
     ),
@@ -1056,7 +1056,7 @@ def test_frequencies_are_those_of_the_damped_motion() -> None:
     m, k, c, speed = 1.0, 100.0, 8.0, 0.2
     given = {"m": m, "k": k, "N_0": 20.0, "mu_s": 0.5, "v_s": speed, "c": c, "V": speed}
     study = ss.Study(given, model="stick_slip")
-    (found,) = states(study, ss.equilibria(study.at_work), None)
+    (found,) = states(study, ss.equilibria(study.operating_point), None)
     ratio = c / (2 * math.sqrt(k * m))
     assert ratio == pytest.approx(0.4)
     assert found.damping_ratio == pytest.approx((ratio,), rel=1e-9)
@@ -1165,7 +1165,9 @@ def test_what_a_report_warns_of_depends_on_no_earlier_question(
     """The facts are asked in one order, so text, JSON and attributes agree on a fresh report."""
     study = brake(V=None, d=None)
     left = dataclasses.replace(
-        ss.folds(study.at_work, "mu0"), undecided=np.zeros((1, 3, 2)), remarks=("one box is left",)
+        ss.folds(study.operating_point, "mu0"),
+        undecided=np.zeros((1, 3, 2)),
+        remarks=("one box is left",),
     )
     monkeypatch.setattr(facts, "folds", lambda p, vary: left)
     quickly: Any = {"oscillation": False, "probability": False, "redesign": False}

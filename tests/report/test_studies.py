@@ -358,7 +358,9 @@ def test_answers_that_would_mislead_come_with_a_warning(name: str) -> None:
 def test_folds_that_are_undecided_are_said_to_be_missing(monkeypatch: pytest.MonkeyPatch) -> None:
     study = ss.Study(brake())
     left = dataclasses.replace(
-        ss.folds(study.at_work, "mu0"), undecided=np.zeros((1, 3, 2)), remarks=("one box is left",)
+        ss.folds(study.operating_point, "mu0"),
+        undecided=np.zeros((1, 3, 2)),
+        remarks=("one box is left",),
     )
     monkeypatch.setattr(facts, "folds", lambda p, vary: left)
     assert any(
@@ -591,7 +593,7 @@ def test_a_load_that_rises_is_told_in_its_unit(tmp_path: Path) -> None:
         **QUICKLY
     )
     (row,) = [row for row in found.fold_rows if row.value is not None]
-    jump = ss.jump_value(found.study.at_work, "kappa", begin=50 / 57000)
+    jump = ss.jump_value(found.study.operating_point, "kappa", begin=50 / 57000)
     assert found.jump_at == pytest.approx(57000 * jump, rel=1e-9)
     assert row.value == pytest.approx(found.jump_at, rel=1e-9)
     assert f"F_L {found.jump_at:.5g} N" in found.text()

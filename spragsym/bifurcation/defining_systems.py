@@ -101,7 +101,7 @@ class Family:
         contact states count, too.
         """
         balance, between = Balance(p.model, room=room), between or {}
-        spans, asked = ranges(p.model, vary, between), by_hand(balance.coordinates, within)
+        spans, asked = ranges(p.model, vary, between), by_hand(p.model, within)
         given = given_column(p, balance.parameters, vary) if given is None else given
         # Of these nobody has said how far they are searched.
         endless = tuple(
@@ -140,7 +140,7 @@ def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:
     """Lower and upper ends of the parameters that vary, shape (number, 2)."""
     for name in vary:
         model.require_parameter(name)
-    given, rows = as_ranges("between", between, vary), []
+    given, rows = as_ranges("between", between, {name: model.any_of(name) for name in vary}), []
     for name in vary:
         own, far = _ends(model, name), FAR * max(1.0, abs(model.base.get(name, 0.0)))
         ends = given.get(

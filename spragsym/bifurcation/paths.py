@@ -133,7 +133,7 @@ def quasi_static_path(
     >>> [round(float(np.degrees(jump.value)), 6) for jump in up.jumps]
     [35.353706]
     """
-    along = as_numbers("values", values)
+    along = as_numbers("values", values, p.model.any_of(vary))
     steps = np.diff(along) if along.ndim == 1 else np.zeros(1)
     if not along.size or not ((steps > 0).all() or (steps < 0).all()):
         raise ParameterError(

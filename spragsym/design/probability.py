@@ -134,6 +134,7 @@ def estimated(
     together = dependence(varied, correlation)
     as_count("n", n, 2)
     as_count("replicates", replicates, 2)
+    confidence = as_number("confidence", confidence)
     if not 0 < confidence < 1:
         raise ParameterError(
             f"confidence = {confidence!r} is not between 0 and 1; give 0.95 for 95 %"

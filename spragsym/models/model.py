@@ -19,7 +19,7 @@ import numpy as np
 from ..display import aligned
 from ..errors import ParameterError
 from .field import REACH, Field, field_of
-from .parameters import FloatArray, ParameterSet, Range, named
+from .parameters import ANGLE, FINITE, FloatArray, ParameterSet, Range, as_numbers, named
 
 
 class Model:
@@ -117,6 +117,10 @@ class Model:
             if one in (*self.parameters, *self.coordinates):
                 return one in self.about["angles"] or one in turning
         return one.partition("_")[0] == "theta"
+
+    def any_of(self, name: str) -> Range:
+        """Any finite number, of the unit of a parameter or of a component of a state."""
+        return ANGLE if name not in self.rates and self.is_angle(name) else FINITE
 
     @property
     def rates(self) -> tuple[str, ...]:
@@ -306,7 +310,10 @@ class Model:
             raise ParameterError(
                 f"{name} has no least value in {allowed}; give begin, from where it rises"
             )
-        return name, allowed.low if begin is None else begin
+        if begin is None:
+            return name, allowed.low
+        given = as_numbers("begin", begin, self.any_of(name))
+        return name, given if given.ndim else given.item()
 
     def require_parameter(self, name: str) -> None:
         """An error unless what varies is a parameter of the model."""
@@ -409,7 +416,12 @@ def _range(entry: Mapping[str, Any]) -> Range:
     else:
         remedy = f"it is the {entry['meaning']}"
     return Range(
-        low, high, entry["low_open"] and not math.isinf(low), remedy, not entry["high_open"]
+        low,
+        high,
+        entry["low_open"] and not math.isinf(low),
+        remedy,
+        not entry["high_open"],
+        "rad" if entry["unit"] == "rad" else "1",
     )
 
 

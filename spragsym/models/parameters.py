@@ -7,7 +7,7 @@ from __future__ import annotations
 import functools
 import importlib
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
 from typing import Any, ClassVar, Self, TypeAlias, TypeVar
 
@@ -20,6 +20,7 @@ from ..errors import ParameterError, ParameterTypeError, hint
 from ..generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
 from ..numerics.interval_arrays import BoolArray, Shape
 from ..numerics.interval_arrays import FloatArray as FloatArray
+from .units import Carried as Carried
 
 #: Lower and upper end.
 Span: TypeAlias = tuple[float, float]
@@ -32,13 +33,14 @@ INSIDE = 2.0**-40
 
 @dataclass(frozen=True)
 class Range:
-    """Allowed values of an argument."""
+    """Allowed values of an argument, in its SI unit."""
 
     low: float
     high: float = math.inf
     open_low: bool = False
     remedy: str = ""
     closed_high: bool = False
+    unit: str = "1"
 
     def spans(self, value: Any) -> Any:
         """Whether a number of any type lies between the ends, or where those of an array do."""
@@ -81,6 +83,7 @@ def _bound(value: float) -> str:
 POSITIVE = Range(0.0, open_low=True)
 NOT_NEGATIVE = Range(0.0)
 FINITE = Range(-math.inf)
+ANGLE = Range(-math.inf, unit="rad")
 #: What NumPy's kinds of arrays hold that are no real numbers.
 _KINDS = {
     "U": "text",
@@ -91,25 +94,27 @@ _KINDS = {
 }
 
 
-def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArray:
+def as_numbers(
+    name: str, value: ArrayLike, allowed: Range = FINITE, carried: Carried | None = None
+) -> FloatArray:
     """``value`` as a float64 array of any shape, or an error that names the argument.
 
-    Texts, booleans, complex numbers, objects, ragged lists, masked values, units and named
-    dimensions are a ParameterTypeError; NaN, infinities and numbers out of range a ParameterError.
+    Units that its elements carry are converted where they are understood; ``carried`` keeps them.
+    Texts, booleans, complex numbers, objects, ragged lists, masked values, other units, units
+    beside bare numbers and named dimensions are a ParameterTypeError; NaN, infinities and numbers
+    out of range a ParameterError.
     """
     if type(value) is float and allowed.contains(value):  # most are
         single: FloatArray = np.array(value)
         single.setflags(write=False)
         return single
-    _check_plain(name, value)
-    if isinstance(value, np.ma.MaskedArray):
-        if np.ma.is_masked(value):
-            raise ParameterTypeError(
-                f"{name} has {int(np.ma.getmaskarray(value).sum())} masked values, and a "
-                "masked value has no equilibria; "
-                f"use {name}.compressed(), or {name}.filled(...) with a number"
-            )
-        value = value.data
+    carried = carried or Carried(name, allowed.unit)
+    value = carried.numbers(value)
+    if "" in carried.units and len(carried.units) > 1:
+        raise ParameterTypeError(
+            f"{name} has values in {', '.join(sorted(carried.units - {''}))} beside values without "
+            "a unit; give all of them a unit, or none"
+        )
     try:
         array = np.asarray(value)
     except ValueError as error:
@@ -136,25 +141,6 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
     return array
 
 
-def _check_plain(name: str, value: object) -> None:
-    """No units and no named dimensions, which an array would lose without a word."""
-    unit = str(getattr(value, "units", getattr(value, "unit", "")))
-    if unit not in ("", "dimensionless", "radian", "rad") and hasattr(
-        value, "magnitude" if hasattr(value, "units") else "value"
-    ):
-        raise ParameterTypeError(
-            f"{name} is in {unit}, and units are not converted here; give its number in one "
-            "system of units, angles in radians"
-        )
-    dimensions = getattr(value, "dims", ())
-    if dimensions and hasattr(value, "values"):
-        raise ParameterTypeError(
-            f"{name} has the dimensions {', '.join(map(str, dimensions))}, and arrays "
-            "broadcast by their shapes here; give "
-            f"{name}.values, or xarray.broadcast(...) first"
-        )
-
-
 def as_number(name: str, value: ArrayLike, allowed: Range = FINITE) -> float:
     """``value`` as one float; as :func:`as_numbers`, and an error for anything but a single
     number.
@@ -176,20 +162,22 @@ def as_range(name: str, value: ArrayLike, allowed: Range = FINITE) -> tuple[floa
 
 
 def as_ranges(
-    name: str, given: Ranges | None, allowed: Sequence[str]
+    name: str, given: Ranges | None, allowed: Mapping[str, Range]
 ) -> dict[str, tuple[float, float]]:
-    """``given`` ranges by name, of some of those ``allowed``."""
+    """``given`` ranges by name, of some of those ``allowed``, each within what it may be."""
     if not isinstance(given or {}, Mapping):
         raise ParameterTypeError(
             f"{name} = {given!r:.60} is no mapping; give the ends by name, as "
-            f'{{"{allowed[0]}": (0, 1)}}'
+            f'{{"{next(iter(allowed))}": (0, 1)}}'
         )
     for one in given or {}:
         if one not in allowed:
             raise ParameterError(
                 f"{name} has a range for {one!r}; {', '.join(allowed)} may have one"
             )
-    return {one: as_range(f"{name}[{one!r}]", ends) for one, ends in (given or {}).items()}
+    return {
+        one: as_range(f"{name}[{one!r}]", ends, allowed[one]) for one, ends in (given or {}).items()
+    }
 
 
 def as_count(name: str, value: object, least: int = 1, most: float = math.inf) -> int:
@@ -382,7 +370,8 @@ class ParameterSet(Values):
             )
         other = self._copied(type(self))
         other.__dict__["followed"] = {
-            name: as_number(name, value) for name, value in coordinates.items()
+            name: as_number(name, value, self.model.any_of(name))
+            for name, value in coordinates.items()
         }
         return other
 
@@ -468,6 +457,7 @@ RANGES = {
         QUANTITIES[name].high,
         QUANTITIES[name].low_open,
         _REMEDIES.get(name, ""),
+        unit="rad" if name == "theta0" else "1",
     )
     for name in NAMES
 } | {

@@ -6,11 +6,10 @@ from __future__ import annotations
 
 import inspect
 import math
-import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
-from functools import cache, cached_property, lru_cache
-from typing import TYPE_CHECKING, Any
+from functools import cache, cached_property
+from typing import Any
 
 import numpy as np
 
@@ -18,10 +17,9 @@ from ..display import Shown
 from ..errors import NotDimensionlessError, ParameterError, ParameterTypeError, hint
 from .load import load
 from .model import Model, title_drawing_words
-from .parameters import POSITIVE, Parameters, Range, Values, as_numbers, named
-
-if TYPE_CHECKING:
-    import pint
+from .parameters import POSITIVE, Carried, Parameters, Range, Values, as_numbers, named
+from .units import dimension, registry
+from .units import factor as factor
 
 
 class Quantities:
@@ -102,11 +100,16 @@ class Quantities:
 
         Without values, in those of the parameters, of which ends other than 0 are rare.
         """
-        found = dict.fromkeys(self.bases, POSITIVE)
+        found = {name: replace(POSITIVE, unit=unit) for name, unit in self.bases.items()}
         for quantity, name in self.parameters.items():
             allowed = self.model.Parameters.ranges[name]
             scale = 1.0 if values is None else self.scale(self.units[quantity], values)
-            found[quantity] = replace(allowed, low=scale * allowed.low, high=scale * allowed.high)
+            found[quantity] = replace(
+                allowed,
+                low=scale * allowed.low,
+                high=scale * allowed.high,
+                unit=self.units[quantity],
+            )
         return found
 
     @cached_property
@@ -210,6 +213,9 @@ class PhysicalParameters(Values):
     """The model in newtons, metres, kilograms and seconds, or any consistent system of units;
     scalars or arrays that broadcast.
 
+    Quantities of pint, astropy, unyt and quantities are converted to SI; then all have units that
+    have a dimension.
+
     Parameters
     ----------
     m : array_like
@@ -260,10 +266,19 @@ class PhysicalParameters(Values):
     of_model = Parameters
 
     def __post_init__(self) -> None:
+        bare, carrying = list[str](), list[str]()
         for name, allowed in self.kind.ranges().items():
             if getattr(self, name) is not None or name not in self.kind.of_the_law:
-                array = as_numbers(name, getattr(self, name), allowed)
+                carried = Carried(name, allowed.unit)
+                array = as_numbers(name, getattr(self, name), allowed, carried)
+                if allowed.unit not in ("1", "rad") and array.any():  # 0 is 0 in any unit
+                    (carrying if carried.units - {""} else bare).append(name)
                 object.__setattr__(self, name, array if array.ndim else float(array))
+        if bare and carrying:
+            raise ParameterTypeError(
+                f"{', '.join(carrying)} with units, and {', '.join(bare)} without: the numbers may "
+                "be of another system of units; give units to all of them, or to none"
+            )
         self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
 
     def __getattr__(self, name: str) -> Any:
@@ -352,92 +367,3 @@ def checked_units(
             unit, powers={of: power for of, power in unit.powers.items() if power}
         )
     return found
-
-
-#: What a unit may be written with; pint's own parser sees nothing else.
-_LETTERS = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,40}")
-#: What pint knows by another meaning than many a writer's, and what says each of the two.
-_TWO_MEANINGS = {
-    "grad": "deg and gon",
-    "Grad": "deg and gon",
-    "gr": "g and grain",
-    "ton": "t (1000 kg) and short_ton",
-    "tons": "t (1000 kg) and short_ton",
-    "mil": "mm and thou",
-    "mils": "mm and thou",
-}
-_TORQUE = [("[length]", 2.0), ("[mass]", 1.0), ("[time]", -2.0)]
-
-
-@cache
-def registry() -> pint.UnitRegistry[Any]:
-    """The units of pint."""
-    from pint import UnitRegistry
-
-    return UnitRegistry(cache_folder=None)
-
-
-@lru_cache(maxsize=256)
-def factor(unit: str, si: str) -> float:
-    """What one ``unit`` is in the SI unit ``si``; an error for one that is not known, or is of
-    another quantity.
-
-    >>> import math
-    >>> factor("N/mm", "N/m"), factor("deg", "rad") == math.pi / 180
-    (1000.0, True)
-    """
-    if si == "1":
-        if unit not in ("", "1", "%"):
-            raise ParameterError(f"the unit {unit!r} is too much: this is a number without unit")
-        return 0.01 if unit == "%" else 1.0
-    wanted, given = registry().parse_units(si), parsed(unit)
-    (*of_given, angle), (*of_wanted, wanted_angle) = dimension(given), dimension(wanted)
-    # A torque is N m, and its stiffness N m or N m/rad: the radian is 1.
-    if of_given != of_wanted or (angle != wanted_angle and of_wanted != _TORQUE):
-        raise ParameterError(f"the unit {unit!r} ({given}) does not measure what {si} does")
-    return float(registry().Quantity(1.0, given).to(wanted).magnitude)
-
-
-def parsed(unit: str) -> pint.Unit:
-    """A unit from its text."""
-    powers = re.search(
-        r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", unit
-    )  # a power of a power may be larger than any number
-    if (
-        not _LETTERS.fullmatch(unit)
-        or powers
-        or any(len(digits) > 2 for digits in re.findall(r"\d+", unit))
-    ):
-        raise ParameterError(f"the unit {unit!r} can't be read")
-    for word in re.findall(r"[^\W\d]+", unit):
-        if word in _TWO_MEANINGS:
-            raise ParameterError(f"the unit {word!r} has two meanings, {_TWO_MEANINGS[word]}")
-    try:
-        found = registry().parse_units(unit.replace("·", "*").replace("⋅", "*"))
-        bare = [
-            name
-            for name in found._units
-            if not any(power for _, power in dimension(registry().Unit(name)))
-        ]
-        zero = registry().Quantity(0.0, found).to_base_units().magnitude
-    except Exception as error:  # pint raises many kinds, of the tokenizer too
-        raise ParameterError(f"the unit {unit!r} is not known") from error
-    if bare:
-        raise ParameterError(
-            f"{bare[0]} in the unit {unit!r} is a factor and no unit; multiply the number by it"
-        )
-    if zero != 0:
-        raise ParameterError(f"the unit {unit!r} has a zero point of its own")
-    return found
-
-
-def dimension(unit: pint.Unit) -> tuple[Any, ...]:
-    """Powers of length, mass and time, and of the radian, which pint counts as a number."""
-    from pint.util import to_units_container
-
-    powers: dict[str, Any] = dict(unit.dimensionality)
-    radians: Any = to_units_container(registry().get_base_units(unit)[1]).get("radian", 0)
-    return (
-        *sorted((name, round(float(power), 9)) for name, power in powers.items()),
-        ("angle", round(float(radians), 9)),
-    )

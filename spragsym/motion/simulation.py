@@ -539,7 +539,10 @@ def initial_state(
                 remedy = f" but a parameter; give it within the first one, as p.replace({name}=...)"
             raise ParameterTypeError(f"{name} is no argument{remedy}")
         values[name] = value
-    return {name: as_numbers(name, value) for name, value in values.items()}
+    return {
+        name: as_numbers(name, value, model.any_of(name.removesuffix("0")))
+        for name, value in values.items()
+    }
 
 
 def state_of(

@@ -12,7 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
+from ..models.parameters import (
+    POSITIVE,
+    FloatArray,
+    ParameterSet,
+    as_count,
+    as_number,
+    as_numbers,
+    as_range,
+)
 from ..motion.regimes import same_limit
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray
@@ -168,7 +176,10 @@ def basin_boundary(
     axes = [names.index(name) for name in plane]
     known = _saddle(system, p.given(V=V, d=d), saddle)
     widths = [3.0 if name in model.coordinates else 1.0 for name in plane]
-    ranges = to or [*zip(known.state[axes] - widths, known.state[axes] + widths, strict=True)]
+    ranges = [*zip(known.state[axes] - widths, known.state[axes] + widths, strict=True)]
+    if to is not None:
+        ends = zip(plane, to, strict=True)
+        ranges = [as_range(f"to of {name}", span, model.any_of(name)) for name, span in ends]
     step, points = as_number("step", step, POSITIVE), as_count("points", points)
     walk = _Walk(system, known, np.eye(len(names))[axes], ranges, step, points)
     first, error, span = walk.begun(state_of(model, start))

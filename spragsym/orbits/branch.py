@@ -13,7 +13,17 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, one_of, require_kind
 from ..models.field import Field
-from ..models.parameters import POSITIVE, FloatArray, Span, as_count, as_number, as_range
+from ..models.parameters import (
+    ANGLE,
+    FINITE,
+    POSITIVE,
+    FloatArray,
+    Span,
+    as_count,
+    as_number,
+    as_range,
+    as_ranges,
+)
 from ..motion.multipliers import CRITERIA, is_complex_pair
 from ..motion.shooting import Loop, extent, recut
 from ..numerics.interval_arrays import BoolArray
@@ -255,7 +265,7 @@ def cycle_branch(
     require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
     model = cycle.field
     index = model.parameters.index(one_of("vary", vary, model.parameters))
-    low, high = as_range("to", to)
+    low, high = as_range("to", to, ANGLE if model.is_angle(vary) else FINITE)
     for bound in (low, high):
         model.check(vary, bound)
     points, longest = as_count("points", points), as_number("longest", longest, POSITIVE)
@@ -572,7 +582,8 @@ def cycle_events(
     if len(vary) != 2 or vary[0] == vary[1]:
         raise ParameterError(f"vary = {vary!r} is not two parameters")
     loop = event.found.loop
-    bounds = [(to or {}).get(name, (-np.inf, np.inf)) for name in vary]
+    given = as_ranges("to", to, {name: ANGLE if model.is_angle(name) else FINITE for name in vary})
+    bounds = [given.get(name, (-np.inf, np.inf)) for name in vary]
     spans = [
         (high - low) / 2
         if 0 < high - low < np.inf

@@ -195,7 +195,7 @@ def fate_boundary(
     """
     model = model_of(p)
     model.require_parameter(vary)
-    given = as_numbers("bracket", bracket)
+    given = as_numbers("bracket", bracket, model.any_of(vary))
     if given.shape != (2,):
         raise ParameterError(f"bracket = {bracket} is no range; give its two ends")
     low, high = sorted(given.tolist())

@@ -17,13 +17,13 @@ is needed of what is cut off, which has none at the border.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from ..errors import ParameterError
+from ..models.model import Model
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors, jets
 from ..numerics.interval_arrays import (
@@ -93,12 +93,13 @@ def region(
     return np.where(given & apart, box, both), whole
 
 
-def by_hand(coordinates: Sequence[str], within: Ranges | None) -> FloatArray | None:
+def by_hand(model: Model, within: Ranges | None) -> FloatArray | None:
     """``within={"x": (-5, 5)}`` as −low and high, shape (2, n), infinite where nothing is asked."""
     if within is None:
         return None
-    given = as_ranges("within", within, coordinates)
-    low, high = np.array([given.get(name, (-np.inf, np.inf)) for name in coordinates]).T
+    places = {name: model.any_of(name) for name in model.coordinates}
+    given = as_ranges("within", within, places)
+    low, high = np.array([given.get(name, (-np.inf, np.inf)) for name in places]).T
     return np.stack([-low, high])
 
 

@@ -60,7 +60,7 @@ def searched(p: ParameterSet, contact: bool, within: Ranges | None) -> Equilibri
     """The equilibria of :func:`spragsym.equilibria`, by the search."""
     balance = balance_of(p.model, contact)
     given = columns(p, balance.parameters)
-    found, around, whole = solved(balance, given, by_hand(balance.coordinates, within))
+    found, around, whole = solved(balance, given, by_hand(p.model, within))
     return _arranged(balance, p, found, around, whole)
 
 

@@ -107,7 +107,10 @@ def basin(
         raise ParameterTypeError(
             f"starts are two axes of {', '.join(names)}, as {names[0]}=[0.0, 1.0]; given: {given}"
         )
-    axes = {name: np.atleast_1d(as_numbers(name, starts.pop(name))) for name in plane}
+    axes = {
+        name: np.atleast_1d(as_numbers(name, starts.pop(name), model_of(p).any_of(name)))
+        for name in plane
+    }
     for name, values in axes.items():
         if values.ndim != 1:
             raise ParameterTypeError(

@@ -61,10 +61,7 @@ def render(model: Model, header: str, shared: Shared | None = None) -> dict[str,
         **({"digest": write.DIGEST} if alone else {}),
     }
     text = write.as_json(dict(sorted(entries.items())))
-    return {
-        **files,
-        "model.json": text.replace(write.DIGEST, hashlib.sha256(text.encode()).hexdigest()),
-    }
+    return {**files, "model.json": write.sealed_alone(text)}
 
 
 def write_page(page: Path, out: Path) -> int:

@@ -7,6 +7,7 @@ import json
 import os
 import shutil
 import tempfile
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from importlib.metadata import version
 from pathlib import Path
@@ -16,6 +17,8 @@ from typing import Any
 _LEFT = ".spragsym-"
 #: Stands for the digest of all files, or its first 16 digits, until they are all there.
 DIGEST = "<digest-of-all>".ljust(64, "-")
+#: The list of what ``make derive`` wrote.
+LIST = "files.json"
 #: Characters of a line of JSON.
 _WIDTH = 130
 
@@ -77,11 +80,18 @@ def _lines(entries: list[str], indent: int) -> list[str]:
     return lines
 
 
-def write(files: dict[str, str], target: Path, mark: str = "files.json") -> None:
+def sealed_alone(text: str) -> str:
+    """The text of a mark with the SHA-256 of itself in place of :data:`DIGEST`."""
+    return text.replace(DIGEST, _sha(text.encode()))
+
+
+def write(files: dict[str, str], target: Path, mark: str = LIST) -> None:
     """Put files into a folder: those that ``mark`` says were written before are replaced, or
     removed if they are no more.
 
-    Whatever else is there stays; a file that is there and was not written before is an error, and
+    A mark counts if it is sealed, and then only files whose bytes are as it lists them, or as they
+    are to be, are replaced or removed; only :data:`LIST`, whose folder is under version control,
+    has names alone. Whatever else is there stays, byte for byte; a file in the way is an error, and
     so is a folder that holds others and no ``mark``, whose own file is the last to take its place.
     """
     target = target.resolve()
@@ -92,15 +102,8 @@ def write(files: dict[str, str], target: Path, mark: str = "files.json") -> None
         raise FileExistsError(
             f"{target} holds other files and no {mark}; name an empty folder, or one written before"
         )
-    before = set() if new else _listed(target / mark)
-    foreign = sorted(
-        name for name in files if name not in before and os.path.lexists(target / name)
-    )
-    if foreign:
-        raise FileExistsError(
-            f"{', '.join(str(target / name) for name in foreign)}: written by something else; "
-            "move it, or name another folder"
-        )
+    before = {} if new else _listed(target / mark)
+    _refuse_foreign(files, before, target)
     target.mkdir(parents=True, exist_ok=True)
     _remove_left(target)
     fresh = Path(tempfile.mkdtemp(prefix=f"{_LEFT}{os.getpid()}-", dir=target))
@@ -111,7 +114,7 @@ def write(files: dict[str, str], target: Path, mark: str = "files.json") -> None
             path.write_text(text, encoding="utf-8", newline="\n")
         _exchange(
             sorted(files, key=lambda name: name == mark),
-            sorted(before - files.keys()),
+            sorted(before.keys() - files.keys()),
             fresh,
             target,
         )
@@ -121,44 +124,121 @@ def write(files: dict[str, str], target: Path, mark: str = "files.json") -> None
             target.rmdir()  # a folder that was made for nothing
 
 
+def _refuse_foreign(files: dict[str, str], before: Mapping[str, str | None], target: Path) -> None:
+    """An error that names what is in the way and was not written before, or was edited since."""
+    foreign, edited = list[str](), list[str]()
+    for name in sorted({*files, *before}):
+        path = target / name
+        if not os.path.lexists(path):
+            continue
+        plain = path.is_file() and not path.is_symlink()
+        data = path.read_bytes() if plain else None
+        if data is not None and name in files and data == files[name].encode():
+            continue
+        if name not in before:
+            foreign.append(str(path))
+        elif not plain or before[name] not in (None, _sha(data or b"")):
+            edited.append(str(path))
+    if foreign:
+        raise FileExistsError(
+            f"{', '.join(foreign)}: written by something else; move it, or name another folder"
+        )
+    if edited:
+        raise FileExistsError(
+            f"{', '.join(edited)}: edited since it was written; move it, or name another folder"
+        )
+
+
 def _exchange(names: list[str], gone: list[str], fresh: Path, target: Path) -> None:
     """Put files into their places, and remove those that are no more; all of them, or after an
     error none.
+
+    What is there gets a second name first, so that putting it back needs no room on the disk.
     """
     old = Path(tempfile.mkdtemp(dir=fresh))
     kept = [name for name in (*names, *gone) if (target / name).is_file()]
     for name in kept:
         (old / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy2(target / name, old / name)
+        _second_name(target / name, old / name)
+    done = list[str]()
+    made = {folder for name in names for folder in _missing(target / name)}
     try:
         for name in names:
             (target / name).parent.mkdir(parents=True, exist_ok=True)
+            done.append(name)
             os.replace(fresh / name, target / name)
         for name in gone:
+            done.append(name)
             (target / name).unlink(missing_ok=True)
     except BaseException:
-        for name in (*names, *gone):
-            (target / name).unlink(missing_ok=True)
-        for name in kept:
-            shutil.copy2(old / name, target / name)
+        _put_back(done, kept, old, target)
+        for folder in sorted(made, reverse=True):
+            with suppress(OSError):
+                folder.rmdir()
         raise
 
 
-def _listed(mark: Path) -> set[str]:
-    """The files that a folder's own list says were written, none of them outside of it."""
+def _second_name(path: Path, other: Path) -> None:
     try:
-        content = json.loads(mark.read_text(encoding="utf-8"))
-        names = {str(name) for name in (content["files"] if isinstance(content, dict) else content)}
-    except (ValueError, KeyError, TypeError) as error:
-        raise FileExistsError(
-            f"{mark} is damaged ({error}), and so it is not known what was written; name "
-            "another folder"
-        ) from error
+        os.link(path, other)
+    except OSError:  # a file system without links
+        shutil.copy2(path, other)
+
+
+def _missing(path: Path) -> Iterator[Path]:
+    """Folders above a path that are not there."""
+    return (folder for folder in path.parents if not folder.exists())
+
+
+def _put_back(done: list[str], kept: list[str], old: Path, target: Path) -> None:
+    """Put what was replaced back; what can't be is kept beside, under a name that nothing
+    removes.
+    """
+    failed = False
+    for name in done:
+        try:
+            if name in kept:
+                os.replace(old / name, target / name)
+            else:
+                (target / name).unlink(missing_ok=True)
+        except OSError:
+            failed = True
+    if failed:
+        os.rename(old, target / f"{_LEFT}kept-{old.parent.name}")
+
+
+def _listed(mark: Path) -> dict[str, str | None]:
+    """The files that a folder's own list says were written, none outside of it, and their
+    digests.
+    """
+    problem = FileExistsError(
+        f"{mark} is damaged, or of another program, and so it is not known what was written; name "
+        "another folder"
+    )
+    try:
+        text = mark.read_text(encoding="utf-8")
+        content = json.loads(text)
+        if isinstance(content, dict):
+            seal = str(content["digest"])
+            if text.count(seal) != 1 or sealed_alone(text.replace(seal, DIGEST)) != text:
+                raise problem
+            names = {str(name): str(digest) for name, digest in content["files"].items()}
+            names |= {mark.name: _sha(text.encode())}
+        elif mark.name == LIST and isinstance(content, list):
+            names = dict.fromkeys([*map(str, content), mark.name])
+        else:
+            raise problem
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise problem from error
     return {
-        name
-        for name in names | {mark.name}
+        name: digest
+        for name, digest in names.items()
         if (mark.parent / name).resolve().is_relative_to(mark.parent)
     }
+
+
+def _sha(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
 
 
 def _remove_left(target: Path) -> None:

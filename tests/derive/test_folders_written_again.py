@@ -64,7 +64,7 @@ def layout(rng: np.random.Generator, folder: Path) -> set[str]:
     if kind == 1:  # the list of another program
         text = json.dumps({"files": dict.fromkeys([*names, "algebra.py"], "0")})
     elif kind == 2:  # a bare list
-        text = json.dumps([*names, "algebra.py"])
+        text = json.dumps([*names, *OLD])
     elif kind == 3:  # an entry added by hand, with its right digest
         for name in names:
             data = (folder / name).read_bytes()
@@ -84,7 +84,7 @@ def layout(rng: np.random.Generator, folder: Path) -> set[str]:
         name = str(rng.choice(["algebra.py", "gone.py"]))
         (folder / name).unlink()
         if rng.random() < 0.5:
-            (folder / name).symlink_to(written(folder, {"behind.py": "mine"}) / "behind.py")
+            (folder / name).symlink_to(written(folder, {"behind.py": OLD[name]}) / "behind.py")
         else:
             written(folder / name, {"inside.txt": "mine"})
     if kind in (1, 2, 3, 4):

@@ -21,6 +21,7 @@ import re
 import secrets
 import shutil
 import stat
+import threading
 import time
 from collections.abc import Callable, Mapping
 from contextlib import suppress
@@ -131,9 +132,22 @@ def write(
     path = check_target(path, 0)
     # In memory first: HDF5 ends the process when a disk fills while it writes.
     if path.suffix == ".nc":
-        put(path, _sealed(bytes(dataset().to_netcdf(engine="h5netcdf")) + b"\n"))
+        put(path, _sealed(_netcdf(dataset()) + b"\n"))
     else:
         put(path, _csv(columns, attrs, explained))
+
+
+def _netcdf(data: Any) -> bytes:
+    """The bytes of a dataset, written under a lock of its own.
+
+    Where a dask client is open, ``to_netcdf`` asks its scheduler for one, which does not know it.
+    """
+    held = io.BytesIO()
+    open_store = xarray().backends.H5NetCDFStore.open
+    store = open_store(held, mode="w", format="NETCDF4", lock=threading.Lock())
+    data.dump_to_store(store)
+    store.close()
+    return held.getvalue()
 
 
 def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Explained) -> bytes:

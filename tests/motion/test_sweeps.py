@@ -11,6 +11,7 @@ import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -239,14 +240,28 @@ def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(
 
 
 @pytest.mark.thorough
-def test_the_page_on_clusters_runs(capsys: pytest.CaptureFixture[str]) -> None:
-    pytest.importorskip("distributed")
+@needs_posix
+def test_the_page_on_clusters_runs(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As written, to files of both formats, while one of the two processes is killed."""
+    distributed = pytest.importorskip("distributed")
     page = (ROOT / "docs" / "howto_cluster.md").read_text(encoding="utf-8")
     cells = re.findall(
-        r"^```\{code-cell\} python\n(.*?)^```$", page, flags=re.DOTALL | re.MULTILINE
+        r"^```(?:\{code-cell\} )?python\n(.*?)^```$", page, flags=re.DOTALL | re.MULTILINE
     )
-    names: dict[str, object] = {"__name__": "page"}
+    mapped, killed = distributed.Client.map, list[int]()
+
+    def killing(client: Any, *arguments: Any) -> Any:
+        found = mapped(client, *arguments)
+        found[0].result()
+        killed.append(client.cluster.workers[0].pid)
+        os.kill(killed[0], signal.SIGKILL)
+        return found
+
+    monkeypatch.setattr(distributed.Client, "map", killing)
+    names: dict[str, Any] = {"__name__": "page"}
     for cell in cells:
         exec(cell, names)
-    assert len(cells) == 3
-    assert capsys.readouterr().out.splitlines()[1:] == ["True", "True"]
+    assert (len(cells), len(killed)) == (4, 1)
+    assert capsys.readouterr().out.splitlines()[1:] == ["True", "True", "True"]

@@ -22,6 +22,7 @@ from typing import Any, TypeAlias
 
 import mpmath
 
+from .error_states import in_usual_state
 from .errors import ParameterError, ParameterTypeError, hint
 from .models import Model
 from .models.load import USUAL, load
@@ -95,6 +96,7 @@ def as_digits(dps: int) -> int:
     return dps
 
 
+@in_usual_state
 def equilibria(
     p: ParameterSet | None = None,
     *,
@@ -155,6 +157,7 @@ def equilibria(
     return precise_equilibria(model.Parameters(), given, contact, as_digits(dps), method=method)
 
 
+@in_usual_state
 def cusps(
     p: ParameterSet | None = None,
     *,
@@ -293,6 +296,7 @@ def _exactly(
     return given
 
 
+@in_usual_state
 def prove_cycle(cycle: Any, **options: Any) -> Any:
     """Prove that a cycle exists, is the only one near, and is stable or not: see
     :func:`spragsym.orbits.proofs.prove_cycle`.

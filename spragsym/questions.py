@@ -20,6 +20,7 @@ import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Literal, ParamSpec, TypeAlias, TypeVar
 
+from .error_states import in_usual_state
 from .errors import ModelError, ParameterTypeError, one_of
 from .models import Model
 from .models.parameters import Parameters, ParameterSet
@@ -44,6 +45,7 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
     name = general.__name__
 
     @functools.wraps(general)
+    @in_usual_state
     def ask(*args: P.args, **options: P.kwargs) -> R:
         method = options.pop("method", "auto")
         model = model_of(*args, *options.values())
@@ -76,6 +78,7 @@ def of_article(instead: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
 
     def only(own: Callable[P, R]) -> Callable[P, R]:
         @functools.wraps(own)
+        @in_usual_state
         def ask(*args: P.args, **options: P.kwargs) -> R:
             model = model_of(*args, *options.values())
             if not issubclass(model.Parameters, Parameters):

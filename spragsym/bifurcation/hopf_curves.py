@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from ..error_states import in_usual_state
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
@@ -108,6 +109,7 @@ class OnsetCurves(Result):
         return len(self.curves)
 
 
+@in_usual_state
 def onset_curves(
     p: ParameterSet,
     vary: Sequence[str] | None = None,

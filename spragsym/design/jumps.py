@@ -16,6 +16,7 @@ from ..bifurcation.paths import ModelEnd, first_end
 from ..bifurcation.tubes import Place, Tubes
 from ..bifurcation.turning_points import SEGMENTS, passed, past, turned
 from ..display import Table
+from ..error_states import in_usual_state
 from ..errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..models.parameters import ParameterSet, as_numbers, set_of
 from ..numerics.interval_arrays import BoolArray, FloatArray, quiet
@@ -51,6 +52,7 @@ def first_ends(
     return Followed(p, p.model.rising(vary, 0.0)[0], direction, begin, until).ends()
 
 
+@in_usual_state
 def jump_value(
     p: ParameterSet,
     vary: str | None = None,
@@ -120,6 +122,7 @@ def jump_value(
     return found if found.ndim else float(found)
 
 
+@in_usual_state
 def jump_gradient(
     p: ParameterSet,
     vary: str | None = None,

@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..display import Table
+from ..error_states import in_usual_state
 from ..errors import ParameterError, one_of
 from ..models import Model
 from ..models.load import USUAL, load
@@ -277,6 +278,7 @@ TAIL = 1e-9
 ROUNDING = 1e-12
 
 
+@in_usual_state
 def jump_probability(
     distribution: Distribution,
     *,

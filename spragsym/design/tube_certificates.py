@@ -12,6 +12,7 @@ import numpy as np
 
 from ..bifurcation.tubes import LEAST, Place, Tubes
 from ..bifurcation.turning_points import passed, size_of
+from ..error_states import in_usual_state
 from ..errors import ParameterError
 from ..models.parameters import ParameterSet, as_count
 from ..models.quantities import Unit, checked_units
@@ -251,6 +252,7 @@ def claims(
     return box
 
 
+@in_usual_state
 def certify(
     low: ParameterSet,
     high: ParameterSet,

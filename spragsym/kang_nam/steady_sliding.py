@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..error_states import in_usual_state
 from ..errors import ParameterError
 from ..generated import catastrophe as _catastrophe
 from ..generated import kernel as solver
@@ -104,6 +105,7 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
     return Surface(direction, reference, mu0, L, x, y, np.where(good, code, 0).astype(np.int8))
 
 
+@in_usual_state
 def sliding_friction(mu0: ArrayLike, V: ArrayLike, d: ArrayLike) -> FloatArray:
     """Friction at steady sliding by the regularized law, μ₀ (1 − exp(−d |V|)); the article takes
     its limit μ₀.

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..display import Table, caption, words
+from ..error_states import in_usual_state
 from ..errors import ParameterError, ParameterTypeError, hint, one_of
 from ..files import storage
 from ..models import forces
@@ -40,6 +41,7 @@ from .solution import Events, events_of
 from .with_scipy import RTOL
 
 
+@in_usual_state
 def simulate(
     p: ParameterSet,
     *,

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..error_states import in_usual_state
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import (
     POSITIVE,
@@ -100,6 +101,7 @@ class BasinBoundary(Result):
     how: tuple[str, str]
 
 
+@in_usual_state
 def basin_boundary(
     p: ParameterSet,
     *,

@@ -11,6 +11,7 @@ from itertools import islice
 
 import numpy as np
 
+from ..error_states import in_usual_state
 from ..errors import ConvergenceError, ParameterError, one_of, require_kind
 from ..models.field import Field
 from ..models.parameters import (
@@ -217,6 +218,7 @@ class CycleBranch(Result):
         return tuple(event for event in self.events if event.kind in chosen)
 
 
+@in_usual_state
 def cycle_branch(
     cycle: Cycle, vary: str, to: tuple[float, float], *, points: int = 400, longest: float = LONGEST
 ) -> CycleBranch:
@@ -522,6 +524,7 @@ class EventCurve(Result):
         return self.cycles[0].field
 
 
+@in_usual_state
 def cycle_events(
     event: CycleEvent,
     vary: tuple[str, str],

@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from ..bifurcation.flutter import flutter_onsets
+from ..error_states import in_usual_state
 from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..models.parameters import FloatArray, ParameterSet, Span, as_count, as_range
 from ..numerics.interval_arrays import BoolArray
@@ -130,6 +131,7 @@ class Diagram(Result):
     model: Any = field(repr=False)
 
 
+@in_usual_state
 def diagram(
     p: ParameterSet,
     vary: str,

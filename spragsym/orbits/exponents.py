@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from scipy.stats import t as student
 
+from ..error_states import in_usual_state
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion.shooting import rate
@@ -103,6 +104,7 @@ class Lyapunov(Result):
     end: FloatArray
 
 
+@in_usual_state
 def lyapunov(
     p: ParameterSet,
     *,

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from ..error_states import in_usual_state
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
 from ..models.parameters import FloatArray, ParameterSet, as_numbers
@@ -132,6 +133,7 @@ class FateBoundary(Result):
     model: Field = attribute(repr=False)
 
 
+@in_usual_state
 def fate_boundary(
     p: ParameterSet,
     *,

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..error_states import in_usual_state
 from ..errors import ConvergenceError, ParameterError
 from ..files import storage
 from ..files.journal import Record
@@ -93,6 +94,7 @@ class Fate(Result):
     end: FloatArray
 
 
+@in_usual_state
 def fate(
     p: ParameterSet,
     *,
@@ -351,6 +353,7 @@ class FateMap(Result):
         return {name: np.broadcast_to(values, self.kind.shape) for name, values in columns.items()}
 
 
+@in_usual_state
 def fate_map(
     p: ParameterSet,
     *,

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
+from ..error_states import in_usual_state
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError, require_kind
 from ..models.field import FLOATS, Field, Values
 from ..models.model import Model
@@ -63,6 +64,7 @@ SHARE, FREE = 0.1, 0.01
 MET, TRIALS, FARTHEST = 1e-3, 20, 2.0
 
 
+@in_usual_state
 def cycle(
     p: ParameterSet | None = None,
     near: Any = None,

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ...display import named_fields
+from ...error_states import in_usual_state
 from ...errors import ParameterTypeError
 from ...models.parameters import FloatArray, Parameters, as_numbers
 from ...numerics.interval_arrays import IntArray
@@ -56,6 +57,7 @@ class Basin(Named):
         return dict(zip(self.plane, self.starts, strict=True)).get(name)
 
 
+@in_usual_state
 def basin(
     p: Parameters,
     V: float | None = None,

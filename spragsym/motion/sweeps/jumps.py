@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ...error_states import in_usual_state
 from ...errors import ModelError, ParameterError
 from ...models.parameters import FloatArray, Parameters, as_numbers
 from ...questions import model_of
@@ -44,6 +45,7 @@ class Sensitivity(Result):
     sweep: Sweep
 
 
+@in_usual_state
 def sensitivity(
     p: Parameters,
     V: ArrayLike | None = None,

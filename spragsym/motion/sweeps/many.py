@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...error_states import in_usual_state
 from ...errors import ConvergenceError, ParameterError
 from ...files import storage
 from ...files.journal import Record
@@ -66,6 +67,7 @@ DECIDING = (
 )
 
 
+@in_usual_state
 def rms_sweep(
     p: ParameterSet,
     V: ArrayLike | None = None,

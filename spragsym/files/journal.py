@@ -22,6 +22,7 @@ from filelock import lock_descriptor
 
 from ..errors import DamageWarning, ParameterError, SpragsymError, StoreError, SweepError
 from .storage import provenance, write_all
+from .text import printed
 
 #: One point of a sweep: its measured values and, if it failed, why.
 Record: TypeAlias = tuple[list[float], str]
@@ -160,6 +161,7 @@ def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int,
         point, other = _content(fingerprint, line), _content("", line)
         if point is not None:
             index, values, reason = point
+            printed(str(path), reason)
             points[index] = (values, reason)
         elif other is None:
             damaged.append(number)

@@ -37,7 +37,7 @@ from .._version import __version__
 from ..errors import DamagedError, MissingExtraError, ParameterError, StoreError, TargetError
 from ..generated import SOURCE_HASH
 from ..interrupts import held
-from .text import FilePath
+from .text import FilePath, printed
 
 #: Unit and meaning of columns, by their names.
 Explained: TypeAlias = Mapping[str, tuple[str, str]]
@@ -192,11 +192,14 @@ def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     """
     content = _verified(path)
     if path.suffix != ".nc":
-        return _read_csv(content)
-    with xarray().open_dataset(io.BytesIO(content), engine="h5netcdf") as dataset:
-        return {name: dataset[name].values.ravel() for name in dataset.variables}, dict(
-            dataset.attrs
-        )
+        columns, attributes = _read_csv(printed(str(path), content.decode(), allowed="\n"))
+    else:
+        with xarray().open_dataset(io.BytesIO(content), engine="h5netcdf") as dataset:
+            columns = {name: dataset[name].values.ravel() for name in dataset.variables}
+            attributes = dict(dataset.attrs)
+    for name, values in columns.items():
+        printed(str(path), [name, *(values.tolist() if values.dtype.kind in "OU" else ())])
+    return columns, printed(str(path), attributes)
 
 
 def read_own(path: Path, key: str) -> dict[str, Any]:
@@ -238,8 +241,8 @@ def _verified(path: Path) -> bytes:
     return covered
 
 
-def _read_csv(data: bytes) -> tuple[dict[str, Any], dict[str, Any]]:
-    lines = data.decode().splitlines(keepends=True)
+def _read_csv(text: str) -> tuple[dict[str, Any], dict[str, Any]]:
+    lines = text.splitlines(keepends=True)
     comments, table = (
         [line for line in lines if line.startswith("#") == comment] for comment in (True, False)
     )

@@ -4,6 +4,8 @@ package.
 
 import codecs
 import os
+import unicodedata
+from collections.abc import Mapping
 from importlib import resources
 from typing import Any, TypeAlias
 
@@ -11,6 +13,8 @@ from ..errors import MissingExtraError, ParameterError
 
 #: What says where a file is.
 FilePath: TypeAlias = str | os.PathLike[str]
+#: Categories of Unicode: controls, formats, surrogates, ends of lines and of paragraphs.
+_NOT_PRINTED = ("Cc", "Cf", "Cs", "Zl", "Zp")
 #: Bytes of a file that a user writes by hand, and of a table that an instrument writes.
 BY_HAND, MEASURED = 1 << 20, 8 << 20
 
@@ -56,13 +60,44 @@ def text_of(
     """
     data = contents(path, largest, what)
     try:
-        return data.decode(
+        text = data.decode(
             "utf-16" if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig"
         )
     except UnicodeDecodeError as error:
         raise ParameterError(
             f"{os.fspath(path)} is not text in UTF-8 (byte {error.start}); save it as UTF-8{remedy}"
         ) from error
+
+    return printed(os.fspath(path), text, allowed="\n\r\t")
+
+
+def printed(where: str, held: Any, allowed: str = "") -> Any:
+    """Text that was read, or data with texts in them; a ParameterError if one holds what is not
+    printed.
+
+    Control characters command a terminal, and marks of direction show a text as another. Pages have
+    the same rule, ``check_characters`` of ``derive.model``.
+
+    >>> printed("brake.toml", {"title": "Front brake"})
+    {'title': 'Front brake'}
+    """
+    if isinstance(held, str):
+        for one in sorted(set(held) - {*allowed}):
+            if unicodedata.category(one) in _NOT_PRINTED:
+                line = held[: held.index(one)].count("\n") + 1
+                at = f", line {line}" if line > 1 else ""
+                raise ParameterError(
+                    f"{where}{at}: the text {held[:60]!a} holds the character U+{ord(one):04X}, "
+                    "which is not printed; take it out"
+                )
+    elif isinstance(held, Mapping):
+        for key, value in held.items():
+            printed(where, key, allowed)
+            printed(where, value, allowed)
+    elif isinstance(held, list | tuple):
+        for value in held:
+            printed(where, value, allowed)
+    return held
 
 
 def shipped_text(package: str, name: str) -> str:

@@ -20,7 +20,7 @@ from types import ModuleType
 from typing import Any
 
 from ..errors import ParameterError, ParameterTypeError, StoreError, hint
-from ..files.text import contents
+from ..files.text import contents, printed
 from ..generated import C_SOURCE
 from .model import Model, parameter_class
 
@@ -149,7 +149,7 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
         raise StoreError(
             f"{path} is damaged: it is not as it was written; derive its model page again"
         )
-    about = json.loads(data)
+    about = printed(str(path), json.loads(data), allowed="\n")
     if not re.fullmatch(r"\w[\w .-]*", about["name"]) or any(
         Path(name).name != name for name in about["files"]
     ):

@@ -15,7 +15,7 @@ from typing import Any
 
 from ..design.sampling import Correlation, dependence
 from ..errors import ParameterError, SpragsymError, hint
-from ..files.text import FilePath, text_of
+from ..files.text import FilePath, printed, text_of
 from ..models.load import USUAL
 from ..models.parameters import FINITE, Range, Ranges
 from ..models.quantities import Quantities, quantities
@@ -89,6 +89,8 @@ class _Reader:
 
     def read(self, trust: bool | str) -> Brake:
         table = self._table()
+        for key, value in table.items():
+            printed(self.of(key), {key: value})
         with self.at("model", "model = "):
             model = trusted_model(table.pop("model", USUAL), trust)
         kind = quantities(model)

@@ -22,7 +22,7 @@ import numpy as np
 from .._version import __version__
 from ..errors import ParameterError
 from ..files.storage import put
-from ..files.text import FilePath, text_of
+from ..files.text import FilePath, printed, text_of
 from ..models import Model
 from ..models.field import Field
 from ..models.load import load, shipped
@@ -83,10 +83,12 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
         ),
     )
     try:
-        held = json.loads(text)
+        held = printed(name, json.loads(text))
         version, body = held["spragsym"], _text(held["result"])
         if version == __version__ and _digest(body) != held["sha256"]:
             raise ValueError("it is not as it was written")
+    except ParameterError:
+        raise
     except _WRONG as error:
         raise ParameterError(
             f"{name} holds no result of spragsym ({error!r:.80}); give a *.json that save() wrote"
@@ -120,15 +122,20 @@ def _array(thing: Any) -> list[Any]:
     return [array.dtype.str, list(np.shape(thing)), base64.b64encode(array.tobytes()).decode()]
 
 
+def _array_of(kind: str, shape: list[int], data: str) -> Any:
+    array = np.frombuffer(base64.b64decode(data), np.dtype(kind)).reshape(shape).copy()
+    if array.dtype.kind == "U":
+        printed("an array of words", array.ravel().tolist())
+    return array
+
+
 #: Kinds of numbers: what they are in Python, how they are written, and how they are read.
 _NUMBERS: dict[str, tuple[Any, Callable[[Any], Any], Callable[[Any], Any]]] = {
     "float": (float, float.hex, float.fromhex),
     "array": (
         np.ndarray | np.generic,
         _array,
-        lambda held: (
-            np.frombuffer(base64.b64decode(held[2]), np.dtype(held[0])).reshape(held[1]).copy()
-        ),
+        lambda held: _array_of(*held),
     ),
     "mpf": (
         mpmath.mpf,

@@ -67,7 +67,10 @@ def export(
         )
     else:
         texts = exported(language)
-    files = {out: pack(texts)} if pack else {out / path: text for path, text in texts.items()}
+    try:
+        files = {out: pack(texts)} if pack else {out / path: text for path, text in texts.items()}
+    except ChildProcessError as error:
+        raise click.ClickException(f"{error}; nothing was written") from error
     write(files, force, made=True)
     for path in files:
         click.echo(path)

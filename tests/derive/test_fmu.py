@@ -2,9 +2,13 @@
 their status.
 """
 
+import io
+import os
+import re
 import shlex
 import shutil
 import subprocess
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +22,7 @@ from fmpy.validation import validate_fmu
 
 import spragsym as ss
 from spragsym.cli import main
+from spragsym.derive.emit.targets import fmu
 from spragsym.models.load import shipped
 from tests.conformance.models import starts
 from tests.shown import DOCS, programs, run
@@ -146,3 +151,52 @@ def test_bad_calls_get_the_status_of_the_standard(brake: str, tmp_path: Path) ->
     given = [description.guid, *(references[name] for name in asked), str(len(references))]
     done = subprocess.run([tmp_path / "driver", *given], capture_output=True, text=True, timeout=60)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+FILES = {"modelDescription.xml": "<x/>", "sources/brake.c": "int f(void) { return 1; }\n"}
+FILES |= {"sources/fmu.c": "int g(void) { return 2; }\n"}
+
+
+def program(folder: Path, name: str, text: str) -> Path:
+    path = folder / name
+    path.write_text(f"#!/bin/sh\n{text}\n")
+    path.chmod(0o755)
+    return path
+
+
+@pytest.mark.skipif(os.name != "posix", reason="its programs are of the shell")
+def test_the_compiler_is_the_one_that_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With a program before it, with options, in a folder with a blank; else an error in its own
+    words.
+    """
+    seen = tmp_path / "seen"
+    wrapped = 'echo "$@" > ' + f"{seen}\n"
+    program(tmp_path, "ccache", wrapped + 'exec "$@"')
+    program(tmp_path, "zig", wrapped + f'shift; exec {CC} "$@"')
+    (tmp_path / "my tools").mkdir()
+    blank = program(tmp_path / "my tools", "cc", wrapped + f'exec {CC} "$@"')
+    monkeypatch.setenv("PATH", f"{tmp_path}{os.pathsep}{os.environ['PATH']}")
+    for given in ("ccache cc", "zig cc", str(blank), f"'{blank}' -O1", f"ccache  {CC} -O1"):
+        monkeypatch.setenv("CC", given)
+        seen.unlink(missing_ok=True)
+        held = zipfile.ZipFile(io.BytesIO(fmu.packed(FILES))).namelist()
+        assert [name for name in held if name.startswith("binaries/")], given
+        assert "-std=c99" in seen.read_text(), given
+    program(tmp_path, "broken", "echo broken: no such option >&2; exit 3")
+    program(tmp_path, "idle", "exit 0")
+    (tmp_path / "plain").write_text("no program")
+    for given, words in (
+        ("no-such-cc", "no program 'no-such-cc'"),
+        ("no-such-cc gcc", "no program 'no-such-cc'"),
+        ("ccache no-such-cc", "ccache no-such-cc failed"),
+        ("broken", "failed with exit code 3: broken: no such option"),
+        ("idle", "failed with exit code 0"),
+        (str(tmp_path / "plain"), "no program"),
+        ("'cc", "close its quotes"),
+        (f"{CC} -Wnot-c99 -fno-such-thing", "no-such-thing"),
+    ):
+        monkeypatch.setenv("CC", given)
+        with pytest.raises(ChildProcessError, match=re.escape(words)):
+            fmu.packed(FILES)

@@ -10,6 +10,7 @@ import io
 import math
 import os
 import platform
+import shlex
 import shutil
 import subprocess
 import sys
@@ -86,13 +87,15 @@ def render(material: Material) -> dict[str, str]:
 
 
 def packed(files: Mapping[str, str]) -> bytes:
-    """The archive, the same bytes for the same files and compiler; a warning where it has no binary
-    for this machine.
+    """The archive, the same bytes for the same files and compiler; a warning where this machine has
+    no compiler.
+
+    A compiler that ``CC`` names and that is not there, or one that fails, is a ChildProcessError.
     """
     members = {name: text.encode() for name, text in files.items()}
     try:
         members |= _binary(members)
-    except (OSError, KeyError, subprocess.CalledProcessError) as error:
+    except (FileNotFoundError, KeyError) as error:
         warnings.warn(
             f"the FMU has sources, and no binary for this machine: {error}; give CC a "
             "compiler of C99",
@@ -111,27 +114,50 @@ def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
     """
     system, ending = _SYSTEMS[sys.platform]
     machine = platform.machine().lower()
-    compiler = next(
-        filter(None, map(shutil.which, (os.environ.get("CC", ""), "cc", "gcc", "clang"))), None
-    )
-    if compiler is None:
-        raise FileNotFoundError("no C compiler was found")
+    compiler = _compiler(os.environ.get("CC", "").strip())
     sources = [Path(name).name for name in members if name.endswith(".c")]
     library = next(name for name in sources if name != "fmu.c").replace(".c", ending)
     with tempfile.TemporaryDirectory() as folder:
         for name, data in members.items():
             (Path(folder) / Path(name).name).write_bytes(data)
-        subprocess.run(
-            [compiler, *_FLAGS, "-o", library, *sources, "-lm"],
-            cwd=folder,
-            check=True,
-            capture_output=True,
-        )
+        command = [*compiler, *_FLAGS, "-o", library, *sources, "-lm"]
+        try:
+            done = subprocess.run(command, cwd=folder, check=False, capture_output=True)
+        except OSError as error:
+            raise ChildProcessError(f"{shlex.join(compiler)} can't be run: {error}") from error
+        built = Path(folder) / library
+        if done.returncode or not built.is_file():
+            said = (done.stderr or done.stdout).decode(errors="replace").split("\n")
+            words = "; ".join([line.strip() for line in said if line.strip()][:3])
+            raise ChildProcessError(
+                f"{shlex.join(compiler)} failed with exit code {done.returncode}: {words}; "
+                "give CC a "
+                "compiler of C99, as CC=gcc"
+            )
         return {
-            f"binaries/{_MACHINES.get(machine, machine)}-{system}/{library}": (
-                Path(folder) / library
-            ).read_bytes()
+            f"binaries/{_MACHINES.get(machine, machine)}-{system}/{library}": built.read_bytes()
         }
+
+
+def _compiler(given: str) -> list[str]:
+    """The words of the command that ``CC`` gives, as ``ccache gcc``, or a usual compiler."""
+    if not given:
+        usual = next(filter(None, map(shutil.which, ("cc", "gcc", "clang"))), None)
+        if usual is None:
+            raise FileNotFoundError("no C compiler was found")
+        return [usual]
+    try:
+        words = [given] if shutil.which(given) else shlex.split(given, posix=os.name == "posix")
+    except ValueError as error:
+        raise ChildProcessError(
+            f"CC = {given!r} can't be read: {error}; close its quotes"
+        ) from error
+    if not shutil.which(words[0]):
+        raise ChildProcessError(
+            f"CC = {given!r}: there is no program {words[0]!r}; give a compiler of C99, as CC=gcc, "
+            "or leave CC out"
+        )
+    return words
 
 
 # ------------------------------------------------------------------------------------------------

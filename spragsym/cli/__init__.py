@@ -125,6 +125,8 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     """
     arguments = sys.argv[1:] if arguments is None else arguments
     debug = "--debug" in arguments
+    if sys.stdout is None:  # closed by the caller: what is said there is lost, which is an error
+        sys.stdout = os.fdopen(os.open(os.devnull, os.O_RDONLY), "w", encoding="utf-8")
     codecs.register_error("spragsym.latin", _in_latin)
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
@@ -169,8 +171,7 @@ def _run(arguments: list[str], debug: bool) -> int:
             plain = False if "NO_COLOR" in os.environ else None
             with cli.make_context("spragsym", arguments, color=plain) as context:
                 cli.invoke(context)
-        if sys.stdout is not None:  # closed by the caller
-            sys.stdout.flush()  # flush here, so that a closed pipe and a full disk are noticed here
+        sys.stdout.flush()  # flush here, so that a closed pipe and a full disk are noticed here
     except click.exceptions.Exit as stop:
         return stop.exit_code
     except BrokenPipeError:

@@ -37,7 +37,7 @@ from .._version import __version__
 from ..errors import DamagedError, MissingExtraError, ParameterError, StoreError, TargetError
 from ..generated import SOURCE_HASH
 from ..interrupts import held
-from .text import FilePath, printed
+from .text import FilePath, path_text, printed
 
 #: Unit and meaning of columns, by their names.
 Explained: TypeAlias = Mapping[str, tuple[str, str]]
@@ -266,7 +266,7 @@ _AGE = 3600.0
 def resolved(path: FilePath) -> Path:
     """The file that a path leads to through links, even if it does not exist yet."""
     try:
-        target = Path(path).resolve()
+        target = Path(path_text(path)).resolve()
         if target.is_symlink():
             target.stat()  # raises what Python from 3.13 on no longer says when it resolves
         if target.exists() and not target.is_file() and not target.is_dir():
@@ -306,10 +306,10 @@ def probe(path: FilePath, bytes_needed: int = 0, *, made: bool = False) -> Path:
             "to write there"
         ) from error
     if free < bytes_needed:
-        needed, there = (f"{math.ceil(size / 1e6)} MB" for size in (bytes_needed, free))
+        name, size = ("MB", 1e6) if free > 1e8 else ("kB", 1e3)
         raise ParameterError(
-            f"{target}: about {needed} are needed and {there} are free; make room, or write "
-            "to another disk"
+            f"{target}: about {math.ceil(bytes_needed / size)} {name} are needed and "
+            f"{math.floor(free / size)} {name} are free; make room, or write to another disk"
         )
     return target
 

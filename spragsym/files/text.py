@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from importlib import resources
 from typing import Any, TypeAlias
 
-from ..errors import MissingExtraError, ParameterError
+from ..errors import MissingExtraError, ParameterError, ParameterTypeError
 
 #: What says where a file is.
 FilePath: TypeAlias = str | os.PathLike[str]
@@ -19,13 +19,20 @@ _NOT_PRINTED = ("Cc", "Cf", "Cs", "Zl", "Zp")
 BY_HAND, MEASURED = 1 << 20, 8 << 20
 
 
+def path_text(path: FilePath) -> str:
+    """A path as text; a ParameterTypeError for what is none."""
+    if not isinstance(path, str | os.PathLike):
+        raise ParameterTypeError(f"path = {path!r:.60} is no path; give text, or a pathlib.Path")
+    return os.fsdecode(os.fspath(path))
+
+
 def contents(path: FilePath, largest: int = BY_HAND, what: str = "another file") -> bytes:
     """The bytes of a file, or of a pipe; a device without end, and a pipe that nobody writes to,
     end too.
 
     If there is no such file, or it holds more than ``largest`` bytes, that is a ParameterError.
     """
-    name = os.fspath(path)
+    name = path_text(path)
     shown = name if len(name) <= 200 else f"{name[:80]}…"
     if os.path.isdir(path):
         raise ParameterError(f"{shown} is a folder; give {what}")

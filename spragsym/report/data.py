@@ -15,7 +15,7 @@ from typing import Any
 
 from ..design.sampling import Correlation, dependence
 from ..errors import ParameterError, SpragsymError, hint
-from ..files.text import FilePath, printed, text_of
+from ..files.text import FilePath, path_text, printed, text_of
 from ..models.load import USUAL
 from ..models.parameters import FINITE, Range, Ranges
 from ..models.quantities import Quantities, quantities
@@ -54,7 +54,7 @@ def read_brake(path: FilePath, trust: bool | str = False) -> Brake:
     key, the value and what to write.
     """
     return _Reader(
-        os.fspath(path),
+        path_text(path),
         text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±"),
     ).read(trust)
 

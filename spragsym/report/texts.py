@@ -495,6 +495,10 @@ def _tolerances(report: Facts) -> Rows:
                 "what is proved to jump, and all but what is proved not to; no sampling can leave "
                 "that"
             )
+            if high - low > 50.0:  # most brakes are undecided
+                what = (
+                    "this says next to nothing, as few brakes within so many tolerances are decided"
+                )
             yield "the same by proof", f"{low:g} % to {high:g} %: {what}"
     told = {name: indices for name, indices in odds.sobol.items() if not math.isnan(indices[1])}
     # Sobol' indices are told where the samples resolve all of them: next to a certainty too few

@@ -22,7 +22,7 @@ import numpy as np
 from .._version import __version__
 from ..errors import ParameterError
 from ..files.storage import put
-from ..files.text import FilePath, printed, text_of
+from ..files.text import FilePath, path_text, printed, text_of
 from ..models import Model
 from ..models.field import Field
 from ..models.load import load, shipped
@@ -45,7 +45,7 @@ _WRONG = (
 
 def save(result: Any, path: FilePath) -> None:
     """Write a result: all of it as JSON, for :func:`open`, or its columns, by the ending."""
-    if Path(path).suffix == ".json":
+    if Path(path_text(path)).suffix == ".json":
         body = _text(_written(result))
         put(path, f'{{"spragsym":"{__version__}","sha256":"{_digest(body)}","result":{body}}}\n')
     else:
@@ -76,12 +76,9 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     >>> len(ss.open(file))
     2
     """
-    name, text = (
-        os.fspath(path),
-        text_of(
-            path, LARGEST, "a *.json that save() wrote", ", or give a *.json that save() wrote"
-        ),
-    )
+    name = path_text(path)
+    remedy = ", or give a *.json that save() wrote"
+    text = text_of(path, LARGEST, "a *.json that save() wrote", remedy)
     try:
         held = printed(name, json.loads(text))
         version, body = held["spragsym"], _text(held["result"])

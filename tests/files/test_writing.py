@@ -3,12 +3,14 @@ more than ours, Ctrl-C.
 """
 
 import os
+import re
 import shutil
 import signal
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -254,3 +256,35 @@ def test_who_works_on_a_journal_is_told_and_a_killed_process_holds_nothing(
     process.wait()
     with journal(path, "a", 2):
         pass
+
+
+def test_room_that_is_wanted_is_told_from_room_that_there_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rng = np.random.default_rng(78)
+    for size in (*10 ** rng.uniform(3, 13, 40), 1e6):
+        free = int(size)
+        usage = shutil._ntuple_diskusage(2 * free, free, free)  # type: ignore[attr-defined]
+        monkeypatch.setattr(shutil, "disk_usage", lambda _, usage=usage: usage)
+        with pytest.raises(ParameterError) as refused:
+            storage.probe(tmp_path / "r.csv", free + 1)
+        found = re.search(
+            r"about (\d+) (.B) are needed and (\d+) (.B) are free", str(refused.value)
+        )
+        assert found is not None
+        assert int(found[1]) > int(found[3])
+        assert found[2] == found[4]
+
+
+@pytest.mark.parametrize("value", [None, 3, b"x.csv", 1.5, ["x.csv"]])
+def test_what_is_no_path_is_refused(value: Any) -> None:
+    found = ss.folds(ss.Parameters.article())
+    asked: list[Callable[[], object]] = [
+        lambda: ss.open(value),
+        lambda: ss.Study.from_file(value),
+        lambda: found.save(value),
+        lambda: ss.rms_sweep(ss.Parameters.article(theta0=0.8), t_end=1.0, store=value),
+    ]
+    for ask in asked[: 3 if value is None else 4]:
+        with pytest.raises(ss.ParameterTypeError, match="is no path"):
+            ask()

@@ -86,8 +86,9 @@ def provenance() -> dict[str, str]:
 
 
 def fingerprint(arrays: Mapping[str, Any], settings: Mapping[str, Any]) -> str:
-    """SHA-256 of everything that a result depends on."""
-    digest = hashlib.sha256(json.dumps({**settings, **provenance()}, sort_keys=True).encode())
+    """SHA-256 of everything that a result depends on: settings, generated files and numbers."""
+    decides = {**settings, "generated_from": SOURCE_HASH}
+    digest = hashlib.sha256(json.dumps(decides, sort_keys=True).encode())
     for name, values in arrays.items():
         array = np.ascontiguousarray(values, dtype="<f8")
         digest.update(f"{name}{array.shape}".encode() + array.tobytes())

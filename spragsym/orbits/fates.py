@@ -337,7 +337,7 @@ class FateMap(Result):
             f"{name}0": value for name, value in zip(self.model.components, self.start, strict=True)
         }
         settings = {"t_end": self.t_end, "backend": self.backend}
-        key = fingerprint(self.model, self.inputs, {"start": self.start, **settings}, "orbits")
+        key = fingerprint(self.model, self.inputs, {"start": self.start, **settings})
         return {
             **storage.provenance(),
             "model": self.model.name,
@@ -414,7 +414,7 @@ def fate_map(
     if store is not None and Path(store).suffix != ".csv":
         raise ParameterError(f"store = {store} does not end in .csv")
     work, made = partial(_records, model, settings), partial(_made, model, inputs, settings)
-    key = partial(fingerprint, model, inputs, settings, "orbits")
+    key = partial(fingerprint, model, inputs, settings)
     return made_or_loaded(inputs, work, made, MEASURED, "why", key, workers, progress, store)
 
 

@@ -11,7 +11,7 @@ import importlib
 import json
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import MISSING, fields, is_dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -29,6 +29,11 @@ from ..models.load import load, shipped
 from ..models.parameters import ParameterSet, set_of
 from .result import Result
 
+#: Version of the format, raised by hand where an older file is read in another way: :func:`_read`
+#: then converts it. Files before there was a number are of the first.
+FORMAT = 1
+#: Where classes stand whose module or name has changed since a file was written.
+MOVED: Mapping[tuple[str, str], tuple[str, str]] = {}
 #: Bytes of a file that is read back, at most.
 LARGEST = 1 << 30
 #: What a file raises that is not as :func:`save` writes it now.
@@ -47,7 +52,8 @@ def save(result: Any, path: FilePath) -> None:
     """Write a result: all of it as JSON, for :func:`open`, or its columns, by the ending."""
     if Path(path_text(path)).suffix == ".json":
         body = _text(_written(result))
-        put(path, f'{{"spragsym":"{__version__}","sha256":"{_digest(body)}","result":{body}}}\n')
+        head = f'"spragsym":"{__version__}","format":{FORMAT},"sha256":"{_digest(body)}"'
+        put(path, f'{{{head},"result":{body}}}\n')
     else:
         result._save_columns(Path(path))
 
@@ -65,8 +71,8 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     Raises
     ------
     ParameterError
-        If the file can't be read, is damaged, holds no result of this version, or is of a model
-        that is not known.
+        If the file can't be read, is damaged, holds no result of this version or an earlier one, or
+        is of a model that is not known.
 
     Examples
     --------
@@ -82,7 +88,8 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     try:
         held = printed(name, json.loads(text))
         version, body = held["spragsym"], _text(held["result"])
-        if version == __version__ and _digest(body) != held["sha256"]:
+        known = held.get("format", 1) <= FORMAT and "sha256" in held
+        if known and _digest(body) != held["sha256"]:
             raise ValueError("it is not as it was written")
     except ParameterError:
         raise
@@ -91,7 +98,7 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
             f"{name} holds no result of spragsym ({error!r:.80}); give a *.json that save() wrote"
         ) from error
     why = f"this is {__version__}"
-    if version == __version__:
+    if known:
         try:
             return json.loads(body, object_hook=partial(_read, model))
         except ParameterError:
@@ -221,12 +228,20 @@ def _read(given: Model | None, held: dict[str, Any]) -> Any:
     if hasattr(made, "_fields"):
         return made(**parts)
     out = object.__new__(made)
-    out.__dict__.update({each.name: parts[each.name] for each in fields(made)})
+    out.__dict__.update({each.name: _part(each, parts) for each in fields(made)})
     return out
+
+
+def _part(field: Any, parts: Mapping[str, Any]) -> Any:
+    """A field of a result; of one that is younger than the file, its default."""
+    if field.name in parts or field.default is MISSING:
+        return parts[field.name]
+    return field.default
 
 
 def _class(module: str, name: str) -> Any:
     """A class of this package that holds data."""
+    module, name = MOVED.get((module, name), (module, name))
     package, *inner = module.split(".")
     # What derives, and what runs as a command when it is imported, has no results.
     known = package == __package__.partition(".")[0] and not {"derive", "__main__"} & {*inner}

@@ -1,0 +1,162 @@
+"""Files that an earlier version wrote, of each kind of result, a sweep and a study: every later
+version opens them.
+
+``python -m tests.files.test_kept`` adds those of kinds that are new; a file that is there is never
+written anew. Where a class is moved, ``MOVED`` of ``spragsym.results.files`` says where to; where
+the same file is to be read in another way, ``FORMAT`` there is raised, and the old way is kept
+beside it.
+"""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.files import storage
+from spragsym.results.result import Result
+from tests.models.test_results import BELT, LONG_MOTIONS, MAKERS, ONE, SLOW
+
+KEPT = Path(__file__).parent / "kept"
+#: Beside the cusp.
+NARROW = {"mu0": (0.2, 0.21), "theta0": (1.1, 1.25)}
+#: Smaller than those that are shown.
+SMALL: dict[str, Callable[[], Any]] = {
+    "BifurcationSet": lambda: ss.bifurcation_set(ONE, n=6, between=NARROW),
+    "Curve": lambda: ss.bifurcation_set(ONE, n=6, between=NARROW).curves[0],
+    "Path": lambda: ss.quasi_static_path(ONE.replace(mu0=0.7), "theta0", [0.5, 0.6, 1.0]),
+    "Trajectory": lambda: ss.simulate(ONE, t_end=0.5, events=False, **BELT),
+    "Cycle": lambda: ss.cycle(
+        ss.load("stick_slip").Parameters(V=0.2), backend="scipy", near=[0.0, 0.0]
+    ),
+}
+#: Others of the same class, and those too large to keep.
+LEFT_OUT = ("FlutterBoundary", "Branch", "Spectrum", "Oscillation", "Report", "OnsetCurves")
+
+
+def kinds() -> list[str]:
+    """Names of results that are kept."""
+    long = {*LONG_MOTIONS, *SLOW} - {*SMALL}
+    return [name for name in MAKERS if name not in long and name not in LEFT_OUT]
+
+
+def made(name: str) -> Any:
+    return (SMALL.get(name) or MAKERS[name])()
+
+
+def file_of(name: str) -> Path:
+    return KEPT / f"{name.replace(' ', '_')}.json"
+
+
+def sweep(store: Path) -> ss.Sweep:
+    """The same call as that which wrote the kept stores."""
+    p = ss.Parameters.article(theta0=np.radians([38.0, 44.0]))
+    return ss.rms_sweep(p, t_end=20.0, transient=10.0, store=store, **BELT)
+
+
+@pytest.mark.parametrize("file", sorted(KEPT.glob("*.json")), ids=lambda file: file.stem)
+def test_a_kept_result_is_opened(file: Path) -> None:
+    found = ss.open(file)
+    assert type(found).__name__ == json.loads(file.read_text())["result"]["class"][1]
+    assert repr(found).startswith(f"{type(found).__name__}(")
+    assert all(np.size(column) >= 0 for column in found.data().values())
+
+
+@pytest.mark.parametrize(
+    "name", ["Equilibria", "Points", "Jump", "LinearSprag", "Onsets in closed form", "Surface"]
+)
+def test_a_kept_result_is_what_is_computed_now(name: str) -> None:
+    found, now = ss.open(file_of(name)).data(), made(name).data()
+    for column, values in now.items():
+        if column != "error" and values.dtype.kind in "iuf":
+            np.testing.assert_allclose(found[column], values, rtol=1e-6, atol=1e-9, err_msg=column)
+
+
+def test_every_kind_is_kept() -> None:
+    missing = [name for name in kinds() if not file_of(name).exists()]
+    missing = [name for name in missing if isinstance(made(name), Result)]
+    assert not missing, "python -m tests.files.test_kept adds them"
+
+
+def test_a_kept_sweep_is_read_and_computed_to_the_same() -> None:
+    """Where numbers differ by more than rounding, ``RECORDS`` of ``motion.sweeps.many`` is to be
+    raised.
+    """
+    pytest.importorskip("h5netcdf")
+    now = sweep(store=None)  # type: ignore[arg-type]
+    for ending in ("csv", "nc"):
+        columns, attributes = storage.read(KEPT / f"sweep.{ending}")
+        assert attributes["model"] == "kang_nam"
+        assert len(attributes["fingerprint"]) == 64
+        for name in ("rms", "mean", "largest", "spread"):
+            kept = np.array(columns[name], dtype=float)
+            np.testing.assert_allclose(kept, getattr(now, name), rtol=1e-6, atol=1e-12)
+
+
+def test_a_kept_study_is_read() -> None:
+    study = ss.Study.from_file(KEPT / "brake.toml")
+    values = {name: one.value for name, one in study.quantities.items()}
+    assert values["k"] == 180e3
+    assert (study.title, study.date) == ("Kept", "2026-11-28")
+    assert values["F_L"] == 420.0
+
+
+def test_a_store_does_not_depend_on_the_text_of_a_source(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """But on the generated files, and on the number of its format."""
+    from spragsym.motion.sweeps import many
+
+    found = ss.rms_sweep(ONE, t_end=1.0, **BELT)
+
+    def key() -> str:
+        return str(found._attributes()["fingerprint"])
+
+    before = key()
+    with monkeypatch.context() as patched:
+        patched.setattr(Path, "read_bytes", lambda _: pytest.fail("a source is read"))
+        assert key() == before
+    for module, name, value in (
+        (many, "RECORDS", many.RECORDS + 1),
+        (storage, "SOURCE_HASH", "of another derivation"),
+    ):
+        with monkeypatch.context() as patched:
+            patched.setattr(module, name, value)
+            assert key() != before
+    monkeypatch.setattr(storage, "__version__", "9.9.9")
+    assert key() == before
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"spragsym": "0.0.7"}, ""),
+        ({"spragsym": "9.0.0"}, ""),
+        ({"format": 99}, "was written by spragsym"),
+        ({"sha256": "0"}, "not as it was written"),
+    ],
+)
+def test_a_file_is_read_by_its_format_and_not_by_its_version(
+    change: dict[str, Any], words: str, tmp_path: Path
+) -> None:
+    held = json.loads(file_of("Points").read_text()) | change
+    (tmp_path / "a.json").write_text(json.dumps(held))
+    if not words:
+        assert len(ss.open(tmp_path / "a.json")) == 2
+        return
+    with pytest.raises(ss.ParameterError, match=words):
+        ss.open(tmp_path / "a.json")
+
+
+if __name__ == "__main__":
+    KEPT.mkdir(exist_ok=True)
+    for kind in kinds():
+        if not file_of(kind).exists() and isinstance(result := made(kind), Result):
+            result.save(file_of(kind))
+            print(file_of(kind).name, file_of(kind).stat().st_size)
+    for written in (KEPT / "sweep.csv", KEPT / "sweep.nc"):
+        if not written.exists():
+            sweep(written)

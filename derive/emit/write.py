@@ -215,6 +215,7 @@ def _listed(mark: Path) -> dict[str, str | None]:
         f"{mark} is damaged, or of another program, and so it is not known what was written; name "
         "another folder"
     )
+    names: dict[str, str | None]
     try:
         text = mark.read_text(encoding="utf-8")
         content = json.loads(text)

@@ -287,7 +287,7 @@ class Carried:
         if root == "pandas" and hasattr(value, "array"):
             return self.numbers(value.array)
         attributes = getattr(value, "attrs", None)
-        labelled = attributes if hasattr(attributes, "keys") else {}
+        labelled: Any = attributes if hasattr(attributes, "keys") else {}
         for key in labelled:  # of xarray and HDF5
             if _HINTS.search(str(key)):
                 held = value.data if root == "xarray" else np.asarray(value)

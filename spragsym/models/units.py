@@ -4,7 +4,6 @@ one.
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Iterator, Sequence
 from functools import cache, lru_cache
@@ -190,17 +189,6 @@ def dimension(unit: pint.Unit) -> tuple[Any, ...]:
     )
 
 
-def in_si(number: Any, unit: str, si: str) -> Any:
-    """A number, or an array of them, of a unit in the SI unit ``si``.
-
-    >>> in_si(52.0, "deg", "rad") == math.radians(52.0)
-    True
-    """
-    scale = factor(unit, si)
-    # 52 deg is the float nearest to it, which two roundings may miss.
-    return np.radians(number) if scale == math.pi / 180 else number * scale
-
-
 # ---------------------------------------------------------------------- numbers that carry a unit
 
 #: Libraries whose units are understood: where their objects have text of the unit, and numbers.
@@ -320,7 +308,7 @@ class Carried:
         if not plain or given.dtype.kind not in "iuf":
             return given
         try:
-            return in_si(given.astype(float), "%" if plain in _PERCENT else plain, self.si)
+            return given.astype(float) * factor("%" if plain in _PERCENT else plain, self.si)
         except ParameterError as error:
             raise ParameterTypeError(
                 f"{self.name} is in {plain}: {error}; give its number {self._wanted()}"

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.models import units
 from spragsym.models.units import factor
 
 BASE = ss.Parameters.article(theta0=0.8)
@@ -247,6 +248,19 @@ def test_a_word_of_several_meanings_is_refused_with_what_to_write() -> None:
             words = r"meanings|is not read; write m, g|is not known; write m, g|no unit"
             with pytest.raises(ss.ParameterError, match=words):
                 factor(text, "m")
+
+
+def test_every_word_that_is_read_is_read_as_pint_writes_it_too() -> None:
+    pint = pytest.importorskip("pint")
+    known = units._words()
+    for word, name in known.items():
+        if word in units._TWO_MEANINGS:
+            continue
+        assert units.parsed(word) == units.registry().Unit(name), word
+        written = str(pint.application_registry.Unit(name))
+        if written not in units._TWO_MEANINGS:  # what pint calls a ton
+            assert units.parsed(written) == units.parsed(word), word
+    assert len(known) > 200
 
 
 @pytest.mark.parametrize(

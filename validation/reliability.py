@@ -203,6 +203,7 @@ def units(rng: np.random.Generator) -> list[str]:
     quantity, library = made(rng)
     known = {
         "astropy.units": {"lb", "t", "inch", "ft", "lbf", "lbf/inch"},  # in a module of their own
+        "quantities": {"mN", "t"},
     }.get(library, {"t"})
     for _ in range(20):
         values = {name: float(10 ** rng.uniform(-2, 2)) for name in QUANTITIES}

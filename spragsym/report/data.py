@@ -5,7 +5,6 @@ An error for every mistake names the file, the line, the key, the value and what
 
 from __future__ import annotations
 
-import os
 import re
 import tomllib
 from collections.abc import Iterator

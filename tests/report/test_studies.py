@@ -5,6 +5,7 @@ import json
 import math
 from collections.abc import Mapping
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ import pytest
 import spragsym as ss
 from spragsym import figures
 from spragsym.files.text import filled
-from spragsym.report import facts, redesigns, tolerances
+from spragsym.report import facts, redesigns, texts, tolerances
 from spragsym.report.tolerances import certificate
 from tests.conftest import Run
 from tests.oracles import user_pages
@@ -599,3 +600,17 @@ def test_a_load_that_rises_is_told_in_its_unit(tmp_path: Path) -> None:
     assert f"F_L {found.jump_at:.5g} N" in found.text()
     assert found.to_dict()["jump_at"] == {"value": pytest.approx(found.jump_at), "unit": "N"}
     assert found.mu_jump is None
+
+
+@pytest.mark.parametrize(("proved", "says"), [((0.10, 0.997), False), ((0.31, 0.36), True)])
+def test_a_bracket_that_leaves_most_open_is_said_to_say_nothing(
+    proved: tuple[float, float], says: bool
+) -> None:
+    odds = SimpleNamespace(
+        low=0.3, high=0.4, probability=0.35, confidence=0.95, n=64, sobol={}, proved=proved
+    )
+    report: Any = SimpleNamespace(
+        study=None, certificate=None, probability=odds, within="undecided", unbounded=None
+    )
+    rows = dict(texts._tolerances(report))
+    assert ("next to nothing" not in rows["the same by proof"]) == says

@@ -25,7 +25,7 @@ QUESTIONS: dict[str, Callable[[], Any]] = {
     "folds": lambda: ss.folds(P),
     "folds by the search": lambda: ss.folds(P, method="search"),
     "cusps": lambda: ss.cusps(P),
-    "flutter_onsets": lambda: ss.flutter_onsets(P),
+    "flutter_onsets": lambda: ss.flutter_onsets(P.replace(alpha=0.7), damping=False),
     "critical_friction": lambda: ss.critical_friction(P),
     "critical_value": lambda: ss.critical_value(P, "beta", (1.0, 2.0)),
     "cusp_friction": lambda: ss.cusp_friction(P),

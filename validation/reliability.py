@@ -31,7 +31,7 @@ from spragsym.errors import DamageWarning, SpragsymError
 from spragsym.files import storage
 from validation import files
 
-CASES = 240
+CASES = 160
 P = ss.Parameters.article(theta0=0.8)
 SWEEP = """
 import numpy as np, spragsym as ss

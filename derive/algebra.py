@@ -23,15 +23,17 @@ Circles = tuple[tuple[sp.Symbol, sp.Symbol], ...]
 
 
 def expanded(expression: sp.Expr) -> sp.Expr:
-    """Products and powers written out, but for denominators: 1/(1 − x)² keeps its sign over an
-    interval, 1/(1 − 2x + x²) does not.
+    """Products and powers written out, but for denominators and exponentials.
+
+    1/(1 − x)² keeps its sign over an interval, 1/(1 − 2x + x²) does not; and exp(−(x − 1)²) is at
+    most 1, where factors of it, as exp(2 x), exceed all floats.
     """
-    below = [
+    below = {
         node
         for node in expression.atoms(sp.Pow)
         if node.exp.is_Integer and node.exp.is_negative and node.base.is_Add
-    ]
-    kept = {node: sp.Dummy() for node in below}
+    }
+    kept = {node: sp.Dummy() for node in below | expression.atoms(sp.exp)}
     return sp.expand(expression.xreplace(kept)).xreplace(
         {dummy: node for node, dummy in kept.items()}
     )
@@ -69,10 +71,11 @@ def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
     """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit
     circles.
 
-    Every exponential, absolute value, sign or other function is treated as an independent unknown,
-    and so is one root of every base, of which its powers are powers. An equality that holds only
-    because of a relation between two of them is not recognised; arguments and bases that are equal
-    as polynomials on the circles are the same.
+    Every absolute value, sign or other function is treated as an independent unknown, and so is one
+    root of every base, of which its powers are powers, and one exponential of all whose exponents
+    are rational multiples of each other. An equality that holds only because of a relation between
+    two of them is not recognised; arguments and bases that are equal as polynomials on the circles
+    are the same.
     """
 
     def normal(argument: sp.Expr) -> sp.Expr:
@@ -82,13 +85,25 @@ def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
             else argument
         )
 
+    def unknown(node: sp.Expr) -> sp.Expr:
+        """What stands for a function, or for the case that it is."""
+        if not isinstance(node, sp.Function):
+            return named(node)
+        arguments = [normal(argument) for argument in node.args]
+        if not isinstance(node, sp.exp):
+            return named(node.func(*arguments))
+        times, exponent = arguments[0].as_content_primitive()
+        if exponent.could_extract_minus_sign():
+            times, exponent = -times, -exponent
+        return named(sp.exp(exponent)) ** times
+
+    def named(node: sp.Expr) -> sp.Dummy:
+        return unknowns.setdefault(node, sp.Dummy(f"u{len(unknowns)}"))
+
     unknowns: dict[sp.Expr, sp.Dummy] = {}
     gap = (sp.sympify(left) - sp.sympify(right)).replace(
         lambda node: isinstance(node, sp.Function | sp.Piecewise),
-        lambda node: unknowns.setdefault(
-            node.func(*map(normal, node.args)) if isinstance(node, sp.Function) else node,
-            sp.Dummy(f"u{len(unknowns)}"),
-        ),
+        unknown,
     )
     order = math.lcm(*(node.exp.q for node in gap.atoms(sp.Pow) if node.exp.is_Rational))
     roots: dict[sp.Expr, sp.Dummy] = {}

@@ -7,7 +7,7 @@ import itertools
 import sympy as sp
 
 from . import symmetry
-from .algebra import difference
+from .algebra import difference, expanded
 from .mechanics import MU, Mechanics
 
 
@@ -25,7 +25,7 @@ def sums(model: Mechanics) -> sp.Matrix:
         if (model.coordinates[i] in turned) != (model.coordinates[j] in turned):
             continue
         for sign in (1, -1):
-            total = sp.expand(rows[j] + sign * rows[i])
+            total = expanded(rows[j] + sign * rows[i])
             if _directions(model, total) < _directions(model, rows[j]):
                 rows[j] = total
                 T[j, :] += sign * T[i, :]

@@ -282,7 +282,7 @@ class Mechanics:
     def push(self) -> sp.Expr:
         """The contact force on the contact's side, in coordinates or in DEPTH."""
         return (
-            sp.expand(self.law.subs(DEPTH, -self.gap))
+            expanded(self.law.subs(DEPTH, -self.gap))
             if self.gap is not None and self.in_coordinates
             else self.law
         )
@@ -341,7 +341,7 @@ class Mechanics:
     @cached_property
     def resistance(self) -> Row:
         """Forces of the dampers, on the side of the residuals."""
-        return tuple(sp.expand(sp.diff(self.dissipation, rate)) for rate in self.rates)
+        return tuple(expanded(sp.diff(self.dissipation, rate)) for rate in self.rates)
 
     @cached_property
     def mass(self) -> sp.Matrix:
@@ -393,7 +393,7 @@ def of(page: Page, units: bool = False) -> Mechanics:
         potential=expanded(potential),
         stiffnesses=stiffnesses,
         applied=_applied(page, scaled),
-        dissipation=sp.expand(dissipation),
+        dissipation=expanded(dissipation),
         gap=gap,
         unilateral=page.normal is not None and page.normal.unilateral,
         polynomial=bool(law.is_polynomial(DEPTH)),

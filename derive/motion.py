@@ -8,7 +8,7 @@ from functools import cached_property, partial
 import sympy as sp
 
 from . import laws
-from .algebra import Names, Row, Symbols, difference
+from .algebra import Names, Row, Symbols, difference, expanded
 from .emit.function import Function, Module, Results, of_page
 from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, elastic, number, waves
 from .model import acceleration_of
@@ -93,7 +93,7 @@ class Motion:
         it = self.model
         momenta = [sp.diff(it.kinetic, rate) for rate in it.rates]
         return tuple(
-            sp.expand(it.page.rate(momentum) - sp.diff(it.kinetic, symbol))
+            expanded(it.page.rate(momentum) - sp.diff(it.kinetic, symbol))
             for momentum, symbol in zip(momenta, it.coordinates, strict=True)
         )
 
@@ -116,7 +116,7 @@ class Motion:
             share = sp.S.Zero if it.gap is None else sp.diff(it.gap, symbol)
             if it.slide is not None:
                 share += MU * sp.diff(it.slide, symbol)
-            rows.append(sp.expand(inertia - pull + (it.normal - contact) * share))
+            rows.append(expanded(inertia - pull + (it.normal - contact) * share))
         return tuple(rows)
 
     @cached_property
@@ -257,9 +257,9 @@ class Motion:
         if it.gap is None:
             contact = sp.S.Zero
         elif it.in_coordinates:
-            contact = sp.expand(contact.subs(DEPTH, -it.gap))
+            contact = expanded(contact.subs(DEPTH, -it.gap))
         springs = (elastic(line, k) for line, k in zip(it.lines, it.stiffnesses, strict=True))
-        potential = sp.expand(it.potential - sum(springs, sp.S.Zero))
+        potential = expanded(it.potential - sum(springs, sp.S.Zero))
         return it.kinetic + potential - self.work + (PUSHING if it.unilateral else 1) * contact
 
     @cached_property
@@ -270,17 +270,17 @@ class Motion:
         it = self.model
         total = sp.S.Zero
         for symbol, force in zip(it.coordinates, it.applied, strict=True):
-            integral = sp.integrate(sp.expand(force - sp.diff(total, symbol)), symbol)
+            integral = sp.integrate(expanded(force - sp.diff(total, symbol)), symbol)
             # What has none in one form for all parameters, as sin(η b) for η = 0 too, is power.
             total += sp.S.Zero if integral.has(sp.Piecewise, sp.Integral) else integral
-        return sp.expand(total)
+        return expanded(total)
 
     @cached_property
     def applied_power(self) -> sp.Expr:
         """Power of applied forces that have no potential; zero for those that have one."""
         it = self.model
         rows = zip(it.coordinates, it.rates, it.applied, strict=True)
-        return sp.expand(
+        return expanded(
             sum(
                 ((force - sp.diff(self.work, symbol)) * rate for symbol, rate, force in rows),
                 sp.S.Zero,

@@ -6,7 +6,7 @@ from functools import partial
 
 import sympy as sp
 
-from .algebra import Row, Symbols
+from .algebra import Row, Symbols, expanded
 from . import laws, balance_rows, symmetry
 from .emit.function import Module, of_page, rows
 from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
@@ -79,7 +79,7 @@ def module(model: Mechanics) -> Module:
                 "balance",
                 "Sums of the forces, in which those of springs between coordinates cancel.",
                 state,
-                tuple(map(sp.expand, T * sp.Matrix(model.residuals))),
+                tuple(map(expanded, T * sp.Matrix(model.residuals))),
                 "(F_1, …)",
             ),
             function(

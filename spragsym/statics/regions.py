@@ -27,8 +27,10 @@ from ..models.model import Model
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors, jets
 from ..numerics.interval_arrays import (
+    TINY,
     BoolArray,
     FloatArray,
+    IntArray,
     Intervals,
     quiet,
     raised,
@@ -57,6 +59,10 @@ LENGTH = 1.0
 HALF_TURN = 3.1415926535897936
 #: Rounds of contraction: each row bounds its coordinate from those that are bounded already.
 ROUNDS = 200
+#: Ends of the cells of a coordinate, on either side of 0, and how often it is cut into them.
+CELLS, SWEEPS = (*(10.0**k for k in range(-6, 5)), 1e8, 1e15, 1e30), 4
+#: Rounds of contraction of a cell.
+CELL_ROUNDS = 8
 #: No more rounds where one leaves so much of all widths: before all are bounded, and then, since
 #: the search contracts on its own.
 ENOUGH, BOUNDED = 0.999, 0.8
@@ -71,9 +77,11 @@ def region(
     ``bounds`` are parameters, shape (P, N), ``asked`` is the box from :func:`by_hand`.
     """
     ends, proved = _by_forces(balance, bounds)
-    open_ = np.flatnonzero(~proved)
-    if open_.size:
-        ends[:, :, open_], proved[open_] = _in_pieces(balance, bounds[:, open_], ends[:, :, open_])
+    for step in (_by_cells, _in_pieces):
+        open_ = np.flatnonzero(~proved)
+        if not open_.size:
+            break
+        ends[:, :, open_], proved[open_] = step(balance, bounds[:, open_], ends[:, :, open_])
     wider = np.minimum(
         np.where(np.isfinite(ends), raised(ends + ROOM), ends), balance.border[:, :, None]
     )
@@ -105,37 +113,135 @@ def by_hand(model: Model, within: Ranges | None) -> FloatArray | None:
 
 def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArray]:
     """Bounds of all equilibria by their forces, and where there are any."""
-    count = bounds.shape[1]
     with quiet():
         parameters = balance.prepared(bounds)
-        border = np.broadcast_to(balance.border[:, :, None], (2, balance.n, count))
-        ends = np.minimum(FAR, border)
+        border = np.broadcast_to(balance.border[:, :, None], (2, balance.n, bounds.shape[1]))
         # A force that nothing can balance, wherever the mass is: the sum of a row that is NaN holds
         # everything.
-        nowhere = ~np.logical_and.reduce(
-            balance.residuals(Intervals(ends), parameters).holds_zero()
+        ends, nowhere = _squeezed(balance, parameters, np.minimum(FAR, border), ROUNDS)
+        ends = _with_anchors(balance, parameters, ends, nowhere)
+    return ends, _bounded(ends)
+
+
+def _by_cells(
+    balance: Balance, bounds: Intervals, known: FloatArray
+) -> tuple[FloatArray, BoolArray]:
+    """Bounds as by forces, each the hull of those over the cells of one coordinate; and where there
+    are any.
+
+    A slope that is known over no large box, as of a bell of the gap, is known over a cell:
+    constructive interval disjunction.
+    """
+    ends = known.copy()
+    # Points that lie together are proved together where that succeeds: first all of them, then
+    # halves.
+    groups, depth = [np.arange(bounds.shape[1])], 0
+    while groups:
+        hulls = np.array(
+            [[-bounds.low[:, g].min(axis=1), bounds.high[:, g].max(axis=1)] for g in groups]
         )
-        at = replace(
-            balance.state(Intervals(ends), parameters), fixed=_any_direction(balance, count)
-        )
-        steps = [balance.by_rows, balance.with_directions]
-        # Cosines and sines of the coordinates as free unknowns, as directions are.
-        steps += (
-            [lambda at: balance.by_rows(replace(at, xp=FREE))]
-            if balance.model.about.get("waves")
-            else []
-        )
-        steps += [_closed, _by_contact_force] if _presses(balance) else []
-        for _ in range(ROUNDS):
+        over = Intervals(np.moveaxis(hulls, 0, -1))
+        starts = np.stack([ends[:, :, g].max(axis=2) for g in groups], axis=2)
+        found = _cut_in_cells(balance, over, starts)
+        open_ = []
+        for group, good, column in zip(groups, _bounded(found), range(len(groups)), strict=True):
+            if good or group.size == 1:
+                ends[:, :, group] = np.fmin(ends[:, :, group], found[:, :, column, None])
+            else:
+                open_.append(group)
+        depth += 1
+        if depth > PIECES:
+            break
+        groups = [half for group in open_ for half in _in_halves(bounds, group)]
+    return ends, _bounded(ends)
+
+
+def _in_halves(bounds: Intervals, group: IntArray) -> list[IntArray]:
+    """The points of a group on either side of the middle in the parameter that varies most in
+    it.
+    """
+    middles = bounds.middle[:, group]
+    widths = np.ptp(middles, axis=1) / np.maximum(np.abs(middles).max(axis=1), TINY)
+    order = group[np.argsort(middles[widths.argmax()], kind="stable")]
+    return [order[: order.size // 2], order[order.size // 2 :]]
+
+
+def _cut_in_cells(balance: Balance, bounds: Intervals, ends: FloatArray) -> FloatArray:
+    """Smaller boxes with the same states: each coordinate in turn is cut into cells."""
+    count = bounds.shape[1]
+    edges = np.array([-FAR, *(-edge for edge in CELLS[::-1]), *CELLS, FAR])
+    low, high = edges[:-1], edges[1:]
+    with quiet():
+        parameters = balance.prepared(bounds)
+        nowhere = np.zeros(count, dtype=np.bool_)
+        for _ in range(SWEEPS):
             before = ends
-            for step in steps:
-                ends = step(replace(at, q=list(Intervals(ends))))
-            widths, widths_before = width_of(ends), width_of(before)
-            if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else ENOUGH) * widths_before).all():
+            for place in range(balance.n):
+                point, cell = np.divmod(np.arange(count * low.size), low.size)
+                parts = ends[:, :, point]
+                parts[0, place] = np.minimum(parts[0, place], -low[cell])
+                parts[1, place] = np.minimum(parts[1, place], high[cell])
+                some = np.flatnonzero((width_of(parts) >= 0).all(axis=0))
+                point, parts = point[some], parts[:, :, some]
+                parts, empty = _squeezed(balance, parameters[:, point], parts, CELL_ROUNDS)
+                hull = np.full(ends.shape, -np.inf)
+                for row in np.flatnonzero(~empty):
+                    hull[:, :, point[row]] = np.maximum(hull[:, :, point[row]], parts[:, :, row])
+                none = np.isneginf(hull).any(axis=(0, 1))
+                nowhere |= none
+                ends = np.where(none, ends, np.fmin(ends, hull))
+            if (width_of(ends) >= BOUNDED * width_of(before)).all():
                 break
-        ends = np.maximum(ends, _near_anchors(at, ends))
-        ends = np.where(nowhere, np.minimum(NEAR, border), ends)
-    return ends, np.logical_and.reduce(ends < FAR * 1e-6, axis=(0, 1))
+        return _with_anchors(balance, parameters, ends, nowhere)
+
+
+def _squeezed(
+    balance: Balance, parameters: Intervals, ends: FloatArray, rounds: int
+) -> tuple[FloatArray, BoolArray]:
+    """Smaller boxes with the same states, with all directions free, and boxes that are seen to have
+    none.
+    """
+    at = replace(
+        balance.state(Intervals(ends), parameters),
+        fixed=_any_direction(balance, ends.shape[2]),
+    )
+    empty = ~np.logical_and.reduce(balance.residuals(Intervals(ends), parameters).holds_zero())
+    empty |= at.beside_border()[1]
+    steps = [balance.by_rows, balance.with_directions]
+    # Cosines and sines of the coordinates as free unknowns, as directions are.
+    steps += (
+        [lambda at: balance.by_rows(replace(at, xp=FREE))]
+        if balance.model.about.get("waves")
+        else []
+    )
+    steps += [_closed, _by_contact_force] if _presses(balance) else []
+    for _ in range(rounds):
+        before = ends
+        for step in steps:
+            less = step(replace(at, q=list(Intervals(ends))))
+            gone = np.logical_or.reduce(width_of(less) < 0)
+            empty |= gone
+            ends = np.where(gone, ends, less)
+        widths, widths_before = width_of(ends), width_of(before)
+        if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else ENOUGH) * widths_before).all():
+            break
+    return ends, empty
+
+
+def _with_anchors(
+    balance: Balance, parameters: Intervals, ends: FloatArray, nowhere: BoolArray
+) -> FloatArray:
+    """Boxes that hold what lies near the anchors of torsion springs too, and small ones where there
+    is nothing.
+    """
+    border = balance.border[:, :, None]
+    ends = np.where(nowhere, np.minimum(NEAR, border), ends)
+    at = balance.state(Intervals(ends), parameters)
+    return np.maximum(ends, _near_anchors(at, ends))
+
+
+def _bounded(ends: FloatArray) -> BoolArray:
+    return np.asarray(np.logical_and.reduce(ends < FAR * 1e-6, axis=(0, 1)))
 
 
 def _in_pieces(

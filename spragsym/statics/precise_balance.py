@@ -10,6 +10,7 @@ floats, and where that meets the border over one of many digits. What digits do 
 on the border is among the boxes that are left.
 """
 
+from collections import Counter
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -38,8 +39,12 @@ BITS, ROOT_BITS = (160, 320), 256
 TOLERANCE = 1e-12
 #: Clusters of boxes of a point: more lie around no equilibria.
 CLUSTERS = 24
-#: Parts that are left all over a cluster: more bits do not help.
-ALL_OVER = 32
+#: Parts that are left all over a cluster: more bits do not help, nor do they at a point with some
+#: such clusters.
+ALL_OVER, HOPELESS = 32, 3
+#: Boxes of a point, beyond which they lie along a line of roots or the search ended early: they are
+#: told as the one around them.
+FOLDED = 2000
 #: Half-width of the box around a root that is known, but not well enough.
 AROUND = 2.0**-13
 #: Where the turn ends; the search goes beyond it at both ends.
@@ -74,22 +79,31 @@ def settled_by_digits(
 ) -> Roots:
     """What a search has left or knows to few digits, with many digits, one cluster after the other.
 
-    Not of points with more clusters than ``most``.
+    Not of points with more clusters than ``most``, nor with more boxes than :data:`FOLDED`, of
+    which the hull is left.
     """
+    many = np.flatnonzero(np.bincount(found.left_point) > FOLDED)
+    if many.size:
+        whole = [found.left[:, :, found.left_point == point].max(axis=2) for point in many]
+        told = settled_by_digits(system, given, around, found.of(many, others=True), most=most)
+        return told.then(found.of(many).kept(left=slice(0)).besides(np.stack(whole, axis=2), many))
     poor = ~(found.error <= TOLERANCE)
     boxes = np.concatenate([found.left, found.ends[:, :, poor] + AROUND], axis=2)
     hulls, owner = clusters(boxes, np.concatenate([found.left_point, found.point[poor]]))
     points, which, count = np.unique(owner, return_inverse=True, return_counts=True)
     few = count <= most
-    parts = [
-        _or_known(
-            found.of(np.array([point])),
-            hulls[:, :, k],
-            reduced(system, given[:, point], hulls[:, :, k], point),
-        )
-        for k, point in enumerate(owner.tolist())
-        if few[which[k]]
-    ]
+    parts, lost = list[Roots](), Counter[int]()
+    for k, point in enumerate(owner.tolist()):
+        if few[which[k]]:
+            own, hull = found.of(np.array([point])), hulls[:, :, k]
+            if lost[point] < HOPELESS:
+                part = _or_known(own, hull, reduced(system, given[:, point], hull, point))
+            else:
+                part = own.kept(contractors.within(own.ends, hull[:, :, None]), slice(0)).besides(
+                    hull[:, :, None], np.array([point])
+                )
+            lost[point] += part.left_point.size > ALL_OVER
+            parts.append(part)
     if not parts:
         return found
     mine = found.of(points[few])

@@ -46,6 +46,8 @@ FAR = 1e60
 #: Half-width of the region where no bound can be shown, in units of the largest length of the
 #: model.
 NEAR = 10.0
+#: Relative step of Newton's method below which it has come to rest.
+CONVERGED = 1e-9
 #: Bound on these lengths, and on what proved parts of a range may widen the region by.
 FARTHEST, MOST = 1e6, 10.0
 #: Times that a range of parameters is halved.
@@ -280,26 +282,36 @@ def _halved(bounds: Intervals, row: int) -> Intervals:
 
 
 def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
-    """For each point the largest length of the model: of springs, to anchors, to where forces
-    balance; at least 1.
+    """The largest length of the model at each point: of springs, to anchors, to equilibria; >= 1.
+
+    Forces balance where Newton's method has come to rest, from 0 and from steps of the lengths
+    along each coordinate; where it has not, it tells nothing.
     """
     scale = np.ones(bounds.shape[1])
-    origin = np.zeros((balance.n, bounds.shape[1]))
     with quiet():
         for given in (bounds.low, bounds.middle, bounds.high):
             parameters = balance.prepared_at(given)
+            origin = np.zeros((balance.n, bounds.shape[1]))
             lengths = [
                 part
                 for line in balance.state(Intervals.point(origin), parameters).geometry
                 for part in line
             ]
-            sizes = np.abs(
-                np.concatenate(
-                    [balance.guessed(origin, parameters), stacked(lengths, scale.shape).magnitude]
-                )
-            )
-            scale = np.maximum(scale, np.where(sizes < FARTHEST, sizes, 1.0).max(axis=0))
+            sizes = stacked(lengths, scale.shape).magnitude
+            reach = np.where(sizes < FARTHEST, sizes, 1.0).max(axis=0, initial=1.0)
+            scale = np.maximum(scale, reach)
+            for start in (origin, *(way * reach for way in _ways(balance.n))):
+                near = balance.guessed(start, parameters)
+                place = balance.guessed(near, parameters)
+                rests = np.abs(place - near).max(axis=0) <= CONVERGED * np.abs(place).max(axis=0)
+                size = np.abs(place).max(axis=0)
+                scale = np.where(rests & (size < FARTHEST), np.maximum(scale, size), scale)
     return scale
+
+
+def _ways(n: int) -> FloatArray:
+    """Steps of 1, 10 and 100 ahead and back along each of n coordinates, shape (6 n, n, 1)."""
+    return np.concatenate([step * np.eye(n) for step in (1, -1, 10, -10, 100, -100)])[:, :, None]
 
 
 def _any_direction(balance: Balance, count: int) -> list[Intervals]:

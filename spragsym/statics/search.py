@@ -43,9 +43,6 @@ from .states import Held
 #: Relative width of boxes down to which a point is searched; what is left is looked at with many
 #: digits.
 NARROW = 2.0**-19
-#: Boxes of a point that a search leaves where roots form a line: they are told as the one box
-#: around them.
-ALL_OVER = 2000
 #: Boxes of a point that are looked at where floats only look for what is there.
 SEEN_BUDGET = 8000
 #: A box no wider than this, over the size of its coordinates, is one place to floats.
@@ -160,13 +157,7 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     if not given.shape[1]:
         return Roots.none(balance.n)
     found = certified_roots.search(balance, around, given, given, narrow=NARROW)
-    along = np.flatnonzero(np.bincount(found.left_point) > ALL_OVER)
-    told = settled_by_digits(balance, given, around, found.of(along, others=True))
-    for point in along.tolist():
-        own = found.of(np.array([point]))
-        told = told.then(
-            own.kept(left=slice(0)).besides(own.left.max(axis=2, keepdims=True), np.array([point]))
-        )
+    told = settled_by_digits(balance, given, around, found)
     return around_anchors(balance, given, around, told)
 
 

@@ -45,6 +45,7 @@ from .curves import (
     name_axes,
     plot_eigenvalues,
     plot_equilibria,
+    shade,
 )
 from .cycles import (
     branch_figure,
@@ -187,9 +188,9 @@ def _points(points: Any, ax: Axes | None, quantity: str | None = None, **options
 
 
 def _equilibria(eq: Any, ax: Axes | None, quantity: str | None = None, **options: Any) -> Any:
-    """States over the first parameter that varies, or by their number, marked by their
-    stability.
-    """
+    """States over the first parameter that varies, or by their number, marked by stability.
+
+    Where a point is undecided there is a hatched line."""
     ax, model, rows = own_axes(ax), eq.parameters.model, eq.data()
     up = quantity or model.coordinates[0]
     across = next((name for name in rows if name in model.parameters), None)
@@ -197,6 +198,9 @@ def _equilibria(eq: Any, ax: Axes | None, quantity: str | None = None, **options
     name_axes(ax, model, across or up, up)
     if across is None:
         ax.set_xlabel("state")
+    if across is not None:
+        given = np.broadcast_to(getattr(eq.parameters, across), eq.count.shape)[~eq.decided]
+        shade(ax, model, across, np.stack([given, given], axis=1))
     lines = []
     for kind, mark in _MARKS.items():
         here = rows["stability"] == kind

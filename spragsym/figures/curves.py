@@ -77,6 +77,26 @@ class Branch(Named):
         return as_drawn(self.model, name, self.values if name == self.vary else self.states[name])
 
 
+class Branches(list[Branch]):
+    """Curves of equilibria, and where along the parameter not all are known.
+
+    Attributes
+    ----------
+    model : Model
+    vary : str
+        The parameter.
+    undecided : ndarray
+        Least and largest values of the ranges in which a point, or a fold, is undecided, shape
+        (ranges, 2).
+    """
+
+    def __init__(
+        self, curves: Iterable[Branch], model: Model, vary: str, undecided: FloatArray
+    ) -> None:
+        super().__init__(curves)
+        self.model, self.vary, self.undecided = model, vary, undecided
+
+
 def name_axes(ax: Axes, model: Model, vary: str, quantity: str) -> None:
     """Label axes that have no label yet."""
     for axis, name in ((ax.xaxis, vary), (ax.yaxis, quantity)):
@@ -93,7 +113,7 @@ def branches(
     contact: bool = True,
     damping: bool = False,
     n: int = 200,
-) -> list[Branch]:
+) -> Branches:
     """All equilibrium curves of any model as one parameter varies, cut at folds, and where their
     stability changes.
 
@@ -117,59 +137,104 @@ def branches(
     -----
     Folds and onsets are solved for; between them equilibria are solved for at each point, and
     belong together where a tube joins them, see :func:`spragsym.bifurcation.branches.linked`. Where
-    a curve leaves the contact it ends at the last of these points.
+    a curve leaves the contact it ends at the last of these points. Where a point is undecided, or a
+    fold may be missing, ``undecided`` of the result has the range.
     """
-    return list(curves_between(p, *_range(p, vary, low, high, contact), damping, n))
+    return curves_between(p, *_range(p, vary, low, high, contact), damping, n)
 
 
 def curves_between(
     p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
+) -> Branches:
+    """The curves of :func:`branches` where the folds, at least those between the ends, are known.
+
+    In lift-off there are none. A curve between two cuts is split by stability; at a fold it is
+    extended to the exact point.
+    """
+    curves, spans = list[Branch](), [_undecided_folds(turns, ends)]
+    for eq, cuts in pieces_between(p, vary, ends, turns, damping, n):
+        spans.append(undecided_points(eq, vary, cuts))
+        for at in chains(p, vary, eq, turns):
+            curves += _by_stability(p, vary, eq, at, cuts, turns, damping)
+    return Branches(curves, p.model, vary, _joined(np.concatenate(spans)))
+
+
+def undecided_points(eq: Equilibria, vary: str, cuts: Span) -> FloatArray:
+    """Ranges around undecided points, each up to the points beside it."""
+    stops = np.array([cuts[0], *np.asarray(getattr(eq.parameters, vary)), cuts[1]])
+    open_ = np.flatnonzero(~eq.decided)
+    return np.stack([stops[open_], stops[open_ + 2]], axis=1)
+
+
+def _undecided_folds(turns: Points | None, ends: Span) -> FloatArray:
+    """Ranges in which folds may be missing."""
+    if turns is None or not len(turns.undecided):
+        return np.empty((0, 2))
+    spans = turns.undecided[:, -1]
+    return np.clip(spans[(spans[:, 1] >= ends[0]) & (spans[:, 0] <= ends[1])], *ends)
+
+
+def _joined(spans: FloatArray) -> FloatArray:
+    """Ranges that touch as one, in ascending order."""
+    out = list[list[float]]()
+    for low, high in sorted(spans.tolist()):
+        if out and low <= out[-1][1]:
+            out[-1][1] = max(out[-1][1], high)
+        else:
+            out.append([low, high])
+    return np.array(out).reshape(-1, 2)
+
+
+def _by_stability(
+    p: ParameterSet,
+    vary: str,
+    eq: Equilibria,
+    at: States,
+    cuts: Span,
+    turns: Points | None,
+    damping: bool,
 ) -> Iterator[Branch]:
-    """The curves of :func:`branches` where the folds, at least those between the ends, are known;
-    in lift-off without folds.
-
-    A curve between two cuts is split by stability; at a fold it is extended to the exact point.
-    """
-    for eq, at, cuts in chains_between(p, vary, ends, turns, damping, n):
-        columns = {
-            vary: getattr(eq.parameters, vary)[at[0]],
-            **{name: getattr(eq, name)[at] for name in eq.columns},
-        }
-        kinds = eq.stability[at]
-        if damping:  # where the sign of the growth is not proved, the type by (27) stays
-            sign, fastest = eq.growth_sign[at], eq.damped_eigenvalues[at][:, 0]
-            grows = np.where(
-                np.abs(fastest.imag) <= REAL * np.abs(fastest),
-                Stability.DIVERGENT,
-                Stability.FLUTTER,
-            )
-            kinds = np.select([sign < 0, sign > 0], [Stability.STABLE, grows], kinds)
-        for side, cut in () if turns is None else zip((0, -1), cuts, strict=True):
-            folds, count = np.flatnonzero(getattr(turns, vary) == cut), eq.count[side]
-            if not folds.size or count < 2 or at[0][side] != range(n)[side]:
-                continue
-            fold = {name: getattr(turns, name)[folds[0]] for name in columns}
-            away = [values[side, :count] - fold[name] for name, values in eq.coordinates.items()]
-            if (
-                at[1][side] in np.argsort(np.hypot.reduce(away))[:2]
-            ):  # one of the two states that meet there
-                place = side % (kinds.size + 1)
-                columns = {
-                    name: np.insert(column, place, fold[name]) for name, column in columns.items()
-                }
-                kinds = np.insert(kinds, place, kinds[side])
-        for part in runs(kinds):
-            states = picked(columns, part)
-            yield Branch(p.model, vary, states.pop(vary), states, Stability(kinds[part][0]))
+    """The pieces of one curve, each of one stability."""
+    n = eq.count.size
+    columns = {
+        vary: getattr(eq.parameters, vary)[at[0]],
+        **{name: getattr(eq, name)[at] for name in eq.columns},
+    }
+    kinds = eq.stability[at]
+    if damping:  # where the sign of the growth is not proved, the type by (27) stays
+        sign, fastest = eq.growth_sign[at], eq.damped_eigenvalues[at][:, 0]
+        grows = np.where(
+            np.abs(fastest.imag) <= REAL * np.abs(fastest),
+            Stability.DIVERGENT,
+            Stability.FLUTTER,
+        )
+        kinds = np.select([sign < 0, sign > 0], [Stability.STABLE, grows], kinds)
+    for side, cut in () if turns is None else zip((0, -1), cuts, strict=True):
+        folds, count = np.flatnonzero(getattr(turns, vary) == cut), eq.count[side]
+        if not folds.size or count < 2 or at[0][side] != range(n)[side]:
+            continue
+        fold = {name: getattr(turns, name)[folds[0]] for name in columns}
+        away = [values[side, :count] - fold[name] for name, values in eq.coordinates.items()]
+        if (
+            at[1][side] in np.argsort(np.hypot.reduce(away))[:2]
+        ):  # one of the two states that meet there
+            place = side % (kinds.size + 1)
+            columns = {
+                name: np.insert(column, place, fold[name]) for name, column in columns.items()
+            }
+            kinds = np.insert(kinds, place, kinds[side])
+    for part in runs(kinds):
+        states = picked(columns, part)
+        yield Branch(p.model, vary, states.pop(vary), states, Stability(kinds[part][0]))
 
 
-def chains_between(
+def pieces_between(
     p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
-) -> Iterator[tuple[Equilibria, States, Span]]:
-    """Equilibria between two cuts, those of one curve by their indices into the columns, and the
-    two cuts.
+) -> Iterator[tuple[Equilibria, Span]]:
+    """Equilibria between two cuts, and the two cuts: folds and onsets of flutter, as far as these
+    are known.
     """
-    inner: list[float] = []  # folds and onsets of flutter, as far as these are known
+    inner: list[float] = []
     if turns is not None:
         inner += getattr(turns, vary).tolist()
         with suppress(SpragsymError):
@@ -180,19 +245,20 @@ def chains_between(
     ):
         # 1 - cos gathers points where a curve turns back like a square root.
         share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
-        eq = ss.equilibria(
-            p.replace(**{vary: begin + (end - begin) * share}), contact=turns is not None
-        )
-        curve, numbers = (
-            np.zeros(eq.stability.shape, dtype=int),
-            itertools.count(1),
-        )  # of each state the number of its curve
-        for place, pairs in enumerate([{}, *linked(p, vary, eq, turns)]):
-            before = {other: curve[place - 1, one] for one, other in pairs.items()}
-            for slot in range(eq.count[place]):
-                curve[place, slot] = before.get(slot) or next(numbers)
-        for number in range(1, next(numbers)):
-            yield eq, np.nonzero(curve == number), (begin, end)
+        values = begin + (end - begin) * share
+        yield ss.equilibria(p.replace(**{vary: values}), contact=turns is not None), (begin, end)
+
+
+def chains(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> Iterator[States]:
+    """Equilibria of one curve, by their indices into the columns, for each curve."""
+    # Of each state the number of its curve.
+    curve, numbers = np.zeros(eq.stability.shape, dtype=int), itertools.count(1)
+    for place, pairs in enumerate([{}, *linked(p, vary, eq, turns)]):
+        before = {other: curve[place - 1, one] for one, other in pairs.items()}
+        for slot in range(eq.count[place]):
+            curve[place, slot] = before.get(slot) or next(numbers)
+    for number in range(1, next(numbers)):
+        yield np.nonzero(curve == number)
 
 
 def _range(
@@ -225,13 +291,27 @@ def draw_branches(
     color: str = BLACK,
     **options: Any,
 ) -> list[Line2D]:
-    """Draw branches: stable solid, divergent dashed, flutter dash-dotted; returns the lines."""
+    """Draw branches: stable solid, divergent dashed, flutter dash-dotted; returns the lines.
+
+    Of what :func:`branches` gives, ranges of the parameter in which something is undecided are
+    hatched.
+    """
     ax = own_axes(ax)
     lines = []
+    if isinstance(curves, Branches):
+        shade(ax, curves.model, curves.vary, curves.undecided)
     for curve in curves:
         style = {"color": color, "linestyle": LINES[curve.stability], **options}
         lines += ax.plot(curve.shown(curve.vary), curve.shown(quantity), **style)
     return lines
+
+
+def shade(ax: Axes, model: Model, vary: str, spans: FloatArray) -> None:
+    """Hatch ranges of a parameter, those of one value too, in which not everything is decided."""
+    for low, high in as_drawn(model, vary, spans).tolist():
+        ax.axvspan(
+            low, high, facecolor="none", edgecolor=GREY, hatch="////", linewidth=0.8, zorder=0
+        )
 
 
 @styled
@@ -280,15 +360,16 @@ def plot_equilibria(
     n: int = 200,
     **options: Any,
 ) -> list[Line2D]:
-    """All equilibrium curves of any model as a parameter varies, folds marked. Parameters
-    ---------- p : Parameters Scalars; the parameter that varies is not used. quantity : str,
-    optional What to show, a column of :class:`spragsym.Equilibria` that says where a state is, as x
-    or theta; angles in degrees. By default the first coordinate. vary, low, high, contact, damping,
-    n As for :func:`branches`: the parameter along the horizontal axis. ax : matplotlib.axes.Axes,
-    optional Where to draw; by default pyplot's current axes. color : str Of lines and folds.
-    **options For :meth:`matplotlib.axes.Axes.plot`. Returns ------- list of matplotlib.lines.Line2D
-    One for each piece of one stability, and the folds. Examples -------- >>> import spragsym as ss
-    >>> from spragsym.figures import plot_equilibria >>> from matplotlib.figure import Figure >>>
+    """All equilibrium curves of any model as a parameter varies, folds marked. Ranges in which a
+    point is undecided, or a fold may be missing, are hatched. Parameters ---------- p : Parameters
+    Scalars; the parameter that varies is not used. quantity : str, optional What to show, a column
+    of :class:`spragsym.Equilibria` that says where a state is, as x or theta; angles in degrees. By
+    default the first coordinate. vary, low, high, contact, damping, n As for :func:`branches`: the
+    parameter along the horizontal axis. ax : matplotlib.axes.Axes, optional Where to draw; by
+    default pyplot's current axes. color : str Of lines and folds. **options For
+    :meth:`matplotlib.axes.Axes.plot`. Returns ------- list of matplotlib.lines.Line2D One for each
+    piece of one stability, and the folds. Examples -------- >>> import spragsym as ss >>> from
+    spragsym.figures import plot_equilibria >>> from matplotlib.figure import Figure >>>
     len(plot_equilibria(ss.Parameters.article(), ax=Figure().add_subplot())) 8 >>>
     len(plot_equilibria(ss.load("cubic_contact").Parameters(), "theta", ax=Figure().add_subplot(),
     n=20)) 8"""
@@ -492,7 +573,12 @@ def _drawn(
     vary, ends, turns = _range(p, vary, low, high, contact)
     model, lines, courses = p.model, list[Line2D](), list[Any]()
     nowhere = complex(np.nan, np.nan)
-    for eq, at, _ in chains_between(p, vary, ends, turns, False, n):
+    spans = [_undecided_folds(turns, ends)]
+    states = list[tuple[Equilibria, States]]()
+    for eq, cuts in pieces_between(p, vary, ends, turns, False, n):
+        spans.append(undecided_points(eq, vary, cuts))
+        states += [(eq, at) for at in chains(p, vary, eq, turns)]
+    for eq, at in states:
         values = getattr(eq.parameters, vary)[at[0]]
         damped, undamped = (
             _followed(values, every[at]) for every in (eq.damped_eigenvalues, eq.eigenvalues)
@@ -516,6 +602,7 @@ def _drawn(
     rate = in_letters(model.about["scales"]["rate"])
     for ax, text in zip(axes, (r"frequency Im $\lambda$", r"growth Re $\lambda$"), strict=True):
         ax.set_ylabel(f"{text} (units of ${rate}$)")
+        shade(ax, model, vary, _joined(np.concatenate(spans)))
         ax.set_xlim(*as_drawn(model, vary, np.array(ends)))
     axes[0].set_ylim(bottom=max(0.0, axes[0].get_ylim()[0]))
     axes[1].axhline(0.0, color=BLACK, linewidth=0.4)

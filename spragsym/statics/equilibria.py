@@ -26,7 +26,7 @@ def equilibria(
     within : mapping, optional
         Ranges of coordinates that are searched, as ``{"x": (-5.0, 5.0)}``. Without it a box that is
         proved to hold all of them; where there is no such proof, ten times the largest length that
-        the model has at these parameters.
+        the model has at these parameters, or that Newton's method comes to rest at.
     method : {"auto", "closed", "search"}
         A closed form if the model brings one, the closed form only, or the search.
 

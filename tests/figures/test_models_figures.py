@@ -7,11 +7,14 @@ import pytest
 
 import spragsym as ss
 from spragsym.models.load import shipped
+from tests.oracles.gap_pages import HANDS
+from tests.oracles.user_pages import model_of
 from tests.support import few
 
 plot = pytest.importorskip("matplotlib.figure")
 
 from spragsym import figures  # noqa: E402  needs matplotlib
+from spragsym.figures.curves import undecided_points  # noqa: E402
 
 BETWEEN = {"mu0": (0.0, 1.0)}
 
@@ -143,3 +146,22 @@ def test_undecided_stretches_are_drawn_where_they_are() -> None:
     assert (line.get_xdata().tolist(), line.get_ydata().tolist()) == ([0.3, 0.4], [0.2, 0.2])
     assert marked.get_xlim() == (0.1, 1.0)
     pyplot.close("all")
+
+
+@pytest.mark.thorough
+def test_what_is_undecided_is_hatched(ax):
+    """Where the mass just touches: a line at one point, and of curves the range between the points
+    beside it.
+    """
+    pytest.importorskip("sympy")
+    p = model_of(HANDS["rail"].page, "rail").Parameters(mu0=0.0)
+    found = figures.branches(p, "kappa", 0.01, 0.05, n=3)
+    assert len(found.undecided) == 0
+    eq = ss.equilibria(p.replace(kappa=[-0.02, 0.0, 0.02, 0.03]))
+    figures.plot(eq, ax)
+    assert [patch.get_x() for patch in ax.patches] == [0.0]
+    found.undecided = undecided_points(eq, "kappa", (-0.03, 0.03))
+    assert found.undecided.tolist() == [[-0.02, 0.02]]
+    figures.draw_branches(found, ax=ax)
+    shown = ax.patches[-1]
+    assert (shown.get_x(), shown.get_x() + shown.get_width()) == pytest.approx((-0.02, 0.02))

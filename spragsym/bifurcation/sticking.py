@@ -6,6 +6,10 @@ a state of sticking is an equilibrium at one h, and the other way round. So thes
 curves, which begin and end at h = ±1 or where the contact opens, and may turn back in h at folds.
 On a curve a coordinate is least and largest at its ends, or where it turns back itself: there the
 slopes of the forces by the other coordinates and h are singular.
+
+|F| ≤ μ_s N holds nothing where N ≤ 0. A contact that opens has no such state, and one that never does, a slot, rubs with |N|
+on either face, by which the same states stick. A given normal force has no other face: states in which it does not press are
+left out. It has one sign along a curve, since a state with N = 0 is one without friction, at every h.
 """
 
 from __future__ import annotations
@@ -20,12 +24,13 @@ from ..errors import ConvergenceError, ModelError, ParameterError
 from ..models.model import Model, parameter_class
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import determinant
-from ..numerics.interval_arrays import Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, quiet, scale_of
 from ..numerics.vectors import TURN, apart
 from ..questions import Method, question
 from ..results.points import Points, StickingStates
 from ..statics.balance import NOTHING
-from ..statics.forces import State
+from ..statics.forces import State, as_intervals
+from ..statics.search import columns
 from .defining_systems import Augmented, Condition, Family, slope
 from .paths import Way
 from .points import arranged, isolated, nothing
@@ -62,11 +67,11 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
         Where the belt moves, or a parameter is missing or an array.
     ConvergenceError
         Where folds, or states at a limit of the force, are not all decided, as where they only just
-        touch that limit.
+        touch that limit, or where the sign of a given normal force is not known.
 
     Notes
     -----
-    Source: |F| ≤ μ_s N with the force of friction F and the normal force N, see
+    Source: |F| ≤ μ_s N and N > 0 with the force of friction F and the normal force N, see
     :mod:`spragsym.bifurcation.sticking`.
 
     Examples
@@ -159,6 +164,24 @@ def _turns(own: Any, place: int) -> Points:
     return isolated(family, system.condition, "turn")
 
 
+def _pressed(way: Way, q: FloatArray, error: FloatArray) -> BoolArray:
+    """Whether a given normal force presses at states, shape (n, states); everywhere where it is a
+    contact's.
+    """
+    shape = error.shape
+    if way.balance.model.about["contact"]["gap"] is not None or not error.size:
+        return np.ones(shape, dtype=np.bool_)
+    room = error * scale_of(q)
+    given = np.repeat(columns(way.p.replace(**{HELD: 0.0}), way.balance.parameters), len(error), 1)
+    with quiet():
+        values = way.balance.over(Intervals.point(given))
+        at = way.balance.at(list(Intervals.between(q - room, q + room)), values, shape)
+        N = as_intervals(at.contact_force(1), shape)
+    if (N.holds_zero() & (N.magnitude > NOTHING)).any():
+        raise ConvergenceError("the sign of the normal force is not known in a state of sticking")
+    return np.asarray(N.low > 0)
+
+
 def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
     """Connected sets of states that are followed from stop to stop, with the folds and borders at
     which they end.
@@ -198,8 +221,11 @@ def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
             link(stop - 1, slot, stop, goal)
         for slot in sorted({*range(eq.count[stop])} - {*goals}):
             link(stop, slot, stop - 1, ~way.vanishing(stop, slot, stop - 1))
-    sets = [labels == label for label in np.unique(labels)]
     error = np.concatenate([eq.error[eq.states], way.turns.error])
+    pressed = _pressed(way, q, error)
+    sets = [labels == label for label in np.unique(labels[pressed])]
+    if any(not pressed[one].all() for one in sets):
+        raise ConvergenceError("the normal force changes its sign along states of sticking")
     low, high = (
         np.array([most(q[:, one], axis=1) for one in sets]).reshape(-1, len(q))
         for most in (np.min, np.max)

@@ -50,6 +50,9 @@ from .curves import (
 from .cycles import (
     branch_figure,
     diagram_figure,
+    draw_branch,
+    draw_diagram,
+    draw_fate_map,
     fate_map_figure,
     figure_cycles,
     figure_cycles_plane,
@@ -148,8 +151,8 @@ def plot(result: Any, ax: Axes | None = None, **options: Any) -> Any:
     ----------
     result : a result of this package
     ax : matplotlib.axes.Axes, optional
-        Where to draw; by default pyplot's current axes. Diagrams, branches and maps are figures of
-        their own and take none.
+        Where to draw; by default pyplot's current axes. Diagrams, branches of cycles and maps of
+        fates are figures of their own without it; of a branch the root mean square is drawn on it.
     **options
         For the drawing function.
 
@@ -173,7 +176,8 @@ def plot(result: Any, ax: Axes | None = None, **options: Any) -> Any:
     require_kind("result", result, Result, "what a question gives, as ss.folds(p)")
     name = type(result).__name__
     if name in _FIGURES:
-        return _FIGURES[name](result, **options)
+        whole, on_axes = _FIGURES[name]
+        return whole(result, **options) if ax is None else on_axes(result, ax, **options)
     draw: Callable[..., Any] = _DRAWN.get(name, _columns)
     return draw(result, ax=ax, **options)
 
@@ -241,10 +245,11 @@ def _columns(result: Any, ax: Axes | None, **options: Any) -> Any:
     return ax.plot(x, y, ".", **options)
 
 
-_FIGURES: Mapping[str, Callable[..., Any]] = {
-    "Diagram": diagram_figure,
-    "CycleBranch": branch_figure,
-    "FateMap": fate_map_figure,
+#: Figures of their own, and the same on given axes.
+_FIGURES: Mapping[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
+    "Diagram": (diagram_figure, draw_diagram),
+    "CycleBranch": (branch_figure, draw_branch),
+    "FateMap": (fate_map_figure, draw_fate_map),
 }
 _DRAWN: Mapping[str, Callable[..., Any]] = {
     "Path": draw_path,

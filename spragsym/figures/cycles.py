@@ -20,7 +20,7 @@ from matplotlib.patches import Patch
 import spragsym as ss
 
 from ..assumed import ON_CYCLE, D, V
-from ..errors import ConvergenceError, ParameterError, require_kind
+from ..errors import ConvergenceError, ParameterError, one_of, require_kind
 from ..files.text import shipped_text
 from ..models.parameters import FloatArray, Parameters
 from ..numerics.interval_arrays import BoolArray
@@ -201,22 +201,10 @@ def draw_cycles(
 @styled
 def branch_figure(branch: CycleBranch) -> Sheet:
     """Root mean square of the first coordinate and period along one branch."""
-    require_kind("branch", branch, CycleBranch, "one of ss.cycle_branch(...)")
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.6)
+    draw_branch(branch, left)
+    draw_branch(branch, right, "period")
     field = branch.cycles[0].field
-    (along, unit), (first, one) = (
-        shown(field, name) for name in (branch.vary, field.coordinates[0])
-    )
-    for ax, size, heights, height_of, up in (
-        (left, one, branch.rms, attrgetter("rms"), f"RMS of {first}"),
-        (right, 1.0, branch.periods, attrgetter("period"), "period"),
-    ):
-        draw_cycles(ax, branch, (unit, size), heights, height_of, BLUE)
-        ax.set(xlabel=along, ylabel=up)
-        for kind, marker in {**MARKERS, **dict.fromkeys(("grazing", *SLIDING), "|")}.items():
-            for event in branch.of(kind):
-                place = unit * event.value, size * height_of(event.cycle)
-                ax.plot(*place, marker, color=BLACK, markersize=4, markerfacecolor="white")
     return figure.describe(
         "A branch of cycles: full where stable, dashed where not; circles are period "
         "doublings, squares folds, bars grazings.",
@@ -227,6 +215,28 @@ def branch_figure(branch: CycleBranch) -> Sheet:
         },
         b={branch.vary: branch.values, "period": branch.periods},
     )
+
+
+@styled
+def draw_branch(branch: CycleBranch, ax: Axes, quantity: str = "rms") -> None:
+    """The root mean square of the first coordinate, or the ``"period"``, along one branch, on given
+    axes.
+    """
+    require_kind("branch", branch, CycleBranch, "one of ss.cycle_branch(...)")
+    one_of("quantity", quantity, ("rms", "period"))
+    field, height_of = branch.cycles[0].field, attrgetter(quantity)
+    (along, unit), (first, size) = (
+        shown(field, name) for name in (branch.vary, field.coordinates[0])
+    )
+    heights, up = branch.rms, f"RMS of {first}"
+    if quantity == "period":
+        heights, up, size = branch.periods, "period", 1.0
+    draw_cycles(ax, branch, (unit, size), heights, height_of, BLUE)
+    ax.set(xlabel=along, ylabel=up)
+    for kind, marker in {**MARKERS, **dict.fromkeys(("grazing", *SLIDING), "|")}.items():
+        for event in branch.of(kind):
+            place = unit * event.value, size * height_of(event.cycle)
+            ax.plot(*place, marker, color=BLACK, markersize=4, markerfacecolor="white")
 
 
 #: Events of the cycle of period 34, from its branches at 42 degrees over the friction and at
@@ -316,6 +326,25 @@ def fate_map_figure(found: FateMap) -> Sheet:
     """What motions come to over two parameters: rest, cycles coloured by their period, chaos,
     undecided ones with a cross.
     """
+    figure, ax = single(DOUBLE, 3.2)
+    every = draw_fate_map(found, ax)
+    counts = ", ".join(f"{count} {name}" for name, count in found.count().items() if count)
+    return figure.describe(
+        f"""What the motion comes to by τ = {found.t_end:g}, over {" and ".join(every)}: {counts}.
+        Cycles, by their colour the period, and rest are found by Newton's method and attract by
+        their multipliers or eigenvalues; chaos is told by the 95 % intervals of Lyapunov
+        exponents, as far as the motion was followed; crosses are undecided, upright ones in colour
+        with an exponent above its 95 % interval: irregular so far.""",
+        a={titled(found.model, name): values for name, values in every.items()}
+        | {"kind": found.kind.ravel(), "period": found.period.ravel()},
+    )
+
+
+@styled
+def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
+    """:func:`fate_map_figure` on given axes; returns the values of both parameters, as axes show
+    them.
+    """
     require_kind("found", found, FateMap, "one of ss.fate_map(...)")
     shape, model = found.kind.shape, found.model
     varied = [name for name, values in found.inputs.items() if values.size > 1]
@@ -333,7 +362,6 @@ def fate_map_figure(found: FateMap) -> Sheet:
         up.size, across.size
     )  # once each
     kind, period = found.kind.ravel()[place], found.period.ravel()[place]
-    figure, ax = single(DOUBLE, 3.2)
     patches = []
     for code, (colour, word) in PLAIN.items():
         if (kind == code).any():
@@ -356,19 +384,10 @@ def fate_map_figure(found: FateMap) -> Sheet:
             markersize=size,
         )
     if (kind == Kind.CYCLE).any():
-        figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
+        ax.figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
     ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches))
     ax.set(xlabel=label(model, varied[0]), ylabel=label(model, varied[1]))
-    counts = ", ".join(f"{count} {name}" for name, count in found.count().items() if count)
-    return figure.describe(
-        f"""What the motion comes to by τ = {found.t_end:g}, over {" and ".join(varied)}: {counts}.
-        Cycles, by their colour the period, and rest are found by Newton's method and attract by
-        their multipliers or eigenvalues; chaos is told by the 95 % intervals of Lyapunov
-        exponents, as far as the motion was followed; crosses are undecided, upright ones in colour
-        with an exponent above its 95 % interval: irregular so far.""",
-        a={titled(model, name): values for name, values in every.items()}
-        | {"kind": found.kind.ravel(), "period": found.period.ravel()},
-    )
+    return every
 
 
 #: Of labels; those that are not here are left to the table.
@@ -382,8 +401,27 @@ def diagram_figure(found: Diagram) -> Sheet:
     """First coordinate over the parameter: equilibria black, lift-off grey; of cycles, in colours,
     the largest and the least.
     """
-    require_kind("found", found, Diagram, "one of ss.diagram(...)")
     figure, ax = single(DOUBLE, 3.6)
+    figure.tables |= draw_diagram(found, ax)
+    columns = {"label": "label", found.vary: "value", found.name: "height"}
+    return figure.describe(
+        f"""Equilibria (black; grey without contact) and cycles (colours, least and largest
+        {found.name}) over {found.vary}: full where stable, dashed where not. LP folds and H Hopf
+        points of equilibria; of cycles LPC folds, PD period doublings, NS tori, BPC crossings, HC
+        homoclinic ends. Cycles are those that were followed from Hopf points, starts and
+        doublings: there may be others.""",
+        labels={
+            title: np.array([getattr(one, name) for one in found.labels])
+            for title, name in columns.items()
+        },
+    )
+
+
+@styled
+def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
+    """:func:`diagram_figure` on given axes; returns tables of what was drawn."""
+    require_kind("found", found, Diagram, "one of ss.diagram(...)")
+    tables = dict[str, Table]()
     (title, height), units = zip(
         *(shown(found.model, name) for name in (found.vary, found.name)), strict=True
     )
@@ -391,7 +429,7 @@ def diagram_figure(found: Diagram) -> Sheet:
     for i, rest in enumerate(found.equilibria):
         colour = BLACK if rest.mode == "contact" else GREY
         draw_stretches(ax, unit * rest.values, one * rest.states[:, 0], rest.stable, colour, 1.1)
-        figure.tables[f"equilibria_{i + 1}"] = {
+        tables[f"equilibria_{i + 1}"] = {
             found.vary: rest.values,
             found.name: rest.states[:, 0],
             "stable": rest.stable,
@@ -407,7 +445,7 @@ def diagram_figure(found: Diagram) -> Sheet:
             lambda cycle: cycle.state[0] - 2 * cycle.amplitude,
             colour,
         )
-        figure.tables[f"cycles_{i + 1}"] = {
+        tables[f"cycles_{i + 1}"] = {
             found.vary: branch.values,
             "period": branch.periods,
             "lowest": branch.lowest,
@@ -437,18 +475,7 @@ def diagram_figure(found: Diagram) -> Sheet:
             )
     if not (found.equilibria or found.cycles):
         say(ax, "no equilibria and no cycles found here")
-    columns = {"label": "label", found.vary: "value", found.name: "height"}
-    return figure.describe(
-        f"""Equilibria (black; grey without contact) and cycles (colours, least and largest
-        {found.name}) over {found.vary}: full where stable, dashed where not. LP folds and H Hopf
-        points of equilibria; of cycles LPC folds, PD period doublings, NS tori, BPC crossings, HC
-        homoclinic ends. Cycles are those that were followed from Hopf points, starts and
-        doublings: there may be others.""",
-        labels={
-            title: np.array([getattr(one, name) for one in found.labels])
-            for title, name in columns.items()
-        },
-    )
+    return tables
 
 
 def _aside(label: Label, place: tuple[float, float]) -> tuple[float, float]:

@@ -311,6 +311,19 @@ class BifurcationSet(Result):
     def __len__(self) -> int:
         return len(self.curves)
 
+    def data(self) -> dict[str, NDArray[Any]]:
+        """The points of all curves, one curve after the other, and of each the number of its
+        ``curve``.
+        """
+        if not self.curves:
+            return {}
+        sizes = [len(curve) for curve in self.curves]
+        names = (name for name in self.curves[0].values if name in self.curves[-1].values)
+        return {
+            "curve": np.repeat(np.arange(len(sizes)), sizes),
+            **{name: np.concatenate([one.values[name] for one in self.curves]) for name in names},
+        }
+
 
 @dataclass(frozen=True)
 class Jump(Result):

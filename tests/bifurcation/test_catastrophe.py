@@ -76,7 +76,11 @@ def test_curves_with_hardly_any_preload_cross_a_friction_as_often_as_folds_are_p
     kappa: float,
 ) -> None:
     p = ss.Parameters.article(kappa=kappa)
-    whole = ss.bifurcation_set(p).curves
+    every = ss.bifurcation_set(p)
+    whole, columns = every.curves, every.data()
+    for name in ("theta0", "mu0"):
+        parts = [columns[name][columns["curve"] == number] for number in range(len(whole))]
+        assert all(np.array_equal(a, getattr(b, name)) for a, b in zip(parts, whole, strict=True))
     for mu0 in (0.2, 0.9, 3.3, 12.0):
         part = ss.bifurcation_set(p, between={"mu0": (0.9999 * mu0, 1.0001 * mu0)}).curves
         crossings = [

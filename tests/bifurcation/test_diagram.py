@@ -107,12 +107,17 @@ def parts(values: Any) -> list[Any]:
 
 @pytest.mark.thorough
 def test_the_figure_and_the_command(born: ss.Diagram, tmp_path: Any) -> None:
-    pytest.importorskip("matplotlib")
+    Figure = pytest.importorskip("matplotlib.figure").Figure
     (hopf,) = (label for label in born.labels if label.label == "H")
     beside, far = (dataclasses.replace(hopf, value=value) for value in (hopf.value + 1e-4, 0.18))
     for labels, texts in (((hopf,), ["H"]), ((hopf, beside), ["H"]), ((hopf, far), ["H", "H"])):
         drawn = ss.figures.diagram_figure(dataclasses.replace(born, labels=labels))
         assert [text.get_text() for text in drawn.axes[0].texts] == texts
+    ax, other = Figure().subplots(1, 2)
+    born.plot(ax=ax)
+    born.cycles[0].plot(ax=other)
+    assert len(ax.lines) == len(drawn.axes[0].lines) - 1  # of the second label
+    assert other.lines
     picture = tmp_path / "all.svg"
     call = [
         "cycles",

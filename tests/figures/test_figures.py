@@ -211,6 +211,9 @@ def test_undecided_motions_that_are_irregular_stand_out() -> None:
     marks = {line.get_marker(): line.get_xydata() for line in fate_map_figure(found).axes[0].lines}
     assert marks["+"] == pytest.approx(np.array([[np.degrees(0.5), 0.4]]))
     assert len(marks["x"]) == 3
+    ax = Figure().add_subplot()
+    found.plot(ax=ax)
+    assert {line.get_marker() for line in ax.lines} == {"x", "+"}
 
 
 # ------------------------------------------------------------------------------------------------

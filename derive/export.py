@@ -47,17 +47,42 @@ EXPLORED = frozenset(
 )
 
 
-def export(page: Path, name: str, written_in: str, data: Data | None = None) -> dict[str, str]:
+class UnknownInput(LookupError):
+    """An input that is no quantity of the page."""
+
+
+#: Of forces, energy and power: what each is, the unit of which it is in SI, and the order of its
+#: derivative by time.
+_OUTPUTS = {
+    "force.normal": ("normal force of the contact", "N", 0),
+    "force.friction": ("force of friction, positive in the belt's direction", "N", 0),
+    "energy": ("kinetic and stored energy, contact and applied forces included", "J", 0),
+    "power": (
+        "rate at which friction, dampers and forces without a potential change the energy",
+        "J",
+        1,
+    ),
+}
+_TENSION = ("tension of a spring, negative where it pushes", "N", 0)
+
+
+def export(
+    page: Path,
+    name: str,
+    written_in: str,
+    data: Data | None = None,
+    inputs: Collection[str] = (),
+) -> dict[str, str]:
     """The files of a page's library in a language, by their names; it has the model's ``name``, and
     data if there are any.
+
+    Of an FMU, ``inputs`` are the quantities that other models drive; the others are parameters.
     """
     model = pages.read(page, name)
-    return targets.render(
-        written_in,
-        replace(
-            material(model, in_python=targets.in_python(written_in)), motion=_motion(model, data)
-        ),
-    )
+    whole = targets.packer(written_in) is not None
+    moves = _motion(model, data, inputs) if whole else None
+    made = material(model, in_python=targets.in_python(written_in), moving=whole)
+    return targets.render(written_in, replace(made, motion=moves))
 
 
 def for_the_browser(model: pages.Model, header: str) -> dict[str, str]:
@@ -76,12 +101,14 @@ def material(
     header: str | None = None,
     only: Collection[str] | None = None,
     in_python: bool = False,
+    moving: bool = False,
 ) -> targets.Material:
     """What a target prints of a page: all functions that have a result, or those of them that
     ``only`` names.
 
-    In Python names are as on the page, and directions of springs follow from the place, so that
-    derivatives by it are whole.
+    With ``moving``, forces, energy and power of a motion as one function too. In Python names are
+    as on the page, and directions of springs follow from the place, so that derivatives by it are
+    whole.
     """
     it = model.mechanics
     named: Callable[[object], str] = str if in_python else spelled
@@ -96,7 +123,7 @@ def material(
             if only is None or function.name in only
             if (read := definitions.definition(algebra.definition(given(function)))).leaves
         )
-        for module in folder.modules(it)
+        for module in (*folder.modules(it), *([motion.outputs(it)] if moving else []))
     )
     meanings = dict(folder.meanings(it)) | {
         datum.becomes: f"{datum.meaning}, radians" for datum in it.parameters if datum.unit == "rad"
@@ -129,7 +156,7 @@ def material(
     )
 
 
-def _motion(model: pages.Model, data: Data | None) -> targets.Motion:
+def _motion(model: pages.Model, data: Data | None, inputs: Collection[str]) -> targets.Motion:
     """What moves: with data in their units and else in SI, without any in none."""
     it, page = model.mechanics, model.page
     measures = page.units if data is not None else []
@@ -173,16 +200,32 @@ def _motion(model: pages.Model, data: Data | None) -> targets.Motion:
             one,
             start=start,
             allowed=replace(ends, low=ends.low * one.nominal, high=ends.high * one.nominal),
+            input="" if one.name not in inputs else "discrete" if jumps(datum) else "continuous",
         )
 
+    def jumps(datum: Datum) -> bool:
+        """Whether a mode may end where the quantity changes: a border has it, or all numbers."""
+        return datum in page.units or bool({*it.parts(number(datum))} & bordering)
+
+    moves = motion.Motion(it)
+    bordering = sp.Tuple(*moves.borders).free_symbols
     time, places = variable("time", "time", "s" if data is not None else "1"), page.coordinates
+    known = [str(datum.symbol if data is not None else datum.becomes) for datum in it.parameters]
+    known += [str(measure.symbol) for measure in measures]
+    if unknown := sorted(set(inputs) - set(known)):
+        raise UnknownInput(
+            f"{', '.join(unknown)} is no quantity of {model.name}; give {', '.join(known)}"
+        )
     return targets.Motion(
         time=time,
         states=(
             *(variable(str(place.symbol), place.meaning, place.unit) for place in places),
             *(
-                variable(str(place.rate), f"rate of {place.symbol}", place.unit, 1)
-                for place in places
+                replace(
+                    variable(str(place.rate), f"rate of {place.symbol}", place.unit, 1),
+                    reset=it.holds and moves.borders[1].has(rate),
+                )
+                for place, rate in zip(places, it.rates, strict=True)
             ),
         ),
         accelerations=tuple(
@@ -197,6 +240,7 @@ def _motion(model: pages.Model, data: Data | None) -> targets.Motion:
             *(f"turning{count}" for count, _ in enumerate(it.torsions, 1)),
         ),
         rooted=not it.polynomial,
+        outputs=tuple(variable(name, *_OUTPUTS.get(name, _TENSION)) for name in moves.outputs),
     )
 
 

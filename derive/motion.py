@@ -297,6 +297,24 @@ class Motion:
         """Of all dampers: never positive."""
         return -2 * self.model.dissipation
 
+    @cached_property
+    def outputs(self) -> dict[str, sp.Expr]:
+        """Forces, energy and power in a smooth regime, each with its name; in MU, or in the
+        FRICTION that holds.
+        """
+        it = self.model
+        force = FRICTION if it.holds else self.friction_force
+        sliding = sp.S.Zero if it.slide is None else it.page.rate(it.slide)
+        powers = force * sliding + self.damper_power + self.applied_power
+        springs = enumerate(zip(it.lines, it.stiffnesses, strict=True), 1)
+        return {
+            **({} if it.gap is None and it.slide is None else {"force.normal": it.normal}),
+            **({} if it.slide is None else {"force.friction": force}),
+            **{f"force.spring{n}": k * (line.l - line.rest) for n, (line, k) in springs if k != 0},
+            "energy": self.energy,
+            "power": powers,
+        }
+
     def balances(self) -> bool:
         """Whether the energy changes by the powers and by nothing else, as exact algebra for every
         state.
@@ -369,6 +387,57 @@ def directions(model: Mechanics) -> Names:
     for line in model.lines:
         found |= {line.l: line.length, line.c: line.dx / line.l, line.s: line.dy / line.l}
     return found | {torsion.phi: torsion.least for torsion in model.torsions}
+
+
+def outputs(model: Mechanics) -> Module:
+    """Forces, energy and power of a motion with their derivatives, for exports that hand them over
+    as one.
+    """
+    motion = Motion(model)
+    place = (*model.coordinates, *model.rates)
+    regime = (*place, *model.arguments, PUSHING, SIDE, *laws.near(len(laws.layers(model))))
+    taken = (*regime, *(torsion.way for torsion in model.torsions))
+    shorthands = {
+        **directions(model),
+        DEPTH: model.depth,
+        MU: motion.friction,
+        **motion.dry_friction,
+        **motion.solved,
+        **{torsion.phi: torsion.continued for torsion in model.torsions},
+    }
+    rows = tuple(motion.outputs.values())
+    symbols = (*place, *map(number, model.parameters))
+    turns = [motion.friction_slope(symbol) for symbol in symbols]
+    slopes = tuple(
+        tuple(
+            motion.derivative(row, symbol, turn)
+            for symbol, turn in zip(symbols, turns, strict=True)
+        )
+        for row in rows
+    )
+    return Module(
+        "outputs",
+        "Forces, energy and power of a motion.",
+        (
+            of_page(
+                "outputs",
+                "Forces, energy and power in a smooth regime.",
+                taken,
+                rows,
+                f"({', '.join(motion.outputs)})",
+                shorthands,
+            ),
+            of_page(
+                "output_slopes",
+                "Their derivatives by coordinates, rates and all parameters, an angle as the "
+                "angle.",
+                taken,
+                slopes,
+                "((∂out_1/∂q_1, …, ∂out_1/∂v_1, …, ∂out_1/∂p_1, …), …)",
+                shorthands,
+            ),
+        ),
+    )
 
 
 def module(model: Mechanics) -> Module:

@@ -32,10 +32,24 @@ from .output import refuse, write
     required=True,
     help="Folder to write to, made if missing; of an FMU a file.",
 )
+@click.option(
+    "--input",
+    "inputs",
+    multiple=True,
+    metavar="NAME",
+    help="Of an FMU: a quantity that other models drive, as a belt speed or a load; may be "
+    "repeated.",
+)
 @o.trust
 @o.force
 def export(
-    model_name: str | None, language: str, data: Path | None, out: Path, trust: bool, force: bool
+    model_name: str | None,
+    language: str,
+    data: Path | None,
+    out: Path,
+    inputs: tuple[str, ...],
+    trust: bool,
+    force: bool,
 ) -> None:
     """Write the solver in another language, with an example that runs.
 
@@ -47,12 +61,17 @@ def export(
       spragsym export --language c --out sprag
       spragsym export --model trolley --out trolley_c
       make -C sprag && ./sprag/example
-      spragsym export --language fmu --data brake.toml --out brake.fmu
+      spragsym export --language fmu --data brake.toml --input V --out brake.fmu
     """
     pack = packer(language)
     if data and not pack:
         raise ParameterError(
             f"--data: an export to {language} has no units; leave it out, or give --language fmu"
+        )
+    if inputs and not pack:
+        raise ParameterError(
+            f"--input: an export to {language} has functions, whose arguments all quantities are; "
+            "leave it out, or give --language fmu"
         )
     probe(out if pack else out / "file", made=True)
     study = study_of(data, model_name, trust) if data else None
@@ -62,9 +81,11 @@ def export(
         from ..derive import pages
 
         page = page_of(load(name), pages.SHIPPED)
-        texts = translation.export(
-            page, load(name).name, language, study.in_units() if study else None
-        )
+        data_in_units = study.in_units() if study else None
+        try:
+            texts = translation.export(page, load(name).name, language, data_in_units, inputs)
+        except translation.UnknownInput as error:
+            raise ParameterError(f"--input: {error}") from error
     else:
         texts = exported(language)
     try:

@@ -3,7 +3,8 @@
  *
  * It compares the partial derivatives with differences too. Linked with the FMU's sources, under sanitizers. Arguments: the
  * instantiation token, and value references: the first state, the first derivative, the first quantity, and of a model with two
- * coordinates a derivative of a rate, a quantity that is positive, the first that is no number, and the first that is none.
+ * coordinates a derivative of a rate, a quantity that is positive, the first that is no number, the first that is none, and the first
+ * of the numbers that are outputs.
  */
 #include <math.h>
 #include <stdbool.h>
@@ -91,43 +92,46 @@ static int step(void *it, double from, double length) {
     return fmi3DoStep(it, from, length, true, &event, &terminate, &early, &reached);
 }
 
-/* Derivatives of all rates by a number, against differences of the rates where that number is a millionth more and less. */
-static void compare(void *it, Ref known, Ref rates) {
-    const Ref unknowns[4] = {rates, rates + 1, rates + 2, rates + 3};
+/* Derivatives by a number of some others, against differences of these where that number is a millionth more and less. */
+static void compare(void *it, Ref known, Ref first, size_t number) {
     const double one = 1.0;
-    double here, ends[2][4], sensitivity[4], size = 0.0;
+    Ref unknowns[16];
+    double here, ends[2][16], sensitivity[16], size = 0.0;
+    for (size_t i = 0; i < number; i++) {
+        unknowns[i] = first + (Ref)i;
+    }
     IS(OK, fmi3GetFloat64(it, &known, 1, &here, 1));
     for (int side = 0; side < 2; side++) {
         const double moved = here * (side ? 1.0 - 1e-6 : 1.0 + 1e-6);
         IS(OK, fmi3SetFloat64(it, &known, 1, &moved, 1));
-        IS(OK, fmi3GetFloat64(it, unknowns, 4, ends[side], 4));
+        IS(OK, fmi3GetFloat64(it, unknowns, number, ends[side], number));
     }
     IS(OK, fmi3SetFloat64(it, &known, 1, &here, 1));
-    IS(OK, fmi3GetDirectionalDerivative(it, unknowns, 4, &known, 1, &one, 1, sensitivity, 4));
-    for (int i = 0; i < 4; i++) {
+    IS(OK, fmi3GetDirectionalDerivative(it, unknowns, number, &known, 1, &one, 1, sensitivity, number));
+    for (size_t i = 0; i < number; i++) {
         size = fmax(size, fabs(sensitivity[i]));
     }
-    for (int i = 0; i < 4 && here != 0.0; i++) {
+    for (size_t i = 0; i < number && here != 0.0; i++) {
         const double slope = (ends[0][i] - ends[1][i]) / (2e-6 * here);
         double adjoint;
         IS(OK, fmi3GetAdjointDerivative(it, unknowns + i, 1, &known, 1, &one, 1, &adjoint, 1));
         if (!(fabs(slope - sensitivity[i]) <= 1e-6 * size) || adjoint != sensitivity[i]) {
-            printf("rate %d by %u: %g and %g, by differences %g\n", i, (unsigned)known, sensitivity[i], adjoint, slope);
+            printf("%u by %u: %g and %g, by differences %g\n", (unsigned)unknowns[i], (unsigned)known, sensitivity[i], adjoint, slope);
         }
     }
 }
 
 int main(int argc, char **argv) {
     const char *const token = argv[1];
-    Ref of[7];
-    for (int i = 0; i < 7 && i + 2 < argc; i++) {
+    Ref of[8];
+    for (int i = 0; i < 8 && i + 2 < argc; i++) {
         of[i] = (Ref)atoi(argv[i + 2]);
     }
     const Ref state = of[0], rate = of[3], positive = of[4], none = of[6];
     const double place[4] = {2e-3, -1e-4, 0.3, -0.1};
     double value = 0.1, other = -1.0, many[64] = {0.0};
     void *saved = NULL, *again = NULL, *it;
-    bool flag;
+    bool flag, nominals, again_changed;
     int32_t number;
     size_t size = 0;
     uint8_t *bytes;
@@ -188,10 +192,19 @@ int main(int argc, char **argv) {
     }
     bytes[0] ^= 1;
     FAILS(fmi3DeserializeFMUState(it, bytes, size, &again));
-    IS(OK, fmi3FreeFMUState(it, &saved));
     IS(OK, fmi3FreeFMUState(it, &again));
     fmi3FreeInstance(it);
     free(bytes);
+    for (int kind = 0; kind < 2; kind++) { /* of Co-Simulation with event mode, and of Model Exchange */
+        it = kind ? fmi3InstantiateModelExchange("b", token, "", false, false, NULL, count) :
+                    fmi3InstantiateCoSimulation("a", token, "", false, true, true, false, NULL, 0, NULL, count, NULL);
+        start(it);
+        FAILS(fmi3SetFMUState(it, saved));
+        fmi3FreeInstance(it);
+    }
+    it = fmi3InstantiateModelExchange("b", token, "", false, false, NULL, count);
+    IS(OK, fmi3FreeFMUState(it, &saved));
+    fmi3FreeInstance(it);
 
     it = fmi3InstantiateModelExchange("b", token, "", false, false, NULL, count);
     start(it);
@@ -199,7 +212,17 @@ int main(int argc, char **argv) {
     start(it);
     FAILS(step(it, 0.0, 0.1));
     start(it);
-    IS(OK, fmi3UpdateDiscreteStates(it, &flag, NULL, NULL, NULL, NULL, NULL));
+    for (int changed = 0; changed < 2; changed++) { /* a unit of measure is a nominal value's */
+        const Ref measure = of[7] - 1;              /* the last quantity */
+        IS(OK, fmi3GetFloat64(it, &measure, 1, &other, 1));
+        other *= changed ? 1.5 : 1.0;
+        IS(OK, fmi3SetFloat64(it, &measure, 1, &other, 1));
+        IS(OK, fmi3UpdateDiscreteStates(it, &flag, NULL, &nominals, NULL, NULL, NULL));
+        IS(OK, fmi3UpdateDiscreteStates(it, &flag, NULL, &again_changed, NULL, NULL, NULL));
+        if (nominals != changed || again_changed) {
+            printf("nominal values: %d, then %d\n", nominals, again_changed);
+        }
+    }
     IS(OK, fmi3EnterContinuousTimeMode(it));
     IS(OK, fmi3GetNumberOfContinuousStates(it, &size));
     IS(OK, fmi3SetContinuousStates(it, many, size));
@@ -217,10 +240,12 @@ int main(int argc, char **argv) {
     start(it);
     IS(OK, fmi3SetFloat64(it, (const Ref[]){state, state + 1, state + 2, state + 3}, 4, place, 4));
     for (Ref known = state; known < of[1]; known++) {
-        compare(it, known, of[1]);
+        compare(it, known, of[1], 4);
+        compare(it, known, of[7], of[5] - of[7]);
     }
-    for (Ref known = of[2]; known < of[5]; known++) {
-        compare(it, known, of[1]);
+    for (Ref known = of[2]; known < of[7]; known++) {
+        compare(it, known, of[1], 4);
+        compare(it, known, of[7], of[5] - of[7]);
     }
     IS(OK, fmi3Terminate(it));
     FAILS(fmi3Terminate(it));

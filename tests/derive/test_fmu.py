@@ -4,6 +4,7 @@ their status.
 
 import io
 import os
+import math
 import re
 import shlex
 import shutil
@@ -73,6 +74,22 @@ def stepped(
     return fmu.getFloat64([references[name] for name in names]), events
 
 
+def outputs(tr: ss.Trajectory) -> dict[str, float]:
+    """Forces, energy and power at the end of a motion, by the names that they have in an FMU."""
+    model = tr.model
+    told = {"energy": tr.energy()[-1], "power": tr.power()[-1]}
+    if model.about["contact"]["gap"] or model.about["friction"]:
+        told["force.normal"] = tr.contact_force()[-1]
+    if model.about["friction"]:
+        told["force.friction"] = tr.friction[-1]
+    turned = [torsion["spring"] + 1 for torsion in model.about["torsions"]]
+    for count, spring in enumerate(model.about["springs"], 1):
+        if count in turned:  # a line without a spring along it
+            continue
+        told[f"force.spring{count}"] = tr.spring_force(spring["name"])[-1]
+    return told
+
+
 @pytest.mark.by_hand(
     "cubic", "hertz", "inclined", "kang_nam", "mode", "pad", "stick_slip", "stribeck"
 )
@@ -95,10 +112,96 @@ def test_an_fmu_moves_as_python_does(name: str, tmp_path: Path) -> None:
         start = values | dict(zip(names, begun, strict=True))
         state, events = stepped(file, start, names, 100.0)
         np.testing.assert_allclose(state, tr.state[:, -1], rtol=1e-7, atol=1e-7)
+        told = outputs(ss.simulate(p, start=begun, t_end=1.3, rtol=1e-13))
+        found, _ = stepped(file, start, [*told], 1.3)
+        np.testing.assert_allclose(found, [*told.values()], rtol=1e-9, atol=1e-9)
         assert tr.events is not None
         np.testing.assert_allclose(events, tr.events.t[tr.events.t > 0], rtol=0, atol=1e-8)
         found = fmpy.simulate_fmu(file, start_values=start, **options)
         np.testing.assert_allclose([found[one][-1] for one in names], tr.state[:, -1], atol=1e-5)
+
+
+STEPPED = [(True, True), (True, False), (False, True), (False, False)]
+
+
+@pytest.mark.parametrize(("event_mode", "early"), STEPPED)
+@pytest.mark.thorough
+def test_steps_are_right_with_event_mode_or_early_return_or_without(
+    event_mode: bool, early: bool, stick_slip: str
+) -> None:
+    """At the ends of equal steps the stick-slip of closed form; a step ends at an event where both
+    are used, and nowhere else.
+    """
+    found = fmpy.simulate_fmu(
+        stick_slip,
+        fmi_type="CoSimulation",
+        stop_time=20.0,
+        output_interval=0.5,
+        relative_tolerance=1e-12,
+        use_event_mode=event_mode,
+        early_return_allowed=early,
+        start_values={"x": 1.5},
+        output=["x", "vx"],
+    )
+    tr = ss.simulate(ss.load("coulomb_stick_slip").Parameters(), start=(1.5, 0.0), t_end=20.0)
+    assert tr.events is not None
+    between = len(np.unique(found["time"])) - 41
+    assert between == (tr.events.t.size if event_mode and early else 0)
+    assert tr.events.t.size > 3
+    at = np.isin(found["time"], np.arange(41) / 2)
+    expected = np.array([tr(t) for t in found["time"][at]])
+    np.testing.assert_allclose([*zip(found["x"][at], found["vx"][at])], expected, atol=1e-9)
+
+
+@pytest.mark.thorough
+def test_a_driven_belt_leaves_the_mass_its_speed(stick_slip: str) -> None:
+    """Stuck at speed 0.5 on a belt that then has 0.1: x + mu_k turns about 0 as a free oscillation,
+    until the speeds are equal.
+    """
+    signals = np.array(
+        [(0.0, 0.5), (0.5, 0.5), (0.5, 0.1), (9.0, 0.1)], dtype=[("time", float), ("V", float)]
+    )
+    angle = np.linspace(0.0, 0.4, 5)
+    for event_mode, early in STEPPED:
+        found = fmpy.simulate_fmu(
+            stick_slip,
+            fmi_type="CoSimulation",
+            stop_time=1.0,
+            output_interval=0.1,
+            input=signals,
+            start_values={"vx": 0.5},
+            use_event_mode=event_mode,
+            early_return_allowed=early,
+            output=["x", "vx", "mode.sticks"],
+        )
+        for after in angle[1:]:
+            (*_, row) = found[np.isclose(found["time"], 0.5 + after)]
+            x, v = 0.25 + 0.4, 0.5
+            freely = v * np.cos(after) - x * np.sin(after)
+            assert freely > 0.1
+            assert not row["mode.sticks"]
+            assert row["vx"] == pytest.approx(freely, abs=1e-9)
+            assert row["x"] == pytest.approx(x * np.cos(after) + v * np.sin(after) - 0.4, abs=1e-9)
+
+
+@pytest.fixture(scope="module")
+def stick_slip(tmp_path_factory: pytest.TempPathFactory) -> str:
+    model = ("--model", "coulomb_stick_slip")
+    return exported(tmp_path_factory.mktemp("driven"), *model, "--input", "V", "--input", "mu_k")
+
+
+@pytest.mark.thorough
+def test_what_an_importer_is_told_of_a_variable(stick_slip: str) -> None:
+    """A quantity that a border has jumps at events only; the rate that sticking resets says so;
+    open ends are no bounds.
+    """
+    told = {one.name: one for one in fmpy.read_model_description(stick_slip).modelVariables}
+    assert (told["V"].causality, told["V"].variability) == ("input", "discrete")
+    assert (told["mu_k"].causality, told["mu_k"].variability) == ("input", "continuous")
+    assert (told["mu_s"].causality, told["mu_s"].variability) == ("parameter", "tunable")
+    with zipfile.ZipFile(stick_slip) as archive:
+        text = archive.read("modelDescription.xml").decode()
+    assert re.findall(r'name="(\S+)"[^>]* reinit="true"', text) == ["vx"]
 
 
 @pytest.fixture(scope="module")
@@ -130,6 +233,39 @@ def test_a_brake_has_its_units(brake: str, tmp_path: Path) -> None:
     assert run(f"python -c {shlex.quote(program)}", tmp_path) == shown
 
 
+@pytest.mark.thorough
+def test_the_ends_that_are_told_are_the_last_that_are_allowed(brake: str) -> None:
+    """Open or closed: the next double beyond an end is refused, the end itself is not; angles
+    between 0 and 180 degrees.
+    """
+    description = fmpy.read_model_description(brake)
+    fmu = fmpy.simulation.instantiate_fmu(fmpy.extract(brake), description, "CoSimulation")
+    asked = 0
+    for one in description.modelVariables:
+        for end, beyond in ((one.min, -math.inf), (one.max, math.inf)):
+            if one.causality != "parameter" or end is None:
+                continue
+            asked += 1
+            fmu.setFloat64([one.valueReference], [float(end)])
+            with pytest.raises(fmpy.fmi1.FMICallException):
+                fmu.setFloat64([one.valueReference], [math.nextafter(float(end), beyond)])
+    assert asked > 8
+    ends = {one.name: (one.min, one.max) for one in description.modelVariables}
+    assert 0.0 < float(ends["theta0"][0]) < 1e-300
+    assert 180.0 - 1e-12 < float(ends["theta0"][1]) < 180.0
+    fmu.freeInstance()
+
+
+def test_an_input_is_a_quantity_of_the_page(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for language, said in (("fmu", "give mu_s, mu_k, V"), ("c", "or give --language fmu")):
+        options = ["--model", "coulomb_stick_slip", "--language", language, "--input", "W"]
+        with pytest.raises(SystemExit, match="2"):
+            main(["export", *options, "--out", str(tmp_path / "driven")])
+        assert said in capsys.readouterr().err
+
+
 def test_bad_calls_get_the_status_of_the_standard(brake: str, tmp_path: Path) -> None:
     """And partial derivatives by states, by parameters in their units and by the units of measure
     are those of differences.
@@ -149,6 +285,7 @@ def test_bad_calls_get_the_status_of_the_standard(brake: str, tmp_path: Path) ->
     references = {one.name: str(one.valueReference) for one in description.modelVariables}
     asked = ("x", "der(x)", "theta0", "der(vx)", "k", "mode.contact")
     given = [description.guid, *(references[name] for name in asked), str(len(references))]
+    given.append(references["force.normal"])
     done = subprocess.run([tmp_path / "driver", *given], capture_output=True, text=True, timeout=60)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 

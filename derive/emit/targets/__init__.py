@@ -45,6 +45,10 @@ class Variable:
     nominal: float = 1.0  #: what is 1 inside, in its unit
     start: float = 0.0
     allowed: Interval = field(default_factory=Interval)
+    input: str = (
+        ""  #: of a quantity that another model drives: "continuous", or "discrete" at events
+    )
+    reset: bool = False  #: of a rate: whether it jumps where friction begins to hold
 
 
 @dataclass(frozen=True)
@@ -64,6 +68,7 @@ class Motion:
         # turnings
     ]
     rooted: bool  #: whether the contact law has no values without contact
+    outputs: tuple[Variable, ...]  #: forces, energy and power, in the order of the function outputs
 
 
 @dataclass(frozen=True)

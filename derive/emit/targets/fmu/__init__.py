@@ -54,6 +54,8 @@ _CALLED = {
     "turning_rates": "sapw",
     "grip": "spm",
     "grip_slopes": "spm",
+    "outputs": "spm",
+    "output_slopes": "spm",
 }
 #: Outputs that a border brings.
 _FLAGGED = {
@@ -183,6 +185,7 @@ def _model(material: Material, seen: Motion, words: Mapping[str, str]) -> str:
         "layers": layers,
         "turnings": turnings,
         "rooted": seen.rooted,
+        "outputs": len(seen.outputs),
     }
     places = {
         "s": [f"s[{i}]" for i in range(2 * count)],
@@ -200,6 +203,7 @@ def _model(material: Material, seen: Motion, words: Mapping[str, str]) -> str:
     texts = {
         "quantities": ",\n    ".join(map(_quantity, (*seen.given, Variable("", "")))),
         "powers": ", ".join(map(_powers, (*seen.states[:count], seen.time))),
+        "output_powers": ", ".join(map(_powers, seen.outputs)),
         "adapters": "\n".join(called),
     }
     return spoken(
@@ -224,14 +228,23 @@ def _adapter(
 
 
 def _quantity(one: Variable) -> str:
-    ends = (
-        f"{'-' * (end < 0)}HUGE_VAL" if math.isinf(end) else number(end)
-        for end in (one.allowed.low, one.allowed.high)
+    ends = (f"{'-' * (end < 0)}HUGE_VAL" if math.isinf(end) else number(end) for end in _ends(one))
+    numbers = [number(one.start), *ends, f"{one.input == 'continuous':d}", number(one.factor)]
+    return f'{{"{plain(one.name)}", {", ".join(numbers)}, {_powers(one)}}}'
+
+
+def _ends(one: Variable) -> tuple[float, float]:
+    """The least and the largest double that is allowed: FMI has no open ends; 0 is the least normal
+    one.
+    """
+    low, high = one.allowed.low, one.allowed.high
+    above, below = (
+        math.copysign(sys.float_info.min, to) if end == 0.0 else math.nextafter(end, to)
+        for end, to in ((low, math.inf), (high, -math.inf))
     )
-    opened = f"{one.allowed.low_open:d}, {one.allowed.high_open:d}"
     return (
-        f'{{"{plain(one.name)}", {number(one.start)}, {", ".join(ends)}, {opened}, '
-        f"{number(one.factor)}, {_powers(one)}}}"
+        above if one.allowed.low_open and math.isfinite(low) else low,
+        below if one.allowed.high_open and math.isfinite(high) else high,
     )
 
 
@@ -247,7 +260,7 @@ def _description(summary: str, seen: Motion) -> dict[str, str]:
     """Units, variables in the order of their value references, and what each of them is in the
     structure of the model.
     """
-    everything = (seen.time, *seen.states, *seen.accelerations, *seen.given)
+    everything = (seen.time, *seen.states, *seen.accelerations, *seen.given, *seen.outputs)
     variables = list[ET.Element]()
     structure = {part: list[str]() for part in _PARTS}
 
@@ -274,6 +287,7 @@ def _description(summary: str, seen: Motion) -> dict[str, str]:
             initial="exact",
             start=repr(one.start),
             nominal=nominal,
+            reinit="true" if one.reset else "",
         )
     for place, one in enumerate((*seen.states[len(seen.accelerations) :], *seen.accelerations)):
         rate = replace(one, name=f"der({seen.states[place].name})")
@@ -291,19 +305,15 @@ def _description(summary: str, seen: Motion) -> dict[str, str]:
             causality="local",
         )
     for one in seen.given:
-        least, most = (
-            repr(end) if math.isfinite(end) else "" for end in (one.allowed.low, one.allowed.high)
+        least, most = (repr(end) if math.isfinite(end) else "" for end in _ends(one))
+        kind = (
+            {"causality": "input", "variability": one.input}
+            if one.input
+            else {"causality": "parameter", "variability": "tunable", "initial": "exact"}
         )
-        add(
-            "",
-            one,
-            causality="parameter",
-            variability="tunable",
-            initial="exact",
-            start=repr(one.start),
-            min=least,
-            max=most,
-        )
+        add("", one, start=repr(one.start), min=least, max=most, **kind)
+    for one in seen.outputs:
+        add("Output InitialUnknown", one, causality="output", initial="calculated")
     for flag in (_FLAGGED[name] for name in seen.borders if name in _FLAGGED):
         add(
             "Output InitialUnknown",

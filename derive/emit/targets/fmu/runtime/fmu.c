@@ -23,7 +23,8 @@ enum {
     DERIVATIVE = STATE + STATES,
     INDICATOR = DERIVATIVE + STATES,
     QUANTITY = INDICATOR + INDICATORS,
-    FLAG = QUANTITY + GIVEN
+    OUTPUT = QUANTITY + GIVEN,
+    FLAG = OUTPUT + OUTPUTS
 };
 
 typedef enum {
@@ -41,16 +42,21 @@ typedef enum {
 /* What is copied as the state of the FMU; numbers are those that the importer sees. */
 typedef struct {
     Phase phase;
+    int kind; /* of the instance: a bit for each of its two properties below */
     bool stops;
+    bool jumped; /* a number was set between steps or at an event: the mode is that of the new state */
     double time, stop, tolerance, length;
     double given[GIVEN + 1];
     double state[STATES];
+    double nominal[STATES]; /* as the importer was last told */
     double mode[MODES];
 } State;
 
 typedef struct {
     State now;
-    bool exchange, early;
+    bool exchange;   /* Model Exchange, else Co-Simulation */
+    bool paused;     /* events are handled in event mode, else within a step */
+    bool early;      /* a step may end at an event */
     unsigned logged; /* a bit for each category */
     void *environment;
     fmi3LogMessageCallback log;
@@ -137,7 +143,8 @@ static Motion motion_of(const Instance *it) {
     return motion;
 }
 
-/* Motion, rates and clearances as they are now, before the start in the mode where the state is. Not 0: there are none. */
+/* Motion, rates and clearances as they are now, before the start and after a jump in the mode where the state is. Not 0: there are
+ * none. */
 static int here(const Instance *it, Motion *motion, Point *at, double *unit_of_rate) {
     double unit[STATES];
     scales(&it->now, unit, unit_of_rate);
@@ -145,16 +152,30 @@ static int here(const Instance *it, Motion *motion, Point *at, double *unit_of_r
     for (int i = 0; i < STATES; i++) {
         at->state[i] = it->now.state[i] / unit[i];
     }
-    return (it->now.phase & BEGINNING && begin(motion, at->state)) || rates(motion, at->state, at->rate) || look(motion, at);
+    const bool anew = (it->now.phase & BEGINNING) || it->now.jumped;
+    return (anew && begin(motion, at->state)) || rates(motion, at->state, at->rate) || look(motion, at);
+}
+
+/* Forces, energy and power as the importer sees them. Not 0: there are none. */
+static int told(const Instance *it, const Motion *motion, const Point *at, double *values) {
+    if (outputs(at->state, motion->p, motion->mode, values)) {
+        return 1;
+    }
+    for (int i = 0; i < OUTPUTS; i++) {
+        values[i] *= scale(&it->now, OUTPUT_POWERS[i]);
+    }
+    return 0;
 }
 
 static const char NOWHERE[] = "the motion has no finite rates here: a spring has no length, or a number is too large";
 
 /* ------------------------------------------------------------------------------------------- instances and phases */
 
-static void reset(State *now) {
+static void reset(Instance *it) {
+    State *const now = &it->now;
     memset(now, 0, sizeof *now);
     now->phase = INSTANTIATED;
+    now->kind = it->exchange | it->paused << 1;
     now->tolerance = 1e-10;
     now->length = 1e-3;
     for (int i = 0; i < GIVEN; i++) {
@@ -162,7 +183,8 @@ static void reset(State *now) {
     }
 }
 
-static void *instantiated(const char *token, bool logging, void *environment, fmi3LogMessageCallback log) {
+static Instance *instantiated(const char *token, bool exchange, bool paused, bool logging, void *environment,
+    fmi3LogMessageCallback log) {
     Instance *it;
     if (!token || strcmp(token, TOKEN) != 0) {
         if (log) {
@@ -172,7 +194,9 @@ static void *instantiated(const char *token, bool logging, void *environment, fm
     }
     it = calloc(1, sizeof *it);
     if (it) {
-        reset(&it->now);
+        it->exchange = exchange;
+        it->paused = paused;
+        reset(it);
         it->environment = environment;
         it->log = log;
         it->logged = logging ? ~0u : 0u;
@@ -184,18 +208,14 @@ FMI(const char *, GetVersion)(void) { return "3.0"; }
 
 FMI(void *, InstantiateModelExchange)(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment,
     fmi3LogMessageCallback log) {
-    Instance *it = instantiated(token, logging, environment, log);
-    if (it) {
-        it->exchange = true;
-    }
-    return it;
+    return instantiated(token, true, true, logging, environment, log);
 }
 
 FMI(void *, InstantiateCoSimulation)(const char *name, const char *token, const char *resources, bool visible, bool logging, bool event_mode, bool early,
     const fmi3ValueReference *intermediate, size_t count, void *environment, fmi3LogMessageCallback log, void (*update)(void)) {
-    Instance *it = instantiated(token, logging, environment, log);
+    Instance *it = instantiated(token, false, event_mode, logging, environment, log);
     if (it) {
-        it->early = event_mode && early;
+        it->early = early;
     }
     return it;
 }
@@ -247,13 +267,15 @@ FMI(fmi3Status, ExitInitializationMode)(void *instance) {
     ENTER(INITIALIZING)
     EXPECT(!here(it, &motion, &at, unit_of_rate), "%s", NOWHERE)
     memcpy(it->now.mode, motion.mode, sizeof motion.mode);
-    it->now.phase = (it->exchange || it->early) ? EVENT : STEPPING;
+    scales(&it->now, it->now.nominal, unit_of_rate);
+    it->now.jumped = false;
+    it->now.phase = it->paused ? EVENT : STEPPING;
     return fmi3OK;
 }
 
 FMI(fmi3Status, EnterEventMode)(void *instance) {
     ENTER(CONTINUOUS | STEPPING)
-    EXPECT(it->exchange || it->early, "the instance was made without event mode")
+    EXPECT(it->paused, "the instance was made without event mode")
     it->now.phase = EVENT;
     return fmi3OK;
 }
@@ -280,7 +302,7 @@ FMI(fmi3Status, Terminate)(void *instance) {
 
 FMI(fmi3Status, Reset)(void *instance) {
     ENTER(ANY)
-    reset(&it->now);
+    reset(it);
     return fmi3OK;
 }
 
@@ -289,7 +311,7 @@ FMI(fmi3Status, Reset)(void *instance) {
 FMI(fmi3Status, GetFloat64)(void *instance, const fmi3ValueReference *references, size_t count, double *values, size_t size) {
     Motion motion;
     Point at;
-    double unit_of_rate[STATES];
+    double unit_of_rate[STATES], output[OUTPUTS];
     int looked = 0;
     ENTER(ANY)
     EXPECT(count == size && (!count || (references && values)), "%u values are asked for, with room for %u", (unsigned)count,
@@ -301,14 +323,16 @@ FMI(fmi3Status, GetFloat64)(void *instance, const fmi3ValueReference *references
             values[i] = it->now.time;
         } else if (one < DERIVATIVE) {
             values[i] = it->now.state[one - STATE];
-        } else if (one >= QUANTITY) {
+        } else if (one >= QUANTITY && one < OUTPUT) {
             values[i] = it->now.given[one - QUANTITY];
         } else {
-            if (!looked && here(it, &motion, &at, unit_of_rate)) {
+            if (!looked && (here(it, &motion, &at, unit_of_rate) || told(it, &motion, &at, output))) {
                 return say(it, fmi3Discard, "%s", NOWHERE);
             }
             looked = 1;
-            values[i] = one < INDICATOR ? at.rate[one - DERIVATIVE] * unit_of_rate[one - DERIVATIVE] : at.clearance[one - INDICATOR];
+            values[i] = one < INDICATOR ? at.rate[one - DERIVATIVE] * unit_of_rate[one - DERIVATIVE] :
+                one < QUANTITY          ? at.clearance[one - INDICATOR] :
+                                          output[one - OUTPUT];
         }
     }
     return fmi3OK;
@@ -319,9 +343,10 @@ FMI(fmi3Status, SetFloat64)(void *instance, const fmi3ValueReference *references
     EXPECT(count == size && (!count || (references && values)), "%u values are set, of %u given", (unsigned)count, (unsigned)size)
     for (size_t i = 0; i < count; i++) {
         const fmi3ValueReference one = references[i];
-        const bool quantity = one >= QUANTITY && one < FLAG;
+        const bool quantity = one >= QUANTITY && one < OUTPUT;
         const unsigned state = it->exchange ? BEGINNING | EVENT : BEGINNING;
-        const unsigned when = quantity ? BEGINNING | EVENT | STEPPING : state;
+        const unsigned flows = quantity && QUANTITIES[one - QUANTITY].flows ? CONTINUOUS : 0u;
+        const unsigned when = quantity ? BEGINNING | EVENT | STEPPING | flows : state;
         EXPECT(quantity || (one >= STATE && one < DERIVATIVE), "no Float64 with the value reference %u can be set", (unsigned)one)
         EXPECT(it->now.phase & when, "the Float64 with the value reference %u can't be set now", (unsigned)one)
         if (!isfinite(values[i])) {
@@ -329,14 +354,15 @@ FMI(fmi3Status, SetFloat64)(void *instance, const fmi3ValueReference *references
         }
         if (quantity) {
             const struct quantity *allowed = QUANTITIES + (one - QUANTITY);
-            if (!(allowed->low_open ? values[i] > allowed->low : values[i] >= allowed->low) ||
-                !(allowed->high_open ? values[i] < allowed->high : values[i] <= allowed->high)) {
-                return say(it, fmi3Discard, "%s = %g is out of its range", allowed->name, values[i]);
+            if (!(values[i] >= allowed->low && values[i] <= allowed->high)) {
+                return say(it, fmi3Discard, "%s = %.17g is out of its range, %.17g to %.17g", allowed->name, values[i], allowed->low,
+                    allowed->high);
             }
         }
     }
     for (size_t i = 0; i < count; i++) {
         double *const place = references[i] < DERIVATIVE ? it->now.state + (references[i] - STATE) : it->now.given + (references[i] - QUANTITY);
+        it->now.jumped |= *place != values[i] && it->now.phase & (EVENT | STEPPING);
         *place = values[i];
     }
     return fmi3OK;
@@ -439,6 +465,7 @@ FMI(fmi3Status, GetFMUState)(void *instance, void **saved) {
 FMI(fmi3Status, SetFMUState)(void *instance, void *saved) {
     ENTER(ANY)
     EXPECT(saved, "there is no state to set")
+    EXPECT(((const State *)saved)->kind == it->now.kind, "the state is that of an instance of another kind")
     memcpy(&it->now, saved, sizeof(State));
     return fmi3OK;
 }
@@ -484,17 +511,48 @@ FMI(fmi3Status, DeserializeFMUState)(void *instance, const uint8_t *bytes, size_
 
 /* ---------------------------------------------------------------------------------------------------- derivatives */
 
+/* A number that depends on the state and the given quantities: inside its value, its unit and the powers of the units of measure in
+ * that, and its derivatives. */
+typedef struct {
+    double value, unit, powers[3];
+    const double *by_state, *by_parameter;
+} Told;
+
 /*
- * Derivatives of all rates by the numbers of the state and by the given quantities, as the importer sees them. A unit of measure u
- * with the power w in a quantity v changes what v is inside by -w v/u, and the rates by the powers in theirs.
+ * Its derivatives by the numbers of the state and by the given quantities, as the importer sees them. A unit of measure u with the
+ * power w in a quantity v changes what v is inside by -w v/u, and the number by the power in its own unit.
  */
-static int derivatives(const Instance *it, double slope[STATES][STATES + GIVEN + 1]) {
+static void derived(const Instance *it, const Motion *motion, const Point *at, const double *unit, const Told *of, double *row) {
+    const double *const times = POWERS[COORDINATES];
+    for (int k = 0; k < STATES; k++) {
+        row[k] = of->by_state[k] * of->unit / unit[k];
+    }
+    for (int k = 0; k < PARAMETERS; k++) {
+        row[STATES + k] = of->by_parameter[k] * of->unit * QUANTITIES[k].factor / scale(&it->now, QUANTITIES[k].powers);
+    }
+    for (int u = 0; u < UNITS; u++) {
+        double change = of->powers[u] * of->value;
+        for (int k = 0; k < PARAMETERS; k++) {
+            change -= QUANTITIES[k].powers[u] * motion->p[k] * of->by_parameter[k];
+        }
+        for (int k = 0; k < COORDINATES; k++) {
+            change -= POWERS[k][u] * at->state[k] * of->by_state[k];
+            change -= (POWERS[k][u] - times[u]) * at->state[COORDINATES + k] * of->by_state[COORDINATES + k];
+        }
+        row[STATES + PARAMETERS + u] = of->unit * change / it->now.given[PARAMETERS + u];
+    }
+}
+
+/* Derivatives of all rates, then of forces, energy and power. */
+static int derivatives(const Instance *it, double slope[STATES + OUTPUTS][STATES + GIVEN + 1]) {
     Motion motion;
     Point at;
-    double unit[STATES], unit_of_rate[STATES], by_state[COORDINATES * STATES], by_parameter[COORDINATES * PARAMETERS + 1];
-    memset(slope, 0, STATES * sizeof *slope);
+    double unit[STATES], unit_of_rate[STATES], output[OUTPUTS], by_state[COORDINATES * STATES];
+    double by_parameter[COORDINATES * PARAMETERS + 1], of_outputs[OUTPUTS * WIDE];
+    memset(slope, 0, (STATES + OUTPUTS) * sizeof *slope);
     scales(&it->now, unit, unit_of_rate);
-    if (here(it, &motion, &at, unit_of_rate) || regime_jacobian(at.state, motion.p, motion.mode, by_state)) {
+    if (here(it, &motion, &at, unit_of_rate) || regime_jacobian(at.state, motion.p, motion.mode, by_state) ||
+        outputs(at.state, motion.p, motion.mode, output) || output_slopes(at.state, motion.p, motion.mode, of_outputs)) {
         return 1;
     }
 #if PARAMETERS
@@ -503,28 +561,19 @@ static int derivatives(const Instance *it, double slope[STATES][STATES + GIVEN +
     }
 #endif
     for (int i = 0; i < COORDINATES; i++) {
-        double *const row = slope[COORDINATES + i];
-        const double *const states = by_state + i * STATES, *const parameters = by_parameter + i * PARAMETERS;
-        const double own = unit_of_rate[COORDINATES + i];
-        slope[i][COORDINATES + i] = 1.0;
-        for (int k = 0; k < STATES; k++) {
-            row[k] = states[k] * own / unit[k];
-        }
-        for (int k = 0; k < PARAMETERS; k++) {
-            row[STATES + k] = parameters[k] * own * QUANTITIES[k].factor / scale(&it->now, QUANTITIES[k].powers);
-        }
+        const int rate = COORDINATES + i;
+        Told of = {at.rate[rate], unit_of_rate[rate], {0.0}, by_state + i * STATES, by_parameter + i * PARAMETERS};
         for (int u = 0; u < UNITS; u++) {
-            const double *const times = POWERS[COORDINATES];
-            double change = (POWERS[i][u] - 2.0 * times[u]) * at.rate[COORDINATES + i];
-            for (int k = 0; k < PARAMETERS; k++) {
-                change -= QUANTITIES[k].powers[u] * motion.p[k] * parameters[k];
-            }
-            for (int k = 0; k < COORDINATES; k++) {
-                change -= POWERS[k][u] * at.state[k] * states[k];
-                change -= (POWERS[k][u] - times[u]) * at.state[COORDINATES + k] * states[COORDINATES + k];
-            }
-            row[STATES + PARAMETERS + u] = own * change / it->now.given[PARAMETERS + u];
+            of.powers[u] = POWERS[i][u] - 2.0 * POWERS[COORDINATES][u];
         }
+        slope[i][rate] = 1.0;
+        derived(it, &motion, &at, unit, &of, slope[rate]);
+    }
+    for (int i = 0; i < OUTPUTS; i++) {
+        const double *const own = of_outputs + i * WIDE;
+        Told of = {output[i], scale(&it->now, OUTPUT_POWERS[i]), {0.0}, own, own + STATES};
+        memcpy(of.powers, OUTPUT_POWERS[i], sizeof of.powers);
+        derived(it, &motion, &at, unit, &of, slope[STATES + i]);
     }
     return 0;
 }
@@ -533,7 +582,7 @@ static int derivatives(const Instance *it, double slope[STATES][STATES + GIVEN +
 static fmi3Status multiplied(Instance *it, const fmi3ValueReference *unknowns, size_t unknown_count,
     const fmi3ValueReference *knowns, size_t known_count, const double *seed, size_t seeds, double *result, size_t results,
     bool transposed) {
-    double slope[STATES][STATES + GIVEN + 1];
+    double slope[STATES + OUTPUTS][STATES + GIVEN + 1];
     EXPECT(seeds == (transposed ? unknown_count : known_count) && results == (transposed ? known_count : unknown_count),
         "seed and sensitivity have %u and %u numbers, and are not as many as the variables", (unsigned)seeds, (unsigned)results)
     EXPECT((!unknown_count || unknowns) && (!known_count || knowns) && (!seeds || seed) && (!results || result),
@@ -546,15 +595,16 @@ static fmi3Status multiplied(Instance *it, const fmi3ValueReference *unknowns, s
     }
     for (size_t i = 0; i < unknown_count; i++) {
         const fmi3ValueReference row = unknowns[i];
-        EXPECT(row >= STATE && row < INDICATOR, "the variable %u is no output and no derivative", (unsigned)row)
+        const bool output = row >= OUTPUT && row < FLAG;
+        EXPECT(output || (row >= STATE && row < INDICATOR), "the variable %u is no output and no derivative", (unsigned)row)
         for (size_t k = 0; k < known_count; k++) {
             const fmi3ValueReference column = knowns[k];
-            const bool quantity = column >= QUANTITY && column < FLAG;
+            const bool quantity = column >= QUANTITY && column < OUTPUT;
             const size_t place = quantity ? STATES + (column - QUANTITY) : column - STATE;
             double value;
             EXPECT(quantity || (column >= STATE && column < DERIVATIVE), "the variable %u is no state and no parameter",
                 (unsigned)column)
-            value = row < DERIVATIVE ? (row == column) : slope[row - DERIVATIVE][place];
+            value = row < DERIVATIVE ? (row == column) : slope[output ? STATES + (row - OUTPUT) : row - DERIVATIVE][place];
             result[transposed ? k : i] += value * seed[transposed ? i : k];
         }
     }
@@ -587,6 +637,7 @@ static int enter(Instance *it) {
         return 1;
     }
     memcpy(it->now.mode, motion.mode, sizeof mode);
+    it->now.jumped = false;
     if (LIFTS && mode[0] != motion.mode[0]) {
         say(it, fmi3OK, "at %.12g contact is %s", it->now.time, motion.mode[0] > 0.0 ? "regained" : "lost");
     }
@@ -606,9 +657,10 @@ FMI(fmi3Status, EvaluateDiscreteStates)(void *instance) {
 }
 
 FMI(fmi3Status, UpdateDiscreteStates)(void *instance, bool *again, bool *terminate, bool *nominals, bool *values, bool *next_defined, double *next) {
-    double before[STATES];
+    double before[STATES], nominal[STATES], unit_of_rate[STATES];
     ENTER(EVENT)
     memcpy(before, it->now.state, sizeof before);
+    memcpy(nominal, it->now.nominal, sizeof nominal);
     if (enter(it)) {
         return say(it, fmi3Discard, "%s", NOWHERE);
     }
@@ -617,6 +669,10 @@ FMI(fmi3Status, UpdateDiscreteStates)(void *instance, bool *again, bool *termina
         if (flags[i]) {
             *flags[i] = false;
         }
+    }
+    scales(&it->now, it->now.nominal, unit_of_rate);
+    if (nominals) {
+        *nominals = memcmp(nominal, it->now.nominal, sizeof nominal) != 0;
     }
     if (values) {
         *values = memcmp(before, it->now.state, sizeof before) != 0;
@@ -751,7 +807,7 @@ FMI(fmi3Status, DoStep)(void *instance, double from, double duration, bool no_re
             now->state[i] = state[i] * unit[i];
         }
         now->time = (border == DONE) ? from + duration : from + done * second;
-        if (border != DONE && it->early) {
+        if (border != DONE && it->paused && (it->early || done >= whole)) {
             *event = true;
             *early = now->time < from + duration;
             break;

@@ -17,12 +17,13 @@
 #define LAYERS @layers@        /* exponentials of the friction law */
 #define TURNINGS @turnings@      /* torsion springs whose turning is counted */
 #define ROOTED @rooted@        /* whether the contact law has no values beyond its border */
+#define OUTPUTS @outputs@       /* forces, energy and power */
 
 /* Parameters, then units of measure, as they are given; inside, a number is divided by powers of the units of measure. */
 struct quantity {
     const char *name;
     double start, low, high;
-    int low_open, high_open;
+    int flows; /* whether it may change within a step of Model Exchange */
     double factor; /* one of its unit in SI */
     double powers[3];
 };
@@ -33,6 +34,9 @@ static const struct quantity QUANTITIES[] = {
 
 /* The powers of coordinates, and of time. */
 static const double POWERS[][3] = {@powers@};
+
+/* The powers of outputs. */
+static const double OUTPUT_POWERS[][3] = {@output_powers@};
 
 /* Functions of the library, given the state, accelerations, parameters and numbers of the mode. Not 0: they have no result there. */
 

@@ -129,9 +129,7 @@ STEPPED = [(True, True), (True, False), (False, True), (False, False)]
 def test_steps_are_right_with_event_mode_or_early_return_or_without(
     event_mode: bool, early: bool, stick_slip: str
 ) -> None:
-    """At the ends of equal steps the stick-slip of closed form; a step ends at an event where both
-    are used, and nowhere else.
-    """
+    """As Python at the ends of equal steps; only with both does a step end at an event."""
     found = fmpy.simulate_fmu(
         stick_slip,
         fmi_type="CoSimulation",
@@ -150,13 +148,15 @@ def test_steps_are_right_with_event_mode_or_early_return_or_without(
     assert tr.events.t.size > 3
     at = np.isin(found["time"], np.arange(41) / 2)
     expected = np.array([tr(t) for t in found["time"][at]])
-    np.testing.assert_allclose([*zip(found["x"][at], found["vx"][at])], expected, atol=1e-9)
+    np.testing.assert_allclose(
+        np.column_stack([found["x"][at], found["vx"][at]]), expected, atol=1e-9
+    )
 
 
 @pytest.mark.thorough
 def test_a_driven_belt_leaves_the_mass_its_speed(stick_slip: str) -> None:
-    """Stuck at speed 0.5 on a belt that then has 0.1: x + mu_k turns about 0 as a free oscillation,
-    until the speeds are equal.
+    """Stuck at speed 0.5 on a belt that slows to 0.1: x + mu_k oscillates until the speeds are
+    equal.
     """
     signals = np.array(
         [(0.0, 0.5), (0.5, 0.5), (0.5, 0.1), (9.0, 0.1)], dtype=[("time", float), ("V", float)]
@@ -192,9 +192,7 @@ def stick_slip(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 @pytest.mark.thorough
 def test_what_an_importer_is_told_of_a_variable(stick_slip: str) -> None:
-    """A quantity that a border has jumps at events only; the rate that sticking resets says so;
-    open ends are no bounds.
-    """
+    """A quantity that a border has jumps at events only; the rate that sticking resets says so."""
     told = {one.name: one for one in fmpy.read_model_description(stick_slip).modelVariables}
     assert (told["V"].causality, told["V"].variability) == ("input", "discrete")
     assert (told["mu_k"].causality, told["mu_k"].variability) == ("input", "continuous")
@@ -235,9 +233,7 @@ def test_a_brake_has_its_units(brake: str, tmp_path: Path) -> None:
 
 @pytest.mark.thorough
 def test_the_ends_that_are_told_are_the_last_that_are_allowed(brake: str) -> None:
-    """Open or closed: the next double beyond an end is refused, the end itself is not; angles
-    between 0 and 180 degrees.
-    """
+    """Open or closed: the next double beyond an end is refused, the end itself is not."""
     description = fmpy.read_model_description(brake)
     fmu = fmpy.simulation.instantiate_fmu(fmpy.extract(brake), description, "CoSimulation")
     asked = 0

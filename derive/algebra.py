@@ -39,6 +39,11 @@ def expanded(expression: sp.Expr) -> sp.Expr:
     )
 
 
+def reached(level: sp.Expr) -> sp.Expr:
+    """1 where a level is not negative, −1 where it is: a border belongs to one of its sides."""
+    return sp.sign(2 * sp.sign(level) + 1)
+
+
 def quotients(expression: sp.Expr) -> list[sp.Pow]:
     """Quotients and roots in it: powers that are no products."""
     return [

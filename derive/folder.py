@@ -93,10 +93,11 @@ def _algebra(model: Model, header: str, shared: Shared | None) -> str:
     sections: list[str] = []
     borrowed: dict[str, list[str]] = {}
     # The whole algebra is kept where other languages are printed from its text (the first model),
-    # where the place does not tell the regime (turnings of torsion springs; sticking), and where it
-    # is short (no inclined springs).
+    # where the place does not tell the regime (turnings of torsion springs; sticking; a root in the
+    # contact law), and where it is short (no inclined springs).
     it = model.mechanics
-    by_regimes = bool(shared and it.lines and not it.torsions and not it.holds)
+    told = not it.torsions and not it.holds and it.polynomial
+    by_regimes = bool(shared and it.lines and told)
     for part in parts:
         own = []
         for function in part.functions:

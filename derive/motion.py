@@ -8,7 +8,7 @@ from functools import cached_property, partial
 import sympy as sp
 
 from . import laws
-from .algebra import Names, Row, Symbols, difference, expanded
+from .algebra import Names, Row, Symbols, difference, expanded, reached
 from .emit.function import Function, Module, Results, of_page
 from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, elastic, number, waves
 from .model import acceleration_of
@@ -74,15 +74,13 @@ class Motion:
 
     @cached_property
     def side(self) -> sp.Expr:
-        """The sign of the sliding speed; where nothing slides 0 if friction holds, else that of
-        what it slides into.
+        """The sign of the sliding speed; where nothing slides 1, or of a friction that holds the
+        mode that the motion goes on in.
         """
-        sliding = sp.sign(self.borders[1])
         if not self.model.holds:
-            return sliding
-        within_ahead, within_behind = (
-            sp.sign(2 * sp.sign(margin) + 1) for margin in self.margins(self.holding)
-        )  # −1 beyond it, 1 up to it
+            return reached(self.borders[1])
+        sliding = sp.sign(self.borders[1])
+        within_ahead, within_behind = map(reached, self.margins(self.holding))
         return sliding + (1 - sliding**2) * (within_behind - within_ahead) / 2
 
     @cached_property
@@ -469,7 +467,8 @@ def module(model: Mechanics) -> Module:
 
     below = sp.Symbol("_below", real=True)
     signs = {
-        below: 1 - sp.sign(borders[0]),
+        # A law with a root has no slope at its border, which is then lift-off's.
+        below: 1 + reached(-borders[0]) if model.polynomial else 1 - reached(borders[0]),
         PUSHING: below / 2 if model.unilateral else sp.S.One,
         SIDE: motion.side,
     }
@@ -524,7 +523,11 @@ def module(model: Mechanics) -> Module:
         (
             of_page(
                 "rhs",
-                "Accelerations, kinked where a border is zero.",
+                "Accelerations, kinked where a border is zero: there those of contact, and of "
+                "the belt ahead."
+                if model.polynomial
+                else "Accelerations, kinked where a border is zero: there those of lift-off, and "
+                "of the belt ahead.",
                 moving,
                 motion.accelerations,
                 "(q_1″, …)",

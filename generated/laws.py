@@ -25,9 +25,9 @@ def spring_length(x, y, cos0, sin0, *, xp=numpy):
 
 
 def friction(vx, mu0, V, d, *, xp=numpy):
-    """The friction coefficient at the speed x' of the mass. Returns mu. Source: (10). Operations: 9."""
+    """The friction coefficient at the speed x' of the mass. Returns mu. Source: (10). Operations: 12."""
     w0 = V - vx
-    return mu0*(1 - xp.exp(-d*abs(w0)))*xp.sign(w0)
+    return mu0*(1 - xp.exp(-d*abs(w0)))*xp.sign(2*xp.sign(w0) + 1)
 
 
 __all__ = broadcasting(globals())

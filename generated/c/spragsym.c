@@ -2726,7 +2726,7 @@ spragsym_status spragsym_friction(double vx, double mu0, double V, double d, dou
         return SPRAGSYM_BAD_INPUT;
     }
     const double w0 = V - vx;
-    const double value = mu0 * (1.0 - exp(-d * fabs(w0))) * sign(w0);
+    const double value = mu0 * (1.0 - exp(-d * fabs(w0))) * sign(2.0 * sign(w0) + 1.0);
     return deliver(1, &value, result);
 }
 
@@ -2743,9 +2743,9 @@ spragsym_status spragsym_rhs(double x, double y, double vx, double vy, double co
     const double w0 = 1.0 / l1;
     const double c1 = w0 * w1;
     const double w2 = V - vx;
-    const double side = sign(w2);
+    const double side = sign(2.0 * sign(w2) + 1.0);
     const double mu = mu0 * side * (1.0 - exp(-d * side * w2));
-    const double below = 1.0 - sign(y);
+    const double below = sign(1.0 - 2.0 * sign(y)) + 1.0;
     const double nbar = below / 2.0;
     const double s1 = w0 * w3;
     value[0] = -c1 * sigma + cos0 * sigma - mu * nbar * y - x * (alpha + sigma);

@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "4bf527840f614237"
+#define SPRAGSYM_SOURCE "bbe6c4fde701cef9"
 
 /** What became of a call. */
 typedef enum {
@@ -256,10 +256,11 @@ spragsym_status spragsym_characteristic(double K11, double K12, double K21, doub
 /** Length of the inclined spring. Result: L. Source: (6) corrected. Operations: 7. */
 spragsym_status spragsym_spring_length(double x, double y, double cos0, double sin0, double *result);
 
-/** The friction coefficient at the speed x' of the mass. Result: mu. Source: (10). Operations: 9. */
+/** The friction coefficient at the speed x' of the mass. Result: mu. Source: (10). Operations: 12. */
 spragsym_status spragsym_friction(double vx, double mu0, double V, double d, double *result);
 
-/** Accelerations, kinked where a border is zero. Result: (q_1'', ...). Source: (8)-(11). Operations: 39. */
+/** Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Result: (q_1'', ...). Source:
+ * (8)-(11). Operations: 45. */
 spragsym_status spragsym_rhs(double x, double y, double vx, double vy, double cos0, double sin0, double mu0, double kappa,
     double alpha, double sigma, double beta, double V, double d, double result[2]);
 

@@ -2,6 +2,7 @@
 of NumPy's; results are lists.
 """
 
+import re
 import textwrap
 from collections.abc import Mapping
 
@@ -52,6 +53,13 @@ def render(material: Material, module: str, where: str, names: Mapping[str, str]
     return {f"{material.library}.py": f'"""{said}\n"""\n{head}{body}\n'}
 
 
+def _expression(text: str, ports: Mapping[str, str]) -> str:
+    """The expression on the library's names; a whole number beyond 32 bits, JAX's by default, is a
+    float.
+    """
+    return re.sub(r"(?<![\w.])\d{10,}(?![\w.])", r"\g<0>.0", ported(text, ports))
+
+
 def _function(function: Definition, angles: Angles, ports: Mapping[str, str]) -> str:
     names = taken(function, angles)
     given = [*names, *(f"{name}=0" for name in function.further)]
@@ -73,7 +81,7 @@ def _function(function: Definition, angles: Angles, ports: Mapping[str, str]) ->
             f"    {cosine}, {sine} = xp.cos({angle}), xp.sin({angle})"
             for (cosine, sine), angle in turned
         ),
-        *(f"    {name} = {ported(value, ports)}" for name, value in function.statements),
-        f"    return {nested(function.results, '[]', lambda leaf: ported(leaf, ports))}",
+        *(f"    {name} = {_expression(value, ports)}" for name, value in function.statements),
+        f"    return {nested(function.results, '[]', lambda leaf: _expression(leaf, ports))}",
     ]
     return "\n".join(lines)

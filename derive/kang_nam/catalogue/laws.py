@@ -1,5 +1,8 @@
 """Functions of the laws that the equations of motion are made of."""
 
+import sympy as sp
+
+from ...algebra import reached
 from ...emit.function import Function, Module
 from .. import mechanics
 from .. import nomenclature as nm
@@ -7,7 +10,7 @@ from .arrangement import ANGLE0, further
 
 
 def module() -> Module:
-    friction, length = mechanics.friction(), mechanics.spring_length()
+    friction, length = mechanics.friction().replace(sp.sign, reached), mechanics.spring_length()
     speeds = (nm.vx, nm.mu0, nm.V, nm.creep)
     return Module(
         "laws",

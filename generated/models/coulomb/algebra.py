@@ -88,13 +88,14 @@ def friction_slope_by_sizes(cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 67."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 70."""
     w11 = sin0 - y
     w1 = cos0 - x
     l1 = xp.sqrt(w11*w11 + w1*w1)
     w0 = 1/l1
     c1 = w0*w1
-    _below = 1 - xp.sign(y)
+    _below = xp.sign(1 - 2*xp.sign(y)) + 1
     pushing = _below/2
     w7 = c1*sigma
     w8 = cos0*sigma

@@ -122,7 +122,8 @@ def friction_slope_by_sizes(mu_s, mu_k, V):
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, vx, mu_s, mu_k, V, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 33."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 33."""
     w0 = xp.sign(V - vx)
     w2 = mu_k/2 + mu_s/2 + abs(mu_k - mu_s)/2
     side = w0 + (1 - w0*w0)*(-xp.sign(2*xp.sign(-x + w2) + 1) + xp.sign(2*xp.sign(w2 + x) + 1))/2

@@ -153,7 +153,8 @@ def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 46."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 52."""
     return everywhere(borders, regime_rhs, (x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d), xp)
 
 

@@ -85,7 +85,8 @@ def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 56."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 62."""
     return (
         everywhere(borders, regime_rhs, (x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V,
         d), xp)

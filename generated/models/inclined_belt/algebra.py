@@ -149,7 +149,8 @@ def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma_g,
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma_g, cos_psi, sin_psi, V, d, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 43."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 49."""
     return (
         everywhere(borders, regime_rhs, (x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma_g, cos_psi, sin_psi,
         V, d), xp)

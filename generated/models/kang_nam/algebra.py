@@ -144,7 +144,8 @@ def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d):
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 39."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 45."""
     w1 = cos0 - x
     w3 = sin0 - y
     l1 = xp.sqrt(w1*w1 + w3*w3)
@@ -152,9 +153,9 @@ def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, *, xp=nu
     c1 = w0*w1
     near1 = 1
     w2 = V - vx
-    side = xp.sign(w2)
+    side = xp.sign(2*xp.sign(w2) + 1)
     mu = mu0*side*(-near1*xp.exp(-d*side*w2) + 1)
-    _below = 1 - xp.sign(y)
+    _below = xp.sign(1 - 2*xp.sign(y)) + 1
     pushing = _below/2
     s1 = w0*w3
     return (

@@ -126,10 +126,11 @@ def friction_slope_by_sizes(mu0, alpha, sigma, beta, V, d):
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 23."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 26."""
     near1 = 1
     w0 = V - vx
-    side = xp.sign(w0)
+    side = xp.sign(2*xp.sign(w0) + 1)
     mu = mu0*side*(-near1*xp.exp(-d*side*w0) + 1)
     w1 = sigma/2
     return (-x*(alpha + w1) - y*(mu - w1), sigma*x/2 - y*(beta + w1 + 1) - 1)

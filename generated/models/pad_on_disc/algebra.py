@@ -177,7 +177,8 @@ def rhs(
     x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, *,
     xp=numpy,
 ):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 57."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 63."""
     return (
         everywhere(borders, regime_rhs, (x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w,
         nu_z, nu_w, zeta_w, V, d), xp)

@@ -180,7 +180,8 @@ def friction_slope_by_sizes(cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 59."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 65."""
     w0 = xp.sin(phi)
     w3 = xp.cos(phi)
     w3_2 = w3*w3
@@ -189,13 +190,13 @@ def rhs(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=n
     w2 = w0*w1
     near1 = 1
     w4 = V + vphi*w3
-    side = xp.sign(w4)
+    side = xp.sign(2*xp.sign(w4) + 1)
     mu = mu0*side*(-near1*xp.exp(-d*side*w4) + 1)
     w5 = w1*w3
     w6 = cos0*cos_psi + sin0*sin_psi
     w7 = -cos0*sin_psi + cos_psi*sin0
     phi1 = xp.atan2(-w2*w6 + w5*w7, w2*w7 + w5*w6)
-    _below = 1 - xp.sign(cos0 - w3)
+    _below = xp.sign(2*xp.sign(-cos0 + w3) + 1) + 1
     pushing = _below/2
     w8 = 3*pushing
     w10 = w0*w8

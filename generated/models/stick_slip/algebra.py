@@ -80,9 +80,10 @@ def friction_slope_by_sizes(mu_s, v_s, zeta, V):
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, vx, mu_s, v_s, zeta, V, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 15."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 18."""
     w0 = V - vx
-    side = xp.sign(w0)
+    side = xp.sign(2*xp.sign(w0) + 1)
     side_2 = side*side
     mu = 2*mu_s*side_2*v_s*w0/(side_2*(w0*w0) + v_s*v_s)
     return (mu - vx*zeta - x,)

@@ -120,7 +120,8 @@ def friction_slope_by_sizes(cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, V, d, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 45."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 51."""
     return everywhere(borders, regime_rhs, (x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, V, d), xp)
 
 

@@ -178,7 +178,8 @@ def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a,
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 48."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 54."""
     return (
         everywhere(borders, regime_rhs, (x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a,
         V, d), xp)

@@ -185,7 +185,8 @@ def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy):
-    """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 63."""
+    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
+    the page. Operations: 69."""
     return (
         everywhere(borders, regime_rhs, (x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2,
         lambda_2, V, d), xp)

@@ -38,13 +38,14 @@ def broadcasting(module: dict[str, Any]) -> list[str]:
 def everywhere(
     borders: Callable[..., Any], regime: Callable[..., Any], at: tuple[Any, ...], xp: Any
 ) -> Any:
-    """What a function of regimes gives at a place by the regime there, with all exponentials felt;
-    on a border of two by their mean.
+    """What a function of regimes gives at a place, with all exponentials felt; a border is
+    contact's and the belt's ahead.
     """
     level, smooth = unwrap(borders), unwrap(regime)
     gap, slip = level(*at, xp=xp) if level.__kwdefaults__ else level(*at)
     felt = (1,) * (smooth.__code__.co_argcount - len(at) - 2)
-    return smooth(*at, (1 - xp.sign(gap)) / 2, xp.sign(slip), *felt, xp=xp)
+    below, ahead = (xp.sign(2 * xp.sign(level) + 1) for level in (-gap, slip))
+    return smooth(*at, (1 + below) / 2, ahead, *felt, xp=xp)
 
 
 def _shaped(function: Callable[_P, _R]) -> Callable[_P, _R]:

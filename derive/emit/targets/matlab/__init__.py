@@ -45,7 +45,7 @@ def render(material: Material) -> dict[str, str]:
         texts[f"{package}/kernel.m"] = _namespace("kernel", material.kernel.summary, routines)
     if own:
         checks = (*(runtime(__file__, name) for name in _INPUT), _ranges(material))
-        texts[f"{package}/input.m"] = _namespace("input", "Checks of what is given.", checks)
+        texts[f"{package}/checks.m"] = _namespace("checks", "Checks of what is given.", checks)
     texts |= {
         f"{package}/{name}": text for name, text in own.items() if not name.startswith(_EXAMPLE)
     }

@@ -20,10 +20,10 @@ function found = equilibria(p, contact)
     contact = true;
   end
   if ~isscalar(contact) || ~(islogical(contact) || isequal(contact, 0) || isequal(contact, 1))
-    error('spragsym:type', 'contact = %s must be true or false', spragsym.input.shown(contact));
+    error('spragsym:type', 'contact = %s must be true or false', spragsym.checks.shown(contact));
   end
   contact = logical(contact);
-  given = spragsym.input.parameters(p);
+  given = spragsym.checks.parameters(p);
   point = spragsym.point(given, double(contact));
   found = answers(point, plainly(), contact, numel(given.theta0));
   found.status(~spragsym.kernel.representable(spragsym.kernel.balance_(point))) = 3;

@@ -1,6 +1,6 @@
 function given = one_set(p, spanned)
 %ONE_SET  Checked parameters of one point, of which those that are spanned are not used.
-  given = spragsym.input.parameters(p, spanned);
+  given = spragsym.checks.parameters(p, spanned);
   if numel(given.kappa) ~= 1
     error('spragsym:size', 'p has %d points; this function takes one', numel(given.kappa));
   end

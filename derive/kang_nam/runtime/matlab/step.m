@@ -6,7 +6,7 @@ function state = step(model, h, state)
 %  seen: a kink that is crossed and crossed back within one step, and a third kink in one step; each costs an error of order h^3.
   pieces = 3;
   if ~isnumeric(h) || ~isscalar(h) || ~isreal(h) || ~(h > 0) || isinf(h)
-    error('spragsym:range', 'h = %s is not in (0, Inf)', spragsym.input.shown(h));
+    error('spragsym:range', 'h = %s is not in (0, Inf)', spragsym.checks.shown(h));
   end
   if ~isnumeric(state) || ~isreal(state) || numel(state) ~= 4 || ~all(isfinite(state(:)))
     error('spragsym:type', 'state must be four finite numbers, x, y and their rates');
@@ -22,7 +22,7 @@ function state = step(model, h, state)
   end
   if ~all(isfinite(state))
     error('spragsym:range', 'h = %s leads from [%s] out of what double can hold: h is too long, or L = 0', ...
-          spragsym.input.shown(h), num2str(start'));
+          spragsym.checks.shown(h), num2str(start'));
   end
 end
 

@@ -10,8 +10,8 @@ function found = surface(p, theta, theta0)
   if isscalar(theta)
     shape = size(theta0);
   end
-  theta = spragsym.input.numbers('theta0', theta, [], 'theta');
-  theta0 = spragsym.input.numbers('theta0', theta0);
+  theta = spragsym.checks.numbers('theta0', theta, [], 'theta');
+  theta0 = spragsym.checks.numbers('theta0', theta0);
   if ~isscalar(theta) && ~isscalar(theta0) && numel(theta) ~= numel(theta0)
     error('spragsym:size', 'theta has %d numbers and theta0 %d; give one number or as many', numel(theta), numel(theta0));
   end

@@ -1,12 +1,12 @@
 function value = numbers(quantity, value, count, name)
 %NUMBERS  Real numbers in the range of a quantity as a column, or an error that names it.
 %  With a count other than [] there must be exactly that many. An error names NAME where it is given, else the quantity.
-  [ends, text, remedy] = @library@.input.range(quantity);
+  [ends, text, remedy] = @library@.checks.range(quantity);
   if nargin < 4
     name = quantity;
   end
   if ~isnumeric(value) || ~isreal(value) || isempty(value)
-    error('@library@:type', '%s = %s must be real numbers in %s', name, @library@.input.shown(value), text);
+    error('@library@:type', '%s = %s must be real numbers in %s', name, @library@.checks.shown(value), text);
   end
   value = double(value(:));
   if nargin > 2 && ~isempty(count) && numel(value) ~= count
@@ -23,6 +23,6 @@ function value = numbers(quantity, value, count, name)
     if ~isfinite(value(wrong))
       remedy = '';
     end
-    error('@library@:range', '%s%s = %s is not in %s%s', name, place, @library@.input.shown(value(wrong)), text, remedy);
+    error('@library@:range', '%s%s = %s is not in %s%s', name, place, @library@.checks.shown(value(wrong)), text, remedy);
   end
 end

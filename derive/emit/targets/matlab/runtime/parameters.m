@@ -6,7 +6,7 @@ function given = parameters(p, spanned)
     spanned = {};
   end
   if ~isstruct(p) || ~isscalar(p)
-    error('@library@:type', 'the parameters are %s; give a structure with %s', @library@.input.shown(p), strjoin(names, ', '));
+    error('@library@:type', 'the parameters are %s; give a structure with %s', @library@.checks.shown(p), strjoin(names, ', '));
   end
   unknown = setdiff(fieldnames(p), names);
   if ~isempty(unknown)
@@ -20,10 +20,10 @@ function given = parameters(p, spanned)
       continue
     end
     if ~isfield(p, name)
-      [~, text] = @library@.input.range(name);
+      [~, text] = @library@.checks.range(name);
       error('@library@:missing', '%s is missing; it is a number in %s', name, text);
     end
-    given.(name) = @library@.input.numbers(name, p.(name));
+    given.(name) = @library@.checks.numbers(name, p.(name));
     if numel(given.(name)) > 1 && count > 1 && numel(given.(name)) ~= count
       error('@library@:size', '%s has %d numbers, and another parameter has %d; give one number or as many', ...
           name, numel(given.(name)), count);

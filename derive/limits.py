@@ -40,10 +40,21 @@ STICKING = Limit(
     "say both, as page.friction(x, V, slip=lambda v: mu_k*sgn(v), holds=mu_s), or write a law "
     "that is steep there, as mu0*tanh(d*v)",
 )
+NORMAL_SPEED = Limit(
+    "a normal force that holds a speed",
+    "take its value at the speed that matters, as page.normal_force(F_L + c*V), or let it follow "
+    "the place, as page.normal_force(F_L + k*y)",
+)
+PLANE = Limit(
+    "friction in a plane, whose direction turns with the sliding",
+    "keep the direction along which it slides most, as page.friction(x, V, …), and say what "
+    "resists across it as a damper, page.damper(mu0*N/V, along=y), while |y′| is far below V",
+)
 FORCING = Limit(
     "forcing in time",
-    "let a heavy mass on a spring, a coordinate of its own, swing at that frequency and pull "
-    "by a weak spring: its start is its amplitude",
+    "let a coordinate s be the clock: add J*page.rate(s)**2/2 to the kinetic energy, and say "
+    "page.damper(c, along=s), page.force(c*w, along=s) and page.force(P*cos(s), along=x); started "
+    "at s′ = w it keeps that rate",
 )
 FRICTION_STATE = Limit(
     "friction with a state of its own",
@@ -56,6 +67,10 @@ GYROSCOPIC = Limit(
     "rates, as of a centrifugal force, is "
     "page.potential(…) with the other sign",
 )
+WITHOUT_MASS = Limit(
+    "a slider without mass",
+    "give it a mass so small that its frequency is far above all others",
+)
 FIFTH_COORDINATE = Limit(
     "more than four coordinates",
     "hold still what is stiffest, or join what moves together",
@@ -65,10 +80,13 @@ FIFTH_COORDINATE = Limit(
 LIMITS = (
     SECOND_CONTACT,
     CONTACT_DAMPING,
+    NORMAL_SPEED,
     NONLINEAR_DAMPER,
     STICKING,
+    PLANE,
     FORCING,
     FRICTION_STATE,
     GYROSCOPIC,
+    WITHOUT_MASS,
     FIFTH_COORDINATE,
 )

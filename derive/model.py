@@ -407,7 +407,7 @@ class Page:
         """A given normal force, in the place of a contact law."""
         given = expression_of(force)
         self._first(self.normal, "contact", str(limits.SECOND_CONTACT))
-        self._check_speeds(given, "the normal force")
+        self._check_speeds(given, "the normal force", limits.NORMAL_SPEED)
         self.normal = Contact(None, lambda depth: given, False, _line())
 
     def friction(
@@ -474,12 +474,11 @@ class Page:
                 f"made of {', '.join(FUNCTIONS)}, sqrt of spragsym.derive.model"
             ) from error
         if moving:
-            rates = kind == "friction" or any(
-                str(rate) in moving.split(", ") for rate in self.rates
-            )
+            rates = any(str(rate) in moving.split(", ") for rate in self.rates)
+            limit = limits.PLANE if kind == "friction" and rates else limit
+            said = f": {limit}" if kind == "friction" or rates else ""
             raise refused(
-                f"the {kind} law depends on {moving}; it is a law of the {of} "
-                f"alone{f': {limit}' if rates else ''}"
+                f"the {kind} law depends on {moving}; it is a law of the {of} alone{said}"
             )
 
     def _check_speeds(

@@ -141,7 +141,9 @@ def check_forces(model: Mechanics) -> None:
         if model.mass.row(row).is_zero_matrix:
             raise PageError(
                 entry.line,
-                f"{entry.symbol} has no inertia: the kinetic energy does not hold its rate; add it",
+                f"{entry.symbol} has no inertia: the kinetic energy does not hold its rate; "
+                "add it: "
+                f"{limits.WITHOUT_MASS}",
             )
     at_rest = [
         part.subs(dict.fromkeys(model.rates, 0))

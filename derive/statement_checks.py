@@ -308,8 +308,8 @@ def _check_places(page: Page) -> None:
             held = ", ".join(sorted(map(str, sliding.belt.free_symbols & (moving | rates))))
             raise PageError(
                 sliding.line,
-                f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed "
-                "that stays, as V",
+                f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed that "
+                f"stays, as V{f': {limits.PLANE}' if sliding.belt.free_symbols & rates else ''}",
             )
         if not sliding.belt.is_nonnegative:
             raise PageError(
@@ -317,7 +317,8 @@ def _check_places(page: Page) -> None:
                 f"the belt's speed {sliding.belt} may be negative, and equilibria take "
                 "friction along the belt's direction; let the "
                 "coordinate point along the belt, and give what stands in its speed domains "
-                "with which it is >= 0",
+                "with which it is >= 0"
+                f"{f'; {limits.PLANE}' if sliding.belt.has(sp.cos, sp.sin) else ''}",
             )
         if sliding.belt == 0:
             raise PageError(

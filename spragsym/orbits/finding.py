@@ -100,8 +100,8 @@ def cycle(
         Whether to follow the motion from a state that is not near a cycle, for up to 40 000 time
         units.
     onset : Onsets, optional
-        Of ``model.flutter_onsets``. They know their model and its parameters: ``p``, ``V``, ``d``
-        and ``near`` are left out.
+        Of :func:`~spragsym.flutter_onsets`. They know their model and its parameters: ``p``, ``V``,
+        ``d`` and ``near`` are left out.
     index : int
         The number of the onset among them.
     amplitude : float, optional

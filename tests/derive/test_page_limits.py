@@ -103,7 +103,7 @@ BEYOND: dict[str, tuple[limits.Limit, str, str, str]] = {
         "page.contact(",
     ),
     "a force with speeds": (
-        limits.CONTACT_DAMPING,
+        limits.NORMAL_SPEED,
         CONTACT,
         "page.normal_force(F_L + c * page.rate(x))",
         "page.normal_force(",
@@ -139,6 +139,30 @@ BEYOND: dict[str, tuple[limits.Limit, str, str, str]] = {
         DAMPER,
         "page.force(F_L * cos(sp.Symbol('t')), along=y)",
         "sp.Symbol",
+    ),
+    "friction in a plane": (
+        limits.PLANE,
+        LAW,
+        "lambda v: mu0 * v / sp.sqrt(v**2 + page.rate(y)**2)",
+        "page.friction(",
+    ),
+    "a belt that turns": (
+        limits.PLANE,
+        "page.friction(x, V,",
+        "page.friction(x, sp.sqrt(V**2 + page.rate(y)**2),",
+        "page.friction(",
+    ),
+    "a belt's speed of either sign": (
+        limits.PLANE,
+        "page.friction(x, V,",
+        "page.friction(x, V * cos(psi),",
+        "page.friction(",
+    ),
+    "no mass": (
+        limits.WITHOUT_MASS,
+        "more = []",
+        "more, z = [], page.coordinate('z', 'm', 'z')",
+        "more, z",
     ),
     "friction of a place": (
         limits.FRICTION_STATE,
@@ -189,6 +213,35 @@ def test_the_list_is_that_of_the_guide() -> None:
     for limit in limits.LIMITS:
         assert f"{limit.what}: {limit.instead}" in guide, limit.what
     assert {limit for limit, *_ in BEYOND.values()} == set(limits.LIMITS)
+
+
+@pytest.mark.thorough
+def test_a_forced_oscillator_by_the_clock_of_the_list() -> None:
+    """In the words of the list; x'' + k x = P cos(w t) from rest has a closed form."""
+    text = (
+        PAGE.partition("more = []")[0]
+        + """
+J, w = m * L_0**2, page.parameter("w", "1/s", "frequency of the forcing", "> 0", 1.3)
+b = page.parameter("b", "N m s", "what holds the clock", "> 0", 0.7)
+P = page.parameter("P", "N", "amplitude of the force", "> 0", 0.2)
+s = page.coordinate("s", "rad", "clock")
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2) / 2 + J*page.rate(s)**2/2)
+page.damper(b, along=s)
+page.force(b*w, along=s)
+page.force(P*cos(s), along=x)
+page.spring(k_c, along=x)
+page.spring(k, along=y)
+page.damper(c, along=y)
+page.force(-F_L * (1 + sin(psi) * a), along=y)
+page.contact(y, lambda depth: k_c * depth)
+page.friction(y, V, lambda v: mu0 * tanh(d * v))
+"""
+    )
+    model = model_of(text, "clock")
+    p = model.Parameters(kappa=0.05)
+    tr = ss.simulate(p, start=(0.0, 0.0, 0.0, 0.0, 0.0, 1.3), t_end=30.0)
+    expected = 0.2 / (1 - 1.3**2) * (np.cos(1.3 * tr.t) - np.cos(tr.t))
+    np.testing.assert_allclose(tr.x, expected, atol=1e-8)
 
 
 # ------------------------------------------------------------------------------------------------

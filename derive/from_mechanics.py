@@ -4,6 +4,7 @@ statements.
 
 from __future__ import annotations
 
+import functools
 import itertools
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
@@ -16,32 +17,49 @@ from .algebra import quotients
 if TYPE_CHECKING:
     from .model import Page
 
+#: What is said of contact and friction, by place or by name.
+_CONTACT = ("normal", "gap", "law", "unilateral", "force")
+_FRICTION = ("coefficient", "along", "belt", "law", "at_rest", "slip", "holds")
+#: How friction is said, in errors.
+_AS_FRICTION = (
+    'let the load be mu*N along the displacement, and give friction={"coefficient": mu, '
+    '"along": x, '
+    '"belt": V, "slip": lambda v: mu_k*sgn(v), "holds": mu_s}'
+)
+
 
 def page_from(
     method: Any,
     page: Page,
     coordinates: Mapping[sp.Expr, tuple[str, str]],
-    contact: tuple[Any, ...] | None = None,
-    friction: tuple[Any, ...] | None = None,
+    contact: tuple[Any, ...] | Mapping[str, Any] | None = None,
+    friction: tuple[Any, ...] | Mapping[str, Any] | None = None,
 ) -> Page:
-    """Say on a page what a ``LagrangesMethod`` or ``KanesMethod`` of SymPy holds, which is made of
-    the page's quantities.
+    """Say on a page what a method of SymPy's mechanics holds, which is made of the page's
+    quantities.
+
+    A symbol with the name of a quantity of the page is that quantity, whoever made it.
 
     Parameters
     ----------
-    method : LagrangesMethod or KanesMethod
-        Without constraints. Of Kane's the bodies have the kinetic energy, and all forces are loads.
+    method : LagrangesMethod, KanesMethod or System
+        Without constraints; a System whose equations are formed. Of Kane's the bodies have the
+        kinetic energy, and all forces are loads or, in a System, those of springs and dampers among
+        its actuators.
     page : Page
         With its units and parameters.
     coordinates : mapping
         Unit and meaning of each coordinate of the method: ``{x: ("m", "displacement along the
         belt")}``.
-    contact : tuple, optional
+    contact : tuple or mapping, optional
         The symbol that stands for the normal force in the method, the gap in its coordinates, and
-        the law.
-    friction : tuple, optional
+        the law; by name ``normal``, ``gap``, ``law`` and ``unilateral`` as ``page.contact`` has
+        them, or ``normal`` and ``force``, a given normal force.
+    friction : tuple or mapping, optional
         The symbol that stands for the friction coefficient, the displacement that friction opposes,
-        the belt's speed, the law, and what statics takes for it, if not the law at that speed.
+        the belt's speed, the law, and what statics takes for it, if not the law at that speed; by
+        name ``coefficient``, ``along``, ``belt`` and as ``page.friction`` has them ``law`` and
+        ``at_rest``, or ``slip`` and ``holds``, dry friction.
 
     Returns
     -------
@@ -54,12 +72,24 @@ def page_from(
         Where the method holds what no page can say, which is named: a constraint, a gyroscopic
         term, a force that varies in time, or one that is no spring, damper, contact or friction.
     """
-    it = _Reader(method, page, coordinates)
+    it = _Reader(_formed(method), page, coordinates)
     page.kinetic(it.kinetic)
-    forces, still = it.split(contact, friction), dict.fromkeys(it.rates, 0)
+    said = it.named("contact", contact, _CONTACT), it.named("friction", friction, _FRICTION)
+    forces, still = it.split(*said), dict.fromkeys(it.rates, 0)
     it.dampers((forces - forces.subs(still)).applyfunc(it.expanded))
     it.springs((forces.subs(still) - it.gradient(it.stored)).applyfunc(it.expanded))
     return page
+
+
+def _formed(method: Any) -> Any:
+    """The method of a System."""
+    from .model import refused
+
+    if not hasattr(method, "eom_method"):
+        return method
+    if method.eom_method is None:
+        raise refused("the System has no equations yet; call its form_eoms() before page_from")
+    return method.eom_method
 
 
 class _Reader:
@@ -98,6 +128,11 @@ class _Reader:
             dict(zip(method.q, self.places, strict=True)),
         ]
         self.frame = method._inertial if kane else method.inertial
+        if self.frame is None and self.loads:
+            raise refused(
+                "the LagrangesMethod was made without the frame in which its loads act; "
+                "give it that, as LagrangesMethod(L, [x, y], forcelist=loads, frame=frame)"
+            )
         whole = self.plain(
             sum(body.kinetic_energy(self.frame) for body in method.bodies) if kane else method._L[0]
         )
@@ -112,6 +147,9 @@ class _Reader:
     def plain(self, expression: Any) -> sp.Expr:
         """An expression in the page's symbols."""
         value = sp.sympify(expression)
+        entries = (*self.page.units, *self.page.parameters)
+        ours = {str(entry.symbol): entry.symbol for entry in entries}
+        value = value.xreplace({one: ours.get(one.name, one) for one in value.atoms(sp.Symbol)})
         for names in self.names:
             value = value.subs(names)
         if value.has(self.time):
@@ -121,12 +159,42 @@ class _Reader:
     def gradient(self, expression: sp.Expr) -> sp.Matrix:
         return sp.Matrix([expression]).jacobian(self.places).T
 
-    def split(self, contact: tuple[Any, ...] | None, friction: tuple[Any, ...] | None) -> sp.Matrix:
+    def named(
+        self, what: str, given: tuple[Any, ...] | Mapping[str, Any] | None, names: tuple[str, ...]
+    ) -> dict[str, Any]:
+        """What is said of contact or friction by its names, in the page's symbols."""
+        said = dict(given if isinstance(given, Mapping) else zip(names, given or (), strict=False))
+        needed = {"contact": ("normal",), "friction": ("coefficient", "along", "belt")}[what]
+        if said and (wrong := [*(said.keys() - {*names}), *({*needed} - said.keys())]):
+            raise self.refused(
+                f"{what}= has {', '.join(map(str, said))}, and {', '.join(map(str, wrong))} "
+                "is unknown "
+                f"or missing; its names are {', '.join(names)}"
+            )
+        return {name: self.of_page(value) for name, value in said.items()}
+
+    def of_page(self, value: Any) -> Any:
+        """An expression, or a law, in the page's symbols."""
+        if isinstance(value, sp.Basic):
+            return self.plain(value)
+        if not callable(value):
+            return value
+
+        @functools.wraps(value)
+        def law(*given: Any) -> Any:
+            return self.of_page(value(*given))
+
+        return law
+
+    def split(self, contact: dict[str, Any], friction: dict[str, Any]) -> sp.Matrix:
         """Generalized forces of the loads without those of contact and friction, which become
         statements.
         """
-        if contact is None and friction is not None:
-            raise self.refused("there is friction and no normal force; give contact=(N, gap, law)")
+        if friction and not contact:
+            raise self.refused(
+                "there is friction and no normal force; give contact=(N, gap, law), or a given "
+                'one as contact={"normal": N, "force": F_L}'
+            )
         forces = sp.zeros(len(self.places), 1)
         for point, vector in self.loads:
             velocity = (
@@ -136,15 +204,21 @@ class _Reader:
                 part.to_matrix(self.frame).applyfunc(self.plain) for part in (velocity, vector)
             )
             forces += moves.jacobian(self.rates).T * pulls
-        if contact is not None:
-            normal, gap, law = contact
-            self.page.contact(self.plain(gap), law)
-            forces -= normal * self.gradient(self.plain(gap))
-        if friction is not None:
-            coefficient, along, belt, *laws = friction
-            self.page.friction(self.plain(along), belt, *laws)
-            forces -= normal * coefficient * self.gradient(self.plain(along))
+        normal = contact.pop("normal", None)
+        if "force" in contact:
+            self.page.normal_force(**contact)
+        elif contact:
+            self.page.contact(**contact)
+            forces -= normal * self.gradient(contact["gap"])
+        if friction:
+            coefficient = friction.pop("coefficient")
+            self.page.friction(**friction)
+            forces -= normal * coefficient * self.gradient(friction["along"])
         forces = forces.applyfunc(self.expanded)
+        if jumps := [str(one) for one in forces.atoms(sp.sign) if one.has(*self.rates)]:
+            raise self.refused(
+                f"the loads hold {jumps[0]}, as those of CoulombKineticFriction do; {_AS_FRICTION}"
+            )
         known = {
             *self.places,
             *self.rates,

@@ -516,16 +516,17 @@ class Page:
 
 
 def _line() -> int:
-    """The line of the page that is being read: the innermost frame outside this file, and that of
-    other methods.
+    """The line of the page that is being read: of its innermost frame, between which and here may
+    stand SymPy's.
+
+    A page is run and never imported, so that it has no specification. Without one, of the innermost
+    frame outside of this package's.
     """
-    frame = inspect.currentframe()
-    while frame is not None and frame.f_code.co_filename in (
-        __file__,
-        page_from.__code__.co_filename,
-    ):
-        frame = frame.f_back
-    return frame.f_lineno if frame else 0
+    ours = (__file__, page_from.__code__.co_filename)
+    found = [info.frame for info in inspect.stack(0)]
+    outside = [frame for frame in found if frame.f_code.co_filename not in ours]
+    of_page = [frame for frame in outside if "__spec__" not in frame.f_globals]
+    return next((frame.f_lineno for frame in (*of_page, *outside)), 0)
 
 
 def refused(message: str) -> PageError:

@@ -104,3 +104,100 @@ def test_what_a_page_cannot_say_is_refused_by_name(
     assert before in LAGRANGE
     with pytest.raises(PageError, match=rf"^mine\.py, line \d+: .*{words}"):
         read(tmp_path, "kang_nam", LAGRANGE.replace(before, after))
+
+
+#: One coordinate with a given normal force and dry friction, from SymPy's own symbols.
+STICK_SLIP = '''"""A block on a belt."""
+import sympy as sp
+from sympy.physics.mechanics import *
+from spragsym.derive.model import Page, page_from, sgn
+page = Page("A block on a belt.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+W = page.unit("W", "N", "normal force")
+page.parameter("mu_s", "1", "static friction coefficient", ">= 0", 0.6)
+page.parameter("mu_k", "1", "kinetic friction coefficient", ">= 0", 0.4)
+page.parameter("V", "m/s", "belt speed", ">= 0", 0.5)
+mine = sp.symbols("m k W mu_s mu_k V")
+m, k, W, mu_s, mu_k, V = mine
+{stated}
+'''
+BY_METHOD = """
+X, N, mu = dynamicsymbols("x"), *sp.symbols("N mu")
+frame, origin = ReferenceFrame("frame"), Point("O")
+origin.set_vel(frame, 0)
+mass = origin.locatenew("mass", X * frame.x)
+mass.set_vel(frame, X.diff() * frame.x)
+method = LagrangesMethod((m * X.diff()**2 - k * X**2) / 2, [X], forcelist=[(mass, mu * N * frame.x)], frame=frame)
+page_from(
+    method,
+    page,
+    {X: ("m", "displacement along the belt")},
+    contact={"normal": N, "force": W},
+    friction={"coefficient": mu, "along": X, "belt": V, "slip": lambda v: mu_k * sgn(v), "holds": mu_s},
+)
+"""
+BY_SYSTEM = """
+X, U, N, mu = *dynamicsymbols("x u"), *sp.symbols("N mu")
+frame, origin = ReferenceFrame("frame"), Point("O")
+origin.set_vel(frame, 0)
+system = System(frame, origin)
+body = Particle("P", origin.locatenew("mass", X * frame.x), m)
+body.masscenter.set_vel(frame, U * frame.x)
+system.add_bodies(body)
+system.q_ind, system.u_ind, system.kdes = [X], [U], [X.diff() - U]
+system.add_loads(Force(body.masscenter, mu * N * frame.x))
+system.add_actuators(LinearSpring(k, LinearPathway(origin, body.masscenter)))
+system.form_eoms()
+page_from(system,""" + BY_METHOD.partition("page_from(\n    method,")[2]
+BY_HAND = """
+m, k, W, mu_s, mu_k, V = (one.symbol for one in (*page.units, *page.parameters))
+x = page.coordinate("x", "m", "displacement along the belt")
+page.kinetic(m * page.rate(x) ** 2 / 2)
+page.spring(k, along=x)
+page.normal_force(W)
+page.friction(x, V, slip=lambda v: mu_k * sgn(v), holds=mu_s)
+"""
+
+
+def algebra_of(folder_: Path, stated: str) -> str:
+    path = folder_ / "block.py"
+    path.write_text(STICK_SLIP.format(stated=stated), encoding="utf-8")
+    return folder.render(pages.read(path), "")["algebra.py"]
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("stated", [BY_METHOD, BY_SYSTEM], ids=["Lagrange", "System"])
+def test_dry_friction_and_a_given_normal_force_by_name(stated: str, tmp_path: Path) -> None:
+    """From symbols that SymPy made itself, with the names of the page's quantities."""
+    assert algebra_of(tmp_path, stated) == algebra_of(tmp_path, BY_HAND)
+
+
+@pytest.mark.parametrize(
+    ("stated", "before", "after", "place", "words"),
+    [
+        (BY_METHOD, ", frame=frame", "", "page_from(", "without the frame"),
+        (BY_METHOD, '"force": W', '"pull": W', "page_from(", "pull is unknown or missing"),
+        (BY_METHOD, "mu * N", "sp.cos(dynamicsymbols._t) * N", "page_from(", "forcing in time"),
+        (BY_METHOD, "mu * N", "-mu_k * W * sp.sign(X.diff())", "page_from(", "CoulombKinetic"),
+        (BY_SYSTEM, "system.form_eoms()", "", "page_from(", "call its form_eoms"),
+        (
+            BY_SYSTEM,
+            "LinearSpring(k, ",
+            "CoulombKineticFriction(mu_k, W, ",
+            "page_from(",
+            "CoulombKineticFriction do; let the load be mu.N along",
+        ),
+    ],
+)
+def test_a_method_is_refused_by_the_line_of_the_file_of_the_user(
+    stated: str, before: str, after: str, place: str, words: str, tmp_path: Path
+) -> None:
+    text = STICK_SLIP.format(stated=stated.replace(before, after))
+    lines = text.splitlines()
+    first = next(number for number, line in enumerate(lines, 1) if line.startswith(place))
+    (tmp_path / "block.py").write_text(text, encoding="utf-8")
+    with pytest.raises(PageError, match=words) as refused:
+        pages.read(tmp_path / "block.py")
+    line = int(str(refused.value).partition("line ")[2].partition(":")[0])
+    assert first <= line <= len(lines)

@@ -2,6 +2,7 @@
 docstring's examples.
 """
 
+import ast
 import contextlib
 import doctest
 import importlib
@@ -10,6 +11,7 @@ import pkgutil
 import re
 import subprocess
 import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -275,3 +277,99 @@ def test_what_the_glossary_names_is_there() -> None:
     for path in named:
         module, _, name = path.rpartition(".")
         assert hasattr(importlib.import_module(f"spragsym.{module}"), name), path
+
+
+# ------------------------------------------------------------------------------------------------
+# names in texts
+
+#: What a name in a text begins with → what it then is a name of.
+ROOTS: dict[str, Callable[[], object]] = {
+    "ss": lambda: spragsym,
+    "spragsym": lambda: spragsym,
+    "model": lambda: spragsym.load("kang_nam"),
+    "page": lambda: pytest.importorskip("spragsym.derive.model").Page("A page."),
+    "p": lambda: spragsym.load("kang_nam").Parameters(theta0=0.8),
+}
+NAME = re.compile(rf"(?<![\w./\"'-])({'|'.join(ROOTS)})((?:\.[a-zA-Z_]\w*)+)(?![\w/]|-\w)")
+#: Endings of files, which may begin as names do.
+FILES = (
+    "py",
+    "toml",
+    "json",
+    "csv",
+    "md",
+    "html",
+    "fmu",
+    "svg",
+    "pdf",
+    "png",
+    "npz",
+    "h5",
+    "h",
+    "c",
+    "mjs",
+    "ts",
+)
+
+
+def names_in(code: str) -> set[tuple[str, str]]:
+    """Names of the package, of models, pages and parameters in a piece of code, each with what it
+    begins with.
+    """
+    found = {(match[1], match[2][1:]) for match in NAME.finditer(code)}
+    return {(root, path) for root, path in found if path.rpartition(".")[2] not in FILES}
+
+
+def is_there(root: object, path: str) -> bool:
+    """Whether the first names of a path are there, as far as values are known without a call."""
+    for name in path.split("."):
+        if name in getattr(root, "__annotations__", {}):  # a field of a record
+            return True
+        if not hasattr(root, name):
+            if not inspect.ismodule(root):
+                return False
+            try:
+                importlib.import_module(f"{root.__name__}.{name}")
+            except ImportError:
+                return False
+        root = getattr(root, name)
+    return True
+
+
+def texts() -> Iterator[tuple[str, str]]:
+    """Pieces of code in pages and docstrings, each with where it stands."""
+    for page in (
+        README,
+        ROOT / "CONTRIBUTING.md",
+        ROOT / "CHANGELOG.md",
+        *sorted(DOCS.glob("*.md")),
+    ):
+        whole = page.read_text(encoding="utf-8")
+        blocks = re.findall(r"^```(?:python|\{code-cell\} python)\n(.*?)^```$", whole, re.M | re.S)
+        spans = re.findall(r"`([^`\n]+)`", re.sub(r"^```.*?^```$", "", whole, flags=re.M | re.S))
+        yield from ((page.name, code) for code in (*blocks, *spans))
+    for folder in ("spragsym", "derive"):
+        for path in sorted((ROOT / folder).rglob("*.py")):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                kinds = (ast.Module, ast.ClassDef, ast.FunctionDef)
+                if isinstance(node, kinds) and (said := ast.get_docstring(node)):
+                    of = f"{path.relative_to(ROOT)}, {getattr(node, 'name', 'its head')}"
+                    yield from ((of, code) for code in re.findall(r"`~?([^`\n]+)`", said))
+
+
+@pytest.mark.thorough
+def test_names_in_texts_are_there() -> None:
+    """Of the package, of models, pages and parameters, in guides and docstrings; not
+    `model.equilibria`, which no model has.
+    """
+    library = pytest.importorskip("spragsym.derive.kang_nam.library")
+    known = {root: make() for root, make in ROOTS.items()}
+    of_octave = {Path(name).stem for name in library.exported("matlab")}
+    missing = {
+        (where, f"{root}.{path}")
+        for where, code in texts()
+        for root, path in names_in(code)
+        if not is_there(known[root], path)
+        and not (where == "howto_languages.md" and path.partition(".")[0] in of_octave)
+    }
+    assert missing == set()

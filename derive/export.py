@@ -150,7 +150,7 @@ def material(
         "Do not edit.",
         library=library(model.name),
         summary=model.page.summary,
-        runtime={"c": {"main.c": _example(model)}},
+        runtime=_examples(model),
         angles={named(angle.symbol): tuple(map(named, angle.parts)) for angle in it.angles},
         of_a_page=True,
     )
@@ -272,24 +272,71 @@ def _base(it: Mechanics, datum: Datum) -> float:
     return datum.base if datum.base is not None else math.pi / 4 if datum.becomes in angles else 1.0
 
 
-def _example(model: pages.Model) -> str:
-    """An example in C: a motion at the base values."""
+#: Files of examples, and how each language says a cosine and a sine, a text and a choice.
+_EXAMPLES = {
+    "c": ("main.c", "", '"{}"', "{} ? {} : {}"),
+    "javascript": ("example.mjs", "Math.", '"{}"', "{} ? {} : {}"),
+    "matlab": ("example_motion.m", "", "'{}'", "{1}"),
+    "jax": ("example.py", "", '"{}"', "{1} if {0} else {2}"),
+    "casadi": ("example.py", "", '"{}"', "{1} if {0} else {2}"),
+}
+
+
+def _examples(model: pages.Model) -> dict[str, dict[str, str]]:
+    """By language, an example: a motion at the base values."""
     it = model.mechanics
-    count = len(it.coordinates)
-    names = [datum.becomes for datum in it.parameters]
-    values = [repr(_base(it, datum)) for datum in it.parameters]
-    opens = it.unilateral and it.gap is not None
-    words = {
+    count, opens = len(it.coordinates), it.unilateral and it.gap is not None
+    values = {number(datum): repr(_base(it, datum)) for datum in it.parameters}
+    common = {
         "count": str(count),
         "library": library(model.name),
         "LIBRARY": library(model.name).upper(),
-        "values": ", ".join(values) or "0.0",
-        "names": ", ".join(names) or "none",
+        "values": ", ".join(values.values()) or "0.0",
+        "names": ", ".join(map(str, values)) or "none",
         "state": ", ".join(f"state[{place}]" for place in range(2 * count)),
-        "given": ", ".join(f"p[{place}]" for place in range(len(names))),
-        "pushing": "border[0] <= 0.0 ? 1.0 : 0.0" if opens else "1.0",
-        "touching": 'border[0] <= 0.0 ? "contact" : "lift-off"' if opens else '""',
+        "given": ", ".join(f"p[{place}]" for place in range(len(values))),
         "shown": "  ".join(f"{name} %+.9f" for name in (*it.coordinates, *it.rates)),
     }
-    filled = targets.spoken(targets.runtime(__file__, "c/main.c"), words)
-    return "\n".join(broken(line) if len(line) > WIDTH else line for line in filled.split("\n"))
+
+    def filled(language: str) -> str:
+        name, of, text, choice = _EXAMPLES[language]
+        gap = "border[0]" if language == "c" else "gap"
+
+        def either(one: str, other: str) -> str:
+            """By the gap: of MATLAB, which has no choice in an expression, an element of both."""
+            if not opens:
+                return one
+            if language == "matlab":
+                return f"{{{one}, {other}}}{{1 + ({gap} > 0)}}"
+            return choice.format(f"{gap} <= 0{'.0' * (language == 'c')}", one, other)
+
+        taken = [
+            f"{of}{'cos' if place else 'sin'}({values[symbol]})"
+            if part != symbol
+            else values[symbol]
+            for symbol in values
+            for part, place in _placed(it.parts(symbol))
+        ]
+        words = common | {
+            "arguments": ", ".join(taken),
+            "shown_names": ", ".join(text.format(name) for name in (*it.coordinates, *it.rates)),
+            "pushing": either("1.0", "0.0"),
+            "touching": either(text.format("contact"), text.format("lift-off"))
+            if opens
+            else text.format(""),
+        }
+        if language == "matlab":
+            words["library"] += "_"
+        template = name.replace(".py", ".txt")  # no Python until it is filled in
+        whole = targets.spoken(targets.runtime(__file__, f"{language}/{template}"), words)
+        return "\n".join(
+            broken(line) if language == "c" and len(line) > WIDTH else line
+            for line in whole.split("\n")
+        )
+
+    return {language: {name: filled(language)} for language, (name, *_) in _EXAMPLES.items()}
+
+
+def _placed(parts: tuple[sp.Symbol, ...]) -> list[tuple[sp.Symbol, bool]]:
+    """Arguments that stand for a parameter, and whether each is the cosine of an angle."""
+    return [(part, part is parts[-2]) if len(parts) > 1 else (part, False) for part in parts]

@@ -6,6 +6,7 @@ import math
 import re
 import shutil
 import subprocess
+import sys
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -87,6 +88,26 @@ def test_an_export_gives_the_numbers_of_python(language: str, name: str, tmp_pat
         np.testing.assert_allclose(
             ours, call.results, rtol=1e-13, atol=close, err_msg=call.function
         )
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("language", sorted(RUN.keys() - {"c"}))
+def test_an_example_moves_as_python_does(language: str, tmp_path: Path) -> None:
+    """With steps that are not cut at kinks, and nothing said besides."""
+    needed, there, _ = RUN[language]
+    if there is None:
+        pytest.skip(f"there is no {needed} on this machine")
+    out = export("pressed", language, tmp_path / "out")
+    (example,) = out.glob("example*")
+    program = {"javascript": [there], "matlab": [there, "--norc", "-q"]}.get(language)
+    command = [*(program or [sys.executable]), example.name]
+    done = subprocess.run(command, cwd=out, capture_output=True, text=True, timeout=120)
+    assert "shadows" not in done.stderr
+    said = next(line for line in done.stdout.splitlines() if line.split()[:2] == ["time", "8.0"])
+    tr = ss.simulate(a_set("pressed", 45.0), t_end=8.0)
+    for component, value in zip(tr.components, tr(8.0), strict=True):
+        told = said.split()[said.split().index(component) + 1]
+        assert float(told) == pytest.approx(value, abs=4e-3)
 
 
 # ------------------------------------------------------------------------------------------------

@@ -13,6 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 
@@ -21,7 +22,7 @@ from spragsym.derive.emit import targets
 from spragsym.derive.kang_nam import library
 from tests.oracles import languages
 from tests.oracles.languages import NODE, OCTAVE
-from tests.shown import DOCS, programs, run
+from tests.shown import DOCS, commands, programs, run
 from tests.support import ROOT
 
 PAGE = ROOT / "CONTRIBUTING.md"
@@ -91,6 +92,16 @@ def test_programs_of_the_page_print_what_it_shows(
         assert ran(program).startswith(output)
 
 
+def test_the_program_of_the_page_in_python_prints_what_it_shows(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    shown = programs(DOCS / "howto_languages.md", "python")
+    ((program, output),) = (one for one in shown if "mpmath" in one[0])
+    with mpmath.workdps(15):
+        exec(program, {})
+    assert capsys.readouterr().out == output
+
+
 @pytest.mark.thorough
 @pytest.mark.parametrize("language", ["casadi", "jax"])
 def test_a_library_that_differentiates_has_our_jacobians_and_finds_the_design(
@@ -120,7 +131,9 @@ def test_a_library_that_differentiates_has_our_jacobians_and_finds_the_design(
         for it in (space["rhs"](*sliding), space["regime_rhs"](*row.values()))
     )
     np.testing.assert_allclose(kinked, smooth)
-    run(f"spragsym export --language {language} --model kang_nam --out .", tmp_path)
+    for command, output in commands(DOCS / "howto_languages.md"):
+        if f"--language {language} --model" in command:
+            assert run(command, tmp_path) == output
     ((program, shown),) = (
         one
         for one in programs(DOCS / "howto_languages.md", "python")

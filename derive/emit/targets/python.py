@@ -50,7 +50,9 @@ def render(material: Material, module: str, where: str, names: Mapping[str, str]
     called = {"abs": "_abs", "sign": "_sign"}
     ports = {name: called.get(name, f"xp.{name}") for name in NAMES} | dict(names)
     body = "\n\n\n".join(_function(function, material.angles, ports) for function in functions)
-    return {f"{material.library}.py": f'"""{said}\n"""\n{head}{body}\n'}
+    language = "jax" if where == "where" else "casadi"
+    own = material.runtime.get(language, {})
+    return own | {f"{material.library}.py": f'"""{said}\n"""\n{head}{body}\n'}
 
 
 def _expression(text: str, ports: Mapping[str, str]) -> str:

@@ -43,7 +43,7 @@ def render(material: Material) -> dict[str, str]:
     if material.kernel.routines:
         routines = (*kernel.render(material), *(runtime(__file__, name) for name in _PRIMITIVES))
         texts[f"{package}/kernel.m"] = _namespace("kernel", material.kernel.summary, routines)
-    if own:
+    if any(not name.startswith(_EXAMPLE) for name in own):
         checks = (*(runtime(__file__, name) for name in _INPUT), _ranges(material))
         texts[f"{package}/checks.m"] = _namespace("checks", "Checks of what is given.", checks)
     texts |= {

@@ -276,7 +276,7 @@ def _base(it: Mechanics, datum: Datum) -> float:
 _EXAMPLES = {
     "c": ("main.c", "", '"{}"', "{} ? {} : {}"),
     "javascript": ("example.mjs", "Math.", '"{}"', "{} ? {} : {}"),
-    "matlab": ("example_motion.m", "", "'{}'", "{1}"),
+    "matlab": ("example.m", "", "'{}'", "{1}"),
     "jax": ("example.py", "", '"{}"', "{1} if {0} else {2}"),
     "casadi": ("example.py", "", '"{}"', "{1} if {0} else {2}"),
 }
@@ -334,7 +334,12 @@ def _examples(model: pages.Model) -> dict[str, dict[str, str]]:
             for line in whole.split("\n")
         )
 
-    return {language: {name: filled(language)} for language, (name, *_) in _EXAMPLES.items()}
+    own = f"example_{library(model.name)}."
+    named = {
+        language: name if language == "c" else own + name.partition(".")[2]
+        for language, (name, *_) in _EXAMPLES.items()
+    }
+    return {language: {name: filled(language)} for language, name in named.items()}
 
 
 def _placed(parts: tuple[sp.Symbol, ...]) -> list[tuple[sp.Symbol, bool]]:

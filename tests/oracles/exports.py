@@ -54,7 +54,7 @@ def in_c(folder: Path, asked: Sequence[Call]) -> list[float]:
 
 
 def in_node(folder: Path, asked: Sequence[Call]) -> list[float]:
-    (module,) = (path for path in folder.glob("*.mjs") if path.name != "example.mjs")
+    (module,) = (path for path in folder.glob("*.mjs") if not path.name.startswith("example_"))
     program = f'import {{ algebra }} from "./{module.name}";\n'
     program += f"const calls = {json.dumps([(one.function, one.given) for one in asked])};\n"
     program += (
@@ -85,7 +85,7 @@ def in_octave(folder: Path, asked: Sequence[Call]) -> list[float]:
 
 def in_this_process(folder: Path, asked: Sequence[Call]) -> list[float]:
     """Of a module of Python, to which an angle is given as itself, and no direction of a spring."""
-    (module,) = (path for path in folder.glob("*.py") if path.name != "example.py")
+    (module,) = (path for path in folder.glob("*.py") if not path.name.startswith("example_"))
     exported, found = dict[str, Any](), list[float]()
     exec(module.read_text(encoding="utf-8"), exported)
     for call in asked:

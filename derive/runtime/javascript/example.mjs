@@ -1,5 +1,5 @@
 // A motion of @library@ from rest at its base values: coordinates, rates and energy, and whether
-// the contact is closed. Run with `node example.mjs`.
+// the contact is closed. Run with `node example_@library@.mjs`.
 import { algebra } from "./@library@.mjs";
 
 const COUNT = @count@;

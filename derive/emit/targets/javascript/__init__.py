@@ -10,7 +10,7 @@ import textwrap
 from .. import Material, ranges, runtime
 from . import algebra, kernel
 
-_EXAMPLE = "example.mjs"
+_EXAMPLE = "example"
 _OF_A_SOLVER = (
     "Names are those of the Python package and of the C library. The solver throws at bad "
     "input: TypeError for what is no number or has "
@@ -28,7 +28,9 @@ def render(material: Material) -> dict[str, str]:
     """The module, its declarations, and an example."""
     own = material.runtime.get("javascript", {})
     parts = [
-        text for name, text in sorted(own.items()) if name.endswith(".mjs") and name != _EXAMPLE
+        text
+        for name, text in sorted(own.items())
+        if name.endswith(".mjs") and not name.startswith(_EXAMPLE)
     ]
     solver = (
         [runtime(__file__, "kernel.mjs"), kernel.render(material)]
@@ -47,7 +49,7 @@ def render(material: Material) -> dict[str, str]:
         f"{library}.mjs": "\n".join(module),
         f"{library}.d.ts": runtime(__file__, "library.d.ts"),
         f"{library}.d.mts": runtime(__file__, "library.d.mts"),
-        **{name: text for name, text in own.items() if name == _EXAMPLE},
+        **{name: text for name, text in own.items() if name.startswith(_EXAMPLE)},
     }
     marked = re.compile(r"// @(\w+)@\n|@(\w+)@")
     return {

@@ -51,8 +51,7 @@ class UnknownInput(LookupError):
     """An input that is no quantity of the page."""
 
 
-#: Of forces, energy and power: what each is, the unit of which it is in SI, and the order of its
-#: derivative by time.
+#: Of forces, energy and power: what each is, its unit in SI, and the order of its derivative.
 _OUTPUTS = {
     "force.normal": ("normal force of the contact", "N", 0),
     "force.friction": ("force of friction, positive in the belt's direction", "N", 0),
@@ -73,10 +72,10 @@ def export(
     data: Data | None = None,
     inputs: Collection[str] = (),
 ) -> dict[str, str]:
-    """The files of a page's library in a language, by their names; it has the model's ``name``, and
-    data if there are any.
+    """The files of a page's library in a language, by their names.
 
-    Of an FMU, ``inputs`` are the quantities that other models drive; the others are parameters.
+    It has the model's ``name``, and data if there are any. Of an FMU, ``inputs`` are the quantities
+    that other models drive; the others are parameters.
     """
     model = pages.read(page, name)
     whole = targets.packer(written_in) is not None

@@ -23,8 +23,7 @@ _FRICTION = ("coefficient", "along", "belt", "law", "at_rest", "slip", "holds")
 #: How friction is said, in errors.
 _AS_FRICTION = (
     'let the load be mu*N along the displacement, and give friction={"coefficient": mu, '
-    '"along": x, '
-    '"belt": V, "slip": lambda v: mu_k*sgn(v), "holds": mu_s}'
+    '"along": x, "belt": V, "slip": lambda v: mu_k*sgn(v), "holds": mu_s}'
 )
 
 
@@ -35,8 +34,7 @@ def page_from(
     contact: tuple[Any, ...] | Mapping[str, Any] | None = None,
     friction: tuple[Any, ...] | Mapping[str, Any] | None = None,
 ) -> Page:
-    """Say on a page what a method of SymPy's mechanics holds, which is made of the page's
-    quantities.
+    """Say on a page what a method of SymPy's mechanics holds, made of the page's quantities.
 
     A symbol with the name of a quantity of the page is that quantity, whoever made it.
 
@@ -44,8 +42,8 @@ def page_from(
     ----------
     method : LagrangesMethod, KanesMethod or System
         Without constraints; a System whose equations are formed. Of Kane's the bodies have the
-        kinetic energy, and all forces are loads or, in a System, those of springs and dampers among
-        its actuators.
+        kinetic energy, and all forces are loads or, in a System, those of springs and dampers
+        among its actuators.
     page : Page
         With its units and parameters.
     coordinates : mapping
@@ -167,9 +165,9 @@ class _Reader:
         needed = {"contact": ("normal",), "friction": ("coefficient", "along", "belt")}[what]
         if said and (wrong := [*(said.keys() - {*names}), *({*needed} - said.keys())]):
             raise self.refused(
-                f"{what}= has {', '.join(map(str, said))}, and {', '.join(map(str, wrong))} "
-                "is unknown "
-                f"or missing; its names are {', '.join(names)}"
+                f"{what}= has {', '.join(map(str, said))}, and "
+                f"{', '.join(map(str, wrong))} is unknown or missing; its names are "
+                f"{', '.join(names)}"
             )
         return {name: self.of_page(value) for name, value in said.items()}
 

@@ -516,11 +516,10 @@ class Page:
 
 
 def _line() -> int:
-    """The line of the page that is being read: of its innermost frame, between which and here may
-    stand SymPy's.
+    """The line of the page that is being read: of its innermost frame.
 
-    A page is run and never imported, so that it has no specification. Without one, of the innermost
-    frame outside of this package's.
+    Frames of SymPy may stand between. A page is run and never imported, so that it has no
+    specification; where none is read, it is the line of the innermost frame outside these files.
     """
     ours = (__file__, page_from.__code__.co_filename)
     found = [info.frame for info in inspect.stack(0)]

@@ -74,8 +74,8 @@ class Motion:
 
     @cached_property
     def side(self) -> sp.Expr:
-        """The sign of the sliding speed; where nothing slides 1, or of a friction that holds the
-        mode that the motion goes on in.
+        """The sign of the sliding speed; where nothing slides 1, or of a friction that holds
+        that of the mode in which the motion goes on.
         """
         if not self.model.holds:
             return reached(self.borders[1])
@@ -297,8 +297,8 @@ class Motion:
 
     @cached_property
     def outputs(self) -> dict[str, sp.Expr]:
-        """Forces, energy and power in a smooth regime, each with its name; in MU, or in the
-        FRICTION that holds.
+        """Forces, energy and power in a smooth regime, by name; in MU, or the FRICTION that
+        holds.
         """
         it = self.model
         force = FRICTION if it.holds else self.friction_force
@@ -388,9 +388,7 @@ def directions(model: Mechanics) -> Names:
 
 
 def outputs(model: Mechanics) -> Module:
-    """Forces, energy and power of a motion with their derivatives, for exports that hand them over
-    as one.
-    """
+    """Forces, energy and power of a motion with their derivatives, for an export as a whole."""
     motion = Motion(model)
     place = (*model.coordinates, *model.rates)
     regime = (*place, *model.arguments, PUSHING, SIDE, *laws.near(len(laws.layers(model))))
@@ -427,8 +425,7 @@ def outputs(model: Mechanics) -> Module:
             ),
             of_page(
                 "output_slopes",
-                "Their derivatives by coordinates, rates and all parameters, an angle as the "
-                "angle.",
+                "Their derivatives by coordinates, rates and parameters, an angle as the angle.",
                 taken,
                 slopes,
                 "((∂out_1/∂q_1, …, ∂out_1/∂v_1, …, ∂out_1/∂p_1, …), …)",
@@ -523,11 +520,8 @@ def module(model: Mechanics) -> Module:
         (
             of_page(
                 "rhs",
-                "Accelerations, kinked where a border is zero: there those of contact, and of "
-                "the belt ahead."
-                if model.polynomial
-                else "Accelerations, kinked where a border is zero: there those of lift-off, and "
-                "of the belt ahead.",
+                "Accelerations, kinked where a border is zero: there those of "
+                f"{'contact' if model.polynomial else 'lift-off'}, and of the belt ahead.",
                 moving,
                 motion.accelerations,
                 "(q_1″, …)",

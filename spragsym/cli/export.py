@@ -37,8 +37,7 @@ from .output import refuse, write
     "inputs",
     multiple=True,
     metavar="NAME",
-    help="Of an FMU: a quantity that other models drive, as a belt speed or a load; may be "
-    "repeated.",
+    help="Of an FMU: a quantity that other models drive, as a belt speed; may be repeated.",
 )
 @o.trust
 @o.force

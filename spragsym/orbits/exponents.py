@@ -282,9 +282,9 @@ class Rates:
             )
         if across.max() < 0:
             return (
-                "all exponents but the trivial one are negative: what it nears attracts, a "
-                "cycle that "
-                "a longer motion may reach, or a steady drift, in which a coordinate grows for ever"
+                "all exponents but the trivial one are negative: what it nears attracts, a cycle "
+                "that a longer motion may reach, or a steady drift, in which a coordinate "
+                "grows for ever"
             )
         if len(across) == 1:
             return (

@@ -1,6 +1,4 @@
-"""Libraries that differentiate, JAX and CasADi: precisions of 32 and 64 bits, and one side of every
-border.
-"""
+"""JAX and CasADi: precisions of 32 and 64 bits, and one side of every border."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -42,9 +40,7 @@ def test_all_functions_of_a_model_are_right_in_either_precision(name: str) -> No
 
 
 def check_precisions(functions: Functions, rng: np.random.Generator) -> None:
-    """All functions and their derivatives under jit, grad and vmap; 32 bits are within their
-    rounding of 64.
-    """
+    """All functions and derivatives under jit, grad and vmap; 32 bits are within rounding of 64."""
     jax = pytest.importorskip("jax")
     taken = {it: list(inspect.signature(function).parameters) for it, function in functions.items()}
     names = sorted({one for of in taken.values() for one in of})
@@ -113,9 +109,7 @@ def of_page(folder: Path, language: str, contact: str, friction: str) -> Functio
 @pytest.mark.thorough
 @pytest.mark.parametrize("seed", range(4))
 def test_jax_takes_any_root_or_logarithm_in_the_contact(seed: int, tmp_path: Path) -> None:
-    """Laws drawn at random, of which the tiny depth in lift-off was a whole number beyond 32
-    bits.
-    """
+    """Laws drawn at random; the depth in lift-off was a whole number beyond 32 bits."""
     rng = np.random.default_rng([75, seed])
     top, under = rng.integers(3, 8, 2)
     power = f"(depth / L_0) ** (1 + Rational({top}, {under}))"
@@ -129,9 +123,7 @@ def test_jax_takes_any_root_or_logarithm_in_the_contact(seed: int, tmp_path: Pat
 def test_a_border_has_the_derivatives_of_contact_and_of_the_belt_ahead(
     friction: str, side: float, language: str, tmp_path: Path
 ) -> None:
-    """At y = 0 and x' = V: those of differences into that side, and of the regime; where friction
-    holds, sticking.
-    """
+    """At y = 0 and x' = V: of differences into that side, and of the regime."""
     pytest.importorskip(language)
     rng = np.random.default_rng(14)
     functions = of_page(tmp_path, language, "k_c * depth", friction)

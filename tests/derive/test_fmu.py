@@ -155,9 +155,7 @@ def test_steps_are_right_with_event_mode_or_early_return_or_without(
 
 @pytest.mark.thorough
 def test_a_driven_belt_leaves_the_mass_its_speed(stick_slip: str) -> None:
-    """Stuck at speed 0.5 on a belt that slows to 0.1: x + mu_k oscillates until the speeds are
-    equal.
-    """
+    """Stuck on a belt that slows to 0.1: x + mu_k oscillates until the speeds are equal."""
     signals = np.array(
         [(0.0, 0.5), (0.5, 0.5), (0.5, 0.1), (9.0, 0.1)], dtype=[("time", float), ("V", float)]
     )

@@ -128,13 +128,16 @@ frame, origin = ReferenceFrame("frame"), Point("O")
 origin.set_vel(frame, 0)
 mass = origin.locatenew("mass", X * frame.x)
 mass.set_vel(frame, X.diff() * frame.x)
-method = LagrangesMethod((m * X.diff()**2 - k * X**2) / 2, [X], forcelist=[(mass, mu * N * frame.x)], frame=frame)
+loads = [(mass, mu * N * frame.x)]
+method = LagrangesMethod((m * X.diff()**2 - k * X**2) / 2, [X], forcelist=loads, frame=frame)
 page_from(
     method,
     page,
     {X: ("m", "displacement along the belt")},
     contact={"normal": N, "force": W},
-    friction={"coefficient": mu, "along": X, "belt": V, "slip": lambda v: mu_k * sgn(v), "holds": mu_s},
+    friction={
+        "coefficient": mu, "along": X, "belt": V, "slip": lambda v: mu_k * sgn(v), "holds": mu_s
+    },
 )
 """
 BY_SYSTEM = """

@@ -313,9 +313,7 @@ FILES = (
 
 
 def names_in(code: str) -> set[tuple[str, str]]:
-    """Names of the package, of models, pages and parameters in a piece of code, each with what it
-    begins with.
-    """
+    """Names of the package, models, pages and parameters in code, each with its beginning."""
     found = {(match[1], match[2][1:]) for match in NAME.finditer(code)}
     return {(root, path) for root, path in found if path.rpartition(".")[2] not in FILES}
 
@@ -359,9 +357,7 @@ def texts() -> Iterator[tuple[str, str]]:
 
 @pytest.mark.thorough
 def test_names_in_texts_are_there() -> None:
-    """Of the package, of models, pages and parameters, in guides and docstrings; not
-    `model.equilibria`, which no model has.
-    """
+    """Of the package, models, pages and parameters; not `model.equilibria`, which none has."""
     library = pytest.importorskip("spragsym.derive.kang_nam.library")
     known = {root: make() for root, make in ROOTS.items()}
     of_octave = {Path(name).stem for name in library.exported("matlab")}

@@ -52,13 +52,11 @@ def render(material: Material, module: str, where: str, names: Mapping[str, str]
     body = "\n\n\n".join(_function(function, material.angles, ports) for function in functions)
     language = "jax" if where == "where" else "casadi"
     own = material.runtime.get(language, {})
-    return own | {f"{material.library}.py": f'"""{said}\n"""\n{head}{body}\n'}
+    return {**own, f"{material.library}.py": f'"""{said}\n"""\n{head}{body}\n'}
 
 
 def _expression(text: str, ports: Mapping[str, str]) -> str:
-    """The expression on the library's names; a whole number beyond 32 bits, JAX's by default, is a
-    float.
-    """
+    """The expression on the library's names; a whole number beyond JAX's 32 bits is a float."""
     return re.sub(r"(?<![\w.])\d{10,}(?![\w.])", r"\g<0>.0", ported(text, ports))
 
 

@@ -38,8 +38,9 @@ def broadcasting(module: dict[str, Any]) -> list[str]:
 def everywhere(
     borders: Callable[..., Any], regime: Callable[..., Any], at: tuple[Any, ...], xp: Any
 ) -> Any:
-    """What a function of regimes gives at a place, with all exponentials felt; a border is
-    contact's and the belt's ahead.
+    """What a function of regimes gives at a place, with all exponentials felt.
+
+    A border is contact's, and that of the belt ahead.
     """
     level, smooth = unwrap(borders), unwrap(regime)
     gap, slip = level(*at, xp=xp) if level.__kwdefaults__ else level(*at)

@@ -234,8 +234,9 @@ def _quantity(one: Variable) -> str:
 
 
 def _ends(one: Variable) -> tuple[float, float]:
-    """The least and the largest double that is allowed: FMI has no open ends; 0 is the least normal
-    one.
+    """The least and the largest double that is allowed: FMI has no open ends.
+
+    Beside an open 0 it is the least normal one.
     """
     low, high = one.allowed.low, one.allowed.high
     above, below = (

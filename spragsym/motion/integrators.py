@@ -61,15 +61,15 @@ def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:
     named, or an error.
     """
     if backend is None:
-        return next(name for name in offered if _is_there(name))
+        return next(name for name in offered if is_there(name))
     if backend not in offered:
         raise ParameterError(
             f"backend = {backend!r} is not one of {', '.join(offered)}; leave it out for the "
             "fastest"
         )
-    if not _is_there(backend) and backend == "heyoka":
+    if not is_there(backend) and backend == "heyoka":
         raise MissingExtraError("backend='heyoka'", "heyoka", "fast")
-    if not _is_there(backend):
+    if not is_there(backend):
         raise BackendError(
             "the backend 'compiled' was not built, for want of a C compiler or for a "
             "derivation that has changed since; "
@@ -78,7 +78,7 @@ def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:
     return backend
 
 
-def _is_there(backend: str) -> bool:
+def is_there(backend: str) -> bool:
     if backend == "compiled":
         return with_compiled.available()
     return backend != "heyoka" or importlib.util.find_spec("heyoka") is not None
@@ -100,9 +100,11 @@ def integrate(problem: Problem, backend: str) -> Solution:
     reuse_memory()
     try:
         solution: Solution = _INTEGRATORS[backend].integrate(problem)
+        used: float = _INTEGRATORS[backend].tolerance(problem)
     except StiffError:
         solution = Flight(replace(problem, max_steps=None), stiff=True).motion()
-    return without_chatter(solution, problem)
+        used = with_scipy.tolerance(problem, stiff=True)
+    return replace(without_chatter(solution, problem), rtol=used)
 
 
 def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exception]:

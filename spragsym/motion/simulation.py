@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from ..display import Table, caption, words
 from ..error_states import in_usual_state
-from ..errors import ParameterError, ParameterTypeError, hint, one_of
+from ..errors import ConvergenceError, ParameterError, ParameterTypeError, hint, one_of
 from ..files import storage
 from ..models import forces
 from ..models.field import SETTLED, Field
@@ -34,7 +34,7 @@ from . import integrators
 from .classify import classify
 from .lobatto import PiecewisePolynomial
 from .measures import Course, Spectrum, course_of, spectrum_of
-from .problem import MAX_STEPS, Event, Problem, prepare
+from .problem import MAX_STEPS, RELATIVE_TOLERANCE, Event, Problem, prepare
 from .regimes import Outcome, Regime
 from .return_map import Onward
 from .solution import Events, events_of
@@ -80,7 +80,9 @@ def simulate(
     events : bool
         Keep the events.
     estimate_error : bool
-        Run again, at rtol/100 or the tightest there is, and keep the difference as ``error``.
+        Run again, at rtol/100 or the tightest there is, and keep the difference as ``error``. Where
+        that would repeat the steps, as on curved borders, whose tolerance is fixed, the run is
+        another backend's.
     backend : {"heyoka", "compiled", "scipy"}, optional
         Taylor series (extra ``fast``), or DOP853 in compiled code (the article's model) or in
         Python; by default the first of these that is installed. They agree to the tolerance.
@@ -130,11 +132,7 @@ def simulate(
     chosen = integrators.choose(backend, integrators.offered_for(model))
     trajectory = _run(model, p, problem, chosen)
     if estimate_error:
-        reference = _run(model, p, replace(problem, rtol=max(problem.rtol / 100, RTOL)), chosen)
-        difference = np.abs(
-            trajectory.state - reference(np.minimum(trajectory.t, reference.t[-1]))
-        ).max(axis=0)
-        trajectory = replace(trajectory, error=difference)
+        trajectory = replace(trajectory, error=_error(trajectory, problem))
     return trajectory if events else replace(trajectory, events=None)
 
 
@@ -161,12 +159,14 @@ class Trajectory(Named):
     events : Events or None
         Contact lost and regained, slip reversed, sticking begun and ended; None when not asked for.
     rtol : float
-        The tolerance.
+        The relative tolerance of a step that was used: less than what was asked for where a border
+        is curved, and at least 1e-12 where ``implicit``.
     backend : str
         Which integrator ran.
     error : ndarray, shape (k,), or None
-        Largest of the 2 n |differences| to a second run at a tighter tolerance; None when not asked
-        for.
+        Estimated: largest of the 2 n |differences| up to this time to a second run of other steps,
+        over 1 - r where its tolerance is r times this one's by the same method; NaN where there is
+        no such run, so that the error is not known; None when not asked for.
     implicit : bool
         Whether the motion is stiff, and SciPy's Radau carried it, as the steps of ``backend``
         collapsed.
@@ -310,7 +310,13 @@ class Trajectory(Named):
         """
         late = self.after(transient)
         start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])
-        problem = prepare(self.model, self.p, start=start, t_end=length, rtol=self.rtol)
+        problem = prepare(
+            self.model,
+            self.p,
+            start=start,
+            t_end=length,
+            rtol=max(self.rtol, RELATIVE_TOLERANCE.low),
+        )
         found = classify(
             late.course(), Onward(problem, self.backend), as_number("tol", tol, POSITIVE)
         )
@@ -567,6 +573,27 @@ def motion_of(
     return simulate(p, start=np.asarray(state), t_end=t_end, **options)
 
 
+def _error(found: Trajectory, problem: Problem) -> FloatArray:
+    """Largest difference so far to a run of other steps, at a tighter tolerance or by another
+    backend; NaN without one.
+    """
+    offered = integrators.offered_for(found.model)
+    others = [name for name in offered if name != found.backend and integrators.is_there(name)]
+    tighter = replace(problem, rtol=max(found.rtol / 100, RTOL))
+    for backend in (found.backend, *others):
+        try:
+            other = _run(found.model, found.p, tighter, backend)
+        except ConvergenceError:
+            continue
+        alike = other.implicit == found.implicit and (found.implicit or backend == found.backend)
+        if not alike or other.rtol < found.rtol:
+            at = other(np.minimum(found.t, other.t[-1]))
+            left = other.rtol / found.rtol if alike else 0.0  # of the error, in the tighter run
+            difference = np.abs(found.state - at).max(axis=0) / (1.0 - left)
+            return np.asarray(np.maximum.accumulate(difference))
+    return np.full(found.t.shape, np.nan)
+
+
 def _run(model: Any, p: ParameterSet, problem: Problem, backend: str) -> Trajectory:
     solution = integrators.integrate(problem, backend)
     events = events_of(problem.field, solution.crossings)
@@ -576,7 +603,7 @@ def _run(model: Any, p: ParameterSet, problem: Problem, backend: str) -> Traject
         solution.samples.t,
         solution.samples.states,
         events,
-        problem.rtol,
+        solution.rtol,
         backend,
         implicit=solution.implicit,
     )

@@ -194,13 +194,16 @@ Samples: TypeAlias = tuple[FloatArray, FloatArray]
 
 @dataclass(frozen=True)
 class Solution:
-    """A motion as polynomials, and its crossings of kinks; whether an implicit method carried it,
-    as explicit steps collapsed.
+    """A motion as polynomials, its crossings of kinks, and how it was carried.
+
+    An implicit method carried it where explicit steps collapsed; ``rtol`` is the tolerance used, 0
+    until it is known.
     """
 
     samples: PiecewisePolynomial
     crossings: tuple[Crossing, ...]
     implicit: bool = False
+    rtol: float = 0.0
 
 
 def assembled(

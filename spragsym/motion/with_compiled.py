@@ -53,6 +53,11 @@ def _tables() -> FloatArray:
     return np.concatenate([np.ravel(part) for part in parts]).astype(np.float64)
 
 
+def tolerance(problem: Problem) -> float:
+    """Relative tolerance of a step."""
+    return problem.rtol
+
+
 def integrate(problem: Problem) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
     from . import _carried
@@ -80,7 +85,13 @@ def integrate(problem: Problem) -> Solution:
     while elapsed < problem.t_end:
         begun, bound = float(clock[0]), problem.t_end - elapsed
         limits = np.array(
-            [problem.rtol, problem.rtol * 1e-3, bound, problem.t_record - elapsed, most - steps]
+            [
+                tolerance(problem),
+                tolerance(problem) * 1e-3,
+                bound,
+                problem.t_record - elapsed,
+                most - steps,
+            ]
         )
         given = np.array([*mode, problem.reach, WIDTH, GAP])
         outcome, border, made, kept = _carried.carry(

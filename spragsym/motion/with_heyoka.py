@@ -247,7 +247,7 @@ class Carrier:
         self.solver = hy.taylor_adaptive_batch(
             system,
             np.zeros((len(system), lanes)),
-            tol=min(tol, CURVED) if field.curved else tol,
+            tol=_tightened(field, tol),
             compact_mode=turning,
             t_events=[self._border(row, border, seen) for row, border in enumerate(field.borders)]
             + [
@@ -540,6 +540,15 @@ def flight(problem: Problem, directions: FloatArray | None) -> Carrier:
     return compiled(problem.field, tol, directions=count, turning=True).begun(
         problem, () if directions is None else directions
     )
+
+
+def tolerance(problem: Problem) -> float:
+    """Relative tolerance of a step."""
+    return _tightened(problem.field, problem.rtol)
+
+
+def _tightened(field: Field, tol: float) -> float:
+    return min(tol, CURVED) if field.curved else tol
 
 
 def integrate(problem: Problem) -> Solution:

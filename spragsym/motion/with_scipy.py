@@ -129,11 +129,7 @@ class Flight:
         """SciPy's solver for one mode, from ``begin`` to ``bound``."""
         from scipy.integrate import DOP853, Radau
 
-        field, rtol = self.problem.field, max(self.problem.rtol, IMPLICIT * self.stiff)
-        if field.curved and not self.stiff and field.holding:
-            rtol = (
-                RTOL  # what stays on a curved border is kept there by the equations of motion alone
-            )
+        rtol = tolerance(self.problem, self.stiff)
         options: dict[str, Any] = {
             "rtol": rtol,
             "atol": rtol * (1e-3 if self.interpolated else ABSOLUTE),
@@ -290,6 +286,13 @@ class Flight:
                 )
             )
         return sorted(found, key=lambda turn: turn.t)
+
+
+def tolerance(problem: Problem, stiff: bool = False) -> float:
+    """Relative tolerance of a step of DOP853, or of Radau where the motion is stiff."""
+    if problem.field.curved and problem.field.holding and not stiff:
+        return RTOL  # what stays on a curved border is kept there by the equations of motion alone
+    return max(problem.rtol, IMPLICIT * stiff)
 
 
 def integrate(problem: Problem) -> Solution:

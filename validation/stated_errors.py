@@ -39,5 +39,12 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     at = reference(np.minimum(run.t, reference.t[-1]))
     true = np.abs(run.state - at).max(axis=0)
     allowed = run.error + UNRESOLVED * np.abs(run.state).max()
-    wrong = [] if (true <= allowed).all() else [f"{true.max():.2g} > {run.error.max():.2g}"]
+    wrong = (
+        []
+        if (true <= allowed).all()
+        else [
+            f"rtol {rtol:.2g}: {true.max():.2g}, {np.max(true / (allowed + 1e-300)):.3g} "
+            "times as stated"
+        ]
+    )
     return {"kind": backend, "wrong": wrong, "true": float(true.max())}

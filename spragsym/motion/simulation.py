@@ -165,8 +165,8 @@ class Trajectory(Named):
         Which integrator ran.
     error : ndarray, shape (k,), or None
         Estimated: largest of the 2 n |differences| up to this time to a second run of other steps,
-        over 1 - r where its tolerance is r times this one's by the same method; NaN where there is
-        no such run, so that the error is not known; None when not asked for.
+        over 1 - sqrt(r) where its tolerance is r times this one's by the same method; NaN where
+        there is no such run, so that the error is not known; None when not asked for.
     implicit : bool
         Whether the motion is stiff, and SciPy's Radau carried it, as the steps of ``backend``
         collapsed.
@@ -588,7 +588,8 @@ def _error(found: Trajectory, problem: Problem) -> FloatArray:
         alike = other.implicit == found.implicit and (found.implicit or backend == found.backend)
         if not alike or other.rtol < found.rtol:
             at = other(np.minimum(found.t, other.t[-1]))
-            left = other.rtol / found.rtol if alike else 0.0  # of the error, in the tighter run
+            # Of the error in the tighter run: as its tolerance, or more where few steps carry it.
+            left = (other.rtol / found.rtol) ** 0.5 if alike else 0.0
             difference = np.abs(found.state - at).max(axis=0) / (1.0 - left)
             return np.asarray(np.maximum.accumulate(difference))
     return np.full(found.t.shape, np.nan)

@@ -129,3 +129,18 @@ def test_a_sweep_tells_which_equilibrium_a_motion_comes_to():
     assert ((sweep.equilibrium >= 0) == rest).all()
     for index in zip(*np.nonzero(rest), strict=True):
         assert abs(eq.x[index[1], sweep.equilibrium[index]] - sweep.mean[index]) < 1e-3
+
+
+@pytest.mark.validate
+@pytest.mark.skipif("heyoka" not in BACKENDS, reason="heyoka is not installed")
+def test_on_a_curved_border_the_error_is_that_to_a_run_of_other_steps() -> None:
+    """heyoka has one tolerance there: a second run of its own would be the first one, on the
+    bit.
+    """
+    p = ss.load("sprag_rod").Parameters(theta0=0.85)
+    tr = ss.simulate(p, t_end=30.0, rtol=1e-4, backend="heyoka", estimate_error=True)
+    other = ss.simulate(p, t_end=30.0, rtol=1e-13, backend="scipy")
+    assert tr.rtol < 1e-13
+    assert tr.error is not None
+    assert 0.0 < tr.error[-1] < 1e-10
+    assert np.abs(tr.state - other(np.minimum(tr.t, other.t[-1]))).max() < 1e-10

@@ -80,6 +80,8 @@ from .orbits import fate_map as fate_map
 from .orbits import lyapunov as lyapunov
 from .orbits.diagram import Diagram as Diagram
 from .orbits.diagram import diagram as diagram
+from .papers import PaperCheck as PaperCheck
+from .papers import check as check
 from .progress import show_progress as show_progress
 from .report import Report as Report
 from .report import Study as Study

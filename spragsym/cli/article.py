@@ -45,6 +45,9 @@ _STYLES: Mapping[str, Style] = {
 
 
 @o.command()
+@click.argument(
+    "paper", required=False, type=click.Path(exists=True, dir_okay=False, path_type=Path)
+)
 @o.as_json
 @click.option("--claims", is_flag=True, help="The statements of the text instead of the equations.")
 @click.option(
@@ -61,20 +64,28 @@ _STYLES: Mapping[str, Style] = {
 )
 @o.file("--report", help="Write the report on both, from what is committed.")
 @click.option(
-    "--model", "model_name", metavar="NAME|DIR", help=f"{o.TEXT} What holds of the article for it."
+    "--model",
+    "model_name",
+    metavar="NAME|DIR|PAGE",
+    help=f"{o.TEXT} What holds of the article for it; the page of PAPER.",
 )
+@o.file("--out", folder=True, help="Folder for LEDGER.md and ledger.html of PAPER.")
 @o.force
 def check(
+    paper: Path | None,
     json_output: bool,
     claims: bool,
     only: tuple[str, ...],
     again: bool,
     report: Path | None,
     model_name: str | None,
+    out: Path | None,
     force: bool,
 ) -> None:
-    """Show how every printed equation of the article compares with the derivation, or every
-    statement with computation.
+    """Show how every printed equation of the article, or of PAPER, compares with the derivation.
+
+    With --claims every statement of the article's text compares with computation. PAPER is a file
+    of statements (TOML), held against its page: each is confirmed, or the misprint is found.
 
     Rows come from the committed ledger at once; with --again each is derived or computed anew, and
     compared with it.
@@ -88,10 +99,20 @@ def check(
       spragsym check --json | jq '.[] | select(.status == "misprint")'
       spragsym check --report docs/reproduction.md
       spragsym check --model cubic_contact --row eq-11
+      spragsym check paper.toml --model page.py --out ledger
 
     \b
-    Exit codes: 0 every row is as recorded; 1 a row is not; 2 usage.
+    Exit codes: 0 every row is as recorded or expected; 1 a row is not; 2 usage.
     """
+    if paper is not None:
+        if claims or again or report is not None:
+            raise click.UsageError("a paper is checked without --claims, --again and --report")
+        _check_paper(paper, model_name, json_output, only, out, force)
+        return
+    if out is not None:
+        raise click.UsageError(
+            "--out is about a paper; name its file, as spragsym check paper.toml"
+        )
     if again and (model_name is not None or report is not None):
         raise click.UsageError(
             "--again is about rows of the article; leave it or "
@@ -182,6 +203,43 @@ def _equations(only: tuple[str, ...], again: bool) -> _Rows:
     ]
     wrong += [f"{id} is not as recorded in generated/ledger.json" for id in changed]
     return [row for id, row in now.items() if id in chosen], wrong
+
+
+def _check_paper(
+    paper: Path,
+    model: str | None,
+    json_output: bool,
+    only: tuple[str, ...],
+    out: Path | None,
+    force: bool,
+) -> None:
+    """Verdicts on the statements of a file."""
+    from ..papers import check as judged
+    from ..papers import fields
+
+    with show_progress("deriving what the paper is held against"):
+        found = judged(paper, model)
+    rows = _chosen(only, {row.id: row for row in found.rows}, "the paper")
+    if out is not None:
+        files = {out / "LEDGER.md": found.to_markdown(), out / "ledger.html": found.to_html()}
+        write(files, force, made=True)
+    if json_output:
+        chosen = {row.id for row in rows}
+        whole = found.as_dict()
+        print_json({**whole, "rows": [row for row in whole["rows"] if row["id"] in chosen]})
+    elif only:
+        for row in rows:
+            click.echo(f"{row.id}: {row.status}")
+            for title, text in fields(row).items():
+                click.echo(wrapped(f"  {title}: {text}", 4))
+    else:
+        table = [(it.id, it.where or it.about, it.status, it.repaired or it.note) for it in rows]
+        _print_rows("right", table)
+        for convention in found.conventions:
+            click.echo(convention, err=True)
+        click.echo(f"{len(rows)} statements: {found.summary()}", err=True)
+    if not all(row.is_expected for row in rows):
+        sys.exit(1)
 
 
 def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:

@@ -1,0 +1,1 @@
+"""Printed equations of any paper, held against a page."""

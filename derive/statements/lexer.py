@@ -1,0 +1,115 @@
+r"""LaTeX as nested items: tokens, and groups of what stands between two brackets.
+
+What prints nothing (spaces, sizes of brackets, labels, alignment environments) is gone after this
+step, and a bare ``|`` has become the bracket that it is.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from .tree import Unread
+
+
+@dataclass(frozen=True)
+class Item:
+    """A token, or a group whose ``text`` is its opening bracket or its environment."""
+
+    text: str
+    at: tuple[int, int]
+    items: tuple[Item, ...] | None = None
+
+
+Items = Sequence[Item]
+
+_ALIGNED = r"(?:aligned|align|alignat|equation|gather|gathered|multline|split|eqnarray)\*?"
+#: Parts of the source that print nothing, or only lay the equations out.
+_UNPRINTED = re.compile(
+    rf"""%[^\n]* | ^\s*(?:\$\$?|\\\[|\\\() | (?:\$\$?|\\\]|\\\))\s*$
+    | \\(?:label|tag|hspace|vspace|phantom)\*?\s*\{{[^{{}}]*\}}
+    | \\left\s*\\\{{(?=\s*\\begin\{{{_ALIGNED}\}}) | \\(?:begin|end)\{{{_ALIGNED}\}}
+    | \\(?:left|right)\s*\. | (?<=\\\\)\s*\[[^\]]*\]
+    | (?<!\\)\\(?:displaystyle|textstyle|limits|nonumber|notag|,|;|:|!|>|\s) | ~""",
+    re.VERBOSE,
+)
+_SIZE = r"\\(?:left|right|middle|(?:big|Big|bigg|Bigg)[lrm]?)(?![A-Za-z])\s*"
+_TOKEN = re.compile(
+    rf"(?P<size>{_SIZE})?(?P<text>\\(?:begin|end)\{{\w+\*?\}}|\\[A-Za-z]+|\\.|:="
+    r"|\d+(?:\.\d+)?|\.\d+|\S)"
+)
+_CLOSING = {"(": ")", "[": "]", r"\{": r"\}", "{": "}", "|": "|"}
+_BARS = {r"\vert": "|", r"\mid": "|", r"\lvert": "|", r"\rvert": "|"}
+#: Commands whose next argument is a single digit, if it is a number without braces.
+_DIGIT = ("^", "_", r"\frac", r"\dfrac", r"\tfrac", r"\sqrt")
+#: Operators that stand between two operands.
+BINARY = ("+", "/", r"\cdot", r"\times", "*", "=", ":=", ",", ";", "<", ">", "^", "_")
+
+
+def nested(text: str) -> tuple[Item, ...]:
+    """Items of a print in LaTeX."""
+    stack: list[tuple[str, int, list[Item], bool]] = [("", 0, [], False)]
+    for token, start, stop, side in _tokens(text):
+        opened, begin, inner, sized = stack[-1]
+        bar = token == "|"
+        closes = side == "right" if side else bool(inner) and not _awaits(inner)
+        if (token in _CLOSING and not bar) or (bar and not (opened == "|" and closes)):
+            stack.append((token, start, [], bool(side)))
+        elif token.startswith(r"\begin"):
+            stack.append((token[7:-1].rstrip("*"), start, [], True))
+        elif token in _CLOSING.values() or token.startswith(r"\end"):
+            if not opened or token != _CLOSING.get(opened, rf"\end{{{opened}}}"):
+                raise Unread(f"{token} closes nothing that is open", start)
+            stack.pop()
+            _one_way(inner, start)
+            kind = "|bare" if bar and not sized else opened
+            stack[-1][2].append(Item(kind, (begin, stop), tuple(inner)))
+        else:
+            inner.append(Item(token, (start, stop)))
+    opened, begin, inner, _ = stack[-1]
+    if opened:
+        raise Unread(f"{opened} is not closed", begin)
+    _one_way(inner, 0)
+    return tuple(inner)
+
+
+def _tokens(text: str) -> list[tuple[str, int, int, str]]:
+    """Tokens with their places, and for brackets the side that the source gives them."""
+    shown = _UNPRINTED.sub(lambda found: " " * len(found[0]), text).replace("−", "-")
+    tokens: list[tuple[str, int, int, str]] = []
+    place, single = 0, 0
+    while found := _TOKEN.search(shown, place):
+        token, (start, place) = found["text"], found.span()
+        if single and token[0].isdigit():
+            token, place = token[0], found.start("text") + 1
+            single -= 1
+        else:
+            single = (1 + ("frac" in token)) if token in _DIGIT else 0
+        size = found["size"] or ""
+        side = (
+            {"l": "left", "r": "right"}.get(size.strip()[-1:], "") if "big" in size.lower() else ""
+        )
+        side = size.strip()[1:] if size.strip() in (r"\left", r"\right") else side
+        side = {r"\lvert": "left", r"\rvert": "right"}.get(token, side)
+        tokens.append((_BARS.get(token, token), start, place, side))
+    return tokens
+
+
+def _awaits(inner: Items) -> bool:
+    """Whether an operand has to follow."""
+    return inner[-1].items is None and inner[-1].text in (*BINARY, "-")
+
+
+def _one_way(inner: Items, place: int) -> None:
+    """Refuse bars that can be paired in two ways: |a| b |c|."""
+    bars = [number for number, it in enumerate(inner) if it.text == "|bare"]
+    for one, other in itertools.pairwise(bars):
+        between = inner[one + 1 : other]
+        if between and between[0].text not in BINARY and not _awaits(between):
+            raise Unread(
+                r"the bars can be paired in two ways; write \left| and \right|",
+                inner[one].at[0],
+                ("Abs(a)*b*Abs(c)", "Abs(a*Abs(b)*c)"),
+            )

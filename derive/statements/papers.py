@@ -1,0 +1,130 @@
+"""Files of statements: what a paper prints, beside the page that it is held against."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TypeAlias
+
+#: Verdicts on a statement.
+VERDICTS = (
+    "confirmed",
+    "definition",
+    "approximation",
+    "misprint",
+    "failed",
+    "unread",
+    "other",
+)
+_KEYS = {"id", "where", "about", "latex", "sympy", "form", "limit", "expect", "note"}
+_LARGEST = 1 << 20
+
+Table: TypeAlias = Mapping[str, object]
+
+
+class PaperError(ValueError):
+    """A file of statements that can't be read: its line, its key, and the remedy."""
+
+
+@dataclass(frozen=True)
+class Statement:
+    """One printed statement, as the file has it."""
+
+    id: str
+    about: str
+    text: str
+    is_latex: bool
+    where: str = ""
+    form: str = ""
+    limit: str = ""
+    expect: str = "confirmed"
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Paper:
+    """What a paper prints: its title, its page, its own names, its statements in order."""
+
+    title: str
+    model: str
+    renamed: Mapping[str, str]
+    statements: tuple[Statement, ...]
+
+
+def read(path: Path) -> Paper:
+    """The statements of a file.
+
+    Raises
+    ------
+    PaperError
+        Where the file is none of statements, with line, key and remedy.
+    """
+    try:
+        if path.stat().st_size > _LARGEST:
+            raise PaperError(f"{path.name} has more than {_LARGEST} bytes; split the paper")
+        text = path.read_text(encoding="utf-8-sig")
+        data = tomllib.loads(text)
+    except OSError as error:
+        raise PaperError(f"{path.name} can't be opened: {error.strerror}; give a file") from error
+    except UnicodeDecodeError as error:
+        raise PaperError(f"{path.name} is no text in UTF-8; save it as UTF-8") from error
+    except tomllib.TOMLDecodeError as error:
+        raise PaperError(f"{path.name} is no TOML: {error}; LaTeX stands in ''' '''") from error
+    lines = text.splitlines()
+
+    def refuse(key: str, message: str, after: int = 0) -> PaperError:
+        found = (n for n, line in enumerate(lines[after:], after + 1) if _begins(line, key))
+        line = next(found, after or 1)
+        return PaperError(f"{path.name}, line {line}, key {key}: {message}")
+
+    for key in data.keys() - {"paper", "model", "symbols", "statement"}:
+        raise refuse(key, "is unknown; allowed are paper, model, symbols, statement")
+    texts = {key: data.get(key, "") for key in ("paper", "model")}
+    for key, value in texts.items():
+        if not isinstance(value, str):
+            raise refuse(key, f"{value!r} is no text; write it in quotation marks")
+    names, entries = data.get("symbols", {}), data.get("statement", [])
+    if not isinstance(names, dict) or not all(isinstance(it, str) for it in names.values()):
+        raise refuse("symbols", 'is no table of texts; write "print" = "page\'s name"')
+    if not isinstance(entries, list) or not entries:
+        raise refuse("statement", "there is none; begin each with [[statement]]")
+    begins = [
+        n for n, line in enumerate(lines) if line.replace(" ", "").startswith("[[statement]]")
+    ]
+    found: list[Statement] = []
+    for number, entry in enumerate(entries):
+        after = begins[number] if number < len(begins) else 0
+        problem = _problem(entry, {it.id for it in found})
+        if problem is not None:
+            raise refuse(problem[0], problem[1], after)
+        rest = {key: entry[key] for key in entry.keys() - {"latex", "sympy"}}
+        text = entry.get("latex", entry.get("sympy", ""))
+        found.append(Statement(text=text, is_latex="latex" in entry, **rest))
+    return Paper(str(texts["paper"]), str(texts["model"]), names, tuple(found))
+
+
+def _begins(line: str, key: str) -> bool:
+    return re.match(rf"\s*[\[\"']*{re.escape(key)}\b", line) is not None
+
+
+def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:
+    """The key of a statement that is wrong, and why."""
+    for key, value in entry.items():
+        if key not in _KEYS:
+            return key, f"is unknown; allowed are {', '.join(sorted(_KEYS))}"
+        if not isinstance(value, str):
+            return key, f"{value!r} is no text; write it in quotation marks"
+    for key in ("id", "about"):
+        if not entry.get(key):
+            return key, f'is missing in this statement; add {key} = "…"'
+    if entry["id"] in before:
+        return "id", f"{entry['id']} stands twice; give the second statement another id"
+    if ("latex" in entry) == ("sympy" in entry) and entry["about"] != "other":
+        return "id", f"{entry['id']} has to have one of latex and sympy"
+    for key, allowed in (("form", ("units", "scaled")), ("expect", VERDICTS)):
+        if key in entry and entry[key] not in allowed:
+            return key, f"{entry[key]!r} is none of {', '.join(allowed)}"
+    return None

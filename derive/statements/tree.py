@@ -1,0 +1,233 @@
+"""A printed expression as it stands: nothing is evaluated, sorted or merged."""
+
+from __future__ import annotations
+
+import ast
+import itertools
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Node:
+    """Part of a printed expression as it stands: nothing is evaluated, sorted or merged."""
+
+    kind: str
+    args: tuple[Node, ...] = ()
+    value: str = ""
+    at: tuple[int, int] = (0, 0)
+
+
+@dataclass(frozen=True)
+class Equation:
+    """Two sides; the right one is the number 0 where the print is an expression that is 0."""
+
+    left: Node
+    right: Node
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """Names that may stand in a statement."""
+
+    symbols: frozenset[str]
+    coordinates: tuple[str, ...]
+    renamed: Mapping[str, str]
+
+
+class Unread(ValueError):
+    """A print that can't be read, or in two ways: reason, place (offset), readings."""
+
+    def __init__(self, reason: str, place: int = 0, readings: tuple[str, ...] = ()) -> None:
+        super().__init__(reason)
+        self.reason, self.place, self.readings = reason, place, readings
+
+
+_STRENGTH = {"add": 1, "neg": 1, "mul": 2, "div": 2, "pow": 3}
+
+
+def printed(node: Node) -> str:
+    """Text of a tree in SymPy's syntax."""
+
+    def inside(part: Node, above: int) -> str:
+        text = printed(part)
+        return f"({text})" if _STRENGTH.get(part.kind, 9) < above else text
+
+    match node.kind:
+        case "number" | "symbol":
+            return node.value
+        case "call":
+            return f"{node.value}({', '.join(map(printed, node.args))})"
+        case "neg":
+            return f"-{inside(node.args[0], 2)}"
+        case "add":
+            text = printed(node.args[0])
+            for part in node.args[1:]:
+                minus = part.kind == "neg"
+                text += f" - {inside(part.args[0], 2)}" if minus else f" + {printed(part)}"
+            return text
+        case "mul":
+            return "*".join([inside(node.args[0], 2), *(inside(it, 3) for it in node.args[1:])])
+        case "div":
+            return f"{inside(node.args[0], 2)}/{inside(node.args[1], 3)}"
+        case _:
+            return f"{inside(node.args[0], 4)}**{inside(node.args[1], 4)}"
+
+
+#: Functions that a print may hold, by SymPy's names.
+FUNCTIONS = {
+    name: getattr(sp, name)
+    for name in (
+        "sin",
+        "cos",
+        "tan",
+        "cot",
+        "exp",
+        "log",
+        "sqrt",
+        "Abs",
+        "sign",
+        "sinh",
+        "cosh",
+        "tanh",
+        "asin",
+        "acos",
+        "atan",
+    )
+}
+ZERO, ONE = Node("number", value="0"), Node("number", value="1")
+
+
+def number_of(tree: Node) -> float:
+    """The value of a number, and of pi."""
+    return math.pi if tree.value == "pi" else float(tree.value)
+
+
+def nodes(tree: Node) -> Iterator[Node]:
+    """Every part of a tree, the tree itself first."""
+    yield tree
+    for part in tree.args:
+        yield from nodes(part)
+
+
+def symbols(tree: Node) -> frozenset[str]:
+    """Names of the quantities in a tree."""
+    return frozenset(node.value for node in nodes(tree) if node.kind == "symbol")
+
+
+def with_part(tree: Node, path: tuple[int, ...], part: Node) -> Node:
+    """The tree with another part at a path of places among arguments."""
+    if not path:
+        return part
+    args = list(tree.args)
+    args[path[0]] = with_part(args[path[0]], path[1:], part)
+    return replace(tree, args=tuple(args))
+
+
+def renamed(tree: Node, names: Mapping[str, Node]) -> Node:
+    """The tree with symbols replaced, all at once."""
+    if tree.kind == "symbol":
+        return names.get(tree.value, tree)
+    return replace(tree, args=tuple(renamed(part, names) for part in tree.args))
+
+
+def to_sympy(tree: Node, names: Mapping[str, sp.Expr], evaluate: bool = True) -> sp.Expr:
+    """The expression of a tree, with what its symbols stand for."""
+    parts = [to_sympy(part, names, evaluate) for part in tree.args]
+    with sp.evaluate(evaluate):
+        match tree.kind:
+            case "number":
+                return sp.pi if tree.value == "pi" else sp.Rational(tree.value)
+            case "symbol":
+                return names[tree.value]
+            case "add":
+                return sp.Add(*parts)
+            case "neg":
+                return -parts[0]
+            case "mul":
+                return sp.Mul(*parts)
+            case "div":
+                return parts[0] / parts[1]
+            case "pow":
+                return parts[0] ** parts[1]
+            case _:
+                return FUNCTIONS[tree.value](*parts)
+
+
+def read_sympy(text: str, vocabulary: Vocabulary) -> list[Equation]:
+    """Equations in Python's syntax, ``left = right`` or an expression that is 0; nothing is run.
+
+    Raises
+    ------
+    Unread
+        Where the text is no expression of known names, with the place.
+    """
+    sides = text.split("=")
+    trees, begin = [], 0
+    for side in sides:
+        space = len(side) - len(side.lstrip())
+        try:
+            parsed = ast.parse(side.strip(), mode="eval").body
+        except (SyntaxError, ValueError, RecursionError) as error:
+            place = begin + space + (getattr(error, "offset", None) or 1) - 1
+            raise Unread("this is no expression in SymPy's syntax", place) from error
+        trees.append(_tree(parsed, begin + space, vocabulary))
+        begin += len(side) + 1
+    if len(trees) == 1:
+        return [Equation(trees[0], ZERO)]
+    return [Equation(left, right) for left, right in itertools.pairwise(trees)]
+
+
+_BINARY: dict[type[ast.operator], str] = {
+    ast.Add: "add",
+    ast.Sub: "add",
+    ast.Mult: "mul",
+    ast.Div: "div",
+    ast.Pow: "pow",
+}
+
+
+def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
+    at = (begin + part.col_offset, begin + (part.end_col_offset or 0))
+    match part:
+        case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
+            return Node("number", value=str(value), at=at)
+        case ast.Name(id=name):
+            if name in vocabulary.symbols:
+                return Node("symbol", value=name, at=at)
+            if name == "pi":
+                return Node("number", value=name, at=at)
+            known = ", ".join(sorted(vocabulary.symbols))
+            raise Unread(f"{name} is no name of the page; known are {known}", at[0])
+        case ast.UnaryOp(op=ast.USub(), operand=inner):
+            return Node("neg", (_tree(inner, begin, vocabulary),), at=at)
+        case ast.UnaryOp(op=ast.UAdd(), operand=inner):
+            return _tree(inner, begin, vocabulary)
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in _BINARY:
+            kind = _BINARY[type(op)]
+            one, other = (_tree(side, begin, vocabulary) for side in (left, right))
+            if kind in ("mul", "div") and one.kind == "neg":  # -a b is -(a b)
+                return Node("neg", (_joined(kind, one.args[0], other, at),), at=at)
+            if isinstance(op, ast.Sub):
+                other = Node("neg", (other,), at=other.at)
+            return _joined(kind, one, other, at)
+        case ast.Call(func=ast.Name(id=name), args=[argument], keywords=[]) if name in FUNCTIONS:
+            return Node("call", (_tree(argument, begin, vocabulary),), name, at)
+        case _:
+            known = ", ".join(FUNCTIONS)
+            raise Unread(f"only + - * / ** and one of {known} of one argument are read", at[0])
+
+
+def _joined(kind: str, one: Node, other: Node, at: tuple[int, int]) -> Node:
+    parts = one.args if kind in ("add", "mul") and one.kind == kind else (one,)
+    return Node(kind, (*parts, other), at=at)
+
+
+def to_latex(tree: Node, letters: Mapping[str, str]) -> str:
+    """LaTeX of a tree in the page's letters, in the arrangement of the print."""
+    names = {name: sp.Symbol(name) for name in symbols(tree)}
+    shown = {names[name]: letter for name, letter in letters.items() if name in names}
+    return str(sp.latex(to_sympy(tree, names, evaluate=False), symbol_names=shown, order="none"))

@@ -1,0 +1,215 @@
+"""Printed equations of a paper, held against its model: verdicts, as a table, a ledger, a page of
+HTML.
+"""
+
+from __future__ import annotations
+
+import html
+import os
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .errors import MissingExtraError, ParameterError
+from .models.load import load, page_of
+
+if TYPE_CHECKING:
+    from .derive.pages import Model as Page
+    from .derive.statements.verdicts import Row
+
+#: Fields of a row under titles, as a referee reads them.
+_TITLES = {
+    "print": "Printed",
+    "read": "Read as",
+    "derived": "Derived",
+    "derived_by": "Derived by",
+    "difference": "Printed less derived",
+    "repaired": "Right",
+    "evidence": "Evidence",
+    "cost": "Size",
+    "note": "Note",
+}
+
+
+@dataclass(frozen=True)
+class PaperCheck:
+    """Verdicts on the printed equations of a paper.
+
+    Attributes
+    ----------
+    paper, model : str
+        The paper's title, and the name of the page.
+    conventions : tuple of str
+        How coordinates of the print differ from those of the page.
+    rows : tuple
+        One for each statement, with the fields ``id``, ``about``, ``status`` and more.
+    """
+
+    paper: str
+    model: str
+    conventions: tuple[str, ...]
+    rows: tuple[Row, ...]
+
+    @property
+    def id(self) -> tuple[str, ...]:
+        """Names of the statements."""
+        return tuple(row.id for row in self.rows)
+
+    @property
+    def about(self) -> tuple[str, ...]:
+        """Objects that the statements are about."""
+        return tuple(row.about for row in self.rows)
+
+    @property
+    def status(self) -> tuple[str, ...]:
+        """Verdicts on the statements."""
+        return tuple(row.status for row in self.rows)
+
+    @property
+    def is_expected(self) -> bool:
+        """True where every verdict is the expected one."""
+        return all(row.is_expected for row in self.rows)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Verdicts for JSON, without what is empty."""
+        rows = [{key: it for key, it in asdict(row).items() if it} for row in self.rows]
+        head = {"paper": self.paper, "model": self.model, "conventions": list(self.conventions)}
+        return {**head, "rows": rows}
+
+    def summary(self) -> str:
+        """Number of statements with each verdict."""
+        counts = Counter(self.status)
+        return ", ".join(f"{counts[status]} {status}" for status in sorted(counts))
+
+    def to_markdown(self) -> str:
+        """A ledger that a referee can attach."""
+        lines = [f"# {self.paper or 'Printed equations'}", ""]
+        lines += [f"Held against the page `{self.model}`: {self.summary()}.", ""]
+        lines += [f"- {convention}" for convention in self.conventions]
+        lines += ["", "| row | where | about | verdict |", "|---|---|---|---|"]
+        lines += [f"| {it.id} | {it.where} | {it.about} | {it.status} |" for it in self.rows]
+        for row in self.rows:
+            lines += ["", f"## {row.id}", "", f"{row.about}: **{row.status}**", ""]
+            lines += [f"- {title}: `{text}`" for title, text in fields(row).items()]
+        return "\n".join(lines) + "\n"
+
+    def to_html(self) -> str:
+        """The same as one page of HTML, which loads nothing."""
+        parts = [f"<h1>{html.escape(self.paper or 'Printed equations')}</h1>"]
+        parts += [f"<p>Held against {html.escape(self.model)}: {html.escape(self.summary())}.</p>"]
+        parts += [f"<p>{html.escape(convention)}</p>" for convention in self.conventions]
+        parts += [self._table()]
+        for row in self.rows:
+            parts += [f"<h2>{html.escape(row.id)}: {row.status}</h2><dl>"]
+            parts += [
+                f"<dt>{title}</dt><dd><code>{html.escape(text)}</code></dd>"
+                for title, text in fields(row).items()
+            ]
+            parts += ["</dl>"]
+        head = f"<title>{html.escape(self.paper)}</title>"
+        body = "\n".join(parts)
+        return f"<!doctype html>\n<meta charset=utf-8>{head}\n{body}\n"
+
+    def _table(self, rendered: bool = False) -> str:
+        cells = [
+            "".join(f"<td>{html.escape(it)}</td>" for it in (row.id, row.about, row.status))
+            + (rf"<td>\({html.escape(row.repaired_latex)}\)</td>" if row.repaired_latex else "<td>")
+            if rendered
+            else "".join(
+                f"<td>{html.escape(it)}</td>"
+                for it in (row.id, row.about, row.status, row.repaired)
+            )
+            for row in self.rows
+        ]
+        head = "".join(f"<th>{name}</th>" for name in ("id", "about", "status", "right"))
+        return f"<table><tr>{head}</tr>{''.join(f'<tr>{row}</tr>' for row in cells)}</table>"
+
+    def _repr_html_(self) -> str:
+        return self._table(rendered=True)
+
+
+def fields(row: Row) -> Mapping[str, str]:
+    """What a row says, under titles."""
+    said = {title: str(getattr(row, name)) for name, title in _TITLES.items()}
+    if row.edits:
+        edits = (f"{it['kind']}: {it['old']} becomes {it['new']}" for it in row.edits)
+        said["Edit"] = "; ".join(edits)
+        said["Repairs of this size"] = str(row.alternatives)
+    if row.said_once_with:
+        said["The same edit in"] = ", ".join(row.said_once_with)
+    return {title: text for title, text in said.items() if text}
+
+
+def check(paper: str | os.PathLike[str], model: str | os.PathLike[str] | None = None) -> PaperCheck:
+    """Verdicts on the printed equations of a paper, held against a page.
+
+    Parameters
+    ----------
+    paper : str or path
+        A file of statements, in TOML.
+    model : str or path, optional
+        A page, the folder of a model or a shipped model's name; left out, the file names it.
+
+    Returns
+    -------
+    PaperCheck
+        One row for each statement.
+
+    Raises
+    ------
+    ParameterError
+        If the file of statements can't be read: its line, its key, and the remedy.
+    MissingExtraError
+        If SymPy is not installed.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import spragsym as ss
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = pathlib.Path(folder) / "paper.toml"
+    ...     _ = file.write_text('''
+    ... [[statement]]
+    ... id = "9"
+    ... about = "motion y"
+    ... form = "scaled"
+    ... sympy = "ay + sigma/L*(1 - L)*(sin(theta0) - y) + beta*y - N"
+    ... ''')
+    ...     (row,) = ss.check(file, "kang_nam").rows
+    >>> print(row.status, row.repaired)
+    misprint ay + sigma/L*(1 - L)*(sin(theta0) - y) + beta*y - N + kappa = 0
+
+    """
+    path = Path(paper)
+    try:
+        from .derive.statements import papers, verdicts
+    except ModuleNotFoundError as error:
+        if error.name != "sympy":
+            raise
+        raise MissingExtraError("a check of printed equations", "SymPy", "derive") from error
+    try:
+        read = papers.read(path)
+    except papers.PaperError as error:
+        raise ParameterError(str(error)) from error
+    if model is None and not read.model:
+        raise ParameterError(
+            f'{path.name} names no model; add model = "page.py" to it, or give model'
+        )
+    chosen = Path(model) if model is not None else path.parent / read.model
+    found = verdicts.check(read, _page(chosen))
+    return PaperCheck(found.paper, found.model, found.conventions, found.rows)
+
+
+def _page(chosen: Path) -> Page:
+    from .derive import pages
+    from .derive.model import PageError
+
+    if chosen.suffix == ".py":
+        try:
+            return pages.read(chosen)
+        except PageError as error:
+            raise ParameterError(str(error)) from error
+    loaded = load(chosen if chosen.exists() else chosen.name)
+    return pages.read(page_of(loaded, pages.SHIPPED), loaded.name)

@@ -1,0 +1,191 @@
+"""Printed equations held against a page: what is right is confirmed, what is wrong is repaired."""
+
+from __future__ import annotations
+
+import itertools
+from pathlib import Path
+
+import pytest
+import sympy as sp
+
+pytest.importorskip("sympy")
+
+from spragsym.derive import pages
+from spragsym.derive.statements import papers, verdicts
+from spragsym.derive.statements.tree import (
+    FUNCTIONS,
+    Unread,
+    Vocabulary,
+    printed,
+    read_sympy,
+    to_sympy,
+)
+
+ARTICLE = pages.read(pages.SHIPPED / "kang_nam.py")
+COUPLING = pages.read(pages.SHIPPED / "mode_coupling.py")
+
+
+def _judged(
+    about: str, text: str, form: str = "scaled", model: pages.Model = ARTICLE
+) -> verdicts.Row:
+    statement = papers.Statement("s", about, text, is_latex=False, form=form)
+    (row,) = verdicts.check(papers.Paper("", "", {}, (statement,)), model).rows
+    return row
+
+
+def _same(text: str, other: str) -> bool:
+    """Equality by SymPy's own parser, which has no part in the check."""
+    names = {name: sp.Symbol(name) for name in ("beta", "N", "S", "E", "Q", "I")}
+    one, second = (
+        sp.sympify("({}) - ({})".format(*it.split("=")), locals=names) for it in (text, other)
+    )
+    return sp.simplify(one - second) == 0
+
+
+@pytest.mark.parametrize(
+    ("about", "form", "wrong", "right"),
+    [
+        (
+            "definition",
+            "units",
+            "L = sqrt((L_0*cos(theta) - x)**2 + (L_0*sin(theta) - y)**2)",
+            "L = sqrt((L_0*cos(theta0) - x)**2 + (L_0*sin(theta0) - y)**2)",
+        ),
+        (
+            "motion y",
+            "scaled",
+            "ay + sigma/L*(1 - L)*(sin(theta0) - y) + beta*y - N = 0",
+            "ay + sigma/L*(1 - L)*(sin(theta0) - y) + beta*y - N + kappa = 0",
+        ),
+        (
+            "equilibrium y",
+            "scaled",
+            "sigma/L*(1 - L)*(sin(theta0) - y) + beta*y - N = 0",
+            "sigma/L*(1 - L)*(sin(theta0) - y) + beta*y - N + kappa = 0",
+        ),
+        ("scale N", "units", "n = N/k_c", "n = N/(k_c*L_0)"),
+    ],
+)
+@pytest.mark.thorough
+def test_misprints_of_the_article_are_found_without_a_hint(
+    about: str, form: str, wrong: str, right: str
+) -> None:
+    """Four misprints of the article are found, each with one repair that is proved."""
+    row = _judged(about, wrong, form)
+    assert row.status == "misprint"
+    assert len(row.edits) == 1
+    assert row.alternatives == 1
+    assert _same(row.repaired, right)
+    assert _judged(about, right, form).status in ("confirmed", "definition")
+
+
+@pytest.mark.parametrize(
+    ("about", "text"),
+    [
+        ("motion x", "m*ax + k_x*x + k/2*(x - y) = mu*N"),
+        ("motion x", "0 = 7*k*(m*ax + k_x*x + k/2*(x - y) - mu*N)"),
+        ("energy V", "V = k_x*x**2/2 + k_y*y**2/2 + k*(x - y)**2/4 + F_L*y + F_L"),
+        ("stiffness 1 2", "K_12 = mu0*k_c - k/2"),
+        ("normal", "N = -k_c*y"),
+    ],
+)
+def test_what_follows_from_the_page_is_confirmed(about: str, text: str) -> None:
+    """Sides swapped, a factor of parameters, a constant of an energy are no misprints."""
+    assert _judged(about, text, "units", COUPLING).status == "confirmed"
+
+
+def test_a_factor_of_the_state_is_no_factor() -> None:
+    """An equation times a coordinate is another one, and so is an energy times 2."""
+    text = "x*(m*ax + k_x*x + k/2*(x - y) - mu*N)"
+    assert _judged("motion x", text, "units", COUPLING).status != "confirmed"
+    assert _judged("energy T", "T = m*(vx**2 + vy**2)", "units", COUPLING).status == "misprint"
+
+
+def test_a_value_with_a_factor_on_its_left_is_not_misread() -> None:
+    """``2 T = m v²`` is no value of T, and is not judged as one."""
+    row = _judged("energy T", "2*T = m*(vx**2 + vy**2)/2", "units", COUPLING)
+    assert row.status == "unread"
+
+
+@pytest.mark.thorough
+def test_a_coordinate_reversed_throughout_is_a_convention() -> None:
+    """Two equations with x reversed hold in that convention; in one alone it is a misprint."""
+    texts = {
+        "motion x": "m*ax + k_x*x + k/2*(x + y) + mu*N",
+        "motion y": "m*ay + k_y*y + k_c*y + k/2*(y + x) + F_L",
+        "equilibrium y": "k_y*y + k_c*y + k/2*(y + x) + F_L",
+    }
+    statements = tuple(
+        papers.Statement(about, about, text, is_latex=False, form="units")
+        for about, text in texts.items()
+    )
+    found = verdicts.check(papers.Paper("", "", {}, statements), COUPLING)
+    assert [row.status for row in found.rows] == ["confirmed"] * 3
+    assert found.conventions == ("x of the print is -x of the page",)
+    (alone,) = verdicts.check(papers.Paper("", "", {}, statements[2:]), COUPLING).rows
+    assert (alone.status, alone.edits[0]["kind"]) == ("misprint", "sign")
+
+
+def test_units_point_at_the_term() -> None:
+    """A statement whose units do not balance says where."""
+    row = _judged("motion x", "m*ax + k_x*x**2 + k/2*(x - y) = mu*N", "units", COUPLING)
+    assert row.status == "misprint"
+    assert "k_x*x**2" in row.evidence
+
+
+def test_a_print_is_read_as_it_stands() -> None:
+    """Trees of random expressions have the value that SymPy's own parser reads."""
+    names = frozenset({"x", "y", "z"})
+    vocabulary = Vocabulary(names, ("x",), {})
+    symbols = {name: sp.Symbol(name) for name in names}
+    parts = ["x", "-y", "(x - 2*y)", "z**2", "x/y/z", "sin(x)*z", "-x**2", "2**-y"]
+    for (one, other), sign in itertools.product(itertools.permutations(parts, 2), "+-*/"):
+        text = f"{one} {sign} {other}" if sign in "+-" else f"({one}) {sign} ({other})"
+        (equation,) = read_sympy(text, vocabulary)
+        assert sp.expand(to_sympy(equation.left, symbols) - sp.sympify(text)) == 0, text
+        (again,) = read_sympy(printed(equation.left), vocabulary)
+        assert to_sympy(again.left, symbols) == to_sympy(equation.left, symbols), text
+
+
+@pytest.mark.parametrize(
+    "text", ["w + x", "x.y", "__import__('os')", "f(x)", "x +", "x if y else z"]
+)
+def test_what_is_no_expression_is_refused(text: str) -> None:
+    """Nothing is evaluated, and unknown names are said with the place."""
+    with pytest.raises(Unread):
+        read_sympy(text, Vocabulary(frozenset({"x", "y", "z"}), (), {}))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("paper = 3", "line 1, key paper"),
+        ("colour = 'red'", "line 1, key colour"),
+        ("[[statement]]\nid = 'a'\nsympy = 'x'", "line 1, key about"),
+        (
+            "[[statement]]\nid = 'a'\nabout = 'motion x'\nform = 'si'\nsympy = 'x'",
+            "line 4, key form",
+        ),
+        ("[[statement]]\nid = 'a'\nabout = 'motion x'", "line 2, key id"),
+        ("[[statement]]\nid = 'a", "no TOML"),
+    ],
+)
+def test_a_file_is_refused_by_line_and_key(tmp_path: Path, text: str, said: str) -> None:
+    """An error names the line, the key and a remedy."""
+    file = tmp_path / "paper.toml"
+    file.write_text(text)
+    with pytest.raises(papers.PaperError, match=said):
+        papers.read(file)
+
+
+def test_every_function_is_evaluated_in_numbers_and_exactly() -> None:
+    """Numbers of every function of a print are those of SymPy."""
+    import numpy as np
+
+    from spragsym.derive.statements.repair import evaluated
+
+    vocabulary = Vocabulary(frozenset({"x"}), (), {})
+    for name, function in FUNCTIONS.items():
+        (equation,) = read_sympy(f"{name}(x)", vocabulary)
+        value = evaluated(equation.left, {"x": np.array([0.3, 0.7])})
+        assert np.allclose(value, [float(function(it)) for it in (0.3, 0.7)]), name

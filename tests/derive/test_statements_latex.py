@@ -1,0 +1,145 @@
+"""Prints in LaTeX are read as they stand, or refused: against SymPy's own printer, and by hand."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+import sympy as sp
+
+from spragsym.derive.statements.latex import read_latex
+from spragsym.derive.statements.tree import Unread, Vocabulary, printed, to_sympy
+
+NAMES = "m k k_c l g a V mu0 theta0 theta vtheta atheta x vx ax y vy ay mu N d"
+WORDS = Vocabulary(
+    frozenset(NAMES.split()), ("theta", "x", "y"), {r"\phi": "theta", r"v_r": "V - vx"}
+)
+SYMBOLS = {name: sp.Symbol(name, real=True) for name in NAMES.split()}
+
+
+def _read(text: str) -> list[str]:
+    return [f"{printed(it.left)} = {printed(it.right)}" for it in read_latex(text, WORDS)]
+
+
+READ = {
+    r"m\ddot{x} + \tfrac12 k x = 0": ["m*ax + 1/2*k*x = 0"],
+    r"m x'' + k x'^{2} - g": ["m*ax + k*vx**2 - g = 0"],
+    r"m\frac{d^2 x}{dt^2} = -k \frac{d}{dt} x": ["m*ax = -k*vx"],
+    r"\frac{\mathrm{d}^{2}\theta}{\mathrm{d}t^{2}} = dx/dt": ["atheta = vx"],
+    r"\sin^2\theta + \cos^{2}{\left(\theta \right)} = 1": ["sin(theta)**2 + cos(theta)**2 = 1"],
+    r"m l\cos\theta\,\ddot\theta \sin 2\phi": ["m*l*cos(theta)*atheta*sin(2*theta) = 0"],
+    r"\mu_o \left\{1 - \exp(-d|V-\dot x|)\right\} sgn(v_r)": [
+        "mu0*(1 - exp(-d*Abs(V - vx)))*sign(V - vx) = 0"
+    ],
+    r"\mu(V - \dot x) = \mu_{0}": ["mu = mu0"],
+    r"T = \frac{1}{2} m \dot{x}^2 = k_{c}": ["T = 1/2*m*vx**2", "T = k_c"],
+    r"\begin{aligned} m\ddot x &= k x \\ &\quad + k y, \\ a &= 0. \end{aligned}": [
+        "m*ax = k*x + k*y",
+        "a = 0",
+    ],
+    r"\begin{aligned} m\ddot x &= k x \\ &+ k y, \\ a &= 0. \end{aligned}": [
+        "m*ax = k*x + k*y",
+        "a = 0",
+    ],
+    r"\mathbf{K} = \begin{bmatrix} k & 0 \\ -a & k_c\end{bmatrix}": [
+        "mathbfK[1, 1] = k",
+        "mathbfK[1, 2] = 0",
+        "mathbfK[2, 1] = -a",
+        "mathbfK[2, 2] = k_c",
+    ],
+    r"\begin{pmatrix} m & 0 \\ 0 & a\end{pmatrix} \begin{pmatrix}\ddot x\\ \ddot y\end{pmatrix}"
+    r" = \begin{pmatrix} k x \\ 0\end{pmatrix}": ["m*ax + 0*ay = k*x", "0*ax + a*ay = 0"],
+    r"N = \begin{cases} -k y, & if \quad y < 0\\ 0, & \text{if } y \ge 0\end{cases}": [
+        "N = Piecewise(Tuple(-k*y, Lt(y, 0)), Tuple(0, Ge(y, 0)))"
+    ],
+    r"x(t) = \theta(t)": ["x = theta"],
+    r"\sqrt[3]{x} + \sqrt{y}": ["x**(1/3) + sqrt(y) = 0"],
+}
+
+
+@pytest.mark.parametrize(("text", "expected"), READ.items())
+def test_a_print_is_read(text: str, expected: list[str]) -> None:
+    """Typical prints, in SymPy's syntax and in the arrangement of the print."""
+    assert _read(text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"\sin\theta a",
+        r"\sin\theta^2",
+        r"\cos\theta/2",
+        r"k(x) = 0",
+        r"\mu(V - \dot x) N = 0",
+        r"1/2 k x",
+        r"a/k/m",
+        r"|x| a |y|",
+        r"x^{2}^{3}",
+        r"x 2",
+        r"2\frac{1}{2}",
+        r"\sin^{-1} x",
+        r"\log x",
+        r"\frac{\partial x}{\partial t}",
+        r"\frac{d}{dt} x y",
+        r"q = q x",
+        r"x = 0,5",
+        r"x \pm y",
+        r"{x + y} a",
+        r"x \le y",
+        r"(x",
+        r"x)",
+        r"",
+        r"\vec{x} + a",
+        r"\boldsymbol{x} a = 0",
+        r"a = x + ",
+        r"x^23",
+    ],
+)
+def test_what_can_be_read_in_two_ways_or_not_at_all_is_refused(text: str) -> None:
+    """The refusal names a place in the print."""
+    with pytest.raises(Unread) as refusal:
+        read_latex(text, WORDS)
+    assert 0 <= refusal.value.place <= len(text)
+
+
+def test_both_readings_are_told() -> None:
+    """An argument without brackets ends here, or goes on."""
+    with pytest.raises(Unread) as refusal:
+        read_latex(r"\sin\theta a", WORDS)
+    assert refusal.value.readings == ("sin(theta)*a", "sin(theta*a)")
+
+
+def _drawn(draw: random.Random, depth: int) -> sp.Expr:
+    if depth == 0:
+        atoms = [SYMBOLS[it] for it in ("m", "k_c", "theta", "x", "a", "g", "mu0")]
+        return draw.choice([*atoms, sp.Integer(2), sp.Rational(3, 2), sp.Integer(-1)])
+    one, other = _drawn(draw, depth - 1), _drawn(draw, depth - 1)
+    kinds = [one + other, one - other, one * other, one / (other**2 + 1), one**2, sp.sin(one)]
+    return draw.choice([*kinds, sp.cos(one), sp.exp(one), sp.sqrt(one**2 + 1), sp.Abs(one)])
+
+
+@pytest.mark.thorough
+def test_what_sympy_prints_comes_back_equal_or_is_refused() -> None:
+    """300 expressions, as SymPy prints them and in variants that a hand writes."""
+    draw = random.Random(78)
+    variants = [
+        lambda text: text,
+        lambda text: text.replace(r"\left", "").replace(r"\right", ""),
+        lambda text: text.replace(r"\cdot", r"\times"),
+        lambda text: text.replace(r"{\left(", "(").replace(r"\right)}", ")"),
+        lambda text: text.replace(" ", r"\,"),
+    ]
+    read = 0
+    for number in range(300):
+        expression = _drawn(draw, 3)
+        text = variants[number % len(variants)](sp.latex(expression))
+        try:
+            [equation] = read_latex(text, WORDS)
+        except Unread:
+            continue
+        read += 1
+        found = to_sympy(equation.left, SYMBOLS)
+        point = {it: sp.Rational(draw.randint(-9, 9), 7) for it in SYMBOLS.values()}
+        gap = (found - expression).subs(point)
+        assert gap == 0 or abs(gap.evalf(40)) < 1e-25 * (1 + abs(expression.subs(point).evalf(40)))
+    assert read >= 250

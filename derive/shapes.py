@@ -5,7 +5,6 @@ Lengths are pixels, y runs down.
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import dataclass, field
 from xml.sax.saxutils import escape
 

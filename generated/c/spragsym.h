@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "bbe6c4fde701cef9"
+#define SPRAGSYM_SOURCE "d175a32f5b7f1767"
 
 /** What became of a call. */
 typedef enum {

@@ -3,8 +3,8 @@ their status.
 """
 
 import io
-import os
 import math
+import os
 import re
 import shlex
 import shutil

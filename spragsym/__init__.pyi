@@ -1,4 +1,6 @@
-"""What the package offers and where it is, for type checkers and for the package, which loads names as they are used."""
+"""Public names and where they are, for type checkers and for the package, which loads names as they
+are used.
+"""
 
 from . import figures as figures
 from . import kang_nam as kang_nam

@@ -7,9 +7,10 @@ curves, which begin and end at h = ±1 or where the contact opens, and may turn 
 On a curve a coordinate is least and largest at its ends, or where it turns back itself: there the
 slopes of the forces by the other coordinates and h are singular.
 
-|F| ≤ μ_s N holds nothing where N ≤ 0. A contact that opens has no such state, and one that never does, a slot, rubs with |N|
-on either face, by which the same states stick. A given normal force has no other face: states in which it does not press are
-left out. It has one sign along a curve, since a state with N = 0 is one without friction, at every h.
+|F| ≤ μ_s N holds nothing where N ≤ 0. A contact that opens has no such state, and one that never
+does, a slot, rubs with |N| on either face, by which the same states stick. A given normal force has
+no other face: states in which it does not press are left out. It has one sign along a curve, since
+a state with N = 0 is one without friction, at every h.
 """
 
 from __future__ import annotations

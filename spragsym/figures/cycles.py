@@ -16,6 +16,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.patches import Patch
+from matplotlib.transforms import Affine2D
 
 import spragsym as ss
 
@@ -456,7 +457,7 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
     ax.set(xlim=limits, xlabel=title, ylabel=f"{height}: rest, cycles from least to largest")
     ax.margins(y=0.12)
     ax.autoscale_view()
-    inside = ax.transLimits.frozen()
+    inside = Affine2D(ax.transLimits.get_matrix())
     named: list[tuple[str, float, float]] = []
     for one_label in found.labels:
         name, at = one_label.label, (unit * one_label.value, one * one_label.height)

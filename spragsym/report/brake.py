@@ -434,7 +434,8 @@ class Brake:
         return dependence(names, self.pairs(names))
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{name}={self.shown(name)}' for name in self.quantities)})"
+        words = ", ".join(f"{name}={self.shown(name)}" for name in self.quantities)
+        return f"{type(self).__name__}({words})"
 
 
 def _given(parameters: Any, kind: Quantities, model: str) -> Numbers:

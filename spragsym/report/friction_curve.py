@@ -67,8 +67,8 @@ _BETWEEN = (";", "\t", ",", "|", " ")
 _COMMENT = ("#", "%", "//")
 #: Name and unit: v [m/s], v (m/s), v in m/s, v / (m/s), v/m/s, v_m/s, and v, m/s.
 _HEAD = re.compile(
-    r"(?P<name>[^\[\](/]*?)\s*(?:\[(?P<a>[^\[\]]*)\]|/?\s*\((?P<b>.*)\)|\s+in\s+(?P<c>\S+)|/\s*(?P<d>\S+)"
-    r"|[_\s,]\s*(?P<e>[cdkmµμ]?m/(?:s|min|h)))?"
+    r"(?P<name>[^\[\](/]*?)\s*(?:\[(?P<a>[^\[\]]*)\]|/?\s*\((?P<b>.*)\)|\s+in\s+(?P<c>\S+)"
+    r"|/\s*(?P<d>\S+)|[_\s,]\s*(?P<e>[cdkmµμ]?m/(?:s|min|h)))?"
 )
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
 #: A number with marks that stand before thousands only.

@@ -529,8 +529,9 @@ def _oscillation(report: Facts) -> Rows:
         "motion": "a motion that has not repeated itself",
         "rest": "none: it decays to rest",
         "grows": "none was found: the motion grew larger and larger, and was not followed further",
-        "falls": "none was found: the motion became smaller and smaller, and was not followed to its "
-        "end",
+        "falls": (
+            "none was found: the motion became smaller and smaller, and was not followed to its end"
+        ),
         "lift-off": "none: it lifts off the belt for good",
     }
     yield "from rest" if found.start == "rest" else "from far out", what[found.kind]
@@ -561,10 +562,8 @@ def _changes(report: Facts) -> Rows:
             if study.may_change
             else f"by up to a factor of {FACTOR:g}"
         )
-        kept = (
-            "the jump at "
-            f"{study.load_text(report.target)}{factor}{' at full slip' if report.reach == 'faster' else ''}"
-        )
+        slip = " at full slip" if report.reach == "faster" else ""
+        kept = f"the jump at {study.load_text(report.target)}{factor}{slip}"
         yield "each of them keeps", f"{kept}, and all within the tolerances from jumping; {limits}"
     if report.searched and not report.redesign:
         yield "none", "no change of one quantity or of several was found that does it"
@@ -583,11 +582,9 @@ def _changes(report: Facts) -> Rows:
                 else f"then it jumps at no {looked}"
             )
         known = "undecided within the tolerances: of the brakes that were tried none jumps"
-        yield (
-            values,
-            f"{then}; "
-            f"{f'proved for everything within {box(report.unbounded)}' if one.outcome == 'proved' else known}",
-        )
+        if one.outcome == "proved":
+            known = f"proved for everything within {box(report.unbounded)}"
+        yield values, f"{then}; {known}"
 
 
 #: Attributes of a report, of a state, and of the jump as a motion that stand in JSON as they are.

@@ -46,13 +46,15 @@ ENDS, WITHIN = 3.0, 6.0
 _POSITIVE = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 _NUMBER = rf"[+-]?{_POSITIVE}"
 _UNIT = r"(?:1\s*/\s*)?(?!sd\b)[^\d\s±\[\],+.-][^±\[\],]*?"
+_SIGN = r"(?P<sign>±|\+/-|\+-|\bsd\b)"
 #: 180 N/mm ± 15 %, or with sd a standard deviation
 _PLAIN = re.compile(
-    rf"(?P<value>{_NUMBER})\s*(?P<unit>{_UNIT})?(?:\s*(?P<sign>±|\+/-|\+-|\bsd\b)\s*(?P<off>{_POSITIVE})\s*(?P<of>{_UNIT})?)?"
+    rf"(?P<value>{_NUMBER})\s*(?P<unit>{_UNIT})?"
+    rf"(?:\s*{_SIGN}\s*(?P<off>{_POSITIVE})\s*(?P<of>{_UNIT})?)?"
 )
 #: (180 ± 15) N/mm
 _BRACKETED = re.compile(
-    rf"\(\s*(?P<value>{_NUMBER})\s*(?P<sign>±|\+/-|\+-|\bsd\b)\s*(?P<off>{_POSITIVE})\s*\)\s*(?P<unit>{_UNIT})?"
+    rf"\(\s*(?P<value>{_NUMBER})\s*{_SIGN}\s*(?P<off>{_POSITIVE})\s*\)\s*(?P<unit>{_UNIT})?"
 )
 _RANGE = re.compile(rf"\[\s*(?P<low>{_NUMBER})\s*,\s*(?P<high>{_NUMBER})\s*\]\s*(?P<unit>{_UNIT})?")
 _PERCENT = {"percent": "%", "per cent": "%", "pct": "%"}

@@ -59,6 +59,7 @@ class Study(Brake):
     Examples
     --------
     >>> from math import radians
+    >>> from spragsym import PhysicalParameters
     >>> brake = PhysicalParameters(
     ...     m=0.35, k=1.8e5, k_x=9e3, k_y=0, k_c=1.5e6, F_L=420, L_0=0.038,
     ...     theta0=radians(52), mu0=0.3,

@@ -360,19 +360,42 @@ def plot_equilibria(
     n: int = 200,
     **options: Any,
 ) -> list[Line2D]:
-    """All equilibrium curves of any model as a parameter varies, folds marked. Ranges in which a
-    point is undecided, or a fold may be missing, are hatched. Parameters ---------- p : Parameters
-    Scalars; the parameter that varies is not used. quantity : str, optional What to show, a column
-    of :class:`spragsym.Equilibria` that says where a state is, as x or theta; angles in degrees. By
-    default the first coordinate. vary, low, high, contact, damping, n As for :func:`branches`: the
-    parameter along the horizontal axis. ax : matplotlib.axes.Axes, optional Where to draw; by
-    default pyplot's current axes. color : str Of lines and folds. **options For
-    :meth:`matplotlib.axes.Axes.plot`. Returns ------- list of matplotlib.lines.Line2D One for each
-    piece of one stability, and the folds. Examples -------- >>> import spragsym as ss >>> from
-    spragsym.figures import plot_equilibria >>> from matplotlib.figure import Figure >>>
-    len(plot_equilibria(ss.Parameters.article(), ax=Figure().add_subplot())) 8 >>>
-    len(plot_equilibria(ss.load("cubic_contact").Parameters(), "theta", ax=Figure().add_subplot(),
-    n=20)) 8"""
+    """All equilibrium curves of any model as a parameter varies, folds marked.
+
+    Ranges in which a point is undecided, or a fold may be missing, are hatched.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars; the parameter that varies is not used.
+    quantity : str, optional
+        What to show, a column of :class:`spragsym.Equilibria` that says where a state is, as x or
+        theta; angles in degrees. By default the first coordinate.
+    vary, low, high, contact, damping, n
+        As for :func:`branches`: the parameter along the horizontal axis.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; by default pyplot's current axes.
+    color : str
+        Of lines and folds.
+    **options
+        For :meth:`matplotlib.axes.Axes.plot`.
+
+    Returns
+    -------
+    list of matplotlib.lines.Line2D
+        One for each piece of one stability, and the folds.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> from spragsym.figures import plot_equilibria
+    >>> from matplotlib.figure import Figure
+    >>> len(plot_equilibria(ss.Parameters.article(), ax=Figure().add_subplot()))
+    8
+    >>> p = ss.load("cubic_contact").Parameters()
+    >>> len(plot_equilibria(p, "theta", ax=Figure().add_subplot(), n=20))
+    8
+    """
     vary, ends, turns = _range(p, vary, low, high, contact)
     ax, model = own_axes(ax), p.model
     quantity = quantity or model.coordinates[0]

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from spragsym.report.brake_files import read_friction
+from spragsym.report.friction_curve import read_friction
 
 import spragsym as ss
 from spragsym.files import journal, storage

@@ -74,11 +74,6 @@ LOGARITHMIC_BUDGET = 100_000
 BESIDE, FAR_BUDGET = 1.0 + 2.0**-6, 16_000
 #: Component of a unit direction at infinity below which its coordinate stays finite.
 FINITE = 1e-6
-#: Times that ranges are halved around parameters of lines of states; boxes of a point that are
-#: kept, or else their hull.
-HALVINGS, LINES = 32, 24
-#: What is left where states may form lines.
-LINES_OF_STATES = "where det K is 0 in every state: equilibria there form lines, or there are none"
 #: What kinds of points begin with at which a state runs to infinity.
 INFINITY = "infinity"
 
@@ -90,8 +85,6 @@ class Found:
     roots: Roots
     region: FloatArray
     whole: BoolArray
-    #: Whether the boxes that are left hold parameters at which states may form lines.
-    lines: bool = False
 
 
 def isolated(family: Family, condition: Condition, kind: str) -> Points:
@@ -107,7 +100,14 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     """
     balance, alone = family.balance, family.given.shape[1] == len(family.vary) == 1
     if condition.singular and is_affine(family):
-        return _without_points(family)
+        everywhere = with_sides(
+            np.full((2, balance.n, family.given.shape[1]), np.inf), family.spans
+        )
+        return Found(
+            Roots.none(balance.n + len(family.vary)),
+            everywhere,
+            np.ones(family.given.shape[1], dtype=np.bool_),
+        )
     around, whole = _region(family, balance)
     if condition.touching and not whole.all():
         # On the border the contact's force is 0: these are states in lift-off, too.
@@ -153,65 +153,6 @@ def _between(around: FloatArray, low: float, high: float) -> FloatArray:
     return with_sides(around[:, :-1], np.array([[low, high]]))
 
 
-def _without_points(family: Family) -> Found:
-    """Of affine forces: no two states meet, but where det K is 0 there may be a line of them, which
-    is left.
-    """
-    n, count = family.balance.n, family.given.shape[1]
-    values, point = _with_lines(family)
-    around = with_sides(np.full((2, n, count), np.inf), family.spans)
-    roots, whole = Roots.none(n + len(family.vary)), np.ones(count, dtype=np.bool_)
-    if not point.size:
-        return Found(roots, around, whole)
-    around, whole = _region(family, family.balance)
-    near = np.broadcast_to(around, (*around.shape[:2], count))[:, :n, point]
-    return Found(
-        roots.besides(np.concatenate([near, values], axis=1), point), around, whole, lines=True
-    )
-
-
-def _with_lines(family: Family) -> tuple[FloatArray, IntArray]:
-    """Boxes of parameters, shape (2, number, boxes), where affine forces may vanish on a line; and
-    their points.
-    """
-    number, count = len(family.vary), family.given.shape[1]
-    places = [family.balance.parameters.index(name) for name in family.vary]
-    sides = np.stack([-family.spans[:, 0], family.spans[:, 1]])[:, :, None]
-    ends, point = np.repeat(sides, count, axis=2), np.arange(count)
-    for halving in range(HALVINGS):
-        over = np.stack([-family.given[:, point], family.given[:, point]])
-        over[:, places] = ends
-        some = np.flatnonzero(_may_have_lines(family.balance, Intervals(over)))
-        ends, point = ends[:, :, some], point[some]
-        if np.bincount(point, minlength=1).max() > LINES:
-            hulls = [ends[:, :, point == one].max(axis=2) for one in np.unique(point)]
-            return np.stack(hulls, axis=2), np.unique(point)
-        row = halving % number
-        middle = Intervals(ends).middle[row]
-        ends, point = np.repeat(ends, 2, axis=2), np.repeat(point, 2)
-        ends[1, row, ::2], ends[0, row, 1::2] = middle, -middle
-    return ends, point
-
-
-def _may_have_lines(balance: Balance, over: Intervals) -> BoolArray:
-    """Where det K may be 0 and so may each determinant of Cramer's rule, without which no state is
-    at det K = 0.
-    """
-    shape = over.shape[1:]
-    with quiet():
-        origin = variables([Intervals.point(np.zeros(shape))] * balance.n, 1)
-        rows = balance.at(origin, balance.over(over), shape).forces()
-        K = [gradient(row, balance.n) for row in rows]
-        out = np.ones(shape, dtype=np.bool_)
-        for column in range(-1, balance.n):
-            part = [
-                [constant(row) if j == column else entry for j, entry in enumerate(slopes)]
-                for row, slopes in zip(rows, K, strict=True)
-            ]
-            out &= as_intervals(determinant(part), shape).holds_zero()
-    return out
-
-
 def is_affine(family: Family) -> bool:
     """Whether the forces are affine in the coordinates, by structure: there is one state, none, or
     a line, and no two meet.
@@ -254,7 +195,7 @@ def arranged(
     order = in_order(np.concatenate([middle[n:], middle[:n]]), found.roots.error, found.roots.point)
     values = family.named(middle[:, order]) | picked(more or {}, order)
     box = spans_of(found.region[:, :, 0])
-    boxes_left, kinds = listed(family, left, LINES_OF_STATES if found.lines else None)
+    boxes_left, kinds = listed(family, left)
     remarks += (*kinds, *of_region(balance, found.region[:, :n], found.whole))
     remarks += of_ranges(family.endless, vary, box[n:])
     return Points(
@@ -271,28 +212,22 @@ def arranged(
     )
 
 
-def listed(
-    family: Family, left: FloatArray, kind: str | None = None
-) -> tuple[FloatArray, tuple[str, ...]]:
+def listed(family: Family, left: FloatArray) -> tuple[FloatArray, tuple[str, ...]]:
     """Boxes that are left, shape (2, unknowns, boxes), as lower and upper ends, and how many are of
     each kind.
-
-    The ``kind`` is found from the boxes where it is not given.
     """
     balance, vary = family.balance, family.vary
     varied = dict(zip(vary, Intervals(left[:, balance.n :]), strict=True))
-    given = np.repeat(family.given, left.shape[2], axis=1)
-    each = [kind] * left.shape[2] if kind else kinds_of(balance, given, left, varied)
-    kinds = summed(each)
-    left = _merged(left, 0 if kind else MANY) if len(vary) == 1 else left
+    kinds = summed(kinds_of(balance, np.repeat(family.given, left.shape[2], axis=1), left, varied))
+    left = _merged(left) if len(vary) == 1 else left
     return np.moveaxis(spans_of(left), 1, 0), kinds
 
 
-def _merged(left: FloatArray, most: int) -> FloatArray:
-    """More boxes than ``most`` as hulls of those with touching ranges: thousands cover a line of
-    equilibria.
+def _merged(left: FloatArray) -> FloatArray:
+    """Many boxes that are left as hulls of those with touching ranges of the parameter: thousands
+    cover a line of equilibria.
     """
-    if left.shape[2] <= most:
+    if left.shape[2] <= MANY:
         return left
     left = left[:, :, np.argsort(-left[0, -1])]
     low, reached = -left[0, -1], np.maximum.accumulate(left[1, -1])

@@ -93,7 +93,8 @@ def quasi_static_path(
         :func:`spragsym.equilibria`.
     after_jump : callable, optional
         Which equilibrium the system goes to after a jump: ``(eq, before) -> slot``. Without it the
-        stable one that is nearest, or the only one that is left. Whether the motion settles there
+        stable one that is nearest, or the only one that is left; from infinity, where none is the
+        nearest, it goes nowhere. Whether the motion settles there
         or on a limit cycle, :func:`spragsym.simulate` tells.
     method : {"auto", "closed", "search"}
         A closed form if the model brings one for these arguments, the closed form only, or the
@@ -102,6 +103,9 @@ def quasi_static_path(
     Returns
     -------
     Path
+        With the values that are reached: where the state runs to infinity, and no ``after_jump``
+        says where it goes or no state is left, the path ends, with a last entry of ``jumps`` of the
+        kind ``"infinity"``, whose ``after`` is empty and whose ``stability_after`` is None.
 
     Raises
     ------
@@ -147,11 +151,16 @@ def quasi_static_path(
     for stop in range(1, way.stops.size):
         place = way.followed(stop, place)
         if way.ended(stop, place):
+            # No state is the nearest to infinity.
+            if way.far[~place] and (after_jump is None or not way.eq.count[stop]):
+                jumps.append(way.escape(~place))
+                break
             place, jump = way.jump(stop, ~place, after_jump)
             jumps.append(jump)
         if way.stops[stop] in along:
             out.append(way.state(stop, place))
     *q, stability, error = np.array(out).T
+    along = along[: len(out)]
     coordinates = dict(zip(way.balance.coordinates, q, strict=True))
     states = one_each(p.replace(**{vary: along}), coordinates, stability.astype(np.int8), error)
     places = {name: getattr(states, name)[:, 0] for name in states.columns}
@@ -537,11 +546,6 @@ class Way:
             raise ConvergenceError(
                 f"{ends}, and there is no other beyond it: end the path before it"
             )
-        if choose is None and end.kind == INFINITY:
-            raise ConvergenceError(
-                f"{ends}, from where no state is the nearest: say in Python by after_jump "
-                "where it goes"
-            )
         if choose is None:
             stable = (eq.stability == Stability.STABLE) | (count == 1 and eq.whole)
             if not stable.any():
@@ -571,6 +575,11 @@ class Way:
         return int(nearest_state(self.eq, behind)[stop]), Jump(
             end.value, end.kind, whole, after, kind, end.error
         )
+
+    def escape(self, number: int) -> Jump:
+        """The last event of a path whose state runs to infinity."""
+        end = self.end(number)
+        return Jump(end.value, end.kind, self._place(number, self.eq.columns), {}, None, end.error)
 
     def end(self, number: int) -> ModelEnd:
         """A point at which states vanish, as a result."""

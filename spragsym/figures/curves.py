@@ -435,7 +435,12 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
     """
     values, model = path.values, path.parameters.model
     forward = -1.0 if values[0] > values[-1] else 1.0
-    ends = [(jump.value, end[quantity]) for jump in path.jumps for end in (jump.before, jump.after)]
+    ends = [
+        (jump.value, end[quantity])
+        for jump in path.jumps
+        if jump.after  # the end at infinity has no place in a figure
+        for end in (jump.before, jump.after)
+    ]
     jumps = np.array(ends).reshape(-1, 2)
     stops = np.searchsorted(forward * values, forward * jumps[:, 0], side="right")
     whole = np.insert(np.stack([values, getattr(path, quantity)], axis=1), stops, jumps, axis=0)

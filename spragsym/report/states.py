@@ -246,6 +246,8 @@ def current(study: Brake, eq: Equilibria) -> Numbers | None:
     path = quasi_static_path(
         study.operating_point, study.load.name, [begin, value] if value > begin else [begin]
     )
+    if path.jumps and not path.jumps[-1].after:  # it has run to infinity on the way
+        return None
     return {name: float(column[-1]) for name, column in path.coordinates.items()}
 
 
@@ -322,7 +324,7 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
         return None
     p = study.operating_point
     path = quasi_static_path(p, load.name, [study.start(), value + 1e-6 * abs(value) + 1e-9])
-    if not path.jumps:
+    if not path.jumps or not path.jumps[0].after:
         return None
     turn = path.jumps[0]
     begin, end = (

@@ -331,7 +331,8 @@ class Jump(Result):
     takes its place.
 
     ``before`` and ``after`` say where they are, by the names of ``Path.columns``: numbers, angles
-    in radians.
+    in radians. Where a path ends as its state runs to infinity, ``before`` is infinite, NaN in
+    coordinates that stay finite; ``after`` is empty and ``stability_after`` None.
     """
 
     value: float  #: of the parameter, at the fold, on the border or in the limit
@@ -340,7 +341,7 @@ class Jump(Result):
     kind: str
     before: Mapping[str, float]
     after: Mapping[str, float]
-    stability_after: Stability
+    stability_after: Stability | None
     error: float  #: bound on the error of ``value``
 
 
@@ -351,7 +352,7 @@ _OF_STATES = ("growth", "growth_sign", "damped")
 @dataclass(frozen=True, eq=False)
 class Path(OfStates, Rows):
     """States along the values of the parameter, in the order in which they are passed, and the
-    jumps between them.
+    jumps between them; a path whose state runs to infinity ends there, see :class:`spragsym.Jump`.
 
     Each coordinate is an attribute under its own name, of the shape of ``values``; so are the
     direction and the length of each inclined spring, as of :class:`spragsym.Equilibria`. Angles are

@@ -17,6 +17,7 @@ from itertools import combinations, islice, pairwise
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..bifurcation.flutter import flutter_onsets
 from ..error_states import in_usual_state
@@ -130,6 +131,32 @@ class Diagram(Result):
     name: str = field(repr=False)
     model: Any = field(repr=False)
 
+    def data(self) -> dict[str, NDArray[Any]]:
+        """The points of all branches, one branch after the other: what they are ``of``, the number
+        of the ``branch`` among its kind, the parameter, the lowest and highest first coordinate,
+        the period (NaN of equilibria), and whether they are stable.
+        """
+        parts = [
+            ("equilibria", at, one, one.states[:, 0], one.states[:, 0], 0 * one.values + np.nan)
+            for at, one in enumerate(self.equilibria)
+        ] + [
+            ("cycles", at, one, one.lowest, one.highest, one.periods)
+            for at, one in enumerate(self.cycles)
+        ]
+        if not parts:
+            return {}
+        kinds, at, branches, lowest, highest, periods = zip(*parts, strict=True)
+        sizes = [one.values.size for one in branches]
+        return {
+            "of": np.repeat(kinds, sizes),
+            "branch": np.repeat(at, sizes),
+            self.vary: np.concatenate([one.values for one in branches]),
+            "lowest": np.concatenate(lowest),
+            "highest": np.concatenate(highest),
+            "period": np.concatenate(periods),
+            "stable": np.concatenate([one.stable for one in branches]),
+        }
+
 
 @in_usual_state
 def diagram(
@@ -184,6 +211,8 @@ def diagram(
     [('H', 0.101), ('GR', 0.1591)]
     >>> len(found.equilibria), len(found.cycles), bool(found.cycles[0].stable.any())
     (1, 1, True)
+    >>> found.data()["V"].size == found.equilibria[0].values.size + found.cycles[0].values.size
+    True
     """
     model = model_of(p)
     model.require_parameter(vary)

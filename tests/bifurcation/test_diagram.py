@@ -58,6 +58,18 @@ def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.Diagram) -> None:
 
 
 @pytest.mark.thorough
+def test_its_table_has_the_points_of_all_branches(born: ss.Diagram) -> None:
+    table = born.data()
+    for kind, branches in (("equilibria", born.equilibria), ("cycles", born.cycles)):
+        for number, branch in enumerate(branches):
+            rows = (table["of"] == kind) & (table["branch"] == number)
+            assert table["V"][rows].tolist() == branch.values.tolist()
+            assert table["stable"][rows].tolist() == branch.stable.tolist()
+    assert {one.of for one in born.labels} <= set(table["of"])
+    assert np.isnan(table["period"][table["of"] == "equilibria"]).all()
+
+
+@pytest.mark.thorough
 def test_a_cycle_of_a_branch_that_is_there_gives_no_second_one() -> None:
     model = ss.load("stick_slip")
     onsets = ss.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})

@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from spragsym.report.friction_curve import read_friction
 
 import spragsym as ss
 from spragsym.files import journal, storage
+from spragsym.report.friction_curve import read_friction
 from spragsym.results.files import _digest, _text
 from tests.support import ROOT
 

@@ -33,7 +33,9 @@ from .result import Result
 #: then converts it. Files before there was a number are of the first.
 FORMAT = 1
 #: Where classes stand whose module or name has changed since a file was written.
-MOVED: Mapping[tuple[str, str], tuple[str, str]] = {}
+MOVED: Mapping[tuple[str, str], tuple[str, str]] = {
+    ("spragsym.report.brake_files", "FrictionFit"): ("spragsym.report.friction_fit", "FrictionFit"),
+}
 #: Bytes of a file that is read back, at most.
 LARGEST = 1 << 30
 #: What a file raises that is not as :func:`save` writes it now.

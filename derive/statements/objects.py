@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -19,9 +20,20 @@ from ..units import Dimension
 #: Normal force, frequency parameter of the characteristic polynomial.
 NORMAL, LAMBDA = sp.Symbol("N", real=True), sp.Symbol("lam")
 
+#: Applied forces that may be counted in an energy one by one; of more all are, or none.
+MOST_FORCES = 3
+
 
 class NoObject(LookupError):
     """An object that a page does not have, or that can't be derived; with the remedy."""
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One of the values that a name may mean, and what is counted in it."""
+
+    entry: sp.Expr
+    said: str
 
 
 @dataclass(frozen=True)
@@ -31,7 +43,8 @@ class Object:
     ``entries`` are all components of a ``law`` of transformation between coordinates: scalar,
     covector, vector or form; ``index`` are the places of those that the statement is about. A
     residual may have a factor: "none", "constant" to be added, "parameters" of any kind, or a
-    "monomial" of them. A value has the names by which it is called.
+    "monomial" of them. A value has the names by which it is called; where authors differ in what
+    they count in it, ``readings`` has every value that may be meant, the entry first.
     """
 
     entries: Row
@@ -43,6 +56,7 @@ class Object:
     steady: bool = False  #: friction is that at steady sliding
     apart: bool = False  #: in lift-off
     unit: Dimension | None = None
+    readings: tuple[Reading, ...] = ()
 
     @property
     def is_value(self) -> bool:
@@ -229,17 +243,47 @@ def _acceleration(it: Derivation, name: str, apart: bool) -> Object:
 
 
 def _energy(it: Derivation, name: str, apart: bool) -> Object:
+    """An energy, V also as U; V and L count potentials of constant applied forces or do not."""
     kinetic = it.spelled(it.model.kinetic)
     potential = it.spelled(it.model.potential)
-    for force, symbol in zip(it.model.applied, it.model.coordinates, strict=True):
-        if not force.has(*it.model.coordinates):
-            potential -= it.spelled(force) * symbol
-    values = {"T": kinetic, "V": potential, "L": kinetic - potential}
+    if name == "T":
+        by, names = "mechanics.Mechanics.kinetic", frozenset({name})
+        return Object((kinetic,), by, names=names, unit=units.ENERGY)
+    values = {"V": potential, "L": kinetic - potential}
     if name not in values:
         raise NoObject(f"there is no energy {name}; there are T, V and L")
-    factor = "none" if name == "T" else "constant"
-    by = "mechanics.Mechanics.kinetic" if name == "T" else "mechanics.Mechanics.potential"
-    return Object((values[name],), by, factor=factor, names=frozenset({name}), unit=units.ENERGY)
+    sign = 1 if name == "V" else -1
+    works = _potentials_of_forces(it)
+    readings = []
+    ways = [(True,) * len(works), (False,) * len(works)]
+    if len(works) <= MOST_FORCES:
+        ways = list(itertools.product((True, False), repeat=len(works)))
+    for counted in ways:
+        said = (
+            f"potential of an applied force {'counted' if is_in else 'left out'}: {work}"
+            for work, is_in in zip(works, counted, strict=True)
+        )
+        added = sum(itertools.compress(works, counted), sp.S.Zero)
+        readings.append(Reading(values[name] + sign * added, "; ".join(said)))
+    by = "mechanics.Mechanics.potential"
+    other = {"U"} - it.names.keys() if name == "V" else set()
+    names = frozenset({name, *other})
+    entries, several = (readings[0].entry,), tuple(readings) if works else ()
+    return Object(
+        entries, by, "scalar", (0,), "constant", names, unit=units.ENERGY, readings=several
+    )
+
+
+def _potentials_of_forces(it: Derivation) -> list[sp.Expr]:
+    """Potentials of the applied forces that are constant: weights and pushes."""
+    moving = {*it.page.places, *it.page.rates}
+    found = []
+    for force in it.page.forces:
+        if not any(moving & component.free_symbols for component in force.components):
+            pairs = zip(force.components, force.place, strict=True)
+            work = sum((it.measured(part) * it.measured(at) for part, at in pairs), sp.S.Zero)
+            found.append(-it.spelled(work))
+    return found
 
 
 def _balance(it: Derivation, name: str, apart: bool) -> Object:

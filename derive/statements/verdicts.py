@@ -100,6 +100,7 @@ class Item:
     equations: tuple[Equation, ...]
     values: Mapping[str, Values]
     targets: tuple[Values, ...]
+    readings: tuple[Values, ...]
     defined: Mapping[str, Node]
 
 
@@ -204,7 +205,8 @@ def _item(
     values = samples.drawn(it, held)
     names = list(values)
     targets = tuple(numeric(entry, names)(values) for entry in held.entries)
-    return Item(statement, it, held, equations, values, targets, dict(defined))
+    readings = tuple(numeric(one.entry, names)(values) for one in held.readings)
+    return Item(statement, it, held, equations, values, targets, readings, dict(defined))
 
 
 # ------------------------------------------------------------------------------------ comparison
@@ -270,7 +272,8 @@ def _components(
                 item.held.law == "scale" and equation.left.kind == "symbol"
             ):
                 continue  # 2 T = … is no value of T
-            found.append(Component(tree, (target,), (entry,), left))
+            meant = tuple(one.entry for one in item.held.readings)
+            found.append(Component(tree, item.readings or (target,), meant or (entry,), left))
             continue
         tree = equation.left
         if printed(equation.right) != "0":
@@ -329,7 +332,8 @@ def proved(item: Item, conventions: Conventions, tree: Node, entry: sp.Expr) -> 
     if item.held.steady:
         laws[MU] = item.it.friction_at_rest
     if item.held.factor == "constant":
-        return all(_zero(sp.diff(value - entry, it)) for it in item.it.model.coordinates)
+        states = (*item.it.model.coordinates, *item.it.model.rates)
+        return all(_zero(sp.diff(value - entry, it)) for it in states)
     return _zero(value - entry) or _zero((value - entry).subs(laws))
 
 
@@ -455,6 +459,7 @@ def _row(item: Item, conventions: Conventions) -> Row:
     )
     wrong = "" if item.it.scaled else _units_problem(item, parts)
     repaired: list[tuple[Component, Repair, int]] = []
+    counted = ""
     for part in parts:
         hits = [
             exact
@@ -462,8 +467,10 @@ def _row(item: Item, conventions: Conventions) -> Row:
             if _holds(item, part.tree, target, values)
         ]
         if hits:
-            if not any(proved(item, conventions, part.tree, exact) for exact in hits):
+            right = (it for it in hits if proved(item, conventions, part.tree, it))
+            if (exact := next(right, None)) is None:
                 return replace(row, evidence="equal at all samples, but not by exact algebra")
+            row, counted = _as_meant(row, item, exact)
             continue
         gap = to_sympy(part.tree, _names(item, conventions)) - part.exact[0]
         row = replace(row, difference=str(normal_form(gap)))
@@ -473,17 +480,22 @@ def _row(item: Item, conventions: Conventions) -> Row:
         if found is None:
             said = "no edit, and no two, give what is derived"
             return replace(row, evidence=f"{wrong}; {said}" if wrong else said)
-        repaired.append((part, *found))
+        repair, exact, count = found
+        row, counted = _as_meant(row, item, exact)
+        if counted:
+            gap = to_sympy(part.tree, _names(item, conventions)) - exact
+            row = replace(row, difference=str(normal_form(gap)))
+        repaired.append((part, repair, count))
     if not parts:
         said = f"left of = no name of this object stands alone: {', '.join(sorted(held.names))}"
         return replace(row, status="unread", evidence=said)
     if not repaired:
         word = statement.about.split(" ")[0]
         status = "definition" if word == "definition" else "confirmed"
-        return replace(row, status=status, evidence=f"{held.by}, equal by exact algebra")
+        return replace(row, status=status, evidence=f"{held.by}, equal by exact algebra{counted}")
     trees = [_said(part.left, repair.tree) for part, repair, _ in repaired]
     texts = [to_latex(repair.tree, item.it.letters) for _, repair, _ in repaired]
-    evidence = f"what is repaired equals {held.by} by exact algebra"
+    evidence = f"what is repaired equals {held.by} by exact algebra{counted}"
     return replace(
         row,
         status="misprint",
@@ -494,6 +506,14 @@ def _row(item: Item, conventions: Conventions) -> Row:
         evidence=f"{wrong}; {evidence}" if wrong else evidence,
         cost="; ".join(_cost(item, part, values) for part, *_ in repaired),
     )
+
+
+def _as_meant(row: Row, item: Item, exact: sp.Expr) -> tuple[Row, str]:
+    """A row with the value that the print means, and what is counted in it."""
+    for one in item.held.readings:
+        if one.entry == exact:
+            return replace(row, derived=str(exact)), f"; {one.said}"
+    return row, ""
 
 
 def _said(left: str, tree: Node) -> str:
@@ -518,8 +538,8 @@ def _cost(item: Item, part: Component, values: Mapping[str, Values]) -> str:
 
 def _repaired(
     item: Item, conventions: Conventions, part: Component, values: Mapping[str, Values]
-) -> tuple[Repair, int] | None:
-    """The most likely repair that is proved, and how many others cost as little."""
+) -> tuple[Repair, sp.Expr, int] | None:
+    """The most likely repair that is proved, what it is, and how many cost as little."""
     used = symbols(part.tree)
     known = {"lam", "N", "mu"} - _free(item)
     known |= item.held.names if item.held.law != "scale" else set()
@@ -532,7 +552,7 @@ def _repaired(
     for target, exact in zip(part.targets, part.exact, strict=True):
         if not any(same(target, it) for it, _ in ways):
             ways.append((target, exact))
-    good: list[Repair] = []
+    good: list[tuple[Repair, sp.Expr]] = []
     for pairs in (False, True):
         found = [
             (repair, exact)
@@ -540,13 +560,13 @@ def _repaired(
             for repair in repairs(part.tree, target, pool, pairs)
         ]
         for repair, exact in sorted(found, key=lambda it: (it[0].cost, len(printed(it[0].tree)))):
-            if (good and repair.cost > good[0].cost + 0.01) or len(good) > MOST_PROOFS:
+            if (good and repair.cost > good[0][0].cost + 0.01) or len(good) > MOST_PROOFS:
                 break
             if proved(item, conventions, repair.tree, exact):
-                good.append(repair)
+                good.append((repair, exact))
         if good:
             break
-    return (good[0], len(good)) if good else None
+    return (*good[0], len(good)) if good else None
 
 
 def _free(item: Item) -> set[str]:

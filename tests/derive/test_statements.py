@@ -94,6 +94,35 @@ def test_what_follows_from_the_page_is_confirmed(about: str, text: str) -> None:
     assert _judged(about, text, "units", COUPLING).status == "confirmed"
 
 
+SPRINGS = "k_x*x**2/2 + k_y*y**2/2 + k*(x - y)**2/4"
+
+
+@pytest.mark.parametrize(
+    ("about", "before", "sign"),
+    [("energy V", "V = ", "+"), ("energy V", "U = ", "+"), ("energy L", "L = m*vx**2/2 + ", "-")],
+)
+def test_an_applied_force_is_counted_in_the_potential_or_not(
+    about: str, before: str, sign: str
+) -> None:
+    """Both prints of V and of L are right where a constant force acts, and the row says which."""
+    energy = f"m*vy**2/2 - ({SPRINGS})" if sign == "-" else SPRINGS
+    for text, said in ((energy, "left out"), (f"{energy} {sign} F_L*y", "counted")):
+        row = _judged(about, before + text, "units", COUPLING)
+        assert row.status == "confirmed", text
+        assert f"{said}: F_L*y" in row.evidence
+        assert ("F_L" in row.derived) == (said == "counted")
+
+
+@pytest.mark.thorough
+def test_an_energy_is_repaired_in_the_reading_that_it_is_nearest_to() -> None:
+    """A sign is one edit, in V without the applied force; a force along another way is none."""
+    row = _judged("energy V", f"V = {SPRINGS}".replace("x - y", "x + y"), "units", COUPLING)
+    assert (row.status, [it["kind"] for it in row.edits]) == ("misprint", ["sign"])
+    assert "F_L" not in row.difference
+    wrong = _judged("energy V", f"V = {SPRINGS} + F_L*x", "units", COUPLING)
+    assert wrong.status == "misprint"
+
+
 def test_a_factor_of_the_state_is_no_factor() -> None:
     """An equation times a coordinate is another one, and so is an energy times 2."""
     text = "x*(m*ax + k_x*x + k/2*(x - y) - mu*N)"

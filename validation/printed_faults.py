@@ -28,36 +28,38 @@ SLOWEST = 2.0
 
 
 @cache
-def sources() -> list[tuple[pages.Model, papers.Statement, verdicts.Item]]:
-    """Every right statement of the files, read."""
+def sources() -> list[tuple[pages.Model, papers.Paper, verdicts.Item]]:
+    """Every right statement of the files, read, behind the definitions that it may use."""
     found = []
-    for path in sorted(FOLDER.glob("*.toml")):
+    for path in sorted(FOLDER.rglob("*.toml")):
         paper = papers.read(path)
-        model = pages.read(pages.SHIPPED / f"{paper.model}.py")
+        own = path.parent / paper.model
+        model = pages.read(own if own.is_file() else pages.SHIPPED / f"{paper.model}.py")
         forms = verdicts.forms_of(model)
         rows = verdicts.check(paper, model).rows
         defined: dict[str, Node] = {}
+        before: list[papers.Statement] = []
         for statement, row in zip(paper.statements, rows, strict=True):
             item = verdicts.prepared(statement, forms, paper.renamed, defined)
             if row.status == "confirmed" and isinstance(item, verdicts.Item):
-                found.append((model, statement, item))
+                found.append((model, replace(paper, statements=(*before, statement)), item))
+            elif row.status == "definition":
+                before.append(statement)
     return found
 
 
 def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """One equation with a fault, or with two."""
     known = sources()
-    model, statement, item = known[int(rng.integers(len(known)))]
+    model, paper, item = known[int(rng.integers(len(known)))]
     equation = item.equations[0]
     double = number % 3 == 2
     for _ in range(100):
-        left, right = equation.left, equation.right
-        side, other = (left, right) if printed(right) == "0" else (right, left)
+        side, other = _side(equation, item, rng)
         for _ in range(2 if double else 1):
             side = planted(side, item.it, rng)
         wrong_text = f"{printed(other)} = {printed(side)}"
-        wrong = _with(statement, wrong_text)
-        row = _verdict(model, wrong)
+        row = _verdict(model, _with(paper, wrong_text))
         if row[0].status != "confirmed":  # a fault that changes the value
             break
     verdict, seconds = row
@@ -65,9 +67,8 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     found: dict[str, Any] = {"kind": kind, "wrong": [], "seconds": seconds, "true": 0, "first": 0}
     if verdict.status == "misprint":
         found["true"] = 1
-        first = [_form(text, item) for text in verdict.repaired.split(" = ", 1)]
-        right_forms = _right_forms(equation, item)
-        found["first"] = int(any(it in right_forms for it in first))
+        first = verdict.repaired.removesuffix(" = 0").rpartition(" = ")[2]
+        found["first"] = int(_form(first, item) in _right_forms(equation, item))
     elif not double:
         found["missed"] = 1
     if verdict.status not in ("misprint", "failed"):
@@ -77,13 +78,14 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     return found
 
 
-def _with(statement: papers.Statement, text: str) -> papers.Statement:
-    return replace(statement, text=text, is_latex=False)
+def _with(paper: papers.Paper, text: str) -> papers.Paper:
+    *before, last = paper.statements
+    return replace(paper, statements=(*before, replace(last, text=text, is_latex=False)))
 
 
-def _verdict(model: pages.Model, statement: papers.Statement) -> tuple[verdicts.Row, float]:
+def _verdict(model: pages.Model, paper: papers.Paper) -> tuple[verdicts.Row, float]:
     begin = process_time()
-    (row,) = verdicts.check(papers.Paper("", "", {}, (statement,)), model).rows
+    row = verdicts.check(paper, model).rows[-1]
     return row, process_time() - begin
 
 
@@ -97,9 +99,22 @@ def _form(text: str, item: verdicts.Item) -> sp.Expr:
         return sp.nan
 
 
+def _side(
+    equation: verdicts.Equation, item: verdicts.Item, rng: np.random.Generator
+) -> tuple[Node, Node]:
+    """The side that gets a fault: of a residual the longer one more often; and the other."""
+    left, right = equation.left, equation.right
+    lengths = [len(list(_places(side))) for side in (left, right)]
+    chosen = not item.held.is_value and rng.random() * sum(lengths) < lengths[0]
+    return (left, right) if chosen or printed(right) == "0" else (right, left)
+
+
 def _right_forms(equation: verdicts.Equation, item: verdicts.Item) -> list[sp.Expr]:
-    residual = f"{printed(equation.left)} - ({printed(equation.right)})"
-    return [_form(printed(equation.right), item), _form(residual, item), -_form(residual, item)]
+    left, right = printed(equation.left), printed(equation.right)
+    if item.held.is_value:
+        return [_form(left if right == "0" else right, item)]
+    residual = _form(f"{left} - ({right})", item)
+    return [residual, -residual]
 
 
 def planted(tree: Node, it: Derivation, rng: np.random.Generator) -> Node:

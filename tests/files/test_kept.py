@@ -60,7 +60,8 @@ def sweep(store: Path) -> ss.Sweep:
 @pytest.mark.parametrize("file", sorted(KEPT.glob("*.json")), ids=lambda file: file.stem)
 def test_a_kept_result_is_opened(file: Path) -> None:
     found = ss.open(file)
-    assert type(found).__name__ == json.loads(file.read_text())["result"]["class"][1]
+    kept = json.loads(file.read_text(encoding="utf-8"))
+    assert type(found).__name__ == kept["result"]["class"][1]
     assert repr(found).startswith(f"{type(found).__name__}(")
     assert all(np.size(column) >= 0 for column in found.data().values())
 

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..numerics import boxes, certified_roots, contractors
-from ..numerics.arithmetic import determinant, is_zero
+from ..numerics.arithmetic import determinant
 from ..numerics.certified_roots import Roots, distinct, stepped
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import (
@@ -51,6 +51,7 @@ from ..statics.reference_state import in_order
 from ..statics.regions import region
 from ..statics.search import kinds_of, of_ranges, of_region, summed
 from .defining_systems import Augmented, Condition, Family, OfFamily, settled, slope
+from .lines_of_states import LINES_OF_STATES, is_affine, lines_of_states
 
 #: Boxes looked at for one search of up to three unknowns, of four, and of more, where each costs
 #: many times as much.
@@ -85,6 +86,8 @@ class Found:
     roots: Roots
     region: FloatArray
     whole: BoolArray
+    #: What is known of the boxes that are left, where it is known.
+    why: str | None = None
 
 
 def isolated(family: Family, condition: Condition, kind: str) -> Points:
@@ -100,14 +103,7 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     """
     balance, alone = family.balance, family.given.shape[1] == len(family.vary) == 1
     if condition.singular and is_affine(family):
-        everywhere = with_sides(
-            np.full((2, balance.n, family.given.shape[1]), np.inf), family.spans
-        )
-        return Found(
-            Roots.none(balance.n + len(family.vary)),
-            everywhere,
-            np.ones(family.given.shape[1], dtype=np.bool_),
-        )
+        return _of_affine_forces(family)
     around, whole = _region(family, balance)
     if condition.touching and not whole.all():
         # On the border the contact's force is 0: these are states in lift-off, too.
@@ -153,23 +149,17 @@ def _between(around: FloatArray, low: float, high: float) -> FloatArray:
     return with_sides(around[:, :-1], np.array([[low, high]]))
 
 
-def is_affine(family: Family) -> bool:
-    """Whether the forces are affine in the coordinates, by structure: there is one state, none, or
-    a line, and no two meet.
-    """
-    balance = family.balance
-    if balance.springs:
-        return False
-    with quiet():
-        values = balance.over(family.over[:, :1])
-        try:
-            rows = balance.at(
-                variables([Intervals.point(np.full(1, 0.5))] * balance.n, 2), values, (1,)
-            ).rows("forces")
-        except ZeroDivisionError:  # a law that has no value there
-            return False
-    jets = (row for row in rows if isinstance(row, Jet))
-    return all(len(term) < 2 or is_zero(part) for jet in jets for term, part in jet.terms.items())
+def _of_affine_forces(family: Family) -> Found:
+    """No two states meet; parameters at which they may form a line are left."""
+    n, count = family.balance.n, family.given.shape[1]
+    values, point = lines_of_states(family)
+    roots, whole = Roots.none(n + len(family.vary)), np.ones(count, dtype=np.bool_)
+    if not point.size:
+        return Found(roots, with_sides(np.full((2, n, count), np.inf), family.spans), whole)
+    around, whole = _region(family, family.balance)
+    near = np.broadcast_to(around, (*around.shape[:2], count))[:, :n, point]
+    left = roots.besides(np.concatenate([near, values], axis=1), point)
+    return Found(left, around, whole, LINES_OF_STATES)
 
 
 def matrices(family: Family, z: FloatArray) -> tuple[FloatArray, ...]:
@@ -195,7 +185,7 @@ def arranged(
     order = in_order(np.concatenate([middle[n:], middle[:n]]), found.roots.error, found.roots.point)
     values = family.named(middle[:, order]) | picked(more or {}, order)
     box = spans_of(found.region[:, :, 0])
-    boxes_left, kinds = listed(family, left)
+    boxes_left, kinds = listed(family, left, found.why)
     remarks += (*kinds, *of_region(balance, found.region[:, :n], found.whole))
     remarks += of_ranges(family.endless, vary, box[n:])
     return Points(
@@ -212,22 +202,25 @@ def arranged(
     )
 
 
-def listed(family: Family, left: FloatArray) -> tuple[FloatArray, tuple[str, ...]]:
+def listed(
+    family: Family, left: FloatArray, why: str | None = None
+) -> tuple[FloatArray, tuple[str, ...]]:
     """Boxes that are left, shape (2, unknowns, boxes), as lower and upper ends, and how many are of
-    each kind.
+    each kind, or ``why`` all of them are left.
     """
     balance, vary = family.balance, family.vary
     varied = dict(zip(vary, Intervals(left[:, balance.n :]), strict=True))
-    kinds = summed(kinds_of(balance, np.repeat(family.given, left.shape[2], axis=1), left, varied))
-    left = _merged(left) if len(vary) == 1 else left
+    given = np.repeat(family.given, left.shape[2], axis=1)
+    kinds = summed([why] * left.shape[2] if why else kinds_of(balance, given, left, varied))
+    left = _merged(left) if len(vary) == 1 and (why or left.shape[2] > MANY) else left
     return np.moveaxis(spans_of(left), 1, 0), kinds
 
 
 def _merged(left: FloatArray) -> FloatArray:
-    """Many boxes that are left as hulls of those with touching ranges of the parameter: thousands
-    cover a line of equilibria.
+    """Boxes that are left as hulls of those with touching ranges of the parameter: thousands cover
+    a line of equilibria.
     """
-    if left.shape[2] <= MANY:
+    if not left.shape[2]:
         return left
     left = left[:, :, np.argsort(-left[0, -1])]
     low, reached = -left[0, -1], np.maximum.accumulate(left[1, -1])

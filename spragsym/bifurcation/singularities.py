@@ -117,7 +117,7 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
     Also their number.
     """
     number, system = 0, Augmented(family, FOLD)
-    for mirror in _mirrors(family) if found.roots.left.shape[2] <= MANY else ():
+    for mirror in _mirrors(family) if found.roots.left.shape[2] <= MANY and not found.why else ():
         left = found.roots.left
         if not left.shape[2]:
             break

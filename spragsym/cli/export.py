@@ -2,14 +2,20 @@
 through to a folder.
 """
 
+from collections.abc import Mapping
+from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
 
 import click
 
+from .. import derive as derive_package
 from ..derive.emit.targets import languages, packer
 from ..derive.kang_nam.library import exported
 from ..errors import ParameterError, StoreError
+from ..files.cache import cached, digest_of_folder
 from ..files.storage import probe
+from ..models import Model
 from ..models.load import USUAL, load, page_of
 from . import options as o
 from .case import study_of
@@ -53,7 +59,8 @@ def export(
     """Write the solver in another language, with an example that runs.
 
     The article's solver, generated algebra and a step in time; of another model, and as an FMU, its
-    forces and motion with their derivatives, derived anew from its model page (extra derive).
+    forces and motion with their derivatives, derived from its model page (extra derive). What was
+    derived is kept in the user's cache folder, and derived again when page or package change.
 
     \b
     Examples:
@@ -76,15 +83,7 @@ def export(
     study = study_of(data, model_name, trust) if data else None
     name = study.model if study else model_name or (USUAL if pack else None)
     if name:
-        from ..derive import export as translation
-        from ..derive import pages
-
-        page = page_of(load(name), pages.SHIPPED)
-        data_in_units = study.in_units() if study else None
-        try:
-            texts = translation.export(page, load(name).name, language, data_in_units, inputs)
-        except translation.UnknownInput as error:
-            raise ParameterError(f"--input: {error}") from error
+        texts = _of_page(load(name), language, study.in_units() if study else None, inputs)
     else:
         texts = exported(language)
     try:
@@ -94,6 +93,33 @@ def export(
     write(files, force, made=True)
     for path in files:
         click.echo(path)
+
+
+def _of_page(
+    model: Model,
+    language: str,
+    data: Mapping[str, tuple[float, str, float]] | None,
+    inputs: tuple[str, ...],
+) -> dict[str, str]:
+    """The files of a page's library: derived once from the same page by the same derivation."""
+    derivation = Path(derive_package.__file__).parent
+    page = page_of(model, derivation / "models")
+
+    def derived() -> dict[str, str]:
+        from ..derive import export as translation
+
+        try:
+            return translation.export(page, model.name, language, data, inputs)
+        except translation.UnknownInput as error:
+            raise ParameterError(f"--input: {error}") from error
+
+    made_of = {
+        "page": page.read_text(encoding="utf-8", errors="replace") if page.is_file() else "",
+        "derivation": digest_of_folder(derivation),
+        "sympy": version("sympy") if find_spec("sympy") else "",
+        "called": (model.name, language, data, inputs),
+    }
+    return cached(made_of, derived)
 
 
 @o.command()

@@ -1,0 +1,51 @@
+"""Texts that take seconds to make, in the user's cache folder by what they are made of."""
+
+import hashlib
+import json
+import os
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from pathlib import Path
+
+from ..errors import SpragsymError
+from .storage import put
+
+#: Results that are kept; of more the oldest go.
+KEPT = 64
+
+
+def cached(made_of: Mapping[str, object], make: Callable[[], dict[str, str]]) -> dict[str, str]:
+    """Files by their names, as they were made of the same before, or made now.
+
+    A result that is damaged is made again, and one that can't be kept is not: neither is an error.
+    """
+    key = hashlib.sha256(json.dumps(made_of, sort_keys=True).encode()).hexdigest()
+    path = cache_folder() / f"{key}.json"
+    with suppress(OSError, ValueError):
+        digest, text = path.read_text(encoding="utf-8").split("\n", 1)
+        if digest == hashlib.sha256(text.encode()).hexdigest():
+            files: dict[str, str] = json.loads(text)
+            return files
+    files = make()
+    text = json.dumps(files)
+    with suppress(OSError, SpragsymError):
+        put(path, f"{hashlib.sha256(text.encode()).hexdigest()}\n{text}", made=True)
+        for old in sorted(path.parent.glob("*.json"), key=os.path.getmtime)[:-KEPT]:
+            old.unlink()
+    return files
+
+
+def cache_folder() -> Path:
+    """Where results are kept: below ``XDG_CACHE_HOME``, ``LOCALAPPDATA`` or ``~/.cache``."""
+    usual = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
+    return Path(usual or Path.home() / ".cache") / "spragsym"
+
+
+def digest_of_folder(folder: Path) -> str:
+    """SHA-256 of the names and bytes of a folder's files, without what Python compiled."""
+    digest = hashlib.sha256()
+    for path in sorted(folder.rglob("*")):
+        if path.is_file() and path.suffix != ".pyc":
+            data = path.read_bytes()
+            digest.update(f"{path.relative_to(folder).as_posix()}\0{len(data)}\0".encode() + data)
+    return digest.hexdigest()

@@ -17,6 +17,14 @@ from .bifurcation.folds import folds as folds
 from .bifurcation.hopf_curves import onset_curves as onset_curves
 from .bifurcation.paths import quasi_static_path as quasi_static_path
 from .bifurcation.sticking import sticking_states as sticking_states
+from .core.errors import BackendError as BackendError
+from .core.errors import ConvergenceError as ConvergenceError
+from .core.errors import MissingExtraError as MissingExtraError
+from .core.errors import ModelError as ModelError
+from .core.errors import ParameterError as ParameterError
+from .core.errors import ParameterTypeError as ParameterTypeError
+from .core.errors import SpragsymError as SpragsymError
+from .core.progress import show_progress as show_progress
 from .design.certificates import Certificate as Certificate
 from .design.jumps import JumpGradient as JumpGradient
 from .design.jumps import jump_gradient as jump_gradient
@@ -28,13 +36,6 @@ from .design.margins import redesign as redesign
 from .design.probability import JumpProbability as JumpProbability
 from .design.probability import jump_probability as jump_probability
 from .design.tube_certificates import certify as certify
-from .errors import BackendError as BackendError
-from .errors import ConvergenceError as ConvergenceError
-from .errors import MissingExtraError as MissingExtraError
-from .errors import ModelError as ModelError
-from .errors import ParameterError as ParameterError
-from .errors import ParameterTypeError as ParameterTypeError
-from .errors import SpragsymError as SpragsymError
 from .explorer import explore as explore
 from .kang_nam.flutter import FlutterBoundary as FlutterBoundary
 from .kang_nam.flutter import flutter_boundary as flutter_boundary
@@ -84,7 +85,6 @@ from .orbits.diagram import Diagram as Diagram
 from .orbits.diagram import diagram as diagram
 from .papers import PaperCheck as PaperCheck
 from .papers import check as check
-from .progress import show_progress as show_progress
 from .report import Report as Report
 from .report import Study as Study
 from .results.equilibria import Equilibria as Equilibria

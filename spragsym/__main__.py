@@ -5,7 +5,7 @@ imported.
 import os
 import signal
 
-from .interrupts import INTERRUPTED, begun
+from .core.interrupts import INTERRUPTED, begun
 
 
 def run() -> None:

@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .errors import MissingExtraError, ParameterError
+from .core.errors import MissingExtraError, ParameterError
 from .models.load import load, page_of
 
 if TYPE_CHECKING:

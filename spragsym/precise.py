@@ -22,15 +22,15 @@ from typing import Any, TypeAlias
 
 import mpmath
 
-from .error_states import in_usual_state
-from .errors import ParameterError, ParameterTypeError, hint
+from .core.error_states import in_usual_state
+from .core.errors import ParameterError, ParameterTypeError, hint
+from .core.questions import Method, model_of
 from .models import Model
 from .models.load import USUAL, load
 from .models.parameters import ParameterSet, Range, Ranges
 from .numerics import balls
 from .numerics.balls import Interval
 from .numerics.decimals import exactly
-from .questions import Method, model_of
 from .results.precise_states import CuspProof, PreciseEquilibria
 
 #: What is taken exactly.

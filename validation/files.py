@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.errors import SpragsymError
+from spragsym.core.errors import SpragsymError
 from validation.machine_attacks import small_disk
 
 CASES = 40

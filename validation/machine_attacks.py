@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from spragsym.errors import StoreError
+from spragsym.core.errors import StoreError
 from spragsym.files.journal import path_of
 from spragsym.motion.sweeps import rms_sweep
 from tests.oracles.sweep_attacks import SHORT, P, Recorded, children, named, same

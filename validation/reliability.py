@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.errors import DamageWarning, SpragsymError
+from spragsym.core.errors import DamageWarning, SpragsymError
 from spragsym.files import storage
 from validation import files
 

@@ -11,12 +11,12 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
 from .. import precise
-from ..assumed import MU0_RANGE, ON_CYCLE, D, V
 from ..bifurcation.bifurcation_sets import bifurcation_set
 from ..bifurcation.critical import critical_friction, critical_value, cusp_friction
 from ..bifurcation.flutter import flutter_onsets
 from ..bifurcation.folds import folds
 from ..bifurcation.paths import quasi_static_path
+from ..core.assumed import MU0_RANGE, ON_CYCLE, D, V
 from ..generated import equilibrium as _equilibrium
 from ..kang_nam.flutter import flutter_boundary
 from ..kang_nam.steady_sliding import linear_critical_friction, linear_sprag

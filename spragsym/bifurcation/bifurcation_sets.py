@@ -15,6 +15,9 @@ from typing import Any
 
 import numpy as np
 
+from ..core.progress import doing
+from ..core.questions import Method, question
+from ..core.remarks import Remark
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.chains import link, walked
@@ -28,9 +31,6 @@ from ..numerics.interval_arrays import (
     scale_of,
 )
 from ..numerics.vectors import norm
-from ..progress import doing
-from ..questions import Method, question
-from ..remarks import Remark
 from ..results import BifurcationSet, Curve, Points
 from ..statics.precise_balance import on_side
 from ..statics.search import of_ranges

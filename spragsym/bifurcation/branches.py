@@ -15,12 +15,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
+from ..core.questions import Method, question
 from ..models.parameters import ParameterSet, Span
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import FloatArray, IntArray, Intervals
 from ..numerics.vectors import apart
-from ..questions import Method, question
 from ..results import Equilibria, Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria

@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError, ParameterError
+from ..core.errors import ConvergenceError, ParameterError
+from ..core.progress import doing
+from ..core.questions import Method, question
+from ..core.remarks import At, Remark
 from ..models.parameters import FloatArray, ParameterSet, Ranges, as_range
 from ..numerics.columns import picked
-from ..progress import doing
-from ..questions import Method, question
-from ..remarks import At, Remark
 from ..results import LowestEnd, Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria

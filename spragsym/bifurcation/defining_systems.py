@@ -19,7 +19,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from ..errors import ParameterError
+from ..core.errors import ParameterError
 from ..models import Model
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors

@@ -10,7 +10,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
+from ..core.questions import Method, question
 from ..models.forces import columns_of
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import balls, certified_roots
@@ -20,7 +21,6 @@ from ..numerics.certified_roots import Roots
 from ..numerics.decimals import float_above
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.precise_roots import narrowed
-from ..questions import Method, question
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import State

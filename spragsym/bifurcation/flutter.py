@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
+from ..core.questions import Method, question
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, distinct
@@ -26,7 +27,6 @@ from ..numerics.interval_arrays import (
     quiet,
     scale_of,
 )
-from ..questions import Method, question
 from ..results import Points
 from ..statics import stability
 from ..statics.balance import NOTHING

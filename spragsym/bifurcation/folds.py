@@ -6,8 +6,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ..core.questions import Method, question
 from ..models.parameters import ParameterSet, Ranges
-from ..questions import Method, question
 from ..results import Points
 
 

@@ -10,13 +10,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from ..error_states import in_usual_state
+from ..core.error_states import in_usual_state
+from ..core.questions import model_of
+from ..core.remarks import Remark
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
 from ..numerics.vectors import magnitude, norm
-from ..questions import model_of
-from ..remarks import Remark
 from ..results import Curve, Points, Result
 from ..statics import stability
 from ..statics.stability import is_conservative, is_damped, only_damped, slope_over

@@ -16,10 +16,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ConvergenceError, ParameterError
+from ..core.errors import ConvergenceError, ParameterError
+from ..core.questions import Method, question
 from ..models.parameters import ParameterSet, Span, as_numbers
 from ..numerics.interval_arrays import FloatArray, IntArray, scale_of
-from ..questions import Method, question
 from ..results import Equilibria, Jump, Path, Points, Result, Stability
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria

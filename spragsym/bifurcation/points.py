@@ -22,6 +22,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.progress import doing
+from ..core.remarks import At, Remark
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import determinant
 from ..numerics.certified_roots import Roots, distinct, stepped
@@ -39,8 +41,6 @@ from ..numerics.interval_arrays import (
     width_of,
 )
 from ..numerics.jets import Jet, constant, gradient, order_of, variables
-from ..progress import doing
-from ..remarks import At, Remark
 from ..results.points import Points
 from ..statics import stability
 from ..statics.balance import NOTHING, Balance

@@ -29,7 +29,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
 from ..models.parameters import Ranges
 from ..numerics import balls, certified_roots, contractors
 from ..numerics.arithmetic import cofactor, determinant

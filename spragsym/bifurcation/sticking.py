@@ -21,13 +21,13 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError, ModelError, ParameterError
+from ..core.errors import ConvergenceError, ModelError, ParameterError
+from ..core.questions import Method, question
 from ..models.model import Model, parameter_class
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import determinant
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, quiet, scale_of
 from ..numerics.vectors import TURN, apart
-from ..questions import Method, question
 from ..results.points import Points, StickingStates
 from ..statics.balance import NOTHING
 from ..statics.forces import State, as_intervals

@@ -16,7 +16,7 @@ from typing import NoReturn
 import click
 
 from .._version import __version__
-from ..errors import (
+from ..core.errors import (
     MissingExtraError,
     ParameterError,
     ParameterTypeError,
@@ -24,7 +24,7 @@ from ..errors import (
     closest,
     latin,
 )
-from ..interrupts import ending
+from ..core.interrupts import ending
 
 __all__ = ["COMMANDS", "cli", "main"]
 

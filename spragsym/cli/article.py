@@ -15,10 +15,10 @@ from typing import Any, TypeAlias, TypeVar
 
 import click
 
+from ..core.errors import ParameterError, one_of
+from ..core.progress import advance, show_progress
 from ..display import aligned
-from ..errors import ParameterError, one_of
 from ..models.load import load, page_of
-from ..progress import advance, show_progress
 from . import options as o
 from .output import print_json, refuse, wrapped, write
 

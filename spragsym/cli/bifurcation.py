@@ -15,8 +15,8 @@ import numpy as np
 
 import spragsym as ss
 
-from ..errors import ParameterError
-from ..progress import show_progress
+from ..core.errors import ParameterError
+from ..core.progress import show_progress
 from ..results.points import after_if_known
 from . import options as o
 from .case import Case, Row

@@ -15,11 +15,11 @@ import click
 import numpy as np
 from click.core import ParameterSource
 
-from ..errors import ParameterError, hint
+from ..core.errors import ParameterError, hint
+from ..core.remarks import Remark
 from ..models.model import Model, options_of
 from ..models.parameters import FloatArray, ParameterSet, Range, Ranges, as_number
 from ..models.quantities import Quantities, quantities
-from ..remarks import Remark
 from ..results import Stability
 
 if TYPE_CHECKING:

@@ -15,11 +15,11 @@ import numpy as np
 import spragsym as ss
 
 from ..bifurcation.defining_systems import ranges
+from ..core.errors import ConvergenceError, ParameterError, SpragsymError
+from ..core.progress import show_progress
+from ..core.remarks import At, Remark
 from ..design.jumps import first_ends, told
-from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..models.parameters import INSIDE
-from ..progress import show_progress
-from ..remarks import At, Remark
 from . import options as o
 from .bifurcation import lengths, summed
 from .case import Case, Row, Span

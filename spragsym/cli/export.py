@@ -10,9 +10,9 @@ from pathlib import Path
 import click
 
 from .. import derive as derive_package
+from ..core.errors import ParameterError, StoreError
 from ..derive.emit.targets import languages, packer
 from ..derive.kang_nam.library import exported
-from ..errors import ParameterError, StoreError
 from ..files.cache import cached, digest_of_folder
 from ..files.storage import probe
 from ..models import Model

@@ -13,9 +13,9 @@ import numpy as np
 
 import spragsym as ss
 
-from ..errors import ParameterError
+from ..core.errors import ParameterError
+from ..core.progress import show_progress
 from ..models.parameters import FloatArray, ParameterSet
-from ..progress import show_progress
 from . import options as o
 from .case import Case, Row, is_typed
 from .output import drawn, print_rows, refuse, resumed

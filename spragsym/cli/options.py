@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import click
 import numpy as np
 
-from ..errors import ParameterError
+from ..core.errors import ParameterError
 from ..models.load import USUAL, load
 from ..models.model import Model, options_of
 from ..models.parameters import (

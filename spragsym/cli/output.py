@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..core.errors import TargetError
+from ..core.progress import show_progress
 from ..display import aligned
-from ..errors import TargetError
 from ..files.storage import OVERWRITING, probe, put
 from ..numerics.decimals import upward
-from ..progress import show_progress
 
 if TYPE_CHECKING:
     from ..figures.style import Shown

@@ -15,12 +15,12 @@ import click
 
 import spragsym as ss
 
-from ..errors import ModelError, ParameterError
+from ..core.errors import ModelError, ParameterError
+from ..core.progress import show_progress
 from ..explorer import explorer_page
 from ..files.storage import probe
 from ..models.load import USUAL, load, shipped
 from ..models.parameters import POSITIVE, ParameterSet
-from ..progress import show_progress
 from . import options as o
 from .case import study_of
 from .output import print_json, refuse, write

@@ -20,7 +20,8 @@ from typing import Any, ClassVar, Self, TypeAlias
 import numpy as np
 
 from ..bifurcation.tubes import halves
-from ..errors import ParameterError
+from ..core.errors import ParameterError
+from ..core.progress import doing
 from ..models.parameters import ParameterSet
 from ..models.quantities import Unit
 from ..numerics import boxes, certified_roots
@@ -36,7 +37,6 @@ from ..numerics.interval_arrays import (
     scale_of,
     width_of,
 )
-from ..progress import doing
 from ..results import Equilibria, Result, Stability
 from ..statics import stability
 from ..statics.balance import Balance

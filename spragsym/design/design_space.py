@@ -21,12 +21,12 @@ import numpy as np
 
 from ..bifurcation.tubes import Tubes
 from ..bifurcation.turning_points import secants, size_of
-from ..errors import ConvergenceError, ParameterError
+from ..core.errors import ConvergenceError, ParameterError
+from ..core.progress import doing
 from ..models.parameters import NAMES, POSITIVE, Parameters, ParameterSet, Range, as_number, set_of
 from ..models.quantities import PhysicalParameters
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..numerics.vectors import norm
-from ..progress import doing
 from .jumps import Ends, Followed, first_ends, have_jumped, slopes_of, told
 
 #: The smallest and the largest of each quantity, or z of it.

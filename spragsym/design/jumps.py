@@ -15,12 +15,12 @@ from ..bifurcation.defining_systems import ranges
 from ..bifurcation.paths import ModelEnd, first_end
 from ..bifurcation.tubes import Place, Tubes
 from ..bifurcation.turning_points import SEGMENTS, passed, past, turned
+from ..core.error_states import in_usual_state
+from ..core.errors import ConvergenceError, ParameterError, UndecidedWarning
+from ..core.questions import Method, model_of, question
 from ..display import Table
-from ..error_states import in_usual_state
-from ..errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..models.parameters import ParameterSet, as_numbers, set_of
 from ..numerics.interval_arrays import BoolArray, FloatArray, quiet
-from ..questions import Method, model_of, question
 from ..results import Named
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
@@ -93,7 +93,7 @@ def jump_value(
         For a parameter that the model does not have, a direction or an end that it can't take.
     ConvergenceError
         For a single point of which this is not decided; in an array such a point is NaN, with an
-        :class:`~spragsym.errors.UndecidedWarning`.
+        :class:`~spragsym.core.errors.UndecidedWarning`.
 
     Notes
     -----

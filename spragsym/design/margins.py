@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..errors import ParameterError
+from ..core.errors import ParameterError
+from ..core.questions import Method, model_of, question
 from ..models.parameters import FloatArray, ParameterSet, as_number
 from ..models.quantities import PhysicalParameters
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import norm
-from ..questions import Method, model_of, question
 from ..results import Result
 from .certificates import SAFE, Boxes
 from .design_space import Border, Design, Space, nearest, space

@@ -13,9 +13,11 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from ..core.error_states import in_usual_state
+from ..core.errors import ParameterError, one_of
+from ..core.progress import advance
+from ..core.questions import WAYS, Method, model_of
 from ..display import Table
-from ..error_states import in_usual_state
-from ..errors import ParameterError, one_of
 from ..models import Model
 from ..models.load import USUAL, load
 from ..models.parameters import Parameters, Range, Span, as_count, as_number
@@ -23,8 +25,6 @@ from ..models.quantities import PhysicalParameters, Quantities, quantities
 from ..motion.sweeps import workers as processes
 from ..motion.sweeps.workers import Workers
 from ..numerics.interval_arrays import FloatArray
-from ..progress import advance
-from ..questions import WAYS, Method, model_of
 from ..results import Result
 from .jumps import have_jumped
 from .sampling import Chunk, Correlation, Dependence, chunks, dependence, sums

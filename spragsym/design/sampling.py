@@ -14,7 +14,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from ..errors import ParameterError
+from ..core.errors import ParameterError
 from ..models.parameters import FloatArray, Range, as_number
 
 #: Values of a function at points of the unit cube, of shape (points, variables); NaN where it has

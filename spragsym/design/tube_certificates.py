@@ -12,12 +12,12 @@ import numpy as np
 
 from ..bifurcation.tubes import LEAST, Place, Tubes
 from ..bifurcation.turning_points import passed, size_of
-from ..error_states import in_usual_state
-from ..errors import ParameterError
+from ..core.error_states import in_usual_state
+from ..core.errors import ParameterError
+from ..core.questions import Method, question
 from ..models.parameters import ParameterSet, as_count
 from ..models.quantities import Unit, checked_units
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
-from ..questions import Method, question
 from ..statics.balance import BalanceInUnits
 from ..statics.reference_state import taken_up
 from .certificates import (

@@ -15,12 +15,12 @@ from importlib import resources
 from typing import Any
 
 from .._version import __version__
+from ..core.errors import MissingExtraError
+from ..core.questions import model_of
 from ..derive.kang_nam.library import exported
-from ..errors import MissingExtraError
 from ..models.load import USUAL, load, page_of
 from ..models.model import Model, options_of, title_drawing_words
 from ..models.parameters import ParameterSet
-from ..questions import model_of
 
 _ASSETS = resources.files("spragsym.explorer") / "assets"
 

@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import MissingExtraError, ParameterError, require_kind
+from ..core.errors import MissingExtraError, ParameterError, require_kind
 
 try:
     from matplotlib.axes import Axes

@@ -14,7 +14,7 @@ from matplotlib.colors import to_rgba_array
 
 import spragsym as ss
 
-from ..assumed import MU0_RANGE
+from ..core.assumed import MU0_RANGE
 from ..generated import equilibrium as _equilibrium
 from ..models.parameters import ARTICLE, FloatArray, Parameters, Span
 from ..numerics.interval_arrays import Int8Array

@@ -18,13 +18,13 @@ from scipy.optimize import linear_sum_assignment
 import spragsym as ss
 
 from ..bifurcation.branches import linked
-from ..errors import ConvergenceError, ParameterError, SpragsymError, one_of, require_kind
+from ..core.errors import ConvergenceError, ParameterError, SpragsymError, one_of, require_kind
+from ..core.questions import model_of
 from ..models import Model
 from ..models.forces import columns_of
 from ..models.parameters import FloatArray, ParameterSet, Span
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import ComplexArray, IntArray
-from ..questions import model_of
 from ..results import Equilibria, Named, Path, Points, Stability
 from ..statics.stability import NEUTRAL, REAL
 from .style import (

@@ -20,8 +20,8 @@ from matplotlib.transforms import Affine2D
 
 import spragsym as ss
 
-from ..assumed import ON_CYCLE, D, V
-from ..errors import ConvergenceError, ParameterError, one_of, require_kind
+from ..core.assumed import ON_CYCLE, D, V
+from ..core.errors import ConvergenceError, ParameterError, one_of, require_kind
 from ..files.text import shipped_text
 from ..models.parameters import FloatArray, Parameters
 from ..numerics.interval_arrays import BoolArray

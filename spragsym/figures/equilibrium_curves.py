@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 
 import spragsym as ss
 
-from ..assumed import MU0_RANGE
+from ..core.assumed import MU0_RANGE
 from ..models.parameters import FloatArray, Parameters
 from ..results import Path
 from .curves import (

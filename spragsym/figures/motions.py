@@ -13,8 +13,8 @@ from scipy import ndimage
 
 import spragsym as ss
 
-from ..assumed import MU0_RANGE, D, V
-from ..errors import require_kind
+from ..core.assumed import MU0_RANGE, D, V
+from ..core.errors import require_kind
 from ..generated import laws
 from ..models.forces import contact_force
 from ..models.parameters import FloatArray, Parameters

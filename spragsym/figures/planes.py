@@ -14,10 +14,10 @@ from matplotlib.ticker import MultipleLocator
 import spragsym as ss
 
 from ..bifurcation.hopf_curves import OnsetCurves
-from ..errors import ModelError, require_kind
+from ..core.errors import ModelError, require_kind
+from ..core.questions import model_of
 from ..models import Model
 from ..models.parameters import ParameterSet, Ranges
-from ..questions import model_of
 from ..results import BifurcationSet
 from .style import (
     BLACK,

@@ -20,10 +20,10 @@ from matplotlib.patches import Rectangle
 import spragsym as ss
 
 from ..bifurcation.defining_systems import ranges
-from ..errors import ConvergenceError, SpragsymError
+from ..core.errors import ConvergenceError, SpragsymError
+from ..core.questions import model_of
 from ..files.text import filled
 from ..models.parameters import ParameterSet, Span
-from ..questions import model_of
 from ..report.advice import Rows, warnings
 from ..report.facts import Facts
 from ..report.states import unit_of

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from ..errors import SpragsymError
+from ..core.errors import SpragsymError
 from .storage import put
 
 #: Results that are kept; of more the oldest go.

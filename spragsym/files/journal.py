@@ -20,7 +20,7 @@ from typing import Any, TypeAlias
 
 from filelock import lock_descriptor
 
-from ..errors import DamageWarning, ParameterError, SpragsymError, StoreError, SweepError
+from ..core.errors import DamageWarning, ParameterError, SpragsymError, StoreError, SweepError
 from .storage import provenance, write_all
 from .text import printed
 
@@ -45,8 +45,9 @@ def journal(
     Every line is out of this process before the next task is asked for. The journal is removed when
     the body ends well, which must have written the target; whatever else ends the body says how
     many points are kept. A line that a kill cut short is dropped, a damaged one with a
-    :class:`~spragsym.errors.DamageWarning`. Another process at it, a file that can't be read or
-    written, or that is no journal, is a StoreError; points of another sweep are a ParameterError.
+    :class:`~spragsym.core.errors.DamageWarning`. Another process at it, a file that can't be read
+    or written, or that is no journal, is a StoreError; points of another sweep are a
+    ParameterError.
     """
     path = path_of(target)
     with ExitStack() as stack:

@@ -34,9 +34,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from .._version import __version__
-from ..errors import DamagedError, MissingExtraError, ParameterError, StoreError, TargetError
+from ..core.errors import DamagedError, MissingExtraError, ParameterError, StoreError, TargetError
+from ..core.interrupts import held
 from ..generated import SOURCE_HASH
-from ..interrupts import held
 from .text import FilePath, path_text, printed
 
 #: Unit and meaning of columns, by their names.

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from importlib import resources
 from typing import Any, TypeAlias
 
-from ..errors import MissingExtraError, ParameterError, ParameterTypeError
+from ..core.errors import MissingExtraError, ParameterError, ParameterTypeError
 
 #: What says where a file is.
 FilePath: TypeAlias = str | os.PathLike[str]

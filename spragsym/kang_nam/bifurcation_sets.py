@@ -24,7 +24,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..bifurcation.defining_systems import ranges
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
+from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import RANGES, FloatArray, Parameters, Ranges, as_count
 from ..numerics import polynomials
@@ -42,7 +43,6 @@ from ..numerics.polynomials import (
     polished,
     real_roots,
 )
-from ..questions import NotInClosedForm
 from ..results import BifurcationSet, Curve, Points
 from . import kernel
 from .cusps import cusps

@@ -16,6 +16,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from ..bifurcation.paths import first_end
+from ..core.questions import NotInClosedForm
 from ..design.certificates import Claim, Held, corner_values
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import NAMES, FloatArray, Parameters
@@ -23,7 +24,6 @@ from ..models.quantities import Unit, checked_units
 from ..numerics.affine import Affine, Rounded, cosine_and_sine, sides
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, quiet
-from ..questions import NotInClosedForm
 from ..results import Stability
 from . import kernel
 from .jump_values import first_jumps, point_at, require_usual, with_and_without_friction

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import Parameters, Ranges
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, as_mpf, as_numbers, atan2, decided, sign, with_enough_bits
 from ..numerics.polynomials import RootOf, roots_on_the_line
-from ..questions import NotInClosedForm
 from ..results import Points
 from ..results.precise_states import CuspProof, PreciseCusp
 from .folds import STATE, Angles, Point, in_contact, listed, unfolded

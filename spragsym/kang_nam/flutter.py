@@ -25,6 +25,7 @@ from typing import Any
 import numpy as np
 
 from ..bifurcation.flutter import Onsets
+from ..core.questions import NotInClosedForm
 from ..generated import stability as _stability
 from ..models.parameters import FloatArray, Parameters, Ranges, as_count
 from ..numerics import balls, polynomials
@@ -38,12 +39,12 @@ from ..numerics.polynomials import (
     real_roots,
     roots_on_the_line,
 )
-from ..questions import NotInClosedForm, of_article
 from ..results import Result
 from . import kernel
 from .bifurcation_sets import Condition, curves
 from .folds import Point, listed
 from .kernel import FIXED, Fixed
+from .only import of_article
 
 #: Logarithm of how far from t = tan(θ/2) = 1 onsets are looked for, at most, and minus that at
 #: least.

@@ -18,12 +18,12 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import NAMES, RANGES, Parameters, Ranges, Span
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, Undecided, as_floats, atan2, decided, sign, with_enough_bits
 from ..numerics.polynomials import RootOf, in_t, on_circle, roots_on_the_line
-from ..questions import NotInClosedForm
 from ..results.points import Ended, Points, nothing_ends
 from . import kernel
 from .kernel import LINEAR

@@ -20,15 +20,15 @@ from typing import Any
 import numpy as np
 
 from ..bifurcation.paths import first_end
+from ..core.errors import ConvergenceError
+from ..core.questions import NotInClosedForm
 from ..design.jumps import FROM_LOWER_END, Ends
-from ..errors import ConvergenceError
 from ..models.parameters import NAMES, RANGES, FloatArray, Parameters
 from ..numerics import bernstein
 from ..numerics.affine import UNIT
 from ..numerics.balls import Undecided
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import BoolArray, IndexArray
-from ..questions import NotInClosedForm
 from ..results.equilibria import Equilibria, Stability
 from . import fold_arrays, kernel
 from .fold_arrays import friction_sextic

@@ -6,12 +6,12 @@ from fractions import Fraction
 
 import numpy as np
 
+from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import Parameters
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, as_floats, decided, sign, with_enough_bits
 from ..numerics.polynomials import RootOf, on_circle
-from ..questions import NotInClosedForm
 from ..results import LowestEnd
 from . import kernel
 from .cusps import proved_cusps

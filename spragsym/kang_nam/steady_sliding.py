@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..error_states import in_usual_state
-from ..errors import ParameterError
+from ..core.error_states import in_usual_state
+from ..core.errors import ParameterError
 from ..generated import catastrophe as _catastrophe
 from ..generated import kernel as solver
 from ..generated import laws
@@ -26,10 +26,10 @@ from ..models.parameters import (
     as_numbers,
 )
 from ..numerics.interval_arrays import Int8Array, quiet
-from ..questions import of_article
 from ..results import Result, Stability
 from . import kernel
 from .kernel import FIXED
+from .only import of_article
 
 
 @dataclass(frozen=True, eq=False)

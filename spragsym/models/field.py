@@ -20,8 +20,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ..errors import ParameterError
-from ..interrupts import held
+from ..core.errors import ParameterError
+from ..core.interrupts import held
 from . import forces
 from .parameters import FloatArray
 

@@ -19,7 +19,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from ..errors import ParameterError, ParameterTypeError, StoreError, hint
+from ..core.errors import ParameterError, ParameterTypeError, StoreError, hint
 from ..files.text import contents, printed
 from ..generated import C_SOURCE
 from .model import Model, parameter_class

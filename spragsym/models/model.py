@@ -16,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
+from ..core.errors import ParameterError
 from ..display import aligned
-from ..errors import ParameterError
 from .field import REACH, Field, field_of
 from .parameters import ANGLE, FINITE, FloatArray, ParameterSet, Range, as_numbers, named
 

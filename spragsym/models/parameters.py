@@ -14,9 +14,9 @@ from typing import Any, ClassVar, Self, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .. import assumed
+from ..core import assumed
+from ..core.errors import ParameterError, ParameterTypeError, hint
 from ..display import Shown
-from ..errors import ParameterError, ParameterTypeError, hint
 from ..generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
 from ..numerics.interval_arrays import BoolArray, Shape
 from ..numerics.interval_arrays import FloatArray as FloatArray

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
+from ..core.errors import NotDimensionlessError, ParameterError, ParameterTypeError, hint
 from ..display import Shown
-from ..errors import NotDimensionlessError, ParameterError, ParameterTypeError, hint
 from .load import load
 from .model import Model, title_drawing_words
 from .parameters import POSITIVE, Carried, Parameters, Range, Values, as_numbers, named

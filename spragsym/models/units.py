@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import ParameterError, ParameterTypeError
+from ..core.errors import ParameterError, ParameterTypeError
 
 if TYPE_CHECKING:
     import pint

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
 from ..models.field import FLOATS, SETTLED, Field, Mode
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray

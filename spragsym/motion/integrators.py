@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from ..errors import BackendError, ConvergenceError, MissingExtraError, ParameterError
+from ..core.errors import BackendError, ConvergenceError, MissingExtraError, ParameterError
 from ..models.field import Field, Values
 from ..models.model import Model
 from ..models.parameters import FloatArray

@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError, ParameterError
+from ..core.errors import ConvergenceError, ParameterError
 from ..models.field import Field, Values, field_of, undecorated
 from ..models.forces import of_statics
 from ..models.model import Model

@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
 from ..models.field import REACH, Field
 from ..models.parameters import FloatArray
 from ..numerics.vectors import TURN, apart, in_one_turn, magnitude

@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..errors import ConvergenceError, ParameterError
+from ..core.errors import ConvergenceError, ParameterError
 from ..models.field import FLOATS, Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.vectors import TURN, apart, magnitude, norm

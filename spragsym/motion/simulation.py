@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..core.error_states import in_usual_state
+from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError, hint, one_of
+from ..core.questions import model_of
 from ..display import Table, caption, words
-from ..error_states import in_usual_state
-from ..errors import ConvergenceError, ParameterError, ParameterTypeError, hint, one_of
 from ..files import storage
 from ..models import forces
 from ..models.field import SETTLED, Field
@@ -27,7 +28,6 @@ from ..models.parameters import (
 )
 from ..numerics.interval_arrays import IndexArray
 from ..numerics.vectors import magnitude
-from ..questions import model_of
 from ..results.result import Named
 from ..statics.search import rest_index
 from . import integrators

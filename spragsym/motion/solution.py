@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from ..errors import ConvergenceError, one_of
+from ..core.errors import ConvergenceError, one_of
 from ..models.field import FLOATS, GAP, JUMPED, Border, Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IndexArray

@@ -7,7 +7,7 @@ from importlib import metadata
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
 from ..generated import C_SOURCE
 from ..models.field import GAP, WIDTH
 from ..models.load import fits

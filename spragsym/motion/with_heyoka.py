@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
 from ..models.field import GAP, JUMPED, XP, Border, Field, Functions, Mode, library
 from ..models.parameters import FloatArray
 from .lobatto import sample_times, unit_points

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
 from ..models.field import FLOATS, GAP, Mode
 from ..models.parameters import FloatArray
 from ..numerics.vectors import magnitude

@@ -25,7 +25,7 @@ from typing import Any, TypeAlias, TypeVar
 
 import mpmath
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
 from .arithmetic import Arithmetic
 from .jets import Functions
 

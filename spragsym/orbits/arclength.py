@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
 from ..models.field import FLOATS, Mode
 from ..models.parameters import FloatArray, Span
 from ..motion.integrators import Flow

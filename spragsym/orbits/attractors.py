@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
 from ..models.field import Values
 from ..models.parameters import FloatArray
 from ..motion.regimes import SAME, Regime

@@ -21,7 +21,7 @@ from typing import Any, TypeAlias
 
 from flint import acb, arb, arb_mat, arb_poly, arb_series, ctx
 
-from ..errors import ParameterError
+from ..core.errors import ParameterError
 from ..models.field import Border, Field, Mode
 from ..numerics.jets import Functions, constant, gradient, variables
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from flint import acb_mat, arb, arb_mat
 
-from ..errors import ParameterError
+from ..core.errors import ParameterError
 from ..models.field import Field, exact_field
 from .ball_flow import (
     APART,

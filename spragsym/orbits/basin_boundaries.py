@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..error_states import in_usual_state
-from ..errors import ConvergenceError, ParameterError
+from ..core.error_states import in_usual_state
+from ..core.errors import ConvergenceError, ParameterError
+from ..core.progress import doing
 from ..models.parameters import (
     POSITIVE,
     FloatArray,
@@ -26,7 +27,6 @@ from ..motion.regimes import same_limit
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import magnitude, norm
-from ..progress import doing
 from ..results.result import Result
 from ..statics.equilibria import equilibria
 from .system import Saddle, System, Verdict, judged, saddle_near, surely

@@ -11,8 +11,10 @@ from itertools import islice
 
 import numpy as np
 
-from ..error_states import in_usual_state
-from ..errors import ConvergenceError, ParameterError, one_of, require_kind
+from ..core.error_states import in_usual_state
+from ..core.errors import ConvergenceError, ParameterError, one_of, require_kind
+from ..core.progress import doing
+from ..core.remarks import At, Remark
 from ..models.field import Field
 from ..models.parameters import (
     ANGLE,
@@ -29,8 +31,6 @@ from ..motion.multipliers import CRITERIA, is_complex_pair
 from ..motion.shooting import Loop, extent, recut
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import norm
-from ..progress import doing
-from ..remarks import At, Remark
 from ..results.result import Result
 from .arclength import (
     Point,

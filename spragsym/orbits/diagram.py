@@ -20,13 +20,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..bifurcation.flutter import flutter_onsets
-from ..error_states import in_usual_state
-from ..errors import ConvergenceError, ParameterError, SpragsymError
+from ..core.error_states import in_usual_state
+from ..core.errors import ConvergenceError, ParameterError, SpragsymError
+from ..core.questions import model_of
+from ..core.remarks import At, Remark
 from ..models.parameters import FloatArray, ParameterSet, Span, as_count, as_range
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import apart, magnitude
-from ..questions import model_of
-from ..remarks import At, Remark
 from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, cycle, cycle_branch

@@ -11,7 +11,7 @@ from functools import partial
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
 from ..models.parameters import FloatArray
 from ..motion.multipliers import CRITERIA, criterion_of, is_complex_pair, unsure
 from ..motion.shooting import Conditions, Loop, recut, solved

@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 from scipy.stats import t as student
 
-from ..error_states import in_usual_state
-from ..errors import ConvergenceError, ParameterError
+from ..core.error_states import in_usual_state
+from ..core.errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion.shooting import rate
 from ..motion.simulation import state_of

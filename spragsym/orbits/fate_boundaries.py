@@ -15,15 +15,15 @@ from typing import Any
 
 import numpy as np
 
-from ..error_states import in_usual_state
-from ..errors import ConvergenceError, ParameterError
+from ..core.error_states import in_usual_state
+from ..core.errors import ConvergenceError, ParameterError
+from ..core.progress import doing
+from ..core.questions import model_of
 from ..models.field import Field
 from ..models.parameters import FloatArray, ParameterSet, as_numbers
 from ..motion.regimes import Outcome, same_limit
 from ..motion.simulation import state_of
 from ..numerics.vectors import apart, magnitude
-from ..progress import doing
-from ..questions import model_of
 from ..results.result import Result
 from .attractors import Attractor, attractor, followed, followed_cycle, same
 from .branch import cycle_branch

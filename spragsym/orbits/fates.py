@@ -16,8 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..error_states import in_usual_state
-from ..errors import ConvergenceError, ParameterError
+from ..core.error_states import in_usual_state
+from ..core.errors import ConvergenceError, ParameterError
+from ..core.questions import model_of
 from ..files import storage
 from ..files.journal import Record
 from ..models.model import Model
@@ -28,7 +29,6 @@ from ..motion.simulation import state_of
 from ..motion.sweeps.many import fingerprint, with_degrees
 from ..motion.sweeps.workers import Workers, made_or_loaded
 from ..numerics.interval_arrays import Int8Array
-from ..questions import model_of
 from ..results.result import Result
 from .attractors import settled
 from .exponents import rates_along

@@ -13,8 +13,8 @@ import numpy as np
 
 from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
-from ..error_states import in_usual_state
-from ..errors import ConvergenceError, ParameterError, ParameterTypeError, require_kind
+from ..core.error_states import in_usual_state
+from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError, require_kind
 from ..models.field import FLOATS, Field, Values
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers

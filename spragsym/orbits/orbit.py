@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError, ParameterError, ParameterTypeError
+from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..files import storage
 from ..models.field import Field, Values
 from ..models.parameters import FloatArray

@@ -11,8 +11,8 @@ from typing import Any
 import mpmath
 import numpy as np
 
+from ..core.errors import ConvergenceError, MissingExtraError, require_kind
 from ..display import Table
-from ..errors import ConvergenceError, MissingExtraError, require_kind
 from ..models.parameters import as_count
 from ..numerics.balls import as_mpf
 from ..numerics.decimals import Decimal, around, float_above

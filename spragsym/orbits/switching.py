@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import ConvergenceError, ParameterError
+from ..core.errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
 from ..motion.shooting import CLOSED, Guess, Loop, extent, solved

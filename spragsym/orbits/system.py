@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
+from ..core.questions import model_of
 from ..models.field import FLOATS, GAP, Field, Mode, Values
 from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
@@ -23,7 +24,6 @@ from ..motion.shooting import Conditions, Guess, Loop
 from ..motion.simulation import motion_of
 from ..motion.solution import Passage
 from ..numerics.vectors import magnitude, norm
-from ..questions import model_of
 from .arclength import Point, Setting, started
 from .orbit import Cycle
 

@@ -13,9 +13,9 @@ from typing import Any, Self, TypeAlias
 
 import numpy as np
 
+from ..core.errors import ParameterError, hint
 from ..design.jumps import Ends, first_ends, told
 from ..design.sampling import Correlation, Dependence, dependence
-from ..errors import ParameterError, hint
 from ..models.load import USUAL
 from ..models.parameters import Range, Ranges, Span, as_number, as_range
 from ..models.quantities import PhysicalParameters, Quantities, Scales, factor, quantities, share

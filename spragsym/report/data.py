@@ -12,8 +12,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from ..core.errors import ParameterError, SpragsymError, hint
 from ..design.sampling import Correlation, dependence
-from ..errors import ParameterError, SpragsymError, hint
 from ..files.text import FilePath, path_text, printed, text_of
 from ..models.load import USUAL
 from ..models.parameters import FINITE, Range, Ranges

@@ -10,13 +10,13 @@ from typing import TypeVar
 
 from ..bifurcation.critical import critical_friction, cusp_friction
 from ..bifurcation.folds import folds
+from ..core.errors import ParameterError, SpragsymError
+from ..core.progress import doing
+from ..core.remarks import Remark
 from ..design.certificates import Certificate
 from ..design.jumps import jump_value
 from ..design.probability import JumpProbability
-from ..errors import ParameterError, SpragsymError
 from ..numerics.columns import picked
-from ..progress import doing
-from ..remarks import Remark
 from ..results.points import LowestEnd, Points
 from ..statics.equilibria import equilibria
 from .brake import Brake

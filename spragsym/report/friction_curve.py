@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..errors import ParameterError
+from ..core.errors import ParameterError
 from ..files.text import MEASURED, text_of
 from ..models.parameters import FloatArray, Span
 from ..models.quantities import factor

@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 
+from ..core.errors import SpragsymError
 from ..design.design_space import Border, Design, space
 from ..design.margins import jump_margin, redesign
-from ..errors import SpragsymError
 from ..models.parameters import Range, Span
 from ..models.quantities import factor
 from ..numerics.interval_arrays import BoolArray

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 
+from ..core.errors import ParameterError
 from ..display import Table
-from ..errors import ParameterError
 from ..files.storage import put
 from ..results import Result
 from . import texts

@@ -11,8 +11,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..bifurcation.paths import quasi_static_path
+from ..core.errors import ConvergenceError, SpragsymError
 from ..design.jumps import jump_value
-from ..errors import ConvergenceError, SpragsymError
 from ..models import forces
 from ..models.parameters import FloatArray, Ranges, Span
 from ..motion import Regime, simulate

@@ -6,8 +6,8 @@ import os
 import warnings
 from contextlib import nullcontext
 
+from ..core.progress import doing, show_progress
 from ..models.parameters import POSITIVE, as_number
-from ..progress import doing, show_progress
 from .advice import of_data
 from .brake import Brake
 from .data import read_brake

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 from scipy.stats import qmc
 
+from ..core.errors import ConvergenceError
 from ..design.certificates import Certificate
 from ..design.jumps import have_jumped
 from ..design.probability import JumpProbability, estimated, measured
 from ..design.tube_certificates import Splitting, certify
-from ..errors import ConvergenceError
 from ..models.parameters import FloatArray, Span
 from ..models.quantities import Unit
 from .brake import Brake

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from ..errors import ParameterError
+from ..core.errors import ParameterError
 from ..models.load import shipped
 from ..models.quantities import quantities
 

@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from scipy.special import ndtr, ndtri
 
-from ..errors import ParameterError
+from ..core.errors import ParameterError
 from ..models.parameters import FINITE, Range
 from ..models.quantities import factor
 

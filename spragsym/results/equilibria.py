@@ -12,8 +12,8 @@ from typing import Any, Protocol, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.errors import ConvergenceError
 from ..display import Table, counted, in_rows, not_all, points, words
-from ..errors import ConvergenceError
 from ..models.forces import told_of_states
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IntArray

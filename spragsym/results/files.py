@@ -20,7 +20,7 @@ import mpmath
 import numpy as np
 
 from .._version import __version__
-from ..errors import ParameterError
+from ..core.errors import ParameterError
 from ..files.storage import put
 from ..files.text import FilePath, path_text, printed, text_of
 from ..models import Model

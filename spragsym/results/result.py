@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.errors import MissingExtraError
 from ..display import Shown, sorted_out, tables, text, words
-from ..errors import MissingExtraError
 from ..files import storage
 from ..models.forces import columns_of
 from ..models.parameters import FloatArray

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
+from ..core.questions import Method, question
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.interval_arrays import Int8Array
-from ..questions import Method, question
 from ..results import Equilibria
 
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..core.errors import ConvergenceError
 from ..models.field import undecorated
 from ..models.parameters import ParameterSet
 from ..numerics.interval_arrays import (

@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ParameterError
+from ..core.errors import ParameterError
 from ..models.model import Model
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors, jets

@@ -9,7 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ParameterError, ParameterTypeError
+from ..core.errors import ParameterError, ParameterTypeError
+from ..core.questions import question
+from ..core.remarks import At, Remark
 from ..models import Model
 from ..models.field import SETTLED
 from ..models.parameters import ParameterSet, Ranges
@@ -27,8 +29,6 @@ from ..numerics.interval_arrays import (
     width_of,
 )
 from ..numerics.vectors import apart
-from ..questions import question
-from ..remarks import At, Remark
 from ..results import Equilibria, Undecided
 from . import stability
 from .balance import NOTHING, Balance

@@ -21,7 +21,7 @@ import spragsym as ss
 from spragsym import cli as command_line
 from spragsym.cli import main
 from spragsym.cli.output import wrapped
-from spragsym.remarks import At, Remark
+from spragsym.core.remarks import At, Remark
 from tests.conftest import Run
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT, few, needs_posix
 

@@ -209,7 +209,7 @@ def test_the_reference_has_every_public_name() -> None:
     shown = (
         set(re.findall(r"spragsym\.(?:kang_nam\.)?(\w+)", page))
         | {"kang_nam"}
-        | set(vars(spragsym.errors))
+        | set(vars(spragsym.core.errors))
         | {"__version__"}
     )
     assert set(spragsym.__all__) - shown == set()

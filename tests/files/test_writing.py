@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.errors import ParameterError, SpragsymError, StoreError
+from spragsym.core.errors import ParameterError, SpragsymError, StoreError
 from spragsym.files import storage, text
 from spragsym.files.journal import journal
 from tests.conftest import Begin

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.errors import SweepError
+from spragsym.core.errors import SweepError
 from spragsym.files.journal import path_of
 from spragsym.motion import integrators
 from spragsym.motion.sweeps import rms_sweep

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.errors import ConvergenceError, SweepError
+from spragsym.core.errors import ConvergenceError, SweepError
 from spragsym.motion import Event, integrators, simulate, with_heyoka
 from spragsym.motion.problem import Problem, prepare
 from spragsym.motion.sweeps import rms_sweep

@@ -8,7 +8,7 @@ import pytest
 
 import spragsym as ss
 from spragsym import article as claims
-from spragsym import progress
+from spragsym.core import progress
 
 BELT = ss.load("inclined_belt")
 P = BELT.Parameters(theta0=1.0, mu0=0.3)

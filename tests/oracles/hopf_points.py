@@ -14,7 +14,7 @@ import numpy as np
 from scipy import optimize
 
 import spragsym as ss
-from spragsym.errors import ConvergenceError
+from spragsym.core.errors import ConvergenceError
 from tests.oracles.forces_by_hand import DRAWN, Values
 
 DIGITS = 50

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.errors import DamageWarning, StoreError
+from spragsym.core.errors import DamageWarning, StoreError
 from spragsym.files.journal import path_of
 from spragsym.motion.sweeps import Sweep, rms_sweep
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.errors import ParameterError, ParameterTypeError
+from spragsym.core.errors import ParameterError, ParameterTypeError
 from tests.oracles import gap_pages
 from tests.oracles.user_pages import model_of
 from tests.support import few

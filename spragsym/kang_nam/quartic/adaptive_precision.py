@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from ...errors import ConvergenceError
+from ...core.errors import ConvergenceError
 from ...models.parameters import NAMES, Parameters
 from ...numerics import balls
 from ...numerics.balls import Interval, Undecided, as_mpf, as_numbers

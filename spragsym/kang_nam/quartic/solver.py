@@ -12,7 +12,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import BackendError, ConvergenceError, one_of
+from ...core.errors import BackendError, ConvergenceError, one_of
+from ...core.questions import NotInClosedForm
 from ...models.parameters import NAMES, Parameters, as_count
 from ...numerics.columns import reuse_memory
 from ...numerics.interval_arrays import (
@@ -23,7 +24,6 @@ from ...numerics.interval_arrays import (
     IntArray,
     quiet,
 )
-from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
 from ...statics.states import Linearizing
 from .. import kernel

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from ...core.error_states import in_usual_state
+from ...core.errors import ParameterTypeError
+from ...core.questions import model_of
 from ...display import named_fields
-from ...error_states import in_usual_state
-from ...errors import ParameterTypeError
 from ...models.parameters import FloatArray, Parameters, as_numbers
 from ...numerics.interval_arrays import IntArray
-from ...questions import model_of
 from ...results.result import Named
 from ..regimes import Outcome, Regime, same_limit
 from .many import Sweep, rms_sweep

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...error_states import in_usual_state
-from ...errors import ModelError, ParameterError
+from ...core.error_states import in_usual_state
+from ...core.errors import ModelError, ParameterError
+from ...core.questions import model_of
 from ...models.parameters import FloatArray, Parameters, as_numbers
-from ...questions import model_of
 from ...results.result import Result
 from .many import Sweep, rms_sweep
 

@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...error_states import in_usual_state
-from ...errors import ConvergenceError, ParameterError
+from ...core.error_states import in_usual_state
+from ...core.errors import ConvergenceError, ParameterError
+from ...core.questions import model_of
 from ...files import storage
 from ...files.journal import Record
 from ...models.field import field_of
@@ -29,7 +30,6 @@ from ...models.parameters import (
     degrees,
 )
 from ...numerics.interval_arrays import Int8Array, Shape
-from ...questions import model_of
 from ...results.result import Named
 from ...statics.search import rest_index
 from .. import integrators

@@ -25,13 +25,13 @@ from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 
-from ...errors import ParameterError, ParameterTypeError, SweepError
+from ...core.errors import ParameterError, ParameterTypeError, SweepError
+from ...core.interrupts import heard
+from ...core.progress import advance
 from ...files import storage
 from ...files.journal import Record, clear, journal
 from ...files.storage import resolved
-from ...interrupts import heard
 from ...models.parameters import FloatArray, common_shape
-from ...progress import advance
 from ...results.result import Result
 
 Map: TypeAlias = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]

@@ -9,8 +9,9 @@ for a question in which module the function of the same name stands. It is not a
 that it does not have, and raises :class:`NotInClosedForm` for values that it does not know: then
 the general algorithm answers. What is derived from primitives asks the public questions, and so
 stands once. So a model gets every public question for nothing, by its general algorithm, but for
-those that :func:`of_article` marks. ``method="search"`` asks the same of the model without closed
-forms, ``model.search``: its sets of parameters know it, so that everything below searches too.
+those that a room of a model keeps to itself. ``method="search"`` asks the same of the model without
+closed forms, ``model.search``: its sets of parameters know it, so that everything below searches
+too.
 """
 
 from __future__ import annotations
@@ -18,12 +19,13 @@ from __future__ import annotations
 import functools
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any, Literal, ParamSpec, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, ParamSpec, TypeAlias, TypeVar
 
 from .error_states import in_usual_state
 from .errors import ModelError, ParameterTypeError, one_of
-from .models import Model
-from .models.parameters import Parameters, ParameterSet
+
+if TYPE_CHECKING:
+    from ..models import Model
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -71,27 +73,6 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
     return ask
 
 
-def of_article(instead: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
-    """A function that is there for the article's model only: another model's set is an error that
-    says what to ask instead.
-    """
-
-    def only(own: Callable[P, R]) -> Callable[P, R]:
-        @functools.wraps(own)
-        @in_usual_state
-        def ask(*args: P.args, **options: P.kwargs) -> R:
-            model = model_of(*args, *options.values())
-            if not issubclass(model.Parameters, Parameters):
-                raise ModelError(
-                    f"{own.__name__} is not there yet for the model {model.name}; {instead}"
-                )
-            return own(*args, **options)
-
-        return ask
-
-    return only
-
-
 def model_of(*things: Any) -> Model:
     """The model of the first set of parameters among arguments, all of which must be of that
     model.
@@ -117,12 +98,16 @@ def model_of(*things: Any) -> Model:
     return model
 
 
-def _sets(things: Iterable[Any]) -> Iterator[tuple[Any, type[ParameterSet]]]:
+def _is_set(thing: Any) -> bool:
+    return hasattr(type(thing), "model_of_class")
+
+
+def _sets(things: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
     """Sets of parameters among arguments, and designs that stand for one, each with its class;
     those in pairs of corners too.
     """
     for thing in things:
-        if isinstance(thing, ParameterSet):
+        if _is_set(thing):
             yield thing, type(thing)
         elif isinstance(thing, tuple):
             yield from _sets(thing)
@@ -134,7 +119,7 @@ def of(model: Model, thing: Any) -> Any:
     """Arguments with their sets of parameters as sets of the model without closed forms, or of the
     one with them.
     """
-    if isinstance(thing, ParameterSet) or hasattr(thing, "of_model"):
+    if _is_set(thing) or hasattr(thing, "of_model"):
         return thing.of(model)
     return tuple(of(model, one) for one in thing) if type(thing) is tuple else thing
 

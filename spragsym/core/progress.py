@@ -29,7 +29,7 @@ class _Work:
 
 
 #: Of this thread, or of this task of asyncio: what other threads compute is not said.
-_work: ContextVar[_Work | None] = ContextVar("spragsym.progress", default=None)
+_work: ContextVar[_Work | None] = ContextVar("spragsym.core.progress", default=None)
 
 
 @contextmanager

@@ -1,0 +1,36 @@
+"""Functions that are there for the article's model only."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import ParamSpec, TypeVar
+
+from ..core.error_states import in_usual_state
+from ..core.errors import ModelError
+from ..core.questions import model_of
+from ..models.parameters import Parameters
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+def of_article(instead: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """A function that is there for the article's model only: another model's set is an error that
+    says what to ask instead.
+    """
+
+    def only(own: Callable[P, R]) -> Callable[P, R]:
+        @functools.wraps(own)
+        @in_usual_state
+        def ask(*args: P.args, **options: P.kwargs) -> R:
+            model = model_of(*args, *options.values())
+            if not issubclass(model.Parameters, Parameters):
+                raise ModelError(
+                    f"{own.__name__} is not there yet for the model {model.name}; {instead}"
+                )
+            return own(*args, **options)
+
+        return ask
+
+    return only

@@ -63,6 +63,34 @@ class _States(ByColumn):
     sides: FloatArray
 
 
+def undecided_points(eq: Equilibria, vary: str, cuts: Span) -> FloatArray:
+    """Ranges around undecided points, each up to the points beside it, shape (number, 2)."""
+    stops = np.array([cuts[0], *np.asarray(getattr(eq.parameters, vary)), cuts[1]])
+    open_ = np.flatnonzero(~eq.decided)
+    return np.stack([stops[open_], stops[open_ + 2]], axis=1)
+
+
+def undecided_parts(found: Points | None, ends: Span) -> FloatArray:
+    """Ranges of the parameter between two ends in which points may be missing, shape (number,
+    2).
+    """
+    if found is None or not len(found.undecided):
+        return np.empty((0, 2))
+    spans = found.undecided[:, -1]
+    return np.clip(spans[(spans[:, 1] >= ends[0]) & (spans[:, 0] <= ends[1])], *ends)
+
+
+def joined(spans: FloatArray) -> FloatArray:
+    """Ranges that touch as one, in ascending order."""
+    out = list[list[float]]()
+    for low, high in sorted(spans.tolist()):
+        if out and low <= out[-1][1]:
+            out[-1][1] = max(out[-1][1], high)
+        else:
+            out.append([low, high])
+    return np.array(out).reshape(-1, 2)
+
+
 @question
 def linked(
     p: ParameterSet,

@@ -17,7 +17,7 @@ from scipy.optimize import linear_sum_assignment
 
 import spragsym as ss
 
-from ..bifurcation.branches import linked
+from ..bifurcation.branches import joined, linked, undecided_parts, undecided_points
 from ..core.errors import ConvergenceError, ParameterError, SpragsymError, one_of, require_kind
 from ..core.questions import model_of
 from ..models import Model
@@ -151,38 +151,12 @@ def curves_between(
     In lift-off there are none. A curve between two cuts is split by stability; at a fold it is
     extended to the exact point.
     """
-    curves, spans = list[Branch](), [_undecided_folds(turns, ends)]
+    curves, spans = list[Branch](), [undecided_parts(turns, ends)]
     for eq, cuts in pieces_between(p, vary, ends, turns, damping, n):
         spans.append(undecided_points(eq, vary, cuts))
         for at in chains(p, vary, eq, turns):
             curves += _by_stability(p, vary, eq, at, cuts, turns, damping)
-    return Branches(curves, p.model, vary, _joined(np.concatenate(spans)))
-
-
-def undecided_points(eq: Equilibria, vary: str, cuts: Span) -> FloatArray:
-    """Ranges around undecided points, each up to the points beside it."""
-    stops = np.array([cuts[0], *np.asarray(getattr(eq.parameters, vary)), cuts[1]])
-    open_ = np.flatnonzero(~eq.decided)
-    return np.stack([stops[open_], stops[open_ + 2]], axis=1)
-
-
-def _undecided_folds(turns: Points | None, ends: Span) -> FloatArray:
-    """Ranges in which folds may be missing."""
-    if turns is None or not len(turns.undecided):
-        return np.empty((0, 2))
-    spans = turns.undecided[:, -1]
-    return np.clip(spans[(spans[:, 1] >= ends[0]) & (spans[:, 0] <= ends[1])], *ends)
-
-
-def _joined(spans: FloatArray) -> FloatArray:
-    """Ranges that touch as one, in ascending order."""
-    out = list[list[float]]()
-    for low, high in sorted(spans.tolist()):
-        if out and low <= out[-1][1]:
-            out[-1][1] = max(out[-1][1], high)
-        else:
-            out.append([low, high])
-    return np.array(out).reshape(-1, 2)
+    return Branches(curves, p.model, vary, joined(np.concatenate(spans)))
 
 
 def _by_stability(
@@ -601,7 +575,7 @@ def _drawn(
     vary, ends, turns = _range(p, vary, low, high, contact)
     model, lines, courses = p.model, list[Line2D](), list[Any]()
     nowhere = complex(np.nan, np.nan)
-    spans = [_undecided_folds(turns, ends)]
+    spans = [undecided_parts(turns, ends)]
     states = list[tuple[Equilibria, States]]()
     for eq, cuts in pieces_between(p, vary, ends, turns, False, n):
         spans.append(undecided_points(eq, vary, cuts))
@@ -630,7 +604,7 @@ def _drawn(
     rate = in_letters(model.about["scales"]["rate"])
     for ax, text in zip(axes, (r"frequency Im $\lambda$", r"growth Re $\lambda$"), strict=True):
         ax.set_ylabel(f"{text} (units of ${rate}$)")
-        shade(ax, model, vary, _joined(np.concatenate(spans)))
+        shade(ax, model, vary, joined(np.concatenate(spans)))
         ax.set_xlim(*as_drawn(model, vary, np.array(ends)))
     axes[0].set_ylim(bottom=max(0.0, axes[0].get_ylim()[0]))
     axes[1].axhline(0.0, color=BLACK, linewidth=0.4)

@@ -29,7 +29,7 @@ from ..orbits import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_eve
 from ..orbits.diagram import Diagram, Label
 from ..orbits.events import SLIDING
 from ..orbits.fates import Kind
-from .curves import branches, first_fold, table_of
+from .curves import branches, first_fold, shade, table_of
 from .style import (
     BASE_TEXT,
     BLACK,
@@ -409,8 +409,8 @@ def diagram_figure(found: Diagram) -> Sheet:
         f"""Equilibria (black; grey without contact) and cycles (colours, least and largest
         {found.name}) over {found.vary}: full where stable, dashed where not. LP folds and H Hopf
         points of equilibria; of cycles LPC folds, PD period doublings, NS tori, BPC crossings, HC
-        homoclinic ends. Cycles are those that were followed from Hopf points, starts and
-        doublings: there may be others.""",
+        homoclinic ends. Hatched: equilibria or Hopf points may be missing. Cycles are those that
+        were followed from Hopf points, starts and doublings: there may be others.""",
         labels={
             title: np.array([getattr(one, name) for one in found.labels])
             for title, name in columns.items()
@@ -453,6 +453,7 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
             "highest": branch.highest,
             "stable": branch.stable,
         }
+    shade(ax, found.model, found.vary, np.array(found.undecided).reshape(-1, 2))
     limits = [unit * end for end in found.to]
     ax.set(xlim=limits, xlabel=title, ylabel=f"{height}: rest, cycles from least to largest")
     ax.margins(y=0.12)

@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..bifurcation.branches import joined, undecided_parts, undecided_points
 from ..bifurcation.flutter import flutter_onsets
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, SpragsymError
@@ -27,6 +28,7 @@ from ..core.remarks import At, Remark
 from ..models.parameters import FloatArray, ParameterSet, Span, as_count, as_range
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import apart, magnitude
+from ..results import Equilibria
 from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, cycle, cycle_branch
@@ -120,6 +122,8 @@ class Diagram(Result):
     labels : tuple of Label
     remarks : tuple of str
         What was looked for and not found.
+    undecided : tuple of (float, float)
+        Ranges of the parameter in which equilibria or Hopf points may be missing.
     """
 
     vary: str
@@ -130,6 +134,7 @@ class Diagram(Result):
     remarks: tuple[str, ...]
     name: str = field(repr=False)
     model: Any = field(repr=False)
+    undecided: tuple[Span, ...] = ()
 
     def data(self) -> dict[str, NDArray[Any]]:
         """The points of all branches, one branch after the other: what they are ``of``, the number
@@ -229,7 +234,8 @@ def diagram(
                         f"starts: a cycle at {name} = {value:.10g}, the diagram at "
                         f"{own:.10g}; give cycles at p"
                     )
-    rests = list(_equilibria(p, vary, (low, high)))
+    seeds = _seeds(p, vary, (low, high))
+    rests = list(_equilibria(p, vary, (low, high), seeds))
     branches: list[CycleBranch] = []
     onsets, born_at = None, np.empty(0)
     try:
@@ -253,6 +259,12 @@ def diagram(
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*(label for _, own in rests for label in own), *_of_cycles(branches)]
     remarks += _left_alone(vary, labels, born_at)
+    spans = [undecided_points(known, vary, (low, high)) for _, known in seeds]
+    undecided = joined(np.concatenate([undecided_parts(onsets, (low, high)), *spans]))
+    remarks += [
+        Remark("equilibria or Hopf points may be missing for {}", At(vary, (start, end)))
+        for start, end in undecided.tolist()
+    ]
     lines = tuple(branch for branch, _ in rests)
     return Diagram(
         vary,
@@ -263,6 +275,7 @@ def diagram(
         tuple(remarks),
         model.coordinates[0],
         model,
+        tuple((start, end) for start, end in undecided.tolist()),
     )
 
 
@@ -351,19 +364,22 @@ def _passes(line: Sequence[Point], point: Point) -> bool:
     return False
 
 
-def _equilibria(
-    p: ParameterSet, vary: str, to: Span
-) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:
-    """All branches on which there is an equilibrium at one of some values of the parameter, with
-    their labels.
-    """
-    model, found = p.model, list[tuple[bool, list[Point]]]()
-    grid = np.linspace(*to, SEEDS)
+def _seeds(p: ParameterSet, vary: str, to: Span) -> list[tuple[bool, Equilibria]]:
+    """The equilibria at some values of the parameter, in contact or not."""
+    grid, found = p.replace(**{vary: np.linspace(*to, SEEDS)}), list[tuple[bool, Equilibria]]()
     for contact in (True, False):
-        try:
-            known = equilibria(p.replace(**{vary: grid}), contact=contact, method="search")
-        except SpragsymError:
-            continue  # no unilateral contact
+        with suppress(SpragsymError):  # no unilateral contact
+            found.append((contact, equilibria(grid, contact=contact, method="search")))
+    return found
+
+
+def _equilibria(
+    p: ParameterSet, vary: str, to: Span, seeds: Sequence[tuple[bool, Equilibria]]
+) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:
+    """All branches on which there is one of the equilibria known, with their labels."""
+    model, found = p.model, list[tuple[bool, list[Point]]]()
+    for contact, known in seeds:
+        grid = np.asarray(getattr(known.parameters, vary))
         places = np.stack([*known.coordinates.values()], axis=-1)
         for i, j in np.transpose(known.states).tolist():
             system = System.of(p.replace(**{vary: float(grid[i])}), None)

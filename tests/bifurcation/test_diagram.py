@@ -15,6 +15,8 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli import cli
+from tests.oracles.gap_pages import HANDS
+from tests.oracles.user_pages import model_of
 
 pytestmark = pytest.mark.skipif(
     not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes"
@@ -67,6 +69,22 @@ def test_its_table_has_the_points_of_all_branches(born: ss.Diagram) -> None:
             assert table["stable"][rows].tolist() == branch.stable.tolist()
     assert {one.of for one in born.labels} <= set(table["of"])
     assert np.isnan(table["period"][table["of"] == "equilibria"]).all()
+
+
+@pytest.mark.thorough
+def test_what_is_undecided_is_said_and_hatched() -> None:
+    """Where the mass just touches, at kappa = 0, no search tells a state from none."""
+    pytest.importorskip("sympy")
+    axes = pytest.importorskip("matplotlib.figure").Figure().add_subplot()
+    p = model_of(HANDS["rail"].page, "rail").Parameters(mu0=0.0)
+    found = ss.diagram(p, "kappa", (-0.012, 0.012), points=2)
+    ((low, high),) = found.undecided
+    assert -0.012 < low < 0.0 < high < 0.012
+    assert any("may be missing for kappa" in text for text in found.remarks)
+    ss.figures.draw_diagram(found, axes)
+    ((x, width),) = ((patch.get_x(), patch.get_width()) for patch in axes.patches)
+    assert (x, x + width) == pytest.approx((low, high))
+    assert ss.diagram(p, "kappa", (0.01, 0.02), points=2).undecided == ()
 
 
 @pytest.mark.thorough

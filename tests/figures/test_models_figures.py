@@ -14,7 +14,7 @@ from tests.support import few
 plot = pytest.importorskip("matplotlib.figure")
 
 from spragsym import figures  # noqa: E402  needs matplotlib
-from spragsym.figures.curves import undecided_points  # noqa: E402
+from spragsym.bifurcation.branches import undecided_points  # noqa: E402
 
 BETWEEN = {"mu0": (0.0, 1.0)}
 

@@ -14,7 +14,7 @@ import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -26,6 +26,7 @@ from . import forces
 from .parameters import FloatArray
 
 if TYPE_CHECKING:
+    from ..motion.scales import Scales
     from .model import Model
 
 #: What is said of an orbit on which the field jumps.
@@ -45,8 +46,9 @@ Values: TypeAlias = tuple[float, ...]
 #: parameter p.
 FLOATS = SimpleNamespace(**vars(math), sign=np.sign)
 
-#: How far beyond its border a mode is left: it ends chatter by rounding, and costs an error of the
-#: order of its square.
+#: How far beyond its border a mode is left, in units of the border's level: it ends chatter by
+#: rounding, and costs an error of the order of its square. Motions are carried in units of their
+#: own (``spragsym.motion.scales``), and so are all tolerances that are numbers beside 1.
 GAP = 1e-12
 
 #: How far apart an exponential of the friction law is left out and taken in again, in units of its
@@ -56,7 +58,8 @@ WIDTH = 5.0
 #: Sliding speeds up to this are 0 where friction holds.
 STILL = 2 * GAP
 
-#: A motion has settled when what is left to its limit is this share of its reach; for rest, of L_0.
+#: A motion has settled when what is left to its limit is this share of its reach; for rest, of its
+#: unit of length, which is 1 for motions of a common size.
 SETTLED = 1e-4
 
 #: Minus the exponent beyond which the search for cycles leaves an exponential of the friction law
@@ -156,6 +159,14 @@ class Field:
     aloft : callable or None
         ``aloft(constants, state)``: whether a motion is above the belt for good; None where that is
         not known.
+    units : tuple of str, length n
+        Units of the coordinates: those of one unit have one scale, those in rad have the scale 1.
+    lengths : callable
+        ``lengths(state, constants)``: lengths of springs.
+    sized : callable or None
+        ``sized(levels)``: the field whose borders are resolved in units of their levels.
+    natural, scales : Field and Scales, or None
+        Of a field in units of a motion: the field in those of the model, and what they are.
     """
 
     name: str
@@ -177,6 +188,11 @@ class Field:
     around: tuple[int, ...] = ()
     is_angle: Callable[[str], bool] = "".__eq__
     aloft: Callable[[Values, FloatArray], bool] | None = None
+    units: tuple[str, ...] = ()
+    lengths: Callable[[Sequence[float], Values], Sequence[float]] = lambda *_: ()
+    sized: Callable[[tuple[float, ...]], Field] | None = None
+    natural: Field | None = None
+    scales: Scales | None = None
 
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
         """The first mode, but for its last numbers, which are as at the state."""
@@ -232,9 +248,11 @@ def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 @cache
-def field_of(model: Model, reach: float) -> Field:
-    """The field whose exponentials are left out where they are below exp(−reach)."""
-    motion = _Motion(model, reach)
+def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Field:
+    """The field whose exponentials are left out where they are below exp(−reach), and whose borders
+    are resolved in units of their ``levels``, by default 1.
+    """
+    motion = _Motion(model, reach, levels)
     return Field(
         f"{model.where}:{model.about['source']}:{reach!r}",
         model.coordinates,
@@ -266,6 +284,9 @@ def field_of(model: Model, reach: float) -> Field:
         ),
         is_angle=model.is_angle,
         aloft=model.closed_form("aloft"),
+        units=tuple(entry["unit"] for entry in model.about["coordinates"]),
+        lengths=motion.lengths,
+        sized=partial(field_of, model, reach),
     )
 
 
@@ -308,7 +329,7 @@ class _Motion:
     to be wrong beyond: so a step ends at t_0.
     """
 
-    def __init__(self, model: Model, reach: float) -> None:
+    def __init__(self, model: Model, reach: float, levels: tuple[float, ...] = ()) -> None:
         about = model.about
         self.model, self.reach, self.contact = model, reach, about["contact"]
         self.layers, self.torsions = about["layers"], len(about["torsions"])
@@ -318,6 +339,12 @@ class _Motion:
         self.turns = int(
             self.rooted and self.contact["unilateral"] and self.contact["gap"] in model.coordinates
         )
+        lifts = self.contact["gap"] is not None and self.contact["unilateral"]
+        sizes = levels or (1.0, 1.0)
+        #: How far before its border a law that is no polynomial is left, for it may have no
+        #: continuation beyond; and up to which sliding speed nothing slides.
+        self.shift = 2 * GAP * sizes[0] * self.rooted
+        self.still = STILL * sizes[-1 if len(sizes) <= lifts else lifts]
         #: Places in a mode of the turn of the gap, and of the first torsion spring.
         self.turn = 2 + self.layers
         self.way = self.turn + self.turns
@@ -363,9 +390,9 @@ class _Motion:
         turn = [2 * (state[n + self._gap] >= 0) - 1] if self.turns else []
         ways = (2 * (sine >= 0) - 1 for sine, _ in self._turned(state, constants))
         # A law that is no polynomial begins without contact on the border itself.
-        pushing = 1 * (gap <= -2 * GAP * self.rooted) if self.contact["unilateral"] else 1
+        pushing = 1 * (gap <= -self.shift) if self.contact["unilateral"] else 1
         mode = pushing, side, *near, *turn, *ways
-        return self.held(mode, state, constants) if self.holds and abs(slip) <= STILL else mode
+        return self.held(mode, state, constants) if self.holds and abs(slip) <= self.still else mode
 
     def held(self, mode: Mode, state: Any, constants: Any) -> Mode:
         """The mode where nothing slides: sticking, if there is contact and the force of friction is
@@ -383,6 +410,16 @@ class _Motion:
         """Derivatives of the sliding speed, or of how far its force is from a limit."""
         slopes = self.in_mode("grip_slopes")
         return lambda state, constants, mode: slopes(state, constants, mode, _namespace(state))[row]
+
+    def lengths(self, state: Sequence[float], constants: Values) -> list[float]:
+        """Lengths of the springs along lines."""
+        place = state[: len(self.model.coordinates)]
+        geometry = undecorated(self.model.algebra.geometry)
+        try:
+            lines = geometry(*place, *forces.of_statics(self.model, constants))
+        except ArithmeticError:
+            return []
+        return [math.hypot(dx, dy) for dx, dy, *_ in lines]
 
     @property
     def _gap(self) -> int:
@@ -405,11 +442,7 @@ class _Motion:
         """All borders between modes."""
         of_gap, of_slip, reach = self.contact["gap"], self.model.about["friction"], self.reach
         if of_gap is not None and self.contact["unilateral"]:
-            # A law that is no polynomial may have no continuation beyond its border: it is left GAP
-            # before.
-            levels = self._generated(
-                "borders", "border_rates", 0, shift=lambda _: 2 * GAP * self.rooted
-            )
+            levels = self._generated("borders", "border_rates", 0, shift=lambda _: self.shift)
             sign, opened = _side(0, 1)
 
             def lifted(mode: Mode, *at: Any) -> Mode:

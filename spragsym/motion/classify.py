@@ -43,7 +43,7 @@ NOISE = 100.0
 #: Singular values that are less than this share of the largest are 0 where friction holds.
 HELD = 1e-10
 
-#: Newton's method has gone astray beyond this, in L_0; its most steps.
+#: Newton's method has gone astray beyond this, in units of the motion; its most steps.
 FAR, ROUNDS = 1e6, 40
 
 
@@ -51,10 +51,15 @@ def classify(course: Course, onward: Onward, tol: float = SETTLED) -> Outcome:
     """The outcome of a motion, from what was measured of it after its transient, and how it goes
     on.
 
-    ``tol`` is what may be left to the limit of a settled motion. The outcome is without
+    ``tol`` is what may be left to the limit of a settled motion. All is judged in units of the
+    motion's own (:mod:`.scales`), and told in those of the model. The outcome is without
     ``equilibrium``, which :func:`~spragsym.statics.search.rest_index` finds for many at once.
     """
     problem = onward.problem
+    scales = problem.own_scales
+    if not scales.trivial:
+        there = replace(onward, problem=scales.problem(problem))
+        return scales.outcome(classify(scales.inverse.course(course), there, tol))
     apart = not course.events[CONTACT].any()
     if apart and problem.field.aloft and problem.field.aloft(problem.constants, course.last):
         found = Outcome(Regime.LIFT_OFF)

@@ -25,6 +25,7 @@ from . import with_compiled, with_heyoka, with_scipy
 from .lobatto import PiecewisePolynomial
 from .measures import Course, course_of
 from .problem import Event, Problem, StiffError
+from .scales import Scales
 from .solution import Fly, Passage, Solution, events_of, without_chatter
 from .with_scipy import RTOL, Flight
 
@@ -98,6 +99,11 @@ def integrate(problem: Problem, backend: str) -> Solution:
     steps collapse.
     """
     reuse_memory()
+    scales = problem.own_scales
+    if not scales.trivial:
+        return scales.solution(integrate(scales.problem(problem), backend))
+    if problem.scales and backend == "compiled":
+        backend = "scipy"  # which makes the same steps, and takes a field in any units
     try:
         solution: Solution = _INTEGRATORS[backend].integrate(problem)
         used: float = _INTEGRATORS[backend].tolerance(problem)
@@ -118,7 +124,7 @@ def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exceptio
     found: list[Any] = [None] * len(problems)
     rows = list(range(len(problems)))
     if backend == "heyoka":
-        found, rows = with_heyoka.watch(problems)
+        found, rows = _watched(problems)
     for row in rows:
         try:
             solution = integrate(problems[row], backend)
@@ -129,6 +135,25 @@ def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exceptio
         except (ConvergenceError, ArithmeticError) as error:
             found[row] = error
     return found
+
+
+def _watched(problems: Sequence[Problem]) -> tuple[list[Any], list[int]]:
+    """:func:`with_heyoka.watch`, of all motions of one scale at a time."""
+    groups: dict[Scales, list[int]] = {}
+    for row, problem in enumerate(problems):
+        groups.setdefault(problem.own_scales, []).append(row)
+    found, again = list[Any]([None] * len(problems)), list[int]()
+    for scales, rows in groups.items():
+        own = [problems[row] for row in rows]
+        if not scales.trivial:
+            own = [scales.problem(each) for each in own]
+        courses, left = with_heyoka.watch(own)
+        for row, course in zip(rows, courses, strict=True):
+            found[row] = course
+            if isinstance(course, Course) and not scales.trivial:
+                found[row] = scales.course(course)
+        again += [rows[i] for i in left]
+    return found, sorted(again)
 
 
 @dataclass(frozen=True)
@@ -152,7 +177,9 @@ class Flow:
         """
         if self.other:
             return self.other(state, constants, duration, directions)
-        return self._asked(lambda carrier: carrier.fly(), state, constants, duration, directions)
+        return self._asked(
+            lambda carrier: carrier.fly(), Scales.passage, state, constants, duration, directions
+        )
 
     def plain(
         self, state: FloatArray, constants: Values, duration: float, *, loose: bool = False
@@ -161,33 +188,52 @@ class Flow:
         needs to begin.
         """
         return self._asked(
-            lambda carrier: carrier.fly(), state, constants, duration, rtol=LOOSE if loose else RTOL
+            lambda carrier: carrier.fly(),
+            Scales.passage,
+            state,
+            constants,
+            duration,
+            rtol=LOOSE if loose else RTOL,
         )
 
     def samples(self, start: FloatArray, constants: Values, t_end: float) -> PiecewisePolynomial:
         """A motion by its samples."""
-        return self._asked(lambda carrier: carrier.motion().samples, start, constants, t_end)
+        return self._asked(
+            lambda carrier: carrier.motion().samples, Scales.samples, start, constants, t_end
+        )
 
     def _asked(
         self,
         ask: Callable[[Any], T],
+        back: Callable[[Scales, T], T],
         state: FloatArray,
         constants: Values,
         t_end: float,
         directions: FloatArray | None = None,
         rtol: float = RTOL,
     ) -> T:
-        """What is asked of an integrator; of an implicit one where steps collapse. heyoka has
-        tolerances of its own.
+        """What is asked of an integrator, ``back`` in the field's units; of an implicit one where
+        steps collapse. heyoka has tolerances of its own.
         """
         problem = Problem(
-            constants, tuple(state.tolist()), t_end, 0.0, rtol, None, lambda _: self.field
+            constants,
+            tuple(state.tolist()),
+            t_end,
+            0.0,
+            rtol,
+            None,
+            lambda _: self.field,
+            self.field.scales,
         )
+        scales = problem.own_scales
+        if not scales.trivial:
+            problem = scales.problem(problem)
         try:
-            return ask(
+            found = ask(
                 with_heyoka.flight(problem, directions)
                 if self.backend == "heyoka"
                 else Flight(problem, directions)
             )
         except StiffError:
-            return ask(Flight(problem, directions, stiff=True))
+            found = ask(Flight(problem, directions, stiff=True))
+        return found if scales.trivial else back(scales, found)

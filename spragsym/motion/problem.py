@@ -4,7 +4,8 @@ field.
 The field is continuous, and analytic in each of its modes: contact or not, belt ahead of the mass
 or behind. A mode is left :data:`GAP` beyond its border, so that two crossings are never closer than
 2 GAP: that ends chatter by rounding, lets a motion start exactly on a kink, and costs an error of
-the order of GAP², or GAP^1.5 where the motion only grazes the border, far below rounding.
+the order of GAP², or GAP^1.5 where the motion only grazes the border, far below rounding. Lengths,
+times and levels are numbers beside 1 (:mod:`~spragsym.motion.scales`).
 
 An exponential of the friction law, as in (10), makes a layer where the mass nearly sticks that a
 step from far away cannot see: all its derivatives are below rounding there. So it is left out where
@@ -28,6 +29,7 @@ from ..models.field import Field, Values, field_of, undecorated
 from ..models.forces import of_statics
 from ..models.model import Model
 from ..models.parameters import POSITIVE, ParameterSet, Range, as_count, as_number
+from .scales import Scales, scales_of
 
 RELATIVE_TOLERANCE = Range(
     1e-13,
@@ -71,6 +73,8 @@ class Problem:
     max_steps: int | None
     #: The field, for a given reach of the exponentials of the friction law.
     field_of: Callable[[float], Field]
+    #: Units of its numbers, where these are not the model's.
+    scales: Scales | None = None
 
     @property
     def reach(self) -> float:
@@ -83,6 +87,17 @@ class Problem:
     def field(self) -> Field:
         """The field of the motion."""
         return self.field_of(self.reach)
+
+    @cached_property
+    def own_scales(self) -> Scales:
+        """Units in which the motion is carried: 1 where its numbers are in them."""
+        if self.scales:
+            return Scales((1.0,) * len(self.field.coordinates), 1.0, ())
+        return scales_of(self.field, self.constants, self.start)
+
+    def time(self, t: float) -> float:
+        """A time in the model's unit."""
+        return t * self.scales.time if self.scales else t
 
     @property
     def belt(self) -> float:
@@ -102,7 +117,8 @@ def too_many_steps(problem: Problem, most: int, t: float) -> ConvergenceError:
     """
     made, more = ("max_steps = ", "a larger max_steps, ") if problem.max_steps else ("", "")
     return ConvergenceError(
-        f"{made}{most} steps were made by t = {t:.6g} of {problem.t_end:g}; give {more}a "
+        f"{made}{most} steps were made by t = {problem.time(t):.6g} of "
+        f"{problem.time(problem.t_end):g}; give {more}a "
         f"smaller t_end or a larger rtol than {problem.rtol:g}, or a less steep friction law: "
         "creep is stiff where it is steep"
     )
@@ -124,8 +140,8 @@ def check_stiffness(
     matrix = field.matrix(values, constants, field.initial_mode(values, constants))
     if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > STABLE:
         raise StiffError(
-            f"the motion is stiff: steps of {step:.2g} are bounded by stability, with "
-            f"{left:.6g} to go"
+            f"the motion is stiff: steps of {problem.time(step):.2g} are bounded by stability, "
+            f"with {problem.time(left):.6g} to go"
         )
 
 

@@ -21,6 +21,7 @@ from ..numerics.vectors import TURN, apart, magnitude, norm
 from .integrators import Flow
 from .lobatto import PiecewisePolynomial
 from .multipliers import Multipliers, multipliers_of
+from .scales import Scales, scaled, scales_of
 from .solution import Crossing, Passage, Turn
 
 #: Closed to this, relative to the largest number of the orbit.
@@ -232,6 +233,41 @@ class Loop:
             x, weights = samples.states[0], samples.weights() / self.period
             mean, square = float((weights * x).sum()), float((weights * x**2).sum())
         return mean, math.sqrt(square)
+
+
+def in_scales(loop: Loop) -> Loop:
+    """A loop in units of its motion, in which shooting has its tolerances; itself where these
+    are 1.
+    """
+    field, constants = loop.field, loop.constants
+    if field.scales:
+        return loop
+    scales = scales_of(field, constants, loop.state.tolist())
+    if scales.trivial:
+        return loop
+    return _converted(loop, scaled(field, scales), scales.inverse)
+
+
+def natural(loop: Loop) -> Loop:
+    """A loop in the units of the model."""
+    field = loop.field
+    return _converted(loop, field.natural, field.scales) if field.natural and field.scales else loop
+
+
+def time_of(loop: Loop) -> float:
+    """The unit of a loop's times, in that of the model."""
+    return loop.field.scales.time if loop.field.scales else 1.0
+
+
+def _converted(loop: Loop, field: Field, scales: Scales) -> Loop:
+    guess = loop.guess
+    states, period = guess.states * scales.states, guess.period * scales.time
+    return replace(
+        loop,
+        flow=replace(loop.flow, field=field),
+        guess=replace(guess, states=states, period=period),
+        passages=tuple(map(scales.passage, loop.passages)),
+    )
 
 
 #: Further equations: ``conditions(loop)`` gives their values (r,) and slopes (r, unknowns).

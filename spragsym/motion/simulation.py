@@ -76,7 +76,8 @@ def simulate(
     t_end : float
         Until when, in the model's unit of time: sqrt(m/k_c).
     rtol : float
-        Relative tolerance of a step, in [1e-13, 1e-2]; the absolute one is a thousandth of it.
+        Relative tolerance of a step, in [1e-13, 1e-2]; the absolute one is a thousandth of it, in
+        units of the motion's own (:mod:`spragsym.motion.scales`).
     events : bool
         Keep the events.
     estimate_error : bool

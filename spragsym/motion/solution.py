@@ -4,6 +4,7 @@ its end and derivatives.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, TypeAlias
@@ -17,6 +18,12 @@ from ..numerics.interval_arrays import BoolArray, IndexArray
 from ..results.result import Result
 from .lobatto import PiecewisePolynomial
 from .problem import Event, Problem, kinds_of
+
+#: A border that was passed no longer ago is met to first order: the square of that, in the motion's
+#: unit of time, is below rounding. Beyond that Newton's method leads back to it, if it is no longer
+#: ago than the second, by so many steps at most; on the way steps in time are no longer than the
+#: last.
+AT_ONCE, LATEST, NEWTON, STEP = 1e-8, 1.0, 5, 0.01
 
 
 class Crossing(NamedTuple):
@@ -55,7 +62,8 @@ def passed(
     crossing = Crossing(t, row, int(border.sign(after)), state.copy(), int(border.sign(mode)))
     if border.jumps is not None and border.jumps(*at):
         if border.slopes is not None:
-            saltation(problem, border, (mode, after), state, directions, columns)
+            late, there = saltation(problem, border, (mode, after), state, directions, columns)
+            crossing = crossing._replace(t=max(t - late, 0.0), state=there)
         elif directions is not None:
             raise ConvergenceError(JUMPED)
     return after, (crossing,) if border.kink else ()
@@ -68,29 +76,108 @@ def saltation(
     state: FloatArray,
     directions: FloatArray | None,
     columns: FloatArray | None,
-) -> None:
+) -> tuple[float, FloatArray]:
     """Move a state and its derivatives by the saltation matrix 1 + (f⁺ − f⁻) ∇h/ḣ⁻ of a border h =
-    0 between two modes.
+    0 between two modes; by how long ago it was passed, and the state there.
+
+    Where that is so long ago that its square counts, they are carried back to the border in one
+    mode, and on from there in the other.
     """
-    field, constants, values, m = (
-        problem.field,
-        problem.constants,
-        state.tolist(),
-        problem.field.size,
-    )
+    border_at = _back(problem, border, modes[0], state, directions, columns)
+    if border_at is None:
+        return 0.0, state.copy()
+    late, there, own, rate = border_at
+    field, constants, values = problem.field, problem.constants, there.tolist()
     before, behind = (
         np.array(field.acceleration(values, constants, mode, FLOATS), dtype=float) for mode in modes
     )
-    rate = border.rate(values, before.tolist(), constants, modes[0])
-    if not rate:  # nothing brings it across
-        return
-    jump = np.concatenate([np.zeros(m // 2), behind - before]) / rate
+    jump = np.concatenate([np.zeros(len(state) // 2), behind - before]) / rate
     if columns is not None and border.slopes is not None and directions is not None:
         slopes = np.array(border.slopes(values, constants, modes[0]), dtype=float)
-        turned = slopes[:m] @ columns
-        turned[m:] += slopes[m:] @ directions.T if directions.size else 0.0
-        columns += np.outer(jump, turned)
-    state += jump * border.level(values, constants, modes[0])
+        turned = slopes[: len(state)] @ own
+        turned[len(state) :] += slopes[len(state) :] @ directions.T if directions.size else 0.0
+        own = own + np.outer(jump, turned)
+    if abs(late) > AT_ONCE and there is not state:
+        state[:], own = carried(problem, modes[1], late, there, directions, own)
+    else:
+        there = state - late * np.concatenate([state[len(state) // 2 :], before])
+        state += jump * border.level(values, constants, modes[0])
+    if columns is not None:
+        columns[:] = own
+    return late, there
+
+
+def _back(
+    problem: Problem,
+    border: Border,
+    mode: Mode,
+    state: FloatArray,
+    directions: FloatArray | None,
+    columns: FloatArray | None,
+) -> tuple[float, FloatArray, FloatArray, float] | None:
+    """How long ago a border was passed, with state, derivatives and the level's rate there: by
+    Newton's method, if that leads back a short time, else to first order; None where nothing
+    brings a motion across.
+    """
+    field, constants = problem.field, problem.constants
+    own = np.empty((len(state), 0)) if columns is None else columns
+
+    def ago(at: FloatArray) -> tuple[float, float]:
+        values = at.tolist()
+        pulls = field.acceleration(values, constants, mode, FLOATS)
+        rate = float(border.rate(values, pulls, constants, mode))
+        return (float(border.level(values, constants, mode)) / rate if rate else math.inf), rate
+
+    first, rate = ago(state)
+    if not rate:
+        return None
+    late = first
+    if AT_ONCE < abs(late) < LATEST:
+        for _ in range(NEWTON):
+            there, along = carried(problem, mode, -late, state, directions, columns)
+            more, rate_there = ago(there)
+            if abs(more) <= AT_ONCE:
+                return late, there, along, rate_there
+            late += more
+            if not abs(late) < LATEST:
+                break
+    return first, state, own, rate
+
+
+def carried(
+    problem: Problem,
+    mode: Mode,
+    duration: float,
+    state: FloatArray,
+    directions: FloatArray | None,
+    columns: FloatArray | None,
+) -> tuple[FloatArray, FloatArray]:
+    """A state and its derivatives a short time on in a mode, by the classical Runge–Kutta method of
+    fourth order.
+    """
+    field, constants, n = problem.field, problem.constants, len(state) // 2
+
+    def rates(whole: FloatArray) -> FloatArray:
+        values = whole[:, 0].tolist()
+        own = field.acceleration(values, constants, mode, FLOATS)
+        change = np.column_stack([[*values[n:], *own], np.zeros((2 * n, whole.shape[1] - 1))])
+        if columns is not None:
+            change[:, 1:] = field.matrix(values, constants, mode) @ whole[:, 1:]
+            if directions is not None and directions.size:
+                slopes = np.array(field.by_parameters(values, constants, mode, FLOATS), dtype=float)
+                change[n:, 1 + 2 * n :] += slopes @ directions.T
+        return change
+
+    begun = state[:, None] if columns is None else np.column_stack([state, columns])
+    parts = math.ceil(abs(duration) / STEP)
+    step = duration / parts
+    for _ in range(parts):
+        first = rates(begun)
+        second = rates(begun + step / 2 * first)
+        third = rates(begun + step / 2 * second)
+        last = rates(begun + step * third)
+        begun = begun + step / 6 * (first + 2 * second + 2 * third + last)
+    return begun[:, 0], begun[:, 1:]
 
 
 def start_mode(
@@ -266,7 +353,7 @@ class Events(Result):
     t : ndarray, shape (k,)
         Time.
     state : ndarray, shape (k, 2 n)
-        Coordinates and rates there: y = 0 or x' = V to 1e-12.
+        Coordinates and rates there: y = 0 or x' = V to 1e-12 of the motion's scales.
     which : ndarray of int, shape (k,)
         Codes of :class:`Event`.
     components : tuple of str

@@ -296,7 +296,7 @@ class Carrier:
         one, t, state = self.some[lane], float(self.times[lane]), self.state[: self.m, lane]
         try:
             if direction > 0:
-                raise missed(t)
+                raise missed(one.problem.time(t))
             columns = self._columns(self.state[:, lane]) if self.field.borders[row].slopes else None
             one.mode, crossings = passed(
                 one.problem, row, one.mode, t, state, self._directions(one), columns
@@ -476,14 +476,14 @@ class Carrier:
             outcomes.step_limit,
         ):  # of many, another may stop it
             raise ConvergenceError(
-                f"heyoka stopped at t = {t:.6g} with {outcome}; use backend='scipy'"
+                f"heyoka stopped at t = {problem.time(t):.6g} with {outcome}; use backend='scipy'"
             )
         levels = (
             border.sign(one.mode) * border.level(state, problem.constants, one.mode)
             for border in self.field.borders
         )
         if not t < end and not all(level >= -2 * GAP for level in levels):
-            raise missed(t)
+            raise missed(problem.time(t))
 
     # ------------------------------------------------------------------------------------------ a
     # motion by itself

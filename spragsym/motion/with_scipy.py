@@ -164,7 +164,7 @@ class Flight:
                 if not np.isfinite(solver.y).all() or (failed and magnitude(solver.y[:m]) > LARGE):
                     raise out_of_range()
                 if failed:
-                    name, t = type(solver).__name__, clock + solver.t
+                    name, t = type(solver).__name__, self.problem.time(clock + solver.t)
                     raise ConvergenceError(
                         f"SciPy's {name} stopped at t = {t:.6g}: {message}; use a larger rtol"
                     )

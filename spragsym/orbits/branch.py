@@ -28,7 +28,7 @@ from ..models.parameters import (
     as_ranges,
 )
 from ..motion.multipliers import CRITERIA, is_complex_pair
-from ..motion.shooting import Loop, extent, recut
+from ..motion.shooting import Loop, extent, in_scales, natural, recut, time_of
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import norm
 from ..results.result import Result
@@ -277,9 +277,10 @@ def cycle_branch(
             f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; "
             "give one"
         )
-    setting = Setting(cycle.loop.flow, (index,), cycle.period, ((high - low) / 2,))
-    pieces = len(cycle.loop.states)  # an even number, so that halves of a doubled cycle are seen
-    begun = recut(cycle.loop, 2 * pieces) if pieces % 2 else cycle.loop.guess
+    own = in_scales(cycle.loop)
+    setting = Setting(own.flow, (index,), own.period, ((high - low) / 2,))
+    pieces = len(own.states)  # an even number, so that halves of a doubled cycle are seen
+    begun = recut(own, 2 * pieces) if pieces % 2 else own.guess
     start = cut_anew(started(setting, begun))
     back = list(_followed([start.turned(-1.0)], (low, high), points, longest))
     behind = [item.turned(-1.0) for item in back if isinstance(item, Point)]
@@ -298,7 +299,8 @@ def cycle_branch(
             )
             places.append(len(loops))
     columns = [
-        (loop.values[index], loop.period, loop.moments()[1], *range_of(loop)) for loop in loops
+        (loop.values[index], loop.period, loop.moments()[1], *range_of(loop))
+        for loop in map(natural, loops)
     ]
     values, periods, rms, lowest, highest = np.array(columns).T.copy()
     stable = np.array([is_stable(loop) for loop in loops])
@@ -598,7 +600,7 @@ def cycle_events(
         if event.kind == "grazing"
         else partial(at_zero, event.kind)
     )
-    setting = Setting(loop.flow, free, event.cycle.period, tuple(spans), holds)
+    setting = Setting(loop.flow, free, event.cycle.period / time_of(loop), tuple(spans), holds)
     first = point_of(setting, setting.looped(loop.guess))
 
     def ahead(point: Point, length: float) -> Point:

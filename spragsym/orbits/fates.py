@@ -164,7 +164,8 @@ def _untold(system: System, why: str, t: float, scale: float, end: FloatArray) -
 
 
 def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
-    times = (*(t for t in JUDGED if t < t_end / 2), t_end)
+    unit = system.scales(start).time
+    times = (*(t * unit for t in JUDGED if t * unit < t_end / 2), t_end)
     verdict = judged(system, start, times=times)
     scale, place = _time_scale(system, verdict)
     if verdict.decided:
@@ -239,7 +240,8 @@ def _transient(system: System, start: FloatArray, t_end: float) -> str:
     does.
     """
     for i in range(1, BESIDE + 1):
-        beside = judged(system, start + i * OFF, times=(t_end,))
+        off = i * OFF * system.scales(start).states
+        beside = judged(system, start + off, times=(t_end,))
         if beside.decided:
             return (
                 f"it is a transient: a motion that begins {i * OFF:.0e} beside it comes to "

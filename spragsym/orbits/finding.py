@@ -21,7 +21,18 @@ from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as
 from ..motion import Trajectory
 from ..motion.integrators import Flow
 from ..motion.regimes import Regime
-from ..motion.shooting import Guess, Loop, across, error_of, extent, rate, solved, split
+from ..motion.shooting import (
+    Guess,
+    Loop,
+    across,
+    error_of,
+    extent,
+    in_scales,
+    natural,
+    rate,
+    solved,
+    split,
+)
 from ..motion.solution import Turn
 from ..numerics.balls import Undecided
 from ..numerics.vectors import apart, magnitude
@@ -163,12 +174,14 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
         )
     try:
         for time in () if approached else LOOKED_AT[:looks]:
-            passage = flow.plain(start, system.constants, time, loose=True)
+            span = time * system.scales(start).time
+            passage = flow.plain(start, system.constants, span, loose=True)
             if (found := _by_returns(system, passage.turns)) is not None:
                 return _checked(found)
             if len(passage.turns) > 2:
                 break
-        verdict = judged(system, start, times=JUDGED[:looks])
+        unit = system.scales(start).time
+        verdict = judged(system, start, times=[t * unit for t in JUDGED[:looks]])
     except ConvergenceError as error:
         raise ConvergenceError(f"the motion can't be followed: {error}{_steep(system)}") from error
     if verdict.kind == Regime.LIMIT_CYCLE and not looks:
@@ -227,6 +240,7 @@ def _rests(loop: Loop) -> bool:
     """Whether a closed orbit is an equilibrium, which closes after any period, as an orbit beside
     it nearly does.
     """
+    loop = in_scales(loop)
     return extent(loop) <= max(LEAST, SURE * error_of(loop))
 
 
@@ -284,10 +298,9 @@ def _from_guess(flow: Flow, guess: Guess) -> Loop:
     """Newton's method from a guess, in as many stretches as its growth asks for; it may not go
     far.
     """
-    loop = split(flow, guess)
-    return solved(
-        flow, loop.guess, across(loop), reach=0.5 * extent(loop) if loop.turns() else np.inf
-    )
+    loop = in_scales(split(flow, guess))
+    reach = 0.5 * extent(loop) if loop.turns() else np.inf
+    return natural(solved(loop.flow, loop.guess, across(loop), reach=reach))
 
 
 def stands_still(system: System, state: FloatArray) -> str:
@@ -298,7 +311,9 @@ def stands_still(system: System, state: FloatArray) -> str:
     """
     names = system.field.coordinates
     try:
-        moved = np.ptp(system.motion(state, LOOK).state[: len(names)], axis=1)
+        scales = system.scales(state)
+        states = system.motion(state, LOOK * scales.time).state[: len(names)]
+        moved = np.ptp(states, axis=1) / scales.places
     except ConvergenceError:
         return ""
     held = system.field.stays(system.mode(state))

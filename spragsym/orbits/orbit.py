@@ -26,7 +26,9 @@ from ..motion.shooting import (
     difference,
     error_of,
     finer,
+    in_scales,
     looped,
+    natural,
     once_round,
     phase,
     recut,
@@ -227,6 +229,27 @@ class Cycle(Result):
 
 def cycle_of(loop: Loop) -> Cycle:
     """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
+    found = _cycle_of(in_scales(loop))
+    scales = found.field.scales
+    if not scales:
+        return found
+    place, events = scales.places[0], found.events
+    return dataclasses.replace(
+        found,
+        period=scales.time * found.period,
+        state=scales.states * found.state,
+        events=dataclasses.replace(
+            events, t=scales.time * events.t, state=scales.states * events.state
+        ),
+        rms=place * found.rms,
+        mean=place * found.mean,
+        amplitude=place * found.amplitude,
+        loop=natural(found.loop),
+    )
+
+
+def _cycle_of(loop: Loop) -> Cycle:
+    """The same in the loop's units but for the errors, which are in the model's."""
     loop = once_round(loop.bound())
     loop = refined(loop, _top(loop))
     if loop.field.holding and not abs(loop.multipliers.trivial - 1) < UNRESOLVED:
@@ -242,14 +265,17 @@ def cycle_of(loop: Loop) -> Cycle:
             "use another backend, or a less steep friction law"
         )
     (mean, rms), (lowest, highest) = loop.moments(), range_of(loop)
+    scales = loop.field.scales
+    place = max(scales.states.tolist()) if scales else 1.0
+    unit = max(scales.time, place) if scales else 1.0
     return Cycle(
         period=loop.period,
         state=loop.state.copy(),
         multipliers=found.values,
         multiplier_errors=found.errors,
         stable=is_stable(loop),
-        error=max(error_of(loop, difference(loop)), lost),
-        residual=loop.missed,
+        error=max(unit * error_of(loop, difference(loop)), lost),
+        residual=place * loop.missed,
         events=events_of(loop.field, loop.crossings()),
         rms=rms,
         mean=mean,

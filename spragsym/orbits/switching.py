@@ -11,7 +11,7 @@ import numpy as np
 from ..core.errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
-from ..motion.shooting import CLOSED, Guess, Loop, extent, solved
+from ..motion.shooting import CLOSED, Guess, Loop, extent, solved, time_of
 from ..numerics.vectors import magnitude, norm
 from .arclength import (
     SURE,
@@ -57,7 +57,9 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
         return cycle  # the event holds the cycle of half the period
     index = cycle.field.parameters.index(branch.vary)
     loop, crossed = event.found.loop, event.found.crossed
-    setting = Setting(loop.flow, (index,), cycle.period, ((branch.to[1] - branch.to[0]) / 2,))
+    setting = Setting(
+        loop.flow, (index,), cycle.period / time_of(loop), ((branch.to[1] - branch.to[0]) / 2,)
+    )
     if event.kind == "fold" and crossed is None:
         return _beyond(branch, event, step)
     rounds = 2 if event.kind == "period_doubling" else 1

@@ -20,6 +20,7 @@ from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
 from ..motion.integrators import Flow
 from ..motion.regimes import Outcome, Regime
+from ..motion.scales import Scales, scaled, scales_of
 from ..motion.shooting import Conditions, Guess, Loop
 from ..motion.simulation import motion_of
 from ..motion.solution import Passage
@@ -30,7 +31,8 @@ from .orbit import Cycle
 #: Of a matrix of the motion about an equilibrium: relative error, with a margin.
 ROUNDING = 1e-13
 
-#: A motion is judged at the first of these times, and again at the next as long as it is undecided.
+#: A motion is judged at the first of these times, in its unit of time, and again at the next as
+#: long as it is undecided.
 JUDGED = (2000.0, 10_000.0, 40_000.0)
 
 #: Tolerances of motions, the second of which tells what rounding does to those of the first.
@@ -83,13 +85,22 @@ class System:
             self.field, self.values, start, t_end, backend=self.flow.backend, **options
         )
 
+    def scales(self, state: FloatArray) -> Scales:
+        """Units of the motion from a state."""
+        return scales_of(self.field, self.constants, state.tolist())
+
     def mode(self, state: FloatArray) -> Mode:
         """The mode of a state."""
         return self.field.initial_mode(state.tolist(), self.constants)
 
     def equilibrium(self, state: FloatArray) -> FloatArray:
         """The equilibrium that Newton's method finds from a state."""
-        return equilibrium_near(self.field, self.constants, state[: len(self.field.coordinates)])
+        scales, n = self.scales(state), len(self.field.coordinates)
+        if scales.trivial:
+            return equilibrium_near(self.field, self.constants, state[:n])
+        there = scaled(self.field, scales)
+        found = equilibrium_near(there, self.constants, (state / scales.states)[:n])
+        return found * scales.states
 
     def linearization(self, state: FloatArray) -> FloatArray:
         """The matrix of the motion about an equilibrium, shape (m, m)."""
@@ -131,13 +142,17 @@ class Verdict:
 
 
 def judged(
-    system: System, start: FloatArray, *, times: Sequence[float] = JUDGED, rtol: float = 1e-12
+    system: System,
+    start: FloatArray,
+    *,
+    times: Sequence[float] | None = None,
+    rtol: float = 1e-12,
 ) -> Verdict:
     """What the motion from a state comes to, looked at later and later as long as that is
     undecided.
     """
     state, begun = start, 0.0
-    for t_end in times:
+    for t_end in times or [t * system.scales(start).time for t in JUDGED]:
         motion = system.motion(state, t_end - begun, rtol=rtol)
         verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end)
         if verdict.decided:

@@ -1,0 +1,353 @@
+"""Scales of a motion, and the motion in units of them.
+
+An integrator's absolute tolerances, how far beyond a border a mode is left, and which speed is no
+speed, are numbers beside 1. They hold for a motion whose numbers are of order 1: so every motion is
+carried in units of its own. These are powers of four, which scale without rounding; 1 is kept for
+numbers between 1/32 and 32, so that motions of a common size are carried as they are.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..models.field import FLOATS, Border, Field, Mode, Values
+from ..models.parameters import FloatArray
+from .lobatto import PiecewisePolynomial
+
+if TYPE_CHECKING:
+    from .measures import Course
+    from .problem import Problem
+    from .regimes import Outcome
+    from .solution import Crossing, Passage, Solution, Turn
+
+#: Binary digits between one unit and the next, and beyond which a unit is not 1.
+DIGITS, COMMON = 2, 5
+
+
+@dataclass(frozen=True)
+class Scales:
+    """Units of a motion: of each coordinate, of time, and of the level of each border.
+
+    Times, states and what is made of them are given back in the model's units by what is called
+    as they are, as ``scales.solution(scaled)``; :attr:`inverse` takes them the other way.
+    """
+
+    places: tuple[float, ...]
+    time: float
+    levels: tuple[float, ...]
+
+    @property
+    def trivial(self) -> bool:
+        """All units are 1."""
+        return self.time == 1.0 and all(unit == 1.0 for unit in self.places)
+
+    @cached_property
+    def states(self) -> FloatArray:
+        """Units of coordinates and rates, (2 n,)."""
+        places = np.array(self.places)
+        return np.concatenate([places, places / self.time])
+
+    @property
+    def length(self) -> float:
+        """The largest unit of a coordinate."""
+        return max(self.places)
+
+    @property
+    def inverse(self) -> Scales:
+        """Units that take numbers of the model to those of the scaled motion."""
+        return Scales(
+            tuple(1.0 / unit for unit in self.places),
+            1.0 / self.time,
+            tuple(1.0 / unit for unit in self.levels),
+        )
+
+    def problem(self, problem: Problem) -> Problem:
+        """A problem in these units."""
+        start = np.array(problem.start, dtype=float) / self.states
+        return replace(
+            problem,
+            start=tuple(start.tolist()),
+            t_end=problem.t_end / self.time,
+            t_record=problem.t_record / self.time,
+            field_of=lambda reach: scaled(problem.field_of(reach), self),
+            scales=self,
+        )
+
+    def samples(self, samples: PiecewisePolynomial) -> PiecewisePolynomial:
+        """A motion by its samples."""
+        return PiecewisePolynomial(self.time * samples.t, self.states[:, None] * samples.states)
+
+    def crossing(self, it: Crossing) -> Crossing:
+        """A border passed."""
+        return it._replace(t=self.time * it.t, state=self.states * it.state)
+
+    def solution(self, solution: Solution) -> Solution:
+        """A motion with its crossings."""
+        return replace(
+            solution,
+            samples=self.samples(solution.samples),
+            crossings=tuple(map(self.crossing, solution.crossings)),
+        )
+
+    def _by_state(self, matrix: FloatArray) -> FloatArray:
+        return matrix * self.states[:, None] / self.states if matrix.size else matrix
+
+    def _by_parameters(self, matrix: FloatArray) -> FloatArray:
+        return matrix * self.states[:, None] if matrix.size else matrix
+
+    def turn(self, it: Turn) -> Turn:
+        """An extremum with its derivatives."""
+        return it._replace(
+            t=self.time * it.t,
+            state=self.states * it.state,
+            by_state=self._by_state(it.by_state),
+            by_parameters=self._by_parameters(it.by_parameters),
+        )
+
+    def passage(self, it: Passage) -> Passage:
+        """A stretch of motion with its derivatives."""
+        place = self.places[0]
+        first, square = it.integrals
+        return replace(
+            it,
+            state=self.states * it.state,
+            by_state=self._by_state(it.by_state),
+            by_parameters=self._by_parameters(it.by_parameters),
+            crossings=tuple(map(self.crossing, it.crossings)),
+            turns=tuple(map(self.turn, it.turns)),
+            integrals=(self.time * place * first, self.time * place**2 * square),
+        )
+
+    def course(self, it: Course) -> Course:
+        """Quantities measured on a motion."""
+        place, *others = self.places
+        low, high = it.reach
+        return replace(
+            it,
+            begin=self.time * it.begin,
+            end=self.time * it.end,
+            first=self.states * it.first,
+            last=self.states * it.last,
+            maxima_t=self.time * it.maxima_t,
+            maxima=self.states * it.maxima,
+            integrals=self.time * np.array([place, place**2, *others]) * it.integrals,
+            minima=self.states * it.minima,
+            reach=(place * low, place * high),
+            passages_t=self.time * it.passages_t,
+            passages=self.states * it.passages,
+        )
+
+    def outcome(self, it: Outcome) -> Outcome:
+        """The limit of a motion; the distance to rest is a length, that to a cycle a share."""
+        place = self.places[0]
+        return replace(
+            it,
+            rest=tuple((self.states[: len(it.rest)] * it.rest).tolist()),
+            rate=it.rate / self.time,
+            distance=it.distance * (self.length if it.rest else 1.0),
+            period=it.period * self.time,
+            cycle_mean=it.cycle_mean * place,
+            cycle_rms=it.cycle_rms * place,
+            cycle=tuple((self.states[: len(it.cycle)] * it.cycle).tolist()),
+        )
+
+
+def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Scales:
+    """Scales of the motion from a state.
+
+    The unit of time is that of the fastest stiffness, 1/√|∂q″/∂q|; where nothing is stiff, that of
+    the damping, or of what changes the speed at the start. Coordinates of one unit share theirs:
+    the largest of the coordinates at the start, of how far they go at its rates and accelerations
+    in the unit of time, of the way on which friction that holds is used up, and of the lengths of
+    springs. Angles have the unit 1. Of a motion about which this says nothing all units are 1.
+
+    Parameters
+    ----------
+    field : Field
+    constants : tuple of float
+    start : sequence of float, length 2 n
+
+    Returns
+    -------
+    Scales
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> from spragsym.motion.scales import scales_of
+    >>> p = ss.load("coulomb_stick_slip").Parameters(mu_s=6e5, mu_k=4e5, V=5e5)
+    >>> field = p.model.field
+    >>> scales_of(field, field.constants(p.scalars(*p.model.parameters)), (0.0, 0.0)).places
+    (262144.0,)
+    """
+    state, n = [float(value) for value in start], len(field.coordinates)
+    lengths = field.lengths(state, constants)
+    try:
+        time, ways = _time_and_ways(field, constants, state)
+    except (ArithmeticError, ValueError):  # the motion has no rates at the start
+        time, ways = 1.0, np.abs(state[:n])
+    places = []
+    for unit in field.units:
+        alike = [way for way, other in zip(ways, field.units, strict=True) if other == unit]
+        known = [*alike, *(lengths if unit == "m" else ())]
+        places.append(1.0 if unit == "rad" else _power(max(known)))
+    found = Scales(tuple(places), _power(time), (1.0,) * len(field.borders))
+    if found.trivial:
+        return found
+    levels = (_level(border, field, constants, state, found) for border in field.borders)
+    return replace(found, levels=tuple(levels))
+
+
+def _time_and_ways(field: Field, constants: Values, state: list[float]) -> tuple[float, FloatArray]:
+    """The unit of time, and how far each coordinate goes in it."""
+    n = len(field.coordinates)
+    place, rates = np.abs(state[:n]), np.abs(state[n:])
+    alike = np.array([[one == other for one in field.units] for other in field.units])
+    stiff, damped, pull = 0.0, 0.0, np.zeros(n)
+    for mode in _modes(field, constants, state):
+        slopes = field.matrix(state, constants, mode)[n:]
+        acceleration = np.array(field.acceleration(state, constants, mode, FLOATS), dtype=float)
+        stiff = max(stiff, float(np.abs(slopes[:, :n][alike]).max()))
+        damped = max(damped, float(np.abs(slopes[:, n:][alike]).max()))
+        pull = np.maximum(pull, np.abs(acceleration))
+    fastest = float(rates.max())
+    rate = math.sqrt(stiff) or damped or (float(pull.max()) / fastest if fastest else 0.0)
+    if not 0.0 < rate < math.inf:
+        return 1.0, np.max([place, rates, pull], axis=0)
+    ways = np.max([place, rates / rate, pull / rate**2], axis=0)
+    for border in field.borders:
+        if border.stays or not border.slopes:
+            continue
+        held = next(mode for mode in field.modes if border.sign(mode))
+        level, slopes = (each(state, constants, held) for each in (border.level, border.slopes))
+        for i, unit in enumerate(field.units):
+            steepest = max(
+                abs(slope)
+                for slope, other in zip(slopes, field.units, strict=False)
+                if other == unit
+            )
+            if steepest:
+                ways[i] = max(ways[i], abs(level) / steepest)
+    return 1.0 / rate, ways
+
+
+def _modes(field: Field, constants: Values, state: list[float]) -> set[Mode]:
+    """Modes in which the motion begins or may go on."""
+    return {field.initial_mode(state, constants), field.mode_at_rest(state, constants)}
+
+
+def _level(
+    border: Border, field: Field, constants: Values, state: list[float], scales: Scales
+) -> float:
+    """The unit of a border's level: by how much it changes over the units of the state."""
+    if not border.kink:
+        return 1.0
+    n, units = len(field.coordinates), scales.states.tolist()
+    mode = next((mode for mode in field.modes if border.sign(mode)), field.modes[0])
+    sizes = [0.0]
+    for share in (0.0, 1.0):
+        at = [value + share * unit for value, unit in zip(state[:n], units, strict=False)]
+        for i in range(n):
+            rates = [0.0] * n
+            pulls = rates.copy()
+            rates[i] = units[n + i]
+            pulls[i] = units[n + i] / scales.time
+            try:
+                rate = border.rate([*at, *rates], pulls, constants, mode)
+            except (ArithmeticError, ValueError):
+                continue
+            sizes.append(abs(float(rate)) * scales.time)
+    return _power(max(sizes))
+
+
+def _power(value: float) -> float:
+    """The unit nearest to a number; 1 for 0."""
+    if not 0.0 < value < math.inf or abs(math.log2(value)) <= COMMON:
+        return 1.0
+    return math.ldexp(1.0, DIGITS * round(math.log2(value) / DIGITS))
+
+
+@cache
+def scaled(field: Field, scales: Scales) -> Field:
+    """A field in units of its scales; parameters and forces stay as they are."""
+    n, units, time = len(field.coordinates), scales.states.tolist(), scales.time
+    faster = [time**2 / place for place in scales.places]
+    inner = field.sized(scales.levels) if field.sized else field
+
+    def at(state: Sequence[Any]) -> list[Any]:
+        return [value * unit for value, unit in zip(state, units, strict=True)]
+
+    def acceleration(state: Any, constants: Any, mode: Any, xp: Any) -> list[Any]:
+        found = inner.acceleration(at(state), constants, mode, xp)
+        return [value * factor for value, factor in zip(found, faster, strict=True)]
+
+    def rows(
+        function: Callable[..., Any], over: Sequence[float] | None
+    ) -> Callable[..., list[list[Any]]]:
+        def found(state: Any, constants: Any, mode: Any, xp: Any) -> list[list[Any]]:
+            return [
+                [
+                    value * factor * unit
+                    for value, unit in zip(row, over or [1.0] * len(row), strict=True)
+                ]
+                for row, factor in zip(
+                    function(at(state), constants, mode, xp), faster, strict=True
+                )
+            ]
+
+        return found
+
+    def aloft(constants: Values, state: FloatArray) -> bool:
+        return bool(inner.aloft and inner.aloft(constants, state * scales.states))
+
+    def border(that: Border, size: float) -> Border:
+        def level(state: Any, constants: Any, mode: Any) -> Any:
+            return that.level(at(state), constants, mode) * (1.0 / size)
+
+        def rate(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
+            pulls = [a * (1.0 / f) for a, f in zip(accelerations, faster, strict=True)]
+            return that.rate(at(state), pulls, constants, mode) * (time / size)
+
+        def slopes(state: Any, constants: Any, mode: Any) -> list[Any]:
+            found = that.slopes(at(state), constants, mode)  # type: ignore[misc]
+            factors = [*units, *(1.0,) * (len(found) - 2 * n)]
+            return [value * (unit / size) for value, unit in zip(found, factors, strict=True)]
+
+        def elsewhere(function: Callable[..., Any] | None) -> Callable[..., Any] | None:
+            return function and (lambda state, *rest: function(at(state), *rest))
+
+        return replace(
+            that,
+            level=level,
+            rate=rate,
+            beyond=lambda mode, *given: that.beyond(
+                mode, *((at(given[0]), *given[1:]) if given else ())
+            ),
+            jumps=elsewhere(that.jumps),
+            slopes=slopes if that.slopes else None,
+            stays=elsewhere(that.stays),
+        )
+
+    return replace(
+        inner,
+        name=f"{field.name}:{scales.places}:{time}:{scales.levels}",
+        acceleration=acceleration,
+        jacobian=rows(inner.jacobian, units),
+        by_parameters=rows(inner.by_parameters, None),
+        borders=tuple(map(border, inner.borders, scales.levels)),
+        initial_mode=lambda state, constants: inner.initial_mode(at(state), constants),
+        forces=tuple(
+            (name, lambda states, constants, force=force: force(np.array(at(states)), constants))
+            for name, force in inner.forces
+        ),
+        aloft=aloft if inner.aloft else None,
+        lengths=lambda *_: (),
+        natural=field,
+        scales=scales,
+    )

@@ -1,0 +1,129 @@
+"""Motions, cycles and fates of any size are the same, scaled; a limit that is come to slowly is met
+where it is.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.motion.scales import scales_of
+
+STICK_SLIP = ss.load("coulomb_stick_slip")
+
+#: Sizes of N_0/k, the only scale of the page's numbers.
+SIZES = [1e-6, 3e4, 1e6]
+
+
+def sized(size: float, **values: float) -> Any:
+    """Stick-slip whose lengths, speeds and forces are so many times as large."""
+    given = {"mu_s": 0.6, "mu_k": 0.4, "V": 0.5} | values
+    return STICK_SLIP.Parameters(**{name: size * value for name, value in given.items()})
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize(("backend", "size"), [("heyoka", 1e-6), ("scipy", 3e4)])
+def test_a_motion_of_any_size_is_the_same_scaled(backend: str, size: float) -> None:
+    """Its states, events, limit and errors: period and rms have closed forms."""
+    pytest.importorskip(backend)
+    one, other = (
+        ss.simulate(sized(scale), start=(1.5 * scale, 0.0), t_end=30.0, backend=backend, rtol=1e-12)
+        for scale in (1.0, size)
+    )
+    times = np.linspace(0.0, 30.0, 50)
+    np.testing.assert_allclose(other(times) / size, one(times), rtol=0.0, atol=1e-9)
+    assert one.events is not None
+    assert other.events is not None
+    np.testing.assert_allclose(other.events.t, one.events.t, rtol=0.0, atol=1e-8)
+    assert other.events.which.tolist() == one.events.which.tolist()
+    if backend == "scipy":  # which takes many seconds for the limit
+        return
+    found = other.outcome(10.0)
+    assert found.regime == ss.Regime.LIMIT_CYCLE
+    period = 0.8 + 2 * math.pi - 2 * math.atan(0.4)
+    assert found.period == pytest.approx(period, rel=1e-10)
+    assert found.cycle_mean / size == pytest.approx(one.outcome(10.0).cycle_mean, rel=1e-9)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("size", [pytest.param(1e-6, marks=pytest.mark.validate), 3e4])
+def test_a_cycle_its_branch_and_its_fate_are_the_same_scaled(size: float) -> None:
+    """Half the range is √(Δ² + V²), the period 2 Δ/V + 2 π − 2 atan(Δ/V)."""
+    pytest.importorskip("heyoka")
+    found = ss.cycle(sized(size), near=(0.6 * size, 0.5 * size))
+    assert found.amplitude / size == pytest.approx(math.hypot(0.2, 0.5), rel=1e-11)
+    assert found.error <= 1e-9 * max(size, 1.0)  # of the state and of the period
+    assert found.residual <= 1e-12 * size
+    branch = ss.cycle_branch(found, "V", (0.45 * size, 0.55 * size))
+    assert [event.how for event in branch.events] == ["the range ends"] * 2
+    V = branch.values / size
+    period = 0.4 / V + 2 * math.pi - 2 * np.arctan(0.2 / V)
+    np.testing.assert_allclose(branch.periods, period, rtol=1e-10)
+    np.testing.assert_allclose(branch.amplitude / size, np.hypot(0.2, V), rtol=1e-10)
+    assert ss.fate(sized(size), start=(1.5 * size, 0.0)).kind == "cycle"
+
+
+@pytest.mark.parametrize("backend", ["heyoka", "scipy"])
+@pytest.mark.parametrize("V", [1e-6, 1e-10])
+def test_slip_begins_where_a_slow_belt_uses_the_friction_up(V: float, backend: str) -> None:
+    """The limit is passed 1e-12/V late, and the state goes on from where it was met: the circle
+    about μ_k through x = μ_s, x′ = V.
+
+    What rounds in x, 1e-16, is 1e-16/V in time.
+    """
+    pytest.importorskip(backend)
+    p = sized(1.0, V=V)
+    begun = (0.6 - 0.59) / V
+    tr = ss.simulate(p, start=(0.59, V), t_end=begun + 3.0, backend=backend)
+    assert tr.events is not None
+    late = 1e-9 + 2e-16 / V
+    assert tr.events.of("slip").t == pytest.approx([begun], abs=late)
+    since = tr.t[-1] - begun
+    c, s = math.cos(since), math.sin(since)
+    turned = 0.4 + 0.2 * c + V * s, V * c - 0.2 * s
+    assert tr.state[:, -1] == pytest.approx(turned, abs=late)
+
+
+def test_scales_are_those_of_the_numbers_of_a_motion() -> None:
+    """And exactly 1 for those of a common size, whose bits stay."""
+    field = STICK_SLIP.field
+
+    def scales(size: float) -> Any:
+        values = sized(size).scalars(*STICK_SLIP.parameters)
+        return scales_of(field, field.constants(values), (0.0, 0.0))
+
+    assert scales(1.0).trivial
+    assert scales(10.0).trivial
+    for size in SIZES:
+        assert 0.25 <= scales(size).places[0] / (0.6 * size) <= 2.0
+        assert scales(size).time == 1.0
+        assert scales(size).levels == scales(size).places * 3
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", ["coulomb", "sprag_rod"])
+def test_motions_in_units_drawn_at_random_are_the_same(name: str) -> None:
+    """Kilogram, metre and second of sizes from 1e-6 to 1e6."""
+    pytest.importorskip("sympy")
+    from tests.oracles.dimensional_pages import dimensional, units
+
+    model, rng = dimensional(name), np.random.default_rng(75)
+    base = {
+        entry["name"]: entry["base"] if entry["base"] is not None else 0.7
+        for entry in model.about["parameters"]
+    }
+    start = 0.2 * rng.standard_normal(len(model.components))
+    times = np.linspace(0.0, 8.0, 20)
+    own = ss.simulate(model.Parameters(**base), start=start, t_end=8.0, backend="scipy")
+    for _ in range(2):
+        sizes = 10 ** rng.uniform(-6.0, 6.0, 3)
+        of_parameters, of_state = units(model, sizes)
+        p = model.Parameters(**{key: value * of_parameters[key] for key, value in base.items()})
+        other = ss.simulate(p, start=start * of_state, t_end=8.0 * sizes[2], backend="scipy")
+        seen = other(np.minimum(times * sizes[2], other.t[-1])) / of_state[:, None]
+        np.testing.assert_allclose(seen, own(times), rtol=0.0, atol=1e-7)
+        assert own.events is not None
+        assert other.events is not None
+        assert other.events.which.tolist() == own.events.which.tolist()

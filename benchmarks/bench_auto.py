@@ -129,7 +129,7 @@ def ours() -> tuple[float, dict[float, tuple[float, float]], float]:
     model = ss.load("stick_slip")
     first = ss.cycle(model.Parameters(V=0.2))
     begin = time.process_time()
-    branch = ss.cycle_branch(first, "V", (0.08, 0.21))
+    branch = ss.cycle_branch(first, "V", between={"V": (0.08, 0.21)})
     spent = (time.process_time() - begin) / len(branch.values)
     found = {}
     for speed in SPEEDS:

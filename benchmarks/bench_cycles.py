@@ -44,10 +44,16 @@ def main() -> None:
         )
         print(f"| the same, from a state | {near:.3f} |", flush=True)
         known.append(cycle)
-    ss.cycle_branch(known[0], "theta0", (np.radians(41.9), np.radians(42.1)), points=1)
+    ss.cycle_branch(
+        known[0], "theta0", between={"theta0": (np.radians(41.9), np.radians(42.1))}, points=1
+    )
     spent, branch = timed(
         lambda: ss.cycle_branch(
-            known[0], "theta0", (np.radians(1.0), np.radians(75.0)), points=100, longest=0.04
+            known[0],
+            "theta0",
+            between={"theta0": (np.radians(1.0), np.radians(75.0))},
+            points=100,
+            longest=0.04,
         ),
         time.process_time,
     )

@@ -152,7 +152,7 @@ def follow(
         flush=True,
     )
     branch = ss.cycle_branch(
-        cycle, "theta0", (math.radians(LOW), math.radians(HIGH)), points=points
+        cycle, "theta0", between={"theta0": (math.radians(LOW), math.radians(HIGH))}, points=points
     )
     doubled = []
     for event in branch.of("period_doubling") if depth < DEEPEST else ():

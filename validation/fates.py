@@ -299,7 +299,11 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
     speeds = {name: values[name] for name in ("V", "d")}
     try:
         found = ss.fate_boundary(
-            p, vary=given["vary"], bracket=given["bracket"], start=given["start"], **speeds
+            p,
+            given["vary"],
+            between={given["vary"]: given["bracket"]},
+            start=given["start"],
+            **speeds,
         )
     except (ss.ParameterError, ss.ConvergenceError) as error:
         parts = [

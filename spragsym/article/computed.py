@@ -275,7 +275,7 @@ def family_row(name: str, value: float, bracket: list[float], jumps: bool) -> Ou
     """The yes or no of Figures 8 to 10 for a sample of a parameter."""
     p = _article(**{name: value})
     found, lowest = quasi_static_path(p, "theta0", _RISING).jumps, float(critical_friction(p))
-    critical = critical_value(_article(), name, (bracket[0], bracket[1]))
+    critical = critical_value(_article(), name, between={name: (bracket[0], bracket[1])})
     values = {"mu_lowest": lowest, "mu_cusp": cusp_friction(p), f"critical {name}": critical}
     jump = {"jump at theta0_deg": _deg(found[0].value)} if found else {}
     return bool(found) == jumps == (lowest < 0.5), values | jump
@@ -462,7 +462,7 @@ def fate_of_rest() -> Outcome:
     """Where the motion from rest changes its fate, and at which saddle it hovers there."""
     belts = [_article(V=speed, d=creep) for speed, creep in ((V, D), *OTHER_BELTS)]
     found, *others = [
-        fate_boundary(p, vary="theta0", bracket=(low, high))
+        fate_boundary(p, "theta0", between={"theta0": (low, high)})
         for p, (low, high) in zip(belts, np.radians(FATES_CHANGE), strict=True)
     ]
     at, *changes = _deg([one.value for one in (found, *others)])

@@ -5,17 +5,18 @@ that is followed ends.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from ..core.errors import ConvergenceError, ParameterError
+from ..core.former import former
 from ..core.progress import doing
 from ..core.questions import Method, question
 from ..core.remarks import At, Remark
-from ..models.parameters import FloatArray, ParameterSet, Ranges, as_range
+from ..models.parameters import FloatArray, ParameterSet, Ranges, as_ranges, varied_range
 from ..numerics.columns import picked
 from ..results import LowestEnd, Points
 from ..statics.balance import Balance
@@ -216,14 +217,14 @@ def _least_left(found: Points, vary: str) -> float:
 
 
 @question
+@former(bracket='between={"kappa": (0, 1)}')
 def critical_value(
     p: ParameterSet,
     vary: str,
-    bracket: Sequence[float],
     *,
+    between: Ranges,
     along: str | None = None,
     over: str | None = None,
-    between: Ranges | None = None,
     method: Method = "auto",
 ) -> float:
     """The value of a parameter at which :func:`critical_friction` equals the friction of p.
@@ -236,11 +237,12 @@ def critical_value(
         Of any model, scalars with ``mu0``; the parameter that varies is not used.
     vary : str
         The parameter that is changed.
-    bracket : (float, float)
-        Two values of it, one with :func:`critical_friction` above the friction of p and one below.
+    between : mapping
+        The range of it, at one end of which :func:`critical_friction` is above the friction of p,
+        at the other below; ranges of the other two as for :func:`critical_friction`.
     along, over : str, optional
         As ``vary`` and ``over`` of :func:`critical_friction`.
-    between, method
+    method : str, optional
         As for :func:`critical_friction`.
 
     Returns
@@ -251,7 +253,7 @@ def critical_value(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For a parameter that can't change, a bracket with the lowest end on one side, and parameters
+        For a parameter that can't change, a range with the lowest end on one side, and parameters
         that are no scalars.
     ConvergenceError
         Where the lowest end is undecided on the way.
@@ -263,7 +265,7 @@ def critical_value(
     Examples
     --------
     >>> import spragsym as ss
-    >>> print(f"{ss.critical_value(ss.Parameters.article(), 'beta', (1, 2)):.9f}")
+    >>> print(f"{ss.critical_value(ss.Parameters.article(), 'beta', between={'beta': (1, 2))}:.9f}")
     1.632329272
     """
     from scipy.optimize import brentq
@@ -276,17 +278,19 @@ def critical_value(
             f"one of {others}"
         )
     (level,) = p.scalars(rising)
+    allowed = {name: p.model.any_of(name) for name in (vary, rising, over)}
+    given = as_ranges("between", between, allowed)
+    own = {vary: given.pop(vary)} if vary in given else {}
+    low, high = varied_range(vary, own, p.ranges[vary])
 
     def lowest(value: float) -> float:
         with doing("lowest end at {} = {:.6g}", vary, value):
-            found = critical_friction(p.replace(**{vary: value}), rising, over, between=between)
+            found = critical_friction(p.replace(**{vary: value}), rising, over, between=given)
         if found.kind == "undecided":
             raise ConvergenceError(
                 f"at {vary} = {value:.12g} the lowest end is undecided: {'; '.join(found.remarks)}"
             )
         return float(found.value)
-
-    low, high = as_range("bracket", bracket, p.ranges[vary])
 
     def excess(value: float) -> float:
         return math.atan(lowest(value)) - math.atan(level)  # finite where there is no fold
@@ -296,7 +300,7 @@ def critical_value(
             f"{_in_words(lowest(value))} at {vary} = {value:g}" for value in (low, high)
         )
         raise ParameterError(
-            f"bracket: the critical {rising} is {ends}, both on one side of {rising} = "
+            f"between: the critical {rising} is {ends}, both on one side of {rising} = "
             f"{level:g}; widen it"
         )
     root = float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=1000))
@@ -308,7 +312,7 @@ def critical_value(
         raise ConvergenceError(
             f"the critical {rising} jumps across {level:g} at {vary} = {root:.12g}, from "
             f"{_in_words(below)} to "
-            f"{_in_words(above)}: there it has no value between; try a bracket on one side"
+            f"{_in_words(above)}: there it has no value between; try a range on one side"
         )
     return root
 

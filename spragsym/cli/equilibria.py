@@ -123,7 +123,7 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
             "--plot shows eigenvalues over one parameter: give it as --vary NAME=FROM:TO, and "
             "numbers for others"
         )
-    name, (low, high) = case.span.name, case.between[case.span.name]
+    name = case.span.name
     words = (
         ()
         if case.study is None
@@ -133,7 +133,7 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
         case.set(name, **{name: None}),
         [(case.axis(name), (word, case.of("growth")[1])) for word in words],
     )
-    figure = partial(ss.figures.eigenvalue_figure, p, name, low=low, high=high)
+    figure = partial(ss.figures.eigenvalue_figure, p, name, between=case.between)
     drawn(plot, f"drawing eigenvalues over {name}", figure, lambda: axes)
 
 

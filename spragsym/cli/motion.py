@@ -361,7 +361,13 @@ def _diagram(case: Case, p: ParameterSet, starts: list[Any], points: int, plot: 
     along = case.span
     unit, title = along.unit, along.title
     with show_progress(f"equilibria and cycles along {along.name}"):
-        found = diagram(p, along.name, case.between[along.name], starts=starts, points=points)
+        found = diagram(
+            p,
+            along.name,
+            between={along.name: case.between[along.name]},
+            starts=starts,
+            points=points,
+        )
     up = ": rest, cycles from least to largest"
     drawn(
         plot,
@@ -441,7 +447,7 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
             f"{unit * value:.10g}; give one that does"
         )
     with show_progress(f"following cycles along {along.name}"):
-        branch = cycle_branch(found, along.name, (low, high), points=points)
+        branch = cycle_branch(found, along.name, between={along.name: (low, high)}, points=points)
     period = None if case.study is None else ("period (s)", case.time)
     first = case.model.coordinates[0]
     drawn(

@@ -66,7 +66,7 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
     >>> model, told = ss.load("stick_slip"), []
     >>> cycle = ss.cycle(model.Parameters(V=0.2))
     >>> with ss.show_progress(to=told.append):
-    ...     found = ss.cycle_branch(cycle, "V", (0.19, 0.21), points=4)
+    ...     found = ss.cycle_branch(cycle, "V", between={"V": (0.19, 0.21)}, points=4)
     >>> told[0]
     'the branch of cycles beside 0.2'
     """

@@ -364,7 +364,7 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
             zorder=3,
             clip_on=False,
         )
-    critical = ss.critical_value(p, name, bracket)
+    critical = ss.critical_value(p, name, between={name: bracket})
     line_at(ax, critical, VERMILION)
     if ticks:
         ax.set(xscale="log", yscale="log")

@@ -18,11 +18,13 @@ from scipy.optimize import linear_sum_assignment
 import spragsym as ss
 
 from ..bifurcation.branches import joined, linked, undecided_parts, undecided_points
-from ..core.errors import ConvergenceError, ParameterError, SpragsymError, one_of, require_kind
+from ..bifurcation.defining_systems import ranges
+from ..core.errors import ConvergenceError, SpragsymError, one_of, require_kind
+from ..core.former import former
 from ..core.questions import model_of
 from ..models import Model
 from ..models.forces import columns_of
-from ..models.parameters import FloatArray, ParameterSet, Span
+from ..models.parameters import FINITE, FloatArray, ParameterSet, Ranges, Span, varied_range
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import ComplexArray, IntArray
 from ..results import Equilibria, Named, Path, Points, Stability
@@ -104,12 +106,16 @@ def name_axes(ax: Axes, model: Model, vary: str, quantity: str) -> None:
             axis.set_label_text(with_unit(model, name))
 
 
+#: What is written for the former ends of the parameter that varies.
+_NOW = 'between={"mu0": (0, 1)}'
+
+
+@former(low=_NOW, high=_NOW)
 def branches(
     p: ParameterSet,
     vary: str | None = None,
-    low: float | None = None,
-    high: float | None = None,
     *,
+    between: Ranges | None = None,
     contact: bool = True,
     damping: bool = False,
     n: int = 200,
@@ -123,9 +129,9 @@ def branches(
         Scalars; the parameter that varies is not used.
     vary : str, optional
         Its name; theta0 where there is one.
-    low, high : float, optional
-        Its range; by default its own, and for one without an end up to 1, or twice the base value
-        if that is more.
+    between : mapping, optional
+        Its range, by its name; by default its own, and for one without an end up to 1, or twice the
+        base value if that is more.
     contact : bool
         Steady sliding, or lift-off.
     damping : bool
@@ -140,7 +146,7 @@ def branches(
     a curve leaves the contact it ends at the last of these points. Where a point is undecided, or a
     fold may be missing, ``undecided`` of the result has the range.
     """
-    return curves_between(p, *_range(p, vary, low, high, contact), damping, n)
+    return curves_between(p, *_range(p, vary, between, contact), damping, n)
 
 
 def curves_between(
@@ -236,7 +242,7 @@ def chains(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> 
 
 
 def _range(
-    p: ParameterSet, vary: str | None, low: float | None, high: float | None, contact: bool
+    p: ParameterSet, vary: str | None, between: Ranges | None, contact: bool
 ) -> tuple[str, Span, Points | None]:
     """The parameter that varies, its ends that are given, or those that are shown, and the folds
     between them, in contact.
@@ -244,15 +250,12 @@ def _range(
     model = model_of(p)
     vary = model.one(vary)
     model.require_parameter(vary)
-    allowed = p.ranges[vary]
-    ends = window(model, (vary,), {})[vary]
-    inset = 1e-4 if allowed.open_low else 0.0
-    low, high = ends[0] + inset if low is None else low, ends[1] - inset if high is None else high
-    if not allowed.low <= low < high <= allowed.high:
-        raise ParameterError(
-            f"low = {low:g}, high = {high:g}: {vary} is in {allowed}; give a range in it, the "
-            "smaller end first"
-        )
+    if between:
+        low, high = ranges(model, (vary,), between)[0].tolist()
+    else:
+        inset = 1e-4 if p.ranges[vary].open_low else 0.0
+        low, high = window(model, (vary,), {})[vary]
+        low, high = low + inset, high - inset
     return vary, (low, high), ss.folds(p, vary, between={vary: (low, high)}) if contact else None
 
 
@@ -289,24 +292,24 @@ def shade(ax: Axes, model: Model, vary: str, spans: FloatArray) -> None:
 
 
 @styled
+@former(low=_NOW, high=_NOW)
 def mark_folds(
     turns: Points,
     quantity: str = "x",
     *,
     ax: Axes | None = None,
-    low: float = -np.inf,
-    high: float = np.inf,
+    between: Ranges | None = None,
     **options: Any,
 ) -> list[Line2D]:
-    """Mark folds at their exact positions between ``low`` and ``high`` of the parameter that
-    varies.
-    """
+    """Mark folds at their exact positions, those ``between`` ends of the parameter that varies."""
     require_kind("turns", turns, Points, "an answer of ss.folds(...)")
-    along = getattr(turns, turns.vary[0])
+    vary = turns.vary[0]
+    along = getattr(turns, vary)
+    low, high = varied_range(vary, between, FINITE) if between else (-np.inf, np.inf)
     inside = (low <= along) & (along <= high)
     model = turns.parameters.model
     x, y = (
-        as_drawn(model, turns.vary[0], along[inside]),
+        as_drawn(model, vary, along[inside]),
         as_drawn(model, quantity, getattr(turns, quantity)[inside]),
     )
     style = {
@@ -320,13 +323,13 @@ def mark_folds(
     return own_axes(ax).plot(x, y, **style)
 
 
+@former(low=_NOW, high=_NOW)
 def plot_equilibria(
     p: ParameterSet,
-    quantity: str | None = None,
     vary: str | None = None,
+    quantity: str | None = None,
     *,
-    low: float | None = None,
-    high: float | None = None,
+    between: Ranges | None = None,
     contact: bool = True,
     damping: bool = False,
     ax: Axes | None = None,
@@ -342,11 +345,13 @@ def plot_equilibria(
     ----------
     p : Parameters
         Scalars; the parameter that varies is not used.
+    vary : str, optional
+        As for :func:`branches`: the parameter along the horizontal axis.
     quantity : str, optional
         What to show, a column of :class:`spragsym.Equilibria` that says where a state is, as x or
         theta; angles in degrees. By default the first coordinate.
-    vary, low, high, contact, damping, n
-        As for :func:`branches`: the parameter along the horizontal axis.
+    between, contact, damping, n
+        As for :func:`branches`.
     ax : matplotlib.axes.Axes, optional
         Where to draw; by default pyplot's current axes.
     color : str
@@ -367,10 +372,10 @@ def plot_equilibria(
     >>> len(plot_equilibria(ss.Parameters.article(), ax=Figure().add_subplot()))
     8
     >>> p = ss.load("cubic_contact").Parameters()
-    >>> len(plot_equilibria(p, "theta", ax=Figure().add_subplot(), n=20))
+    >>> len(plot_equilibria(p, quantity="theta", ax=Figure().add_subplot(), n=20))
     8
     """
-    vary, ends, turns = _range(p, vary, low, high, contact)
+    vary, ends, turns = _range(p, vary, between, contact)
     ax, model = own_axes(ax), p.model
     quantity = quantity or model.coordinates[0]
     one_of("quantity", quantity, columns_of(model))
@@ -470,12 +475,12 @@ def _head(ax: Axes, x: FloatArray, y: FloatArray, share: float, color: str) -> A
     return ax.annotate("", (x[i], y[i]), near, arrowprops=props)
 
 
+@former(low=_NOW, high=_NOW)
 def plot_eigenvalues(
     p: ParameterSet,
     vary: str | None = None,
     *,
-    low: float | None = None,
-    high: float | None = None,
+    between: Ranges | None = None,
     contact: bool = True,
     axes: tuple[Axes, Axes] | None = None,
     n: int = 200,
@@ -490,7 +495,7 @@ def plot_eigenvalues(
     ----------
     p : Parameters
         Scalars; the parameter that varies is not used.
-    vary, low, high, contact
+    vary, between, contact
         As for :func:`~spragsym.figures.branches`: the parameter along the horizontal axes.
     axes : tuple of two matplotlib.axes.Axes, optional
         For frequencies and for growth rates; by default two panels of pyplot's current figure.
@@ -512,30 +517,32 @@ def plot_eigenvalues(
     >>> from matplotlib.figure import Figure
     >>> from spragsym.figures import plot_eigenvalues
     >>> p = ss.load("mode_coupling").Parameters()
-    >>> len(plot_eigenvalues(p, "mu0", low=0.1, high=0.9, axes=Figure().subplots(2, 1), n=20)) > 0
+    >>> len(plot_eigenvalues(
+    ...     p, "mu0", between={"mu0": (0.1, 0.9)}, axes=Figure().subplots(2, 1), n=20
+    ... )) > 0
     True
     """
     if axes is None:
         from matplotlib import pyplot
 
         axes = tuple(pyplot.gcf().subplots(2, 1, sharex=True))
-    return _drawn(axes, p, vary, low, high, contact, n)[0]
+    return _drawn(axes, p, vary, between, contact, n)[0]
 
 
 @styled
+@former(low=_NOW, high=_NOW)
 def eigenvalue_figure(
     p: ParameterSet,
     vary: str | None = None,
     *,
-    low: float | None = None,
-    high: float | None = None,
+    between: Ranges | None = None,
     contact: bool = True,
     n: int = 200,
 ) -> Sheet:
     """Frequencies above growth rates, as a figure; arguments as :func:`plot_eigenvalues`."""
     figure, axes = panels(2, 1, SINGLE, 4.2, sharex=True)
     vary = model_of(p).one(vary)
-    _, frequencies, rates = _drawn([*axes[:, 0]], p, vary, low, high, contact, n)
+    _, frequencies, rates = _drawn([*axes[:, 0]], p, vary, between, contact, n)
     return figure.describe(
         f"""Eigenvalues λ of {p.model.name} at its equilibria over {vary}: (a) frequencies, (b)
         growth rates. Black with all damping, red where λ grows by more than 1e-4 of its size; grey
@@ -564,15 +571,14 @@ def _drawn(
     axes: Sequence[Axes],
     p: ParameterSet,
     vary: str | None,
-    low: float | None,
-    high: float | None,
+    between: Ranges | None,
     contact: bool,
     n: int,
 ) -> tuple[list[Line2D], Table, Table]:
     """The lines, and tables of frequencies and of growth rates: of each λ with damping, then of
     each without.
     """
-    vary, ends, turns = _range(p, vary, low, high, contact)
+    vary, ends, turns = _range(p, vary, between, contact)
     model, lines, courses = p.model, list[Line2D](), list[Any]()
     nowhere = complex(np.nan, np.nan)
     spans = [undecided_parts(turns, ends)]

@@ -88,7 +88,7 @@ def figure_cycles() -> Sheet:
     motion.
     """
     figure, ax = single(DOUBLE, 4.2)
-    rest = branches(_sliding(), "theta0", np.radians(1.0), np.radians(179.0))
+    rest = branches(_sliding(), "theta0", between={"theta0": (np.radians(1.0), np.radians(179.0))})
     # The branches that ``python -m validation.cycle_search`` found, with how they were looked for.
     found = json.loads(shipped_text("spragsym.figures", "cycles.json"))
     for curve in rest:  # |x| is the root mean square
@@ -136,7 +136,7 @@ def figure_cycles() -> Sheet:
         )
     names = ("branch", "kind", "theta0_deg", "period", "rms_x", "how")
     fate = fate_boundary(
-        Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0))
+        Parameters.article(), "theta0", between={"theta0": (np.radians(41.0), np.radians(42.0))}
     )
     places = np.degrees(fate.value), first_fold(Parameters.article()), first_fold(_sliding())
     for line_place, colour, style in zip(
@@ -257,8 +257,8 @@ def _along(vary: str) -> CycleBranch:
     """The branch of the cycle of period 34 from 42 degrees and friction 0.5."""
     first = cycle(Parameters.article(theta0=np.radians(42.0)), near=ON_CYCLE, patient=False)
     if vary == "theta0":
-        return cycle_branch(first, vary, (np.radians(41.0), np.radians(72.0)))
-    return cycle_branch(first, vary, (0.05, 0.5), points=90)
+        return cycle_branch(first, vary, between={vary: (np.radians(41.0), np.radians(72.0))})
+    return cycle_branch(first, vary, between={vary: (0.05, 0.5)}, points=90)
 
 
 @styled
@@ -274,7 +274,10 @@ def figure_cycles_plane(
         vary, kind, nearest, points, text, place = CURVES[name]
         event = min(followed(vary).of(kind), key=lambda event: abs(event.value - nearest))
         found = cycle_events(
-            event, ("theta0", "mu0"), to={"theta0": (0.02, 3.12), "mu0": (0.01, 1.0)}, points=points
+            event,
+            ("theta0", "mu0"),
+            between={"theta0": (0.02, 3.12), "mu0": (0.01, 1.0)},
+            points=points,
         )
         angles, friction = np.degrees(found.values[:, 0]), found.values[:, 1]
         colour = BLUE if kind == "period_doubling" else VERMILION
@@ -296,7 +299,9 @@ def figure_cycles_plane(
         p = Parameters.article(mu0=mu0)
         fold = np.radians(first_fold(p))
         with suppress(ConvergenceError):  # where the motion is undecided by then, there is no dot
-            fate = fate_boundary(p, vary="theta0", bracket=(fold - np.radians(9.0), fold - 0.003))
+            fate = fate_boundary(
+                p, "theta0", between={"theta0": (fold - np.radians(9.0), fold - 0.003)}
+            )
             fates["theta0_deg"].append(np.degrees(fate.value))
             fates["mu0"].append(mu0)
     ax.plot(*fates.values(), "o", color=BLACK, markersize=3)

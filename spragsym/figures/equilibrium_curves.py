@@ -301,7 +301,7 @@ def figure_13() -> Sheet:
     places = [(0.3, 0.45), (0.3, 0.98)], [(0.3, 0.22), (0.2, 1.55)]
     for ax, (letter, angle), at in zip(axes, PATHS_DEG.items(), places, strict=True):
         p = Parameters.article(theta0=np.radians(angle))
-        curves = branches(p, "mu0", *MU0_RANGE)
+        curves = branches(p, "mu0", between={"mu0": MU0_RANGE})
         rising, falling = _both_ways(ax, p, curves, np.linspace(*MU0_RANGE, 401), [(0.5,)] * 2, at)
         ax.set(
             xlabel=r"$\mu_0$", ylabel=LABELS["x"], xlim=(0, 1), ylim=(0, 1.7 if angle < 50 else 1.1)
@@ -343,7 +343,7 @@ def _both_ways(
     ):
         write_along(ax, f"${symbol(vary)}$ {word}", *place, color=color)
         tables.append(table_of_path(path))
-    mark_folds(ss.folds(p, vary), ax=ax, high=values[-1])
+    mark_folds(ss.folds(p, vary), ax=ax, between={vary: (values[0], values[-1])})
     return tables
 
 

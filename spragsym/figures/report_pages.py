@@ -23,7 +23,7 @@ from ..bifurcation.defining_systems import ranges
 from ..core.errors import ConvergenceError, SpragsymError
 from ..core.questions import model_of
 from ..files.text import filled
-from ..models.parameters import ParameterSet, Span
+from ..models.parameters import ParameterSet, Ranges, Span, varied_range
 from ..report.advice import Rows, warnings
 from ..report.facts import Facts
 from ..report.states import unit_of
@@ -141,8 +141,7 @@ def _planes(report: Facts) -> Rows:
                     partial(
                         draw_operating_point,
                         p,
-                        (angles.low, angles.high),
-                        (low, high),
+                        {"theta0": (angles.low, angles.high), "mu0": (low, high)},
                         jump,
                         n=_LINES,
                     )
@@ -154,16 +153,17 @@ def _planes(report: Facts) -> Rows:
     options: dict[str, Any] = dict(
         length=size if unit == "mm" else 1.0, label=f"{first['name']} in {unit}", n=_VALUES
     )
-    rises = "the friction"
+    rises, vary = "the friction", "mu0"
     if not study.of_friction:
         rises, scale = study.loading.quantity, study.load_scale
         low, high, one = low / scale, high / scale, study.quantities[rises]
         drawn = math.radians(1.0) if study.kind.units[rises] == "rad" else 1.0
-        options |= {**study.along(), "size": study.in_file(rises, drawn * scale)}
+        vary, options["begin"] = study.loading.name, study.start()
+        options["size"] = study.in_file(rises, drawn * scale)
         options["across"] = f"{rises} in {one.unit}" if one.unit else rises
     meaning = first["meaning"].partition(",")[0]
     yield (
-        picture(partial(draw_rising, p, (low, high), **options)),
+        picture(partial(draw_rising, p, vary, between={vary: (low, high)}, **options)),
         f"{meaning[:1].upper()}{meaning[1:]} as {rises} rises (red, with its jumps); grey: "
         "all states, full where stable. "
         f"Dots: folds, where two states meet and end. Shaded: {rises} within its tolerances.",
@@ -250,8 +250,7 @@ _MORE = 0.15
 
 def draw_operating_point(
     p: ParameterSet,
-    theta0: tuple[float, float],
-    mu0: tuple[float, float],
+    between: Ranges,
     jump: float = float("nan"),
     ax: Axes | None = None,
     *,
@@ -264,8 +263,8 @@ def draw_operating_point(
     ----------
     p : Parameters
         Scalars, with the friction that works.
-    theta0, mu0 : (float, float)
-        Ends of the tolerances, radians.
+    between : mapping
+        Ends of the tolerances of both, by their names, radians.
     jump : float
         Friction at which the followed state jumps at θ₀, NaN if it never does, or is not to be
         shown.
@@ -277,10 +276,12 @@ def draw_operating_point(
     -------
     matplotlib line of the point
     """
+    p.scalars("theta0", "mu0")
     ax = own_axes(ax)
-    top = max(_TOP, 1.15 * mu0[1], 1.15 * jump if jump < _FAR else 0.0)
+    angles, friction = (between[name] for name in ("theta0", "mu0"))
+    top = max(_TOP, 1.15 * friction[1], 1.15 * jump if jump < _FAR else 0.0)
     draw_plane(ax, p, {"mu0": (0.0, top)}, n=n)
-    return mark_brake(ax, p, theta0, mu0, jump)
+    return mark_brake(ax, p, angles, friction, jump)
 
 
 def mark_brake(
@@ -315,10 +316,10 @@ def mark_brake(
 
 def draw_rising(
     p: ParameterSet,
-    ends: tuple[float, float],
+    vary: str,
     ax: Axes | None = None,
     *,
-    vary: str = "mu0",
+    between: Ranges,
     begin: float = 0.0,
     length: float = 1.0,
     label: str | None = None,
@@ -333,11 +334,11 @@ def draw_rising(
     ----------
     p : Parameters
         Scalars, of which the one that rises is not used.
-    ends : (float, float)
-        Of the tolerance of the loading parameter.
-    ax : Axes, optional
     vary : str
         The loading parameter.
+    ax : Axes, optional
+    between : mapping
+        Ends of its tolerance, by its name.
     begin : float
         From where.
     length, size : float
@@ -355,6 +356,7 @@ def draw_rising(
     """
     model = model_of(p)
     ax, first = own_axes(ax), model.coordinates[0]
+    ends = varied_range(vary, between, model.any_of(vary))
     allowed, end = p.ranges[vary], ranges(model, (vary,), {})[0, 1]
     high, further = allowed.reached(allowed.high), ends[1] + _MORE * abs(ends[1])
     least, far = (
@@ -381,7 +383,7 @@ def draw_rising(
     ):  # where branches can't be told apart there are the states alone
         path = ss.quasi_static_path(p, vary, np.linspace(begin, top, 2 * n + 1))
         artists += draw_path(path, first, ax=ax, color=VERMILION)
-    mark_folds(turns, first, ax=ax, low=begin, high=top)
+    mark_folds(turns, first, ax=ax, between={vary: (begin, top)})
     ax.axvspan(*as_drawn(model, vary, ends), color=SKY, alpha=0.25, linewidth=0, zorder=0)
     ax.set_xlim(as_drawn(model, vary, (begin, top)))
     in_units(ax.xaxis, (across, size))

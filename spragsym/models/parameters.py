@@ -180,6 +180,17 @@ def as_ranges(
     }
 
 
+def varied_range(vary: str, between: Ranges | None, allowed: Range) -> Span:
+    """The range of a parameter that varies, which ``between`` must hold, and no other."""
+    given = as_ranges("between", between, {vary: allowed})
+    if not given:
+        raise ParameterError(
+            f'between = {between!r} has no range of {vary}; give its ends, as between={{"{vary}": '
+            "(0, 1)}"
+        )
+    return given[vary]
+
+
 def as_count(name: str, value: object, least: int = 1, most: float = math.inf) -> int:
     """``value`` as an integer of at least so much, and no more than ``most``."""
     if (

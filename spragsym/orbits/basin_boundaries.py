@@ -13,15 +13,17 @@ from numpy.typing import NDArray
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
+from ..core.former import former
 from ..core.progress import doing
 from ..models.parameters import (
     POSITIVE,
     FloatArray,
     ParameterSet,
+    Ranges,
     as_count,
     as_number,
     as_numbers,
-    as_range,
+    as_ranges,
 )
 from ..motion.regimes import same_limit
 from ..motion.simulation import state_of
@@ -102,6 +104,7 @@ class BasinBoundary(Result):
 
 
 @in_usual_state
+@former(to='between={"x": (-1, 1)}')
 def basin_boundary(
     p: ParameterSet,
     *,
@@ -110,7 +113,7 @@ def basin_boundary(
     plane: tuple[str, str] | None = None,
     start: Any = None,
     saddle: Any = None,
-    to: tuple[tuple[float, float], tuple[float, float]] | None = None,
+    between: Ranges | None = None,
     step: float = 0.02,
     points: int = 80,
     backend: str | None = None,
@@ -133,8 +136,8 @@ def basin_boundary(
         direction of the plane, from the equilibrium on.
     saddle : array_like, optional
         Coordinates near the equilibrium; needed where there are several.
-    to : pair of ranges, optional
-        Of the two; by default 3 to either side of the equilibrium, and 1 for speeds.
+    between : mapping, optional
+        Ranges of the two by name; by default 3 to either side of the equilibrium, and 1 for speeds.
     step : float
         Between neighbours on the curve.
     points : int
@@ -178,10 +181,9 @@ def basin_boundary(
     axes = [names.index(name) for name in plane]
     known = _saddle(system, p.given(V=V, d=d), saddle)
     widths = [3.0 if name in model.coordinates else 1.0 for name in plane]
-    ranges = [*zip(known.state[axes] - widths, known.state[axes] + widths, strict=True)]
-    if to is not None:
-        ends = zip(plane, to, strict=True)
-        ranges = [as_range(f"to of {name}", span, model.any_of(name)) for name, span in ends]
+    given = as_ranges("between", between, {name: model.any_of(name) for name in plane})
+    around = zip(plane, known.state[axes] - widths, known.state[axes] + widths, strict=True)
+    ranges = [given.get(name, (low, high)) for name, low, high in around]
     step, points = as_number("step", step, POSITIVE), as_count("points", points)
     walk = _Walk(system, known, np.eye(len(names))[axes], ranges, step, points)
     first, error, span = walk.begun(state_of(model, start))

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, one_of, require_kind
+from ..core.former import former
 from ..core.progress import doing
 from ..core.remarks import At, Remark
 from ..models.field import Field
@@ -21,11 +22,12 @@ from ..models.parameters import (
     FINITE,
     POSITIVE,
     FloatArray,
+    Ranges,
     Span,
     as_count,
     as_number,
-    as_range,
     as_ranges,
+    varied_range,
 )
 from ..motion.multipliers import CRITERIA, is_complex_pair
 from ..motion.shooting import Loop, extent, in_scales, natural, recut, time_of
@@ -219,8 +221,9 @@ class CycleBranch(Result):
 
 
 @in_usual_state
+@former(to='between={"V": (0.1, 0.3)}')
 def cycle_branch(
-    cycle: Cycle, vary: str, to: tuple[float, float], *, points: int = 400, longest: float = LONGEST
+    cycle: Cycle, vary: str, *, between: Ranges, points: int = 400, longest: float = LONGEST
 ) -> CycleBranch:
     """Follow a cycle as a parameter varies, through folds, to both ends of a range or to where the
     branch ends.
@@ -232,8 +235,8 @@ def cycle_branch(
     vary : str
         One of the parameters: theta0 (radians), V, d, mu0, kappa, alpha, sigma, beta; of other
         models their own.
-    to : tuple of float
-        The range; the branch is followed both ways from the cycle.
+    between : mapping
+        Its range, by its name; the branch is followed both ways from the cycle.
     points : int
         Most points each way.
     longest : float
@@ -260,21 +263,21 @@ def cycle_branch(
     >>> import numpy as np
     >>> import spragsym as ss
     >>> found = ss.cycle(ss.Parameters.article(theta0=np.radians(42)), V=0.5, d=10.0)
-    >>> branch = ss.cycle_branch(found, "theta0", np.radians([41.5, 42.5]))
+    >>> branch = ss.cycle_branch(found, "theta0", between={"theta0": np.radians([41.5, 42.5])})
     >>> [event.kind for event in branch.events]
     ['end', 'end']
     """
     require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
     model = cycle.field
     index = model.parameters.index(one_of("vary", vary, model.parameters))
-    low, high = as_range("to", to, ANGLE if model.is_angle(vary) else FINITE)
+    low, high = varied_range(vary, between, ANGLE if model.is_angle(vary) else FINITE)
     for bound in (low, high):
         model.check(vary, bound)
     points, longest = as_count("points", points), as_number("longest", longest, POSITIVE)
     value = cycle.values[index]
     if not low <= value <= high:
         raise ParameterError(
-            f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; "
+            f"between = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; "
             "give one"
         )
     own = in_scales(cycle.loop)
@@ -527,11 +530,12 @@ class EventCurve(Result):
 
 
 @in_usual_state
+@former(to='between={"V": (0.1, 0.3)}')
 def cycle_events(
     event: CycleEvent,
     vary: tuple[str, str],
     *,
-    to: dict[str, tuple[float, float]] | None = None,
+    between: Ranges | None = None,
     points: int = 60,
 ) -> EventCurve:
     """Follow a fold, doubling, torus or grazing of cycles in two parameters.
@@ -542,7 +546,7 @@ def cycle_events(
         Of a branch.
     vary : tuple of str
         Two parameters.
-    to : dict, optional
+    between : mapping, optional
         Parameter → range; the curve ends where it leaves it.
     points : int
         Most points each way.
@@ -568,7 +572,7 @@ def cycle_events(
     >>> import spragsym as ss
     >>> p = ss.Parameters.article(theta0=np.radians(43.1))
     >>> found = ss.cycle(p, V=0.5, d=10.0, near=(2.54, 3.36, 0, 0.36))
-    >>> branch = ss.cycle_branch(found, "theta0", np.radians([43.09, 43.13]))
+    >>> branch = ss.cycle_branch(found, "theta0", between={"theta0": np.radians([43.09, 43.13])})
     >>> (doubling,) = branch.of("period_doubling")
     >>> curve = ss.cycle_events(doubling, ("theta0", "mu0"), points=1)
     >>> np.degrees(curve.values[:, 0]).round(2).tolist(), curve.values[1, 1].item()
@@ -587,7 +591,8 @@ def cycle_events(
     if len(vary) != 2 or vary[0] == vary[1]:
         raise ParameterError(f"vary = {vary!r} is not two parameters")
     loop = event.found.loop
-    given = as_ranges("to", to, {name: ANGLE if model.is_angle(name) else FINITE for name in vary})
+    allowed = {name: ANGLE if model.is_angle(name) else FINITE for name in vary}
+    given = as_ranges("between", between, allowed)
     bounds = [given.get(name, (-np.inf, np.inf)) for name in vary]
     spans = [
         (high - low) / 2

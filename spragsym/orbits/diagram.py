@@ -23,9 +23,10 @@ from ..bifurcation.branches import joined, undecided_parts, undecided_points
 from ..bifurcation.flutter import flutter_onsets
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, SpragsymError
+from ..core.former import former
 from ..core.questions import model_of
 from ..core.remarks import At, Remark
-from ..models.parameters import FloatArray, ParameterSet, Span, as_count, as_range
+from ..models.parameters import FloatArray, ParameterSet, Ranges, Span, as_count, varied_range
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import apart, magnitude
 from ..results import Equilibria
@@ -164,11 +165,12 @@ class Diagram(Result):
 
 
 @in_usual_state
+@former(to='between={"V": (0.1, 0.3)}')
 def diagram(
     p: ParameterSet,
     vary: str,
-    to: tuple[float, float],
     *,
+    between: Ranges,
     starts: Sequence[Any] = (),
     doublings: int = 1,
     points: int = 100,
@@ -181,8 +183,8 @@ def diagram(
         Scalars; the one that varies is where ``starts`` hold.
     vary : str
         The parameter.
-    to : tuple of float
-        Its range.
+    between : mapping
+        Its range, by its name.
     starts : sequence
         States near cycles at ``p``, or cycles of the model at ``p`` but for the parameter that
         varies; with ``None`` among them, what the motion from rest winds onto.
@@ -211,7 +213,7 @@ def diagram(
     --------
     >>> import spragsym as ss
     >>> model = ss.load("stick_slip")
-    >>> found = ss.diagram(model.Parameters(), "V", (0.05, 0.3), points=60)
+    >>> found = ss.diagram(model.Parameters(), "V", between={"V": (0.05, 0.3)}, points=60)
     >>> [(label.label, round(float(label.value), 4)) for label in found.labels]
     [('H', 0.101), ('GR', 0.1591)]
     >>> len(found.equilibria), len(found.cycles), bool(found.cycles[0].stable.any())
@@ -223,7 +225,7 @@ def diagram(
     model.require_parameter(vary)
     p.scalars(*(name for name in model.parameters if name != vary))
     points, doublings = as_count("points", points), as_count("doublings", doublings, 0)
-    low, high = as_range("to", to, p.ranges[vary])
+    low, high = varied_range(vary, between, p.ranges[vary])
     motion, remarks = model.field, list[str]()
     for start in starts:
         if isinstance(start, Cycle):
@@ -239,14 +241,14 @@ def diagram(
     branches: list[CycleBranch] = []
     onsets, born_at = None, np.empty(0)
     try:
-        onsets = flutter_onsets(p, vary, between={vary: (low, high)})
+        onsets = flutter_onsets(p, vary, between=between)
         born_at = getattr(onsets, vary)
     except SpragsymError as error:
         remarks.append(f"Hopf points were not looked for: {error}")
     for born in _cycles(p, vary, onsets, born_at, starts, remarks):
         if not _known(branches, born):
             try:
-                branches.append(cycle_branch(born, vary, (low, high), points=points))
+                branches.append(cycle_branch(born, vary, between=between, points=points))
             except SpragsymError as error:
                 at = _at(vary, born.parameters[vary])
                 remarks.append(
@@ -461,7 +463,9 @@ def _doubled(
                     if to[0] <= doubled.parameters[vary] <= to[1] and not _known(
                         branches[begin:], doubled
                     ):
-                        branches.append(cycle_branch(doubled, vary, to, points=points))
+                        branches.append(
+                            cycle_branch(doubled, vary, between={vary: to}, points=points)
+                        )
                 except SpragsymError as error:
                     remarks.append(
                         Remark(

@@ -17,10 +17,11 @@ import numpy as np
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
+from ..core.former import former
 from ..core.progress import doing
 from ..core.questions import model_of
 from ..models.field import Field
-from ..models.parameters import FloatArray, ParameterSet, as_numbers
+from ..models.parameters import FloatArray, ParameterSet, Ranges, varied_range
 from ..motion.regimes import Outcome, same_limit
 from ..motion.simulation import state_of
 from ..numerics.vectors import apart, magnitude
@@ -134,11 +135,12 @@ class FateBoundary(Result):
 
 
 @in_usual_state
+@former(bracket='between={"V": (0.1, 0.3)}')
 def fate_boundary(
     p: ParameterSet,
-    *,
     vary: str,
-    bracket: tuple[float, float],
+    *,
+    between: Ranges,
     V: float | None = None,
     d: float | None = None,
     start: Any = None,
@@ -158,9 +160,9 @@ def fate_boundary(
         Scalars; the one that varies is replaced.
     vary : str
         A parameter of the model, of the article's theta0, mu0, kappa, alpha, sigma, beta, V or d.
-    bracket : tuple of float
-        Two values with different fates. Where there are several changes between them, one is found,
-        and ``others`` tells of those that were seen.
+    between : mapping
+        Its range, by its name, with different fates at its ends. Where there are several changes
+        between them, one is found, and ``others`` tells of those that were seen.
     V, d : float, optional
         In place of those of ``p``.
     start : array_like, optional
@@ -191,16 +193,13 @@ def fate_boundary(
     >>> import numpy as np
     >>> import spragsym as ss
     >>> p = ss.Parameters.article()
-    >>> found = ss.fate_boundary(p, vary="theta0", bracket=(0.72101, 0.72102), V=0.5, d=10.0)
+    >>> found = ss.fate_boundary(p, "theta0", between={"theta0": (0.72101, 0.72102)}, V=0.5, d=10.0)
     >>> round(found.value, 8), found.saddle
     (0.72101173, 'equilibrium')
     """
     model = model_of(p)
     model.require_parameter(vary)
-    given = as_numbers("bracket", bracket, model.any_of(vary))
-    if given.shape != (2,):
-        raise ParameterError(f"bracket = {bracket} is no range; give its two ends")
-    low, high = sorted(given.tolist())
+    low, high = varied_range(vary, between, model.any_of(vary))
     system = System.of(p.given(V=V, d=d).replace(**{vary: low}), backend)
     asked = _Asked(system, vary, state_of(model, start))
     ends = asked.surely(asked.ask(low)), asked.surely(asked.ask(high))
@@ -221,7 +220,7 @@ def fate_boundary(
         "; ".join(dict.fromkeys(found))
         or f"{asked.told(*ends)}; give values at which the motion settles"
     )
-    raise ConvergenceError(f"bracket = ({low:g}, {high:g}): {why}")
+    raise ConvergenceError(f"between = ({low:g}, {high:g}): {why}")
 
 
 @dataclass(frozen=True)
@@ -258,7 +257,7 @@ class _Asked:
         if sum(each.verdict.t for each in self.known) > LONGEST:
             raise _TooLong(
                 f"{LONGEST:g} time units of motion leave it open whether there are others; "
-                "give a narrower bracket"
+                "give a narrower range"
             )
         with doing(
             "the motion at {} = {:.12g}, after {} others", self.vary, value, len(self.known)
@@ -361,7 +360,7 @@ class _Asked:
             else f"{one} at one end and to {another} at the other"
         )
         return ParameterError(
-            f"bracket = ({low.value:g}, {high.value:g}): the start comes to {ends}, which is "
+            f"between = ({low.value:g}, {high.value:g}): the start comes to {ends}, which is "
             "one attractor"
             + (f", and to {other.verdict.told()} at {other.value:g} between" if other else "")
             + "; give values of different fates"
@@ -563,7 +562,9 @@ def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
         )
         assert single.orbit
         assert double.orbit
-        branch = cycle_branch(double.orbit, asked.vary, bounds, points=FOLLOWED)
+        branch = cycle_branch(
+            double.orbit, asked.vary, between={asked.vary: bounds}, points=FOLLOWED
+        )
         between = (branch.values >= low.value) & (branch.values <= high.value)
         for end in branch.of("end"):
             if (

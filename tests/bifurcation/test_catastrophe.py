@@ -97,7 +97,7 @@ def test_curves_with_hardly_any_preload_cross_a_friction_as_often_as_folds_are_p
 def test_critical_values_put_the_cusp_at_the_friction(
     vary: str, bracket: tuple[float, float]
 ) -> None:
-    value = ss.critical_value(BASE, vary, bracket)
+    value = ss.critical_value(BASE, vary, between={vary: bracket})
     given = {"kappa": "0.007", "alpha": "0.007", "sigma": "0.1", "beta": "0", vary: value}
     lowest = min(
         one.mu0

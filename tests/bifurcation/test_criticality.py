@@ -204,7 +204,7 @@ def test_where_statics_takes_another_friction_the_cycle_is_of_the_motion() -> No
 def test_a_branch_goes_on_from_the_cycle_that_is_born(stick_slip: Any) -> None:
     """The cycle that is born at the upper onset meets that of stick-slip in a fold above it."""
     found = ss.cycle(onset=stick_slip, index=1, amplitude=0.1)
-    branch = ss.cycle_branch(found, "V", (1.35, 2.0))
+    branch = ss.cycle_branch(found, "V", between={"V": (1.35, 2.0)})
     assert [
         event.kind for event in branch.events if event.kind == "end" and "shrinks" in event.how
     ] == ["end"]

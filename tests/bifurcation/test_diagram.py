@@ -28,7 +28,7 @@ ON_CYCLE = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
 @pytest.fixture(scope="module")
 def born() -> ss.Diagram:
     model = ss.load("stick_slip")
-    return ss.diagram(model.Parameters(), "V", (0.08, 0.2), points=40)
+    return ss.diagram(model.Parameters(), "V", between={"V": (0.08, 0.2)}, points=40)
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +36,7 @@ def article() -> ss.Diagram:
     return ss.diagram(
         ss.Parameters.article(theta0=math.radians(42.0)),
         "theta0",
-        tuple(np.radians([41.0, 46.0])),
+        between={"theta0": tuple(np.radians([41.0, 46.0]))},
         starts=[ON_CYCLE],
     )
 
@@ -92,7 +92,11 @@ def test_a_cycle_of_a_branch_that_is_there_gives_no_second_one() -> None:
     model = ss.load("stick_slip")
     onsets = ss.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})
     found = ss.diagram(
-        model.Parameters(), "V", (0.08, 0.2), points=40, starts=[ss.cycle(onset=onsets, index=0)]
+        model.Parameters(),
+        "V",
+        between={"V": (0.08, 0.2)},
+        points=40,
+        starts=[ss.cycle(onset=onsets, index=0)],
     )
     assert len(found.cycles) == 1
 
@@ -100,7 +104,9 @@ def test_a_cycle_of_a_branch_that_is_there_gives_no_second_one() -> None:
 @pytest.mark.thorough
 def test_a_branch_of_equilibria_is_there_once() -> None:
     """On one branch a torsion spring is counted on either of its ways."""
-    found = ss.diagram(ss.load("sprag_rod").Parameters(theta0=0.6), "mu0", (0.0, 2.0))
+    found = ss.diagram(
+        ss.load("sprag_rod").Parameters(theta0=0.6), "mu0", between={"mu0": (0.0, 2.0)}
+    )
     assert of(found, "LP") == pytest.approx([0.5986956385], abs=1e-9)
     assert len(found.equilibria) == 2
 

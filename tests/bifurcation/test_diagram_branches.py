@@ -13,7 +13,7 @@ from tests.oracles import sticking
 def test_a_branch_goes_on_where_a_layer_of_the_friction_law_ends() -> None:
     """Of Leine's law: its layer is below rounding on most of the way."""
     p = sticking.model("tanh").Parameters(mu_s=1.0, delta=2.0, zeta=0.1, d=100.0)
-    found = ss.diagram(p, "V", (0.05, 1.0), points=2)
+    found = ss.diagram(p, "V", between={"V": (0.05, 1.0)}, points=2)
     (branch,) = found.equilibria
     assert (branch.values.min(), branch.values.max()) == pytest.approx((0.05, 1.0))
     np.testing.assert_allclose(
@@ -25,7 +25,9 @@ def test_a_branch_goes_on_where_a_layer_of_the_friction_law_ends() -> None:
 def test_a_cycle_that_is_not_followed_is_told_and_costs_no_other() -> None:
     model = ss.load("stick_slip")
     start = ss.cycle(model.Parameters(V=0.2), near=(0.6, 0.0))
-    found = ss.diagram(model.Parameters(V=0.2), "V", (0.05, 0.12), points=5, starts=[start])
+    found = ss.diagram(
+        model.Parameters(V=0.2), "V", between={"V": (0.05, 0.12)}, points=5, starts=[start]
+    )
     assert len(found.cycles) == 1
     assert any(
         "at V = 0.2 was not followed: to = (0.05, 0.12)" in remark for remark in found.remarks

@@ -27,7 +27,7 @@ QUESTIONS: dict[str, Callable[[], Any]] = {
     "cusps": lambda: ss.cusps(P),
     "flutter_onsets": lambda: ss.flutter_onsets(P.replace(alpha=0.7), damping=False),
     "critical_friction": lambda: ss.critical_friction(P),
-    "critical_value": lambda: ss.critical_value(P, "beta", (1.0, 2.0)),
+    "critical_value": lambda: ss.critical_value(P, "beta", between={"beta": (1.0, 2.0)}),
     "cusp_friction": lambda: ss.cusp_friction(P),
     "bifurcation_set": lambda: ss.bifurcation_set(P, n=20),
     "quasi_static_path": lambda: ss.quasi_static_path(P, "mu0", [0.1, 0.3, 0.6]),

@@ -198,7 +198,7 @@ class Asked:
             ss.cusps(self.p, between=between).mu0, default=np.inf
         )
         if self.name == "kang_nam":
-            value = ss.critical_value(self.p, "beta", (1.0, 2.0))
+            value = ss.critical_value(self.p, "beta", between={"beta": (1.0, 2.0)})
             assert float(ss.critical_friction(self.p.replace(beta=value))) == pytest.approx(
                 0.5, rel=1e-9
             )
@@ -336,7 +336,7 @@ class Asked:
             ss.fate_boundary,
             self.moving,
             vary="V",
-            bracket=(0.99 * self.speed, self.speed),
+            between={"V": (0.99 * self.speed, self.speed)},
         )
 
     def boundary(self) -> None:
@@ -369,7 +369,9 @@ class Asked:
         found = ss.cycle(self.moving, patient=False)
         around = ss.simulate(self.moving, start=found.state, t_end=found.period)
         assert around.state[:, -1] == pytest.approx(found.state, abs=1e-6)
-        branch = ss.cycle_branch(found, "V", (0.5 * self.speed, self.speed), points=40)
+        branch = ss.cycle_branch(
+            found, "V", between={"V": (0.5 * self.speed, self.speed)}, points=40
+        )
         last = ss.cycle(
             self.p.replace(V=branch.values[0]), near=branch.cycles[0].state, patient=False
         )
@@ -388,7 +390,7 @@ class Asked:
     def curves(self) -> None:
         """A motion that begins on a curve of rest stays there."""
         for rest in ss.diagram(
-            self.moving, "V", (0.99 * self.speed, self.speed), points=2
+            self.moving, "V", between={"V": (0.99 * self.speed, self.speed)}, points=2
         ).equilibria:
             start = [*rest.states[-1], *[0.0] * len(self.model.coordinates)][
                 : len(self.model.components)

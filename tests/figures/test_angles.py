@@ -31,7 +31,9 @@ def test_a_path_and_the_states_of_a_turning_rod_share_an_axis(ax: Any) -> None:
     path = ss.quasi_static_path(p, "mu0", friction)
     _, phi = drawn(figures.draw_path(path, "phi", ax=ax, arrows=()))
     assert [np.abs(phi - degrees).min() < 1e-6 for degrees in np.degrees(path.phi)] == [True] * 5
-    _, states = drawn(figures.plot_equilibria(p, "phi", "mu0", low=0.01, high=0.4, ax=ax, n=20))
+    _, states = drawn(
+        figures.plot_equilibria(p, "mu0", "phi", between={"mu0": (0.01, 0.4)}, ax=ax, n=20)
+    )
     assert np.abs(states - np.degrees(path.phi[1])).min() < 0.1  # between two of its points
 
 
@@ -40,7 +42,7 @@ def test_a_path_and_the_states_of_a_turning_rod_share_an_axis(ax: Any) -> None:
 def test_what_rises_is_drawn_in_the_units_of_its_axis(ax: Any, vary: str) -> None:
     p = ss.load("sprag_rod").Parameters(theta0=0.6)
     ends = (0.3, 0.4) if vary == "mu0" else (0.5, 0.6)
-    artists = figures.draw_rising(p, ends, ax=ax, vary=vary, begin=0.3, n=10)
+    artists = figures.draw_rising(p, vary, ax, between={vary: ends}, begin=0.3, n=10)
     along, phi = drawn(artists)
     top = ax.get_xlim()[1] if vary == "mu0" else np.radians(ax.get_xlim()[1])
     path = ss.quasi_static_path(p, vary, np.linspace(0.3, top, 21))

@@ -33,7 +33,7 @@ def test_the_picture_shows_what_the_matrices_say() -> None:
     from spragsym.figures import eigenvalue_figure
 
     p = ss.load("mode_coupling").Parameters()
-    figure = eigenvalue_figure(p, "mu0", low=0.0, high=1.0, n=12)
+    figure = eigenvalue_figure(p, "mu0", between={"mu0": (0.0, 1.0)}, n=12)
     (meet,) = ss.flutter_onsets(p, "mu0", damping=False, between={"mu0": (0.0, 1.0)}).mu0
     frequency, growth = (
         {name: np.asarray(column) for name, column in figure.tables[key].items()} for key in "ab"

@@ -155,7 +155,7 @@ def test_what_is_undecided_is_hatched(ax):
     """
     pytest.importorskip("sympy")
     p = model_of(HANDS["rail"].page, "rail").Parameters(mu0=0.0)
-    found = figures.branches(p, "kappa", 0.01, 0.05, n=3)
+    found = figures.branches(p, "kappa", between={"kappa": (0.01, 0.05)}, n=3)
     assert len(found.undecided) == 0
     eq = ss.equilibria(p.replace(kappa=[-0.02, 0.0, 0.02, 0.03]))
     figures.plot(eq, ax)

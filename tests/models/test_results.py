@@ -44,7 +44,9 @@ def _cycle() -> ss.Cycle:
 @functools.cache
 def _branch() -> ss.CycleBranch:
     """From 42° over its doubling at 43.1°."""
-    return ss.cycle_branch(_cycle(), vary="theta0", to=tuple(np.radians([41.9, 43.3])))
+    return ss.cycle_branch(
+        _cycle(), vary="theta0", between={"theta0": tuple(np.radians([41.9, 43.3]))}
+    )
 
 
 def _doubling() -> ss.CycleEvent:
@@ -53,7 +55,7 @@ def _doubling() -> ss.CycleEvent:
 
 def _fate() -> ss.FateBoundary:
     return ss.fate_boundary(
-        ss.Parameters.article(), vary="theta0", bracket=(0.7208, 0.7212), **SPEED
+        ss.Parameters.article(), "theta0", between={"theta0": (0.7208, 0.7212)}, **SPEED
     )
 
 
@@ -62,7 +64,9 @@ MODEL = ss.load("kang_nam").search
 
 @functools.cache
 def _diagram() -> ss.Diagram:
-    return ss.diagram(ss.load("stick_slip").Parameters(), "V", (0.05, 0.3), points=60)
+    return ss.diagram(
+        ss.load("stick_slip").Parameters(), "V", between={"V": (0.05, 0.3)}, points=60
+    )
 
 
 @functools.cache

@@ -183,14 +183,12 @@ def test_masks_of_astropy_are_kept() -> None:
 OTHERS: dict[str, Any] = {
     "vary": "kappa",
     "values": [0.1, 0.2],
-    "bracket": (0.1, 1.0),
+    "between": {"kappa": (0.3, 0.6)},
     "theta": 1.0,
     "theta0": 1.0,
     "V": 0.5,
     "d": 10.0,
-    "to": (0.3, 0.6),
     "mu0": (0.3, 0.6),
-    "ends": (0.3, 0.6),
     "claim": "no jump",
 }
 

@@ -85,8 +85,8 @@ def test_a_branch_of_small_cycles_goes_as_far_as_one_of_large_ones(
     large, small = ss.cycle(own.Parameters(V=0.2)), ss.cycle(in_length(scaled, unit, 0.2))
     assert small.period == pytest.approx(large.period, rel=1e-9)
     one, other = (
-        ss.cycle_branch(large, "V", (0.05, 2.0)),
-        ss.cycle_branch(small, "V", (0.05 * unit, 2.0 * unit)),
+        ss.cycle_branch(large, "V", between={"V": (0.05, 2.0)}),
+        ss.cycle_branch(small, "V", between={"V": (0.05 * unit, 2.0 * unit)}),
     )
     assert [(event.kind, event.how) for event in one.events] == [
         (event.kind, event.how) for event in other.events
@@ -102,16 +102,18 @@ def test_a_branch_of_small_cycles_goes_as_far_as_one_of_large_ones(
 def test_a_curve_of_folds_goes_on_where_multipliers_are_known_to_ten_digits() -> None:
     """It ended after two points: rounding of the test function kept the closed orbit open."""
     p = ss.load("stick_slip").Parameters(V=2.9)
-    (fold,) = ss.cycle_branch(ss.cycle(p, near=(3.2, 0.0)), "V", (2.8, 3.3)).of("fold")
+    (fold,) = ss.cycle_branch(ss.cycle(p, near=(3.2, 0.0)), "V", between={"V": (2.8, 3.3)}).of(
+        "fold"
+    )
     curve = ss.cycle_events(
-        fold, ("V", "zeta"), to={"V": (1.0, 9.0), "zeta": (0.03, 0.07)}, points=3
+        fold, ("V", "zeta"), between={"V": (1.0, 9.0), "zeta": (0.03, 0.07)}, points=3
     )
     assert curve.how == ("3 points were followed", "3 points were followed")
     V, zeta = curve.values[-1]
     beside = ss.cycle(
         p.replace(V=V - 0.05, zeta=zeta), near=curve.cycles[-1].state + np.array([0.05, 0.0])
     )
-    (other,) = ss.cycle_branch(beside, "V", (V - 0.2, V + 0.1)).of("fold")
+    (other,) = ss.cycle_branch(beside, "V", between={"V": (V - 0.2, V + 0.1)}).of("fold")
     assert other.value == pytest.approx(V, abs=1e-8)
 
 

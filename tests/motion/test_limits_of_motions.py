@@ -82,7 +82,9 @@ def test_states_of_three_coordinates_are_told_apart_by_all_of_them() -> None:
 @pytest.mark.validate
 def test_the_edge_between_two_cycles_that_differ_in_the_last_coordinate() -> None:
     p = model_of(WELLS, "wells").Parameters()
-    found = ss.fate_boundary(p, vary="c", bracket=(0.2, 0.4), start=(0.3, 1.0, 2.0, 0.0, 0.0, 0.0))
+    found = ss.fate_boundary(
+        p, "c", between={"c": (0.2, 0.4)}, start=(0.3, 1.0, 2.0, 0.0, 0.0, 0.0)
+    )
     assert found.below.cycle_z * found.above.cycle_z == pytest.approx(-1.0)
     assert found.growth == pytest.approx(
         (np.hypot(found.value, 2**0.5) - found.value) / 2

@@ -89,7 +89,7 @@ def test_a_branch_goes_past_where_a_stretch_begins_as_sticking_does() -> None:
     ):
         given = {"mu_s": 0.6, "mu_k": mu_k, "V": 0.3}
         branch = ss.cycle_branch(
-            ss.cycle(STICK_SLIP.Parameters(**given), near=(mu_k, 0.3)), vary, to
+            ss.cycle(STICK_SLIP.Parameters(**given), near=(mu_k, 0.3)), vary, between={vary: to}
         )
         periods = [exact(**(given | {vary: value}))[0] for value in branch.values.tolist()]
         assert branch.periods == pytest.approx(periods, abs=1e-11)

@@ -71,7 +71,9 @@ def slow() -> ss.Cycle:
 @pytest.fixture(scope="module")
 def branch(slow: ss.Cycle) -> ss.CycleBranch:
     """Through three grazings and a period doubling."""
-    return ss.cycle_branch(slow, "theta0", (np.radians(41.0), np.radians(43.6)), longest=0.3)
+    return ss.cycle_branch(
+        slow, "theta0", between={"theta0": (np.radians(41.0), np.radians(43.6))}, longest=0.3
+    )
 
 
 # ------------------------------------------------------------------------------------------------
@@ -196,7 +198,7 @@ def test_a_branch_ends_at_hopfs_bifurcation() -> None:
     assert found.amplitude == pytest.approx(0.5, abs=1e-12)  # the circle of radius sqrt(e)
     assert found.period == pytest.approx(2 * math.pi, abs=1e-12)
     assert found.multipliers[1].real == pytest.approx(math.exp(-2 * math.pi * 0.25), rel=1e-10)
-    branch = ss.cycle_branch(found, "e", (-0.5, 0.5))
+    branch = ss.cycle_branch(found, "e", between={"e": (-0.5, 0.5)})
     assert branch.amplitude == pytest.approx(np.sqrt(branch.values), abs=1e-9)
     (end, _) = branch.of("end")
     assert "equilibrium" in end.how
@@ -217,7 +219,7 @@ SADDLE_LOOP = field_of(
 @pytest.mark.thorough
 def test_a_branch_ends_at_a_homoclinic_orbit() -> None:
     branch = ss.cycle_branch(
-        cycle_near(SADDLE_LOOP, (-0.1,), (1.3, 0.0)), "e", (-0.3, 0.3), longest=0.2
+        cycle_near(SADDLE_LOOP, (-0.1,), (1.3, 0.0)), "e", between={"e": (-0.3, 0.3)}, longest=0.2
     )
     shrunk, (homoclinic,) = branch.of("end")[0], branch.of("homoclinic")
     assert "equilibrium" in shrunk.how
@@ -246,7 +248,7 @@ TWO_CIRCLES = field_of(
 @pytest.fixture(scope="module")
 def folding() -> ss.CycleBranch:
     return ss.cycle_branch(
-        cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)), "e", (-1.5, -0.4), longest=0.3
+        cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)), "e", between={"e": (-1.5, -0.4)}, longest=0.3
     )
 
 
@@ -279,7 +281,7 @@ def test_two_folds_within_a_step_are_seen(apart: float) -> None:
 
     field = field_of(f"two folds, {apart} apart", force, slope, lambda x, v, e, m: v)
     begin = cycle_near(field, (0.1,), (1.5, 0.0))
-    branch = ss.cycle_branch(begin, "e", (-0.1, 0.15), longest=0.3)
+    branch = ss.cycle_branch(begin, "e", between={"e": (-0.1, 0.15)}, longest=0.3)
     assert sorted(fold.value for fold in branch.of("fold")) == pytest.approx(
         [-2 * apart**3 / 3, 2 * apart**3 / 3], abs=1e-9
     )
@@ -307,7 +309,7 @@ def test_where_another_branch_crosses_it_can_be_followed() -> None:
         by_parameters=lambda q, c, mode, xp=math: ((0.0,), (q[1],)),
     )
     found = cycle_near(fork, (-0.1,), (1.0, 0.0, 0.0, 0.0))
-    branch = ss.cycle_branch(found, "e", (-0.2, 0.15), longest=0.3)
+    branch = ss.cycle_branch(found, "e", between={"e": (-0.2, 0.15)}, longest=0.3)
     (crossing,) = branch.of("fold")
     assert crossing.value == pytest.approx(0, abs=1e-8)
     assert "another branch" in crossing.how
@@ -338,7 +340,9 @@ def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
 
 def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
-    (again,) = ss.cycle_branch(doubling.cycle, "theta0", branch.to).of("period_doubling")
+    (again,) = ss.cycle_branch(doubling.cycle, "theta0", between={"theta0": branch.to}).of(
+        "period_doubling"
+    )
     assert abs(again.value - doubling.value) <= again.error + doubling.error
     assert min(abs(doubling.cycle.multipliers + 1)) < 1e-8
     assert {event.how for event in branch.of("end")} == {"the range ends"}
@@ -376,7 +380,10 @@ def test_the_doubled_cycle_and_where_it_comes_from(branch: ss.CycleBranch) -> No
     assert doubled.stable
     assert doubled.period == pytest.approx(2 * doubling.cycle.period, rel=1e-3)
     back = ss.cycle_branch(
-        doubled, "theta0", (np.radians(42.9), doubled.values[0] + 1e-6), longest=0.2
+        doubled,
+        "theta0",
+        between={"theta0": (np.radians(42.9), doubled.values[0] + 1e-6)},
+        longest=0.2,
     )
     ends = [event for event in back.of("end") if "half" in event.how]
     assert ends[0].value == pytest.approx(doubling.value, abs=1e-8)
@@ -439,14 +446,16 @@ MISTAKES = [
         "near is a cycle of kang_nam, not of stick_slip",
     ),
     (
-        lambda slow: ss.diagram(at(42.0, mu0=0.4, **BELT), "theta0", (0.7, 0.75), starts=[slow]),
+        lambda slow: ss.diagram(
+            at(42.0, mu0=0.4, **BELT), "theta0", between={"theta0": (0.7, 0.75)}, starts=[slow]
+        ),
         "a cycle at mu0 = 0.5, the diagram",
     ),
     (
         lambda _: cycle_near(CIRCLE, (0.25,), (0.5, 0.0)).spring_force,
         "no force of this model, which has none",
     ),
-    (lambda _: ss.fate_boundary(at(42.0), vary="theta0", bracket=(0.7,)), "is no range"),
+    (lambda _: ss.fate_boundary(at(42.0), "theta0", between={"theta0": (0.7,)}), "is no range"),
     (lambda _: ss.basin_boundary(at(40.0), **BELT, plane=("x", "x")), "is not two of x, y, vx, vy"),
     (lambda _: ss.basin_boundary(at(40.0), **BELT, saddle=(0.0,)), "give the 2 coordinates"),
 ]
@@ -475,8 +484,11 @@ def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
     given = random_motions.fate_of(number)
     values = dict(given["values"])
     belt = {name: values.pop(name) for name in ("V", "d")}
+    vary = given["vary"]
     return ss.Parameters(**values), belt | {
-        name: given[name] for name in ("vary", "bracket", "start")
+        "vary": vary,
+        "between": {vary: given["bracket"]},
+        "start": given["start"],
     }
 
 
@@ -487,7 +499,7 @@ def test_a_cycle_and_what_it_becomes_by_doubling_are_one_attractor() -> None:
         ss.ParameterError,
         match=r"21\.\d+ at one end and to a cycle of period 42\.\d+ at the other, which is one",
     ):
-        ss.fate_boundary(p, **settings | {"bracket": (0.0017, 0.0022)})
+        ss.fate_boundary(p, **settings | {"between": {settings["vary"]: (0.0017, 0.0022)}})
 
 
 @pytest.mark.thorough
@@ -497,7 +509,9 @@ def test_a_cycle_is_followed_on_its_own_sheet() -> None:
     """
     first, _ = random_motions.cycle_of(252)
     assert first is not None
-    branch = ss.cycle_branch(first, "theta0", (1.15, first.parameters["theta0"]))
+    branch = ss.cycle_branch(
+        first, "theta0", between={"theta0": (1.15, first.parameters["theta0"])}
+    )
     (last,) = (event for event in branch.of("end") if "half" in event.how)
     begun = next(
         cycle
@@ -602,7 +616,7 @@ def test_a_motion_that_has_lifted_off_for_good_nears_no_cycle() -> None:
     assert abs(found.trace) < 1e-15  # no friction without contact
     assert found.zero.all()
     with pytest.raises(ss.ParameterError, match="lift-off at both ends"):
-        ss.fate_boundary(p, vary="theta0", bracket=(1.04, 1.05), **BELT, start=start)
+        ss.fate_boundary(p, "theta0", between={"theta0": (1.04, 1.05)}, **BELT, start=start)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -787,7 +801,7 @@ def test_a_branch_of_doubled_cycles_ends_where_its_period_halves(low: float) -> 
         beta=0.0,
     )
     doubled = ss.cycle(p, V=0.16784, d=7.910813740502483)
-    branch = ss.cycle_branch(doubled, "V", (low, 0.25), points=200)
+    branch = ss.cycle_branch(doubled, "V", between={"V": (low, 0.25)}, points=200)
     assert {event.kind for event in branch.events} <= {"end", "grazing"}
     assert [event.value for event in branch.of("end")] == pytest.approx(
         [0.0860932668, 0.1973199041], abs=1e-9
@@ -806,7 +820,7 @@ def test_a_torus_is_seen_by_simulations_on_both_sides() -> None:
         near=ss.cycle(at(90.0), **BELT, near=(2.3294, 1.34, 0.0, 0.2515), patient=False),
     )
     branch = ss.cycle_branch(
-        start, "theta0", (np.radians(55.5), start.values[0] + 1e-6), longest=0.3
+        start, "theta0", between={"theta0": (np.radians(55.5), start.values[0] + 1e-6)}, longest=0.3
     )
     (torus,) = branch.of("torus")
     one, other, _ = torus.cycle.multipliers[1:]

@@ -74,7 +74,7 @@ def test_a_rotation_is_found_and_followed_to_its_homoclinic_orbit() -> None:
     assert found.stable
     assert found.multipliers[1] == pytest.approx(math.exp(-0.3 * found.period), rel=1e-9)
     assert found.trajectory().phi[-1] - found.state[0] == pytest.approx(2 * math.pi, abs=1e-9)
-    branch = ss.cycle_branch(found, "c", (0.29, 0.8))
+    branch = ss.cycle_branch(found, "c", between={"c": (0.29, 0.8)})
     (end,) = (event for event in branch.events if event.kind == "homoclinic")
     leaving = brentq(
         lambda c: missed(c, SADDLE - 2 * math.pi + 1e-6, growing(c) * 1e-6), 0.6, 0.8, xtol=1e-8
@@ -85,7 +85,7 @@ def test_a_rotation_is_found_and_followed_to_its_homoclinic_orbit() -> None:
 
 def test_fates_change_where_a_motion_ends_at_the_saddle() -> None:
     p = model_of(PENDULUM, "driven_pendulum").Parameters()
-    found = ss.fate_boundary(p, vary="c", bracket=(0.1532, 0.1534))
+    found = ss.fate_boundary(p, "c", between={"c": (0.1532, 0.1534)})
     assert found.value == pytest.approx(
         brentq(lambda c: missed(c, 0.0, 0.0), 0.15, 0.16, xtol=1e-11), abs=1e-8
     )

@@ -138,7 +138,7 @@ def test_sliding_bifurcations_are_where_and_what_their_names_say(
         if name == "coulomb"
         else ss.simulate(p, start=(0.0, 1.5, values["w"], 0.9), t_end=700.0)
     )
-    events = ss.cycle_branch(ss.cycle(p, near=begun), vary, to).of(*NAMES)
+    events = ss.cycle_branch(ss.cycle(p, near=begun), vary, between={vary: to}).of(*NAMES)
     for event, (kind, value, times) in zip(events, expected, strict=True):
         assert event.kind == kind
         assert abs(event.value - value) <= event.error + 1e-10 * (branch not in ("still", "stops"))
@@ -165,7 +165,9 @@ def test_a_branch_that_joins_a_family_ends_where_sticking_does(mu_k: float, V: f
         ss.load("coulomb_stick_slip").Parameters(mu_s=0.6, mu_k=mu_k, V=V), near=(1.0, 1.2 * V)
     )
     for vary, to, value in (("mu_k", (0.1, 0.7), 0.6), ("mu_s", (0.1, 0.7), mu_k)):
-        events = ss.cycle_branch(found, vary, to).events[:: 1 if vary == "mu_k" else -1]
+        events = ss.cycle_branch(found, vary, between={vary: to}).events[
+            :: 1 if vary == "mu_k" else -1
+        ]
         assert [event.kind for event in events] == ["end", "grazing-sliding", "end"]
         assert events[1].how == "x' = V"
         assert "whole family" in events[2].how
@@ -185,7 +187,9 @@ def test_a_branch_that_joins_a_family_in_resonance_ends_where_sticking_does(
     pytest.importorskip("heyoka")
     p = dry_friction.model("forced").Parameters(w=0.5, V=0.0)
     branch = ss.cycle_branch(
-        ss.cycle(p, near=ss.simulate(p, start=(0.0, 1.5, 0.5, 0.9), t_end=700.0)), vary, to
+        ss.cycle(p, near=ss.simulate(p, start=(0.0, 1.5, 0.5, 0.9), t_end=700.0)),
+        vary,
+        between={vary: to},
     )
     end, event = (event for event in branch.events if event.how != "the range ends")
     if event.kind == "end":
@@ -207,7 +211,9 @@ def test_a_branch_ends_where_a_touch_makes_it_stick_and_jump(w: float, value: fl
     found = ss.cycle(p, near=(0.2 + 0.8 * value / (1 - w**2), 0.0, 0.0, w))
     (event,) = (
         event
-        for event in ss.cycle_branch(found, "P", (0.5 * value, 1.3 * value)).of("end")
+        for event in ss.cycle_branch(found, "P", between={"P": (0.5 * value, 1.3 * value)}).of(
+            "end"
+        )
         if event.value > value / 2
     )
     assert "touches a border" in event.how
@@ -252,6 +258,6 @@ def test_nothing_happens_to_a_motion_that_nothing_damps(w: float) -> None:
     found = ss.cycle(
         model_of(PUSHED, "pushed").Parameters(w=w, V=50.0), near=(0.4 + 1 / (1 - w**2), 0.0, 0.0, w)
     )
-    assert [event.how for event in ss.cycle_branch(found, "w", (0.9 * w, 1.1 * w)).events] == [
-        "the range ends"
-    ] * 2
+    assert [
+        event.how for event in ss.cycle_branch(found, "w", between={"w": (0.9 * w, 1.1 * w)}).events
+    ] == ["the range ends"] * 2

@@ -56,7 +56,7 @@ def test_a_cycle_its_branch_and_its_fate_are_the_same_scaled(size: float) -> Non
     assert found.amplitude / size == pytest.approx(math.hypot(0.2, 0.5), rel=1e-11)
     assert found.error <= 1e-9 * max(size, 1.0)  # of the state and of the period
     assert found.residual <= 1e-12 * size
-    branch = ss.cycle_branch(found, "V", (0.45 * size, 0.55 * size))
+    branch = ss.cycle_branch(found, "V", between={"V": (0.45 * size, 0.55 * size)})
     assert [event.how for event in branch.events] == ["the range ends"] * 2
     V = branch.values / size
     period = 0.4 / V + 2 * math.pi - 2 * np.arctan(0.2 / V)

@@ -93,8 +93,8 @@ def main(arguments: list[str] | None = None) -> int:
         return 1
     of_models = _step("models", lambda: models(variant=options.variant))
     files = _step("emit", lambda: emission.render(outcome, of_models))
-    files["files.json"] = write.as_json(sorted({*files, "files.json"}))
-    write.write(write.sealed(files), options.out)
+    files = write.listed(write.sealed(files))
+    write.write(files, options.out)
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
     print(
         f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities, {len(proof)} "

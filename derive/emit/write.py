@@ -21,6 +21,8 @@ DIGEST = "<digest-of-all>".ljust(64, "-")
 LIST = "files.json"
 #: Characters of a line of JSON.
 _WIDTH = 130
+#: Files that an error names.
+_NAMED = 5
 
 
 def header() -> str:
@@ -82,7 +84,14 @@ def _lines(entries: list[str], indent: int) -> list[str]:
 
 def sealed_alone(text: str) -> str:
     """The text of a mark with the SHA-256 of itself in place of :data:`DIGEST`."""
-    return text.replace(DIGEST, _sha(text.encode()))
+    return text.replace(DIGEST, digest_of(text))
+
+
+def listed(files: dict[str, str], mark: str = LIST, **entries: Any) -> dict[str, str]:
+    """The files, and a sealed ``mark`` with the digest of each and other entries."""
+    digests = {name: digest_of(text) for name, text in sorted(files.items())}
+    about = {**entries, "files": digests, "digest": DIGEST}
+    return {**files, mark: sealed_alone(as_json(dict(sorted(about.items()))))}
 
 
 def write(files: dict[str, str], target: Path, mark: str = LIST) -> None:
@@ -90,9 +99,9 @@ def write(files: dict[str, str], target: Path, mark: str = LIST) -> None:
     removed if they are no more.
 
     A mark counts if it is sealed, and then only files whose bytes are as it lists them, or as they
-    are to be, are replaced or removed; only :data:`LIST`, whose folder is under version control,
-    has names alone. Whatever else is there stays, byte for byte; a file in the way is an error, and
-    so is a folder that holds others and no ``mark``, whose own file is the last to take its place.
+    are to be, are replaced or removed. Whatever else is there stays, byte for byte; a file in the
+    way is an error, and so is a folder that holds others and no ``mark``, whose own file is the
+    last to take its place.
     """
     target = target.resolve()
     if target.exists() and not target.is_dir():
@@ -124,7 +133,7 @@ def write(files: dict[str, str], target: Path, mark: str = LIST) -> None:
             target.rmdir()  # a folder that was made for nothing
 
 
-def _refuse_foreign(files: dict[str, str], before: Mapping[str, str | None], target: Path) -> None:
+def _refuse_foreign(files: dict[str, str], before: Mapping[str, str], target: Path) -> None:
     """An error that names what is in the way and was not written before, or was edited since."""
     foreign, edited = list[str](), list[str]()
     for name in sorted({*files, *before}):
@@ -137,16 +146,23 @@ def _refuse_foreign(files: dict[str, str], before: Mapping[str, str | None], tar
             continue
         if name not in before:
             foreign.append(str(path))
-        elif not plain or before[name] not in (None, _sha(data or b"")):
+        elif data is None or before[name] != _sha(data):
             edited.append(str(path))
     if foreign:
         raise FileExistsError(
-            f"{', '.join(foreign)}: written by something else; move it, or name another folder"
+            f"{_some(foreign)}: written by something else; move it, or name another folder"
         )
     if edited:
         raise FileExistsError(
-            f"{', '.join(edited)}: edited since it was written; move it, or name another folder"
+            f"{_some(edited)}: edited since it was written; move it, or put back what was written, "
+            "or name another folder"
         )
+
+
+def _some(names: list[str]) -> str:
+    """The first names of a list, and how many more there are."""
+    more = len(names) - _NAMED
+    return ", ".join(names[:_NAMED]) + (f" and {more} more" if more > 0 else "")
 
 
 def _exchange(names: list[str], gone: list[str], fresh: Path, target: Path) -> None:
@@ -207,35 +223,32 @@ def _put_back(done: list[str], kept: list[str], old: Path, target: Path) -> None
         os.rename(old, target / f"{_LEFT}kept-{old.parent.name}")
 
 
-def _listed(mark: Path) -> dict[str, str | None]:
+def _listed(mark: Path) -> dict[str, str]:
     """The files that a folder's own list says were written, none outside of it, and their
     digests.
     """
-    problem = FileExistsError(
-        f"{mark} is damaged, or of another program, and so it is not known what was written; name "
-        "another folder"
-    )
-    names: dict[str, str | None]
     try:
         text = mark.read_text(encoding="utf-8")
         content = json.loads(text)
-        if isinstance(content, dict):
-            seal = str(content["digest"])
-            if text.count(seal) != 1 or sealed_alone(text.replace(seal, DIGEST)) != text:
-                raise problem
-            names = {str(name): str(digest) for name, digest in content["files"].items()}
-            names |= {mark.name: _sha(text.encode())}
-        elif mark.name == LIST and isinstance(content, list):
-            names = dict.fromkeys([*map(str, content), mark.name])
-        else:
-            raise problem
+        seal = str(content["digest"])
+        if text.count(seal) != 1 or sealed_alone(text.replace(seal, DIGEST)) != text:
+            raise ValueError("not as it was written")
+        names = {str(name): str(digest) for name, digest in content["files"].items()}
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise problem from error
+        raise FileExistsError(
+            f"{mark} is damaged, or of another program, and so it is not known what was written; "
+            "name another folder"
+        ) from error
     return {
         name: digest
-        for name, digest in names.items()
+        for name, digest in (names | {mark.name: digest_of(text)}).items()
         if (mark.parent / name).resolve().is_relative_to(mark.parent)
     }
+
+
+def digest_of(text: str) -> str:
+    """The SHA-256 of a text in UTF-8."""
+    return _sha(text.encode())
 
 
 def _sha(data: bytes) -> str:

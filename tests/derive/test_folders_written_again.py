@@ -17,21 +17,16 @@ import pytest
 
 pytest.importorskip("sympy")
 
+from spragsym.derive import folder as of_models
 from spragsym.derive.emit import write
 
-MARK = "model.json"
 Files = dict[str, str]
-
-
-def marked(files: Files, **entries: object) -> Files:
-    """Files and their sealed list, as ``spragsym derive`` writes them."""
-    digests = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
-    about = {"name": "brake", **entries, "files": digests, "digest": write.DIGEST}
-    return {**files, MARK: write.sealed_alone(write.as_json(about))}
-
-
-OLD = marked({"algebra.py": "old\n", "page.py": "old page\n", "gone.py": "gone\n"})
-NEW = marked({"algebra.py": "new\n", "page.py": "new page\n", "sub/fresh.py": "fresh\n"}, more=1)
+#: Lists of ``python -m derive`` and of ``spragsym derive``.
+MARKS = (write.LIST, of_models.MARK)
+OLD_FILES = {"algebra.py": "old\n", "page.py": "old page\n", "gone.py": "gone\n"}
+NEW_FILES = {"algebra.py": "new\n", "page.py": "new page\n", "sub/fresh.py": "fresh\n"}
+MARK = of_models.MARK
+OLD, NEW = write.listed(OLD_FILES, MARK, name="brake"), write.listed(NEW_FILES, MARK, name="brake")
 
 
 def all_of(folder: Path) -> dict[str, tuple[bytes | str, int]]:
@@ -51,12 +46,13 @@ def written(folder: Path, files: Files) -> Path:
     return folder
 
 
-def layout(rng: np.random.Generator, folder: Path) -> set[str]:
+def layout(rng: np.random.Generator, folder: Path, mark: str) -> set[str]:
     """Some folder that a user may name; the names of what is ours there, by our own sealed list."""
-    written(folder, OLD)
-    ours = set(OLD)
+    old = write.listed(OLD_FILES, mark)
+    written(folder, old)
+    ours = set(old)
     kind = int(rng.integers(9))
-    text = OLD[MARK]
+    text = old[mark]
     about = json.loads(text)
     mine = {"data.csv": "1,2\n", "results/one.nc": "x", "notes.txt": "mine"}
     written(folder, {name: held for name, held in mine.items() if rng.random() < 0.7})
@@ -64,7 +60,7 @@ def layout(rng: np.random.Generator, folder: Path) -> set[str]:
     if kind == 1:  # the list of another program
         text = json.dumps({"files": dict.fromkeys([*names, "algebra.py"], "0")})
     elif kind == 2:  # a bare list
-        text = json.dumps([*names, *OLD])
+        text = json.dumps([*names, *old])
     elif kind == 3:  # an entry added by hand, with its right digest
         for name in names:
             data = (folder / name).read_bytes()
@@ -74,7 +70,7 @@ def layout(rng: np.random.Generator, folder: Path) -> set[str]:
     elif kind == 4:  # cut, or changed by a bit
         text = text[: int(rng.integers(len(text)))]
     elif kind == 5:
-        (folder / MARK).unlink()
+        (folder / mark).unlink()
     elif kind == 6:  # edited by the user
         name = str(rng.choice(["algebra.py", "page.py", "gone.py"]))
         (folder / name).write_text("edited\n")
@@ -84,11 +80,11 @@ def layout(rng: np.random.Generator, folder: Path) -> set[str]:
         name = str(rng.choice(["algebra.py", "gone.py"]))
         (folder / name).unlink()
         if rng.random() < 0.5:
-            (folder / name).symlink_to(written(folder, {"behind.py": OLD[name]}) / "behind.py")
+            (folder / name).symlink_to(written(folder, {"behind.py": old[name]}) / "behind.py")
         else:
             written(folder / name, {"inside.txt": "mine"})
     if kind in (1, 2, 3, 4):
-        (folder / MARK).write_text(text)
+        (folder / mark).write_text(text)
     return ours if kind == 0 else set()
 
 
@@ -96,18 +92,19 @@ def test_two_hundred_layouts_lose_no_byte(tmp_path: Path) -> None:
     rng = np.random.default_rng(7601)
     done = 0
     for count in range(200):
-        folder = tmp_path / str(count)
-        ours = layout(rng, folder)
+        folder, mark = tmp_path / str(count), MARKS[count % 2]
+        new = write.listed(NEW_FILES, mark)
+        ours = layout(rng, folder, mark)
         before = all_of(folder)
         try:
-            write.write(NEW, folder, mark=MARK)
+            write.write(new, folder, mark=mark)
         except FileExistsError:
             assert all_of(folder) == before
             continue
         done += 1
         after = all_of(folder)
         assert {name: before[name] for name in before if name not in ours}.items() <= after.items()
-        assert all((folder / name).read_text() == text for name, text in NEW.items())
+        assert all((folder / name).read_text() == text for name, text in new.items())
         assert not (folder / "gone.py").exists()
         assert not [name for name in after if name.startswith(".")]
     assert 10 < done < 60

@@ -236,8 +236,12 @@ def _read(given: Model | None, held: dict[str, Any]) -> Any:
 
 def _part(field: Any, parts: Mapping[str, Any]) -> Any:
     """A field of a result; of one that is younger than the file, its default."""
-    if field.name in parts or field.default is MISSING:
+    if field.name in parts:
         return parts[field.name]
+    if field.default_factory is not MISSING:
+        return field.default_factory()
+    if field.default is MISSING:
+        raise LookupError(field.name)
     return field.default
 
 

@@ -234,14 +234,39 @@ def test_files_that_contributing_names_exist() -> None:
         assert (ROOT / name).is_file() or any(path.endswith(f"/{name}") for path in tracked), name
 
 
+#: Pages whose cells run here, and the one on clusters, which test_sweeps runs.
+PAGES = ("tutorial", "howto_units", "howto_many", "howto_brake")
+CELL = r"\{code-cell\} python"
+
+
 @needs_a_quick_integrator
-def test_code_cells_of_the_pages_run() -> None:
-    """What ``make docs`` executes, the page on clusters apart, which test_sweeps runs."""
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=pytest.mark.thorough if name == "howto_brake" else ())
+        for name in PAGES
+    ],
+)
+def test_code_cells_of_the_pages_run(name: str) -> None:
+    """What ``make docs`` executes."""
     pytest.importorskip("matplotlib")
-    for name in ("tutorial", "howto_units"):
-        code = "\n".join(fenced(DOCS / f"{name}.md", r"\{code-cell\} python"))
-        code = re.sub(r"^[:%].*", "", code, flags=re.MULTILINE)  # tags and magics
-        exec(compile(code, f"docs/{name}.md", "exec"), {})
+    code = "\n".join(fenced(DOCS / f"{name}.md", CELL))
+    code = re.sub(r"^[:%].*", "", code, flags=re.MULTILINE)  # tags and magics
+    exec(compile(code, f"docs/{name}.md", "exec"), {})
+
+
+def test_every_page_with_cells_is_run() -> None:
+    held = {page.stem for page in DOCS.glob("*.md") if fenced(page, CELL)}
+    assert held == {*PAGES, "howto_cluster"}
+
+
+@pytest.mark.thorough
+def test_commands_of_the_pages_on_brakes_and_clusters_run(tmp_path: Path) -> None:
+    for command, output in commands(DOCS / "howto_brake.md"):
+        assert_shown(output, run(command, tmp_path))
+    for line in "".join(fenced(DOCS / "howto_cluster.md", "sh")).splitlines():
+        run(line, tmp_path)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["brake.toml", "rms.nc"]
 
 
 @pytest.mark.thorough

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -55,6 +55,9 @@ FLOOR = 1e-10
 
 #: Slower than this the flow is no direction: the motion is at rest.
 STILL = 1e-9
+
+#: A velocity that changes no more than this, relatively, while deviations decay by e: it drifts.
+STEADY = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,6 +202,7 @@ class Rates:
 
     ``logs`` (n, m) and ``volumes`` (n,) are logarithms of growth, along the flow, then across it,
     and of volumes; ``flow`` (n + 1,) those of the flow's speed between the stretches, −∞ at rest.
+    ``change`` is the acceleration over the velocity at the end.
     """
 
     logs: FloatArray
@@ -206,12 +210,17 @@ class Rates:
     span: float
     flow: FloatArray
     end: FloatArray
+    change: float = math.inf
 
     def after(self, begin: int) -> Rates:
         """Those of the stretches from one on."""
         left = self.logs[begin:]
-        return Rates(
-            left, self.volumes[begin:], len(left) * self.stretch, self.flow[begin:], self.end
+        return replace(
+            self,
+            logs=left,
+            volumes=self.volumes[begin:],
+            span=len(left) * self.stretch,
+            flow=self.flow[begin:],
         )
 
     def joined(self, later: Rates) -> Rates:
@@ -222,6 +231,7 @@ class Rates:
             self.span + later.span,
             np.append(self.flow, later.flow[1:]),
             later.end,
+            later.change,
         )
 
     @property
@@ -281,11 +291,10 @@ class Rates:
                 f"{hope}"
             )
         if across.max() < 0:
-            return (
-                "all exponents but the trivial one are negative: what it nears attracts, a cycle "
-                "that a longer motion may reach, or a steady drift, in which a coordinate "
-                "grows for ever"
-            )
+            attracts = "all exponents but the trivial one are negative: what it nears attracts, "
+            if self.change <= STEADY * -across.max():
+                return f"{attracts}a steady drift: at constant rates a coordinate grows for ever"
+            return f"{attracts}a cycle or a drift, which a longer motion may reach"
         if len(across) == 1:
             return (
                 "deviations grow, but the motion of one coordinate is never chaotic: a longer "
@@ -382,4 +391,6 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
             state, frame, logs[i], volumes[i] = carried(state, frame, stretch)
             states.append(state)
         speeds = np.log([norm(rate(field, each, constants)) for each in states])
-    return Rates(logs, volumes, span, speeds, state)
+        velocity, acceleration = np.split(rate(field, state, constants), 2)
+        change = float(norm(acceleration) / norm(velocity)) if norm(velocity) else math.inf
+    return Rates(logs, volumes, span, speeds, state, change)

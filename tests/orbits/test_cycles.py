@@ -601,6 +601,26 @@ def test_why_exponents_prove_nothing(across: tuple[Any, ...], before: float, par
     assert "at rest" in dataclasses.replace(found, flow=np.full(25, -np.inf)).undecided(before)
 
 
+#: x″ = e (1 − v): everything comes to the speed 1.
+DRIFT = field_of(
+    "drift",
+    lambda x, v, e, m: e * (1 - v),
+    lambda x, v, e, m: (0 * x, -e),
+    lambda x, v, e, m: 1 - v,
+)
+
+
+@pytest.mark.thorough
+def test_a_steady_drift_is_no_cycle_that_a_longer_motion_reaches() -> None:
+    """As soon as the speed is constant over what deviations take to decay, on any scale of time."""
+    for scale, (decays, drifts) in itertools.product((0.05, 10.0), ((12.0, False), (16.0, True))):
+        system = System(Flow.of(DRIFT, None), (scale,))
+        found = exponents.rates_along(system, np.array([0.3, 0.0]), decays / scale)
+        assert found.exponents.sum() == pytest.approx(-scale)
+        assert ("a steady drift" in found.undecided(0.0)) == drifts
+        assert ("which a longer motion may reach" in found.undecided(0.0)) != drifts
+
+
 @pytest.mark.thorough
 def test_a_motion_that_has_lifted_off_for_good_nears_no_cycle() -> None:
     p = at(60.0, kappa=0.001)

@@ -20,10 +20,13 @@ if TYPE_CHECKING:
 #: What is said of contact and friction, by place or by name.
 _CONTACT = ("normal", "gap", "law", "unilateral", "force")
 _FRICTION = ("coefficient", "along", "belt", "law", "at_rest", "slip", "holds")
-#: How friction is said, in errors.
+#: What is left to say of friction whose loads have the law, as those of CoulombKineticFriction.
+_OF_LOADS = ("belt", "holds")
+#: How that is read, in errors.
 _AS_FRICTION = (
-    'let the load be mu*N along the displacement, and give friction={"coefficient": mu, '
-    '"along": x, "belt": V, "slip": lambda v: mu_k*sgn(v), "holds": mu_s}'
+    "of loads with a sign, as those of CoulombKineticFriction, all friction is read; let their "
+    'normal force be a symbol N, and give contact={"normal": N, "force": W} and '
+    'friction={"belt": V}'
 )
 
 
@@ -57,7 +60,10 @@ def page_from(
         The symbol that stands for the friction coefficient, the displacement that friction opposes,
         the belt's speed, the law, and what statics takes for it, if not the law at that speed; by
         name ``coefficient``, ``along``, ``belt`` and as ``page.friction`` has them ``law`` and
-        ``at_rest``, or ``slip`` and ``holds``, dry friction.
+        ``at_rest``, or ``slip`` and ``holds``, dry friction. Where the loads have the law, as those
+        of CoulombKineticFriction with the symbol of the normal force, ``belt`` and ``holds`` are
+        left: the speed of what the loads take for the ground, and what is held, if not the law at
+        speed 0.
 
     Returns
     -------
@@ -163,6 +169,8 @@ class _Reader:
         """What is said of contact or friction by its names, in the page's symbols."""
         said = dict(given if isinstance(given, Mapping) else zip(names, given or (), strict=False))
         needed = {"contact": ("normal",), "friction": ("coefficient", "along", "belt")}[what]
+        if what == "friction" and said.keys() <= {*_OF_LOADS}:
+            needed = ()
         if said and (wrong := [*(said.keys() - {*names}), *({*needed} - said.keys())]):
             raise self.refused(
                 f"{what}= has {', '.join(map(str, said))}, and "
@@ -203,20 +211,19 @@ class _Reader:
             )
             forces += moves.jacobian(self.rates).T * pulls
         normal = contact.pop("normal", None)
+        forces = forces.applyfunc(self.on_both_sides)
+        if any(one.has(*self.rates) for one in forces.atoms(sp.sign)):
+            forces, friction = self.dry(forces, normal, friction)
+        coefficient = friction.pop("coefficient", 0)
         if "force" in contact:
             self.page.normal_force(**contact)
         elif contact:
             self.page.contact(**contact)
             forces -= normal * self.gradient(contact["gap"])
         if friction:
-            coefficient = friction.pop("coefficient")
             self.page.friction(**friction)
             forces -= normal * coefficient * self.gradient(friction["along"])
         forces = forces.applyfunc(self.expanded)
-        if jumps := [str(one) for one in forces.atoms(sp.sign) if one.has(*self.rates)]:
-            raise self.refused(
-                f"the loads hold {jumps[0]}, as those of CoulombKineticFriction do; {_AS_FRICTION}"
-            )
         known = {
             *self.places,
             *self.rates,
@@ -231,6 +238,59 @@ class _Reader:
                     "friction=(mu, along, belt, law) as the loads have them"
                 )
         return forces
+
+    def on_both_sides(self, force: sp.Expr) -> sp.Expr:
+        """A force that is the same on both sides of a place, as along a pathway of length |x|,
+        without their signs.
+        """
+        for place in self.places:
+            if any(one.has(place) for one in force.atoms(sp.sign, sp.Abs)):
+                far = sp.Dummy(positive=True)
+                one, other = (
+                    force.subs(place, side * far).subs(far, side * place) for side in (1, -1)
+                )
+                force = one if self.expanded(one - other) == 0 else force
+        return force
+
+    def dry(
+        self, forces: sp.Matrix, normal: Any, friction: dict[str, Any]
+    ) -> tuple[sp.Matrix, dict[str, Any]]:
+        """Loads without those of friction, μ N against the sign of a speed r, a sum of rates less
+        the belt's speed; and the statement of it.
+        """
+        from .model import sgn
+
+        jumps = sorted(forces.atoms(sp.sign), key=sp.default_sort_key)
+        r, side, speed = sp.expand(jumps[0].args[0]), sp.Dummy(), sp.Dummy(real=True)
+        belt = -r.subs(dict.fromkeys(self.rates, 0))
+        if belt.could_extract_minus_sign():
+            r, belt = -r, -belt
+        slopes = sp.Matrix([r]).jacobian(self.rates).T
+        row = next(row for row, slope in enumerate(slopes) if slope != 0)
+        turned = {one: side * sp.cancel(one.args[0] / r) for one in jumps}
+        by_side = forces.xreplace(turned).applyfunc(sp.expand)
+        pushed = by_side.applyfunc(lambda force: force.coeff(side))
+        rate = self.rates[row] + (speed - r) / slopes[row]
+        whole = sp.expand(-pushed[row].subs(self.rates[row], rate) / slopes[row])
+        law = sp.S.Zero if normal is None else whole.coeff(normal)
+        law = sp.collect(law, sorted(law.atoms(sp.exp), key=sp.default_sort_key))
+        nothing = [law - law.subs(speed, -speed), *(pushed * slopes[row] - slopes * pushed[row])]
+        read = (
+            law != 0
+            and whole == sp.expand(law * normal)
+            and {*turned.values()} <= {side, -side}
+            and not sp.Tuple(law, *slopes).has(*self.rates, *self.places)
+            and all(self.expanded(one) == 0 for one in nothing)
+        )
+        if not read or not friction.keys() <= {*_OF_LOADS}:
+            raise self.refused(f"the loads hold {jumps[0]}: {_AS_FRICTION}")
+        return by_side.subs(side, 0), {
+            "along": sum(slope * place for slope, place in zip(slopes, self.places, strict=True)),
+            "belt": belt,
+            "slip": lambda v: law.subs(speed, v) * sgn(v),
+            "holds": law.subs(speed, 0),
+            **friction,
+        }
 
     def bases(self, expression: sp.Expr) -> set[sp.Expr]:
         """What it takes roots and quotients of, where that moves."""

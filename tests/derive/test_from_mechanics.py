@@ -10,6 +10,7 @@ pytest.importorskip("sympy")
 
 from spragsym.derive import folder, pages
 from spragsym.derive.model import PageError
+from tests.oracles.user_pages import replaced
 from tests.shown import DOCS, fenced
 from tests.support import few
 
@@ -162,6 +163,30 @@ page.normal_force(W)
 page.friction(x, V, slip=lambda v: mu_k * sgn(v), holds=mu_s)
 """
 
+#: A load with its law, its friction as it is said then, and the same by hand.
+LOAD = "system.add_loads(Force(body.masscenter, mu * N * frame.x))"
+KINETIC = "system.add_actuators(CoulombKineticFriction(mu_k, N, LinearPathway(origin, {})))"
+STRIBECK = "body.masscenter), v_s=W / sp.sqrt(k * m), mu_s=mu_s, sigma=sp.sqrt(k * m)"
+STRIBECK_BY_HAND = (
+    ("import Page", "import Page, exp, sqrt"),
+    ("page.normal_force", "page.damper(sqrt(k * m), along=x)\npage.normal_force"),
+    ("mu_k * sgn(v)", "(mu_k + (mu_s - mu_k) * exp(-k * m * v**2 / W**2)) * sgn(v)"),
+)
+OF_LOADS = {
+    "a belt": (
+        BY_METHOD,
+        ("mu * N", "mu_k * N * sp.sign(V - X.diff())"),
+        'friction={"holds": mu_s})',
+        (),
+    ),
+    "Stribeck": (
+        BY_SYSTEM,
+        (LOAD, KINETIC.format(STRIBECK)[:-1]),
+        'friction={"belt": V})',
+        STRIBECK_BY_HAND,
+    ),
+}
+
 
 def algebra_of(folder_: Path, stated: str) -> str:
     path = folder_ / "block.py"
@@ -174,6 +199,18 @@ def algebra_of(folder_: Path, stated: str) -> str:
 def test_dry_friction_and_a_given_normal_force_by_name(stated: str, tmp_path: Path) -> None:
     """From symbols that SymPy made itself, with the names of the page's quantities."""
     assert algebra_of(tmp_path, stated) == algebra_of(tmp_path, BY_HAND)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("case", OF_LOADS)
+def test_the_friction_of_loads_is_read(case: str, tmp_path: Path) -> None:
+    """CoulombKineticFriction along a pathway of length |x|, and a sign of a load's own."""
+    stated, change, friction, by_hand = OF_LOADS[case]
+    ours = replaced(stated.partition("friction={")[0] + friction, change)
+    theirs = replaced(STICK_SLIP.format(stated=BY_HAND), *by_hand)
+    (tmp_path / "theirs.py").write_text(theirs, encoding="utf-8")
+    expected = folder.render(pages.read(tmp_path / "theirs.py", "block"), "")["algebra.py"]
+    assert algebra_of(tmp_path, ours) == expected
 
 
 @pytest.mark.parametrize(
@@ -189,7 +226,7 @@ def test_dry_friction_and_a_given_normal_force_by_name(stated: str, tmp_path: Pa
             "LinearSpring(k, ",
             "CoulombKineticFriction(mu_k, W, ",
             "page_from(",
-            "CoulombKineticFriction do; let the load be mu.N along",
+            "CoulombKineticFriction, all friction is read; let their normal force be a symbol N",
         ),
     ],
 )

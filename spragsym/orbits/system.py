@@ -93,13 +93,15 @@ class System:
         """The mode of a state."""
         return self.field.initial_mode(state.tolist(), self.constants)
 
-    def equilibrium(self, state: FloatArray) -> FloatArray:
-        """The equilibrium that Newton's method finds from a state."""
-        scales, n = self.scales(state), len(self.field.coordinates)
+    def equilibrium(self, near: FloatArray) -> FloatArray:
+        """The equilibrium that Newton's method finds from the coordinates of a state or a place."""
+        n = len(self.field.coordinates)
+        start = np.concatenate([near[:n], np.zeros(n)])
+        scales = self.scales(start)
         if scales.trivial:
-            return equilibrium_near(self.field, self.constants, state[:n])
+            return equilibrium_near(self.field, self.constants, start[:n])
         there = scaled(self.field, scales)
-        found = equilibrium_near(there, self.constants, (state / scales.states)[:n])
+        found = equilibrium_near(there, self.constants, (start / scales.states)[:n])
         return found * scales.states
 
     def linearization(self, state: FloatArray) -> FloatArray:

@@ -467,6 +467,17 @@ def test_a_mistake_is_named(call: Any, named: str, slow: ss.Cycle) -> None:
         call(slow)
 
 
+def test_an_equilibrium_is_found_from_a_place_as_from_a_state() -> None:
+    """Of a place there are no rates; ``basin_boundary`` and ``diagram`` have nothing else."""
+    for p in (at(40.0), ss.load("stick_slip").Parameters()):
+        system, eq = System.of(p, None), ss.equilibria(p)
+        place = np.array([column[eq.states][0] for column in eq.coordinates.values()])
+        found = system.equilibrium(place)
+        assert found[: len(place)] == pytest.approx(place, rel=0.05)
+        for rates in (np.zeros(len(place)), np.linspace(0.1, 0.3, len(place))):
+            np.testing.assert_array_equal(system.equilibrium(np.concatenate([place, rates])), found)
+
+
 def test_a_cycle_of_a_field_without_a_model_is_not_proved() -> None:
     pytest.importorskip("flint")
     assert (

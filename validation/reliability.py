@@ -35,8 +35,8 @@ CASES = 160
 P = ss.Parameters.article(theta0=0.8)
 SWEEP = """
 import numpy as np, spragsym as ss
-p = ss.Parameters.article(theta0=np.linspace(0.6, 0.9, 24))
-ss.rms_sweep(p, t_end=60.0, backend="scipy", store={!r}, workers={})
+p = ss.Parameters.article(theta0=np.linspace(0.6, 0.9, 16))
+ss.rms_sweep(p, t_end=40.0, backend="scipy", store={!r}, workers={})
 """
 #: Units by what they measure, and the size of each in SI, from their definitions.
 UNITS = {
@@ -91,7 +91,7 @@ def killed_sweep(rng: np.random.Generator) -> list[str]:
         subprocess.run(calls[0], check=True, timeout=300)
         for _ in range(3):
             with subprocess.Popen(calls[1]) as process:
-                time.sleep(rng.uniform(1.0, 5.0))
+                time.sleep(rng.uniform(0.5, 4.0))
                 process.send_signal(signal.SIGKILL)
         done = subprocess.run(calls[1], capture_output=True, text=True, timeout=300, check=False)
         left = sorted(os.listdir(name))

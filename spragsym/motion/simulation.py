@@ -38,7 +38,11 @@ from .problem import MAX_STEPS, RELATIVE_TOLERANCE, Event, Problem, prepare
 from .regimes import Outcome, Regime
 from .return_map import Onward
 from .solution import Events, events_of
+from .with_heyoka import TOLERANCE as TIGHTEST
 from .with_scipy import RTOL
+
+#: Share of a tolerance below which another one of the same method tells its error.
+CLOSER = 0.0101
 
 
 @in_usual_state
@@ -81,9 +85,8 @@ def simulate(
     events : bool
         Keep the events.
     estimate_error : bool
-        Run again, at rtol/100 or the tightest there is, and keep the difference as ``error``. Where
-        that would repeat the steps, as on curved borders, whose tolerance is fixed, the run is
-        another backend's.
+        Run again, from a start within rounding of this one and at the tightest tolerance there is,
+        by heyoka where it is installed, and keep the difference as ``error``.
     backend : {"heyoka", "compiled", "scipy"}, optional
         Taylor series (extra ``fast``), or DOP853 in compiled code (the article's model) or in
         Python; by default the first of these that is installed. They agree to the tolerance.
@@ -165,9 +168,10 @@ class Trajectory(Named):
     backend : str
         Which integrator ran.
     error : ndarray, shape (k,), or None
-        Estimated: largest of the 2 n |differences| up to this time to a second run of other steps,
-        over 1 - sqrt(r) where its tolerance is r times this one's by the same method; NaN where
-        there is no such run, so that the error is not known; None when not asked for.
+        Estimated: largest of the 2 n |differences| up to this time to a second run, as tight as
+        there is and from a start within rounding, over 1 - sqrt(r) where its tolerance is r times
+        this one's by the same method; NaN where none is a hundred times as tight, so that the
+        error is not known; None when not asked for.
     implicit : bool
         Whether the motion is stiff, and SciPy's Radau carried it, as the steps of ``backend``
         collapsed.
@@ -575,23 +579,29 @@ def motion_of(
 
 
 def _error(found: Trajectory, problem: Problem) -> FloatArray:
-    """Largest difference so far to a run of other steps, at a tighter tolerance or by another
-    backend; NaN without one.
+    """Largest difference so far to a motion from within rounding of the start, as tight as there
+    is, by heyoka where that is installed; NaN where no run is tight enough.
     """
     offered = integrators.offered_for(found.model)
-    others = [name for name in offered if name != found.backend and integrators.is_there(name)]
-    tighter = replace(problem, rtol=max(found.rtol / 100, RTOL))
-    for backend in (found.backend, *others):
+    known = [name for name in offered if integrators.is_there(name)]
+    beside = tuple(value * (1.0 + np.finfo(float).eps) for value in problem.start)
+    for backend in dict.fromkeys(("heyoka", found.backend, *known)):
+        if backend not in known:
+            continue
+        tightest = TIGHTEST if backend == "heyoka" else RTOL
         try:
-            other = _run(found.model, found.p, tighter, backend)
+            other = _run(
+                found.model, found.p, replace(problem, rtol=tightest, start=beside), backend
+            )
         except ConvergenceError:
             continue
         alike = other.implicit == found.implicit and (found.implicit or backend == found.backend)
-        if not alike or other.rtol < found.rtol:
+        left = other.rtol / found.rtol if alike else 0.0
+        if left <= CLOSER:
             at = other(np.minimum(found.t, other.t[-1]))
-            # Of the error in the tighter run: as its tolerance, or more where few steps carry it.
-            left = (other.rtol / found.rtol) ** 0.5 if alike else 0.0
-            difference = np.abs(found.state - at).max(axis=0) / (1.0 - left)
+            # Of a smooth motion the tighter run errs by this share, but more where few steps
+            # carry it.
+            difference = np.abs(found.state - at).max(axis=0) / (1.0 - left**0.5)
             return np.asarray(np.maximum.accumulate(difference))
     return np.full(found.t.shape, np.nan)
 

@@ -4,14 +4,16 @@ among them.
 
 import importlib
 import importlib.util
+import math
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 import pytest
 
 import spragsym as ss
 from spragsym.models.load import shipped
-from spragsym.motion import Event
+from spragsym.motion import Event, integrators
 from tests.conftest import Run
 from tests.support import few
 
@@ -144,3 +146,41 @@ def test_on_a_curved_border_the_error_is_that_to_a_run_of_other_steps() -> None:
     assert tr.error is not None
     assert 0.0 < tr.error[-1] < 1e-10
     assert np.abs(tr.state - other(np.minimum(tr.t, other.t[-1]))).max() < 1e-10
+
+
+@pytest.mark.thorough
+def test_a_stated_error_is_no_less_than_the_true_one() -> None:
+    """Drawn over a model of curved borders, by SciPy alone, whose two runs are alike where steps
+    are few; true is what a run of another method gives, rounding aside.
+    """
+    pytest.importorskip("heyoka")
+    rng, model = np.random.default_rng(75), ss.load("sprag_rod")
+    for _ in range(6):
+        p = model.Parameters(theta0=rng.uniform(0.5, 1.2), V=rng.uniform(0.1, 1.0))
+        given = {"start": 0.02 * rng.standard_normal(2), "t_end": rng.uniform(2.0, 8.0)}
+        exact = ss.simulate(p, **given, rtol=1e-13, backend="heyoka")
+        rtol = 10 ** rng.uniform(-10.0, -4.0)
+        with patch.object(integrators, "is_there", lambda name: name != "heyoka"):
+            tr = ss.simulate(p, **given, rtol=rtol, backend="scipy", estimate_error=True)
+        assert tr.error is not None
+        true = np.abs(tr.state - exact(np.minimum(tr.t, exact.t[-1]))).max(axis=0)
+        assert (true <= tr.error + 1e-13).all(), (p, given, rtol)
+
+
+def test_an_error_that_rounding_makes_is_told() -> None:
+    """On a belt as slow as 1e-10 what rounds in x, 1e-16, moves the slip by 1e-6; and no error is
+    told of a run that none is much tighter than.
+    """
+    p = ss.load("coulomb_stick_slip").Parameters(V=1e-10)
+    begun = (0.6 - 0.59) / 1e-10
+    tr = ss.simulate(
+        p, start=(0.59, 1e-10), t_end=begun + 3.0, backend="scipy", estimate_error=True
+    )
+    since = tr.t[-1] - begun
+    x, v = 0.4 + 0.2 * math.cos(since), -0.2 * math.sin(since)
+    assert tr.error is not None
+    assert np.abs(tr.state[:, -1] - [x, v]).max() < tr.error[-1] < 1e-2
+    with patch.object(integrators, "is_there", lambda name: name == "scipy"):
+        tr = ss.simulate(p, t_end=1.0, rtol=1e-13, backend="scipy", estimate_error=True)
+    assert tr.error is not None
+    assert np.isnan(tr.error).all()

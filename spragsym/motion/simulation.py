@@ -41,8 +41,9 @@ from .solution import Events, events_of
 from .with_heyoka import TOLERANCE as TIGHTEST
 from .with_scipy import RTOL
 
-#: Share of a tolerance below which another one of the same method tells its error.
-CLOSER = 0.0101
+#: Share of a tolerance up to which another one of the same method tells its error, rounding aside;
+#: and the share of that error which the tighter run has, at most.
+CLOSER, LEFT = 0.0101, 0.1
 
 
 @in_usual_state
@@ -169,8 +170,8 @@ class Trajectory(Named):
         Which integrator ran.
     error : ndarray, shape (k,), or None
         Estimated: largest of the 2 n |differences| up to this time to a second run, as tight as
-        there is and from a start within rounding, over 1 - sqrt(r) where its tolerance is r times
-        this one's by the same method; NaN where none is a hundred times as tight, so that the
+        there is and from a start within rounding, over 0.9, as that run has an error too; NaN where
+        none of the same method is a hundred times as tight, nor one of another there, so that the
         error is not known; None when not asked for.
     implicit : bool
         Whether the motion is stiff, and SciPy's Radau carried it, as the steps of ``backend``
@@ -596,12 +597,9 @@ def _error(found: Trajectory, problem: Problem) -> FloatArray:
         except ConvergenceError:
             continue
         alike = other.implicit == found.implicit and (found.implicit or backend == found.backend)
-        left = other.rtol / found.rtol if alike else 0.0
-        if left <= CLOSER:
+        if not alike or other.rtol <= CLOSER * found.rtol:
             at = other(np.minimum(found.t, other.t[-1]))
-            # Of a smooth motion the tighter run errs by this share, but more where few steps
-            # carry it.
-            difference = np.abs(found.state - at).max(axis=0) / (1.0 - left**0.5)
+            difference = np.abs(found.state - at).max(axis=0) / (1.0 - LEFT)
             return np.asarray(np.maximum.accumulate(difference))
     return np.full(found.t.shape, np.nan)
 

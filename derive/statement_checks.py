@@ -84,13 +84,6 @@ def _check_names(page: Page) -> None:
             )
     taken: dict[str, tuple[str, int]] = {}
     for name, what, line in _names(page):
-        used = name in reserved.RESULTS | reserved.OF_CODE or name in (
-            reserved.OF_MOTIONS
-            if what == COORDINATE
-            else reserved.OF_SETS
-            if what == PARAMETER
-            else ()
-        )
         for refused, why in (
             (
                 not name.isidentifier() or keyword.iskeyword(name),
@@ -105,11 +98,7 @@ def _check_names(page: Page) -> None:
                 f"and a name begins with a letter and has at most {LONGEST}, as languages "
                 "that code is exported to ask; give it another name",
             ),
-            (
-                what == PARAMETER and name in reserved.OF_COMMANDS,
-                "as an option of the commands is; give it another name, here or with becomes",
-            ),
-            (used, "which results and generated functions use; give it another name"),
+            (name in reserved.OF_CODE, "which generated functions use; give it another name"),
         ):
             if refused:
                 raise PageError(line, f"{what} is named {name!r}, {why}")

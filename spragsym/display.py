@@ -1,8 +1,8 @@
-"""Results as tables, for notebooks and for ``print``: angles in degrees, under names that end in
-``_deg``.
+"""Columns of results, and results as tables, for notebooks and for ``print``: angles in degrees,
+under names that end in ``_deg``.
 
-A result says by ``table_model``, ``table_angles`` and ``table_codes`` what its columns are, by
-``table_values`` which they are, and by ``as_table`` what to show in their place.
+A class of results declares its columns once, as ``schema``; a model brings those of its own
+quantities. Headings, units, words of codes and axes follow from them.
 """
 
 from __future__ import annotations
@@ -10,9 +10,10 @@ from __future__ import annotations
 import enum
 import html
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
-from typing import Any, ClassVar
+from functools import lru_cache
+from typing import Any, ClassVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +27,81 @@ ROWS = 20
 
 
 @dataclass(frozen=True)
+class Column:
+    """A column of a result.
+
+    Attributes
+    ----------
+    name : str
+        Of a class of results ``{x}`` in it, in dimension and meaning stands for the model's first
+        coordinate; one column each is declared by ``{q}`` for all coordinates, ``{y}`` for all but
+        the first, ``{v}`` for coordinates and rates, ``{p}`` for what says where a state is,
+        ``{a}`` for all parameters.
+    dimension : str
+        Its unit in SI, ``"1"`` for a number and ``"rad"`` for an angle; or ``{x}`` and the like:
+        that of the coordinate.
+    meaning : str
+    codes : type of enum.IntEnum, optional
+        What its numbers mean.
+
+    Examples
+    --------
+    >>> Column("rest_{q}", "{q}", "{q} of the equilibrium that a motion comes to").name
+    'rest_{q}'
+    """
+
+    name: str
+    dimension: str = "1"
+    meaning: str = ""
+    codes: type[enum.IntEnum] | None = None
+
+    @property
+    def is_angle(self) -> bool:
+        """Whether its numbers are radians."""
+        return self.dimension == "rad"
+
+    @property
+    def heading(self) -> str:
+        """Its name, of an angle with its unit."""
+        return f"{self.name}{'_deg' if self.is_angle else ''}"
+
+
+def own_name(model: Any, name: str) -> str:
+    """A name of ours among items and columns of a model: with an underscore behind it where the
+    page has that name.
+    """
+    taken = (*model.parameters, *model.components)
+    while name in taken:
+        name += "_"
+    return name
+
+
+@lru_cache(maxsize=256)
+def columns_of_class(kind: type, model: Any) -> dict[str, Column]:
+    """Columns that a class of results may have for a model, by name, the model's own among them."""
+    own, first = model.columns, model.coordinates[0]
+    over = {
+        "{q}": model.coordinates,
+        "{y}": model.coordinates[1:],
+        "{v}": model.components,
+        "{p}": model.places,
+        "{a}": model.parameters,
+    }
+    found = dict(own)
+    for each in getattr(kind, "schema", ()):
+        for name in next((over[mark] for mark in over if mark in each.name), ("",)):
+            said, dimension, meaning = (
+                text.format(x=first, q=name, y=name, v=name, p=name, a=name)
+                for text in (each.name, each.dimension, each.meaning)
+            )
+            if dimension != each.dimension:
+                dimension = own[dimension].dimension
+            said = said if name else own_name(model, said)
+            found[said] = Column(said, dimension, meaning, each.codes)
+    return found
+
+
+@dataclass(frozen=True)
 class Table:
     """Rows of text under names, and a line above them."""
 
@@ -34,54 +110,53 @@ class Table:
     rows: tuple[tuple[str, ...], ...] = ()
 
 
-class Shown:
-    """Gives a dataclass a table in a notebook."""
+class Tabular:
+    """Base of dataclasses that show themselves as a table in a notebook."""
 
-    #: The column of codes, and the enumeration that says what they mean.
-    table_codes: ClassVar[tuple[str | None, type[enum.IntEnum]]] = (None, enum.IntEnum)
-    #: Angles that are no parameters, coordinates or directions of springs.
-    table_angles: ClassVar[frozenset[str]] = frozenset()
+    #: Columns of the class that are not the model's own.
+    schema: ClassVar[tuple[Column, ...]] = ()
 
     @property
-    def table_model(self) -> Any:
-        """The model that says which columns are angles, its own or that of a part; None where a
+    def _of_model(self) -> Any:
+        """The model whose quantities its columns are, its own or that of a part; None where a
         result does not know it.
         """
-        parts = (getattr(self, name, None) for name in ("parameters", "sweep"))
-        return next(
-            (
-                known
-                for each in (self, *parts)
-                if (known := getattr(each, "model", None)) is not None
-            ),
-            None,
-        )
+        own = self.__dict__
+        parts = (own.get("parameters"), own.get("sweep"))
+        models = (own.get("model"), *(getattr(each, "model", None) for each in parts))
+        return next((model for model in models if hasattr(model, "columns")), None)
 
-    def table_values(self) -> dict[str, Any]:
+    def _shown(self) -> dict[str, Any]:
         """What stands in the table, by name."""
         return named_fields(self)
 
+    @property
+    def _schema(self) -> Schema:
+        return schema_of(self)
+
     def _repr_html_(self) -> str:
-        return "\n".join(map(_html, tables(self)))
+        return "\n".join(map(_html, tables(self, self._schema)))
 
 
 @dataclass(frozen=True)
-class Words:
-    """What a table calls its columns, and how it writes what is in them."""
+class Schema:
+    """Columns of a table by name, and how it writes what is in them."""
 
-    known: Callable[[str], bool]  #: whether a parameter, a coordinate, a direction is an angle
-    kind: type[Shown] = Shown  #: the class of the result
+    columns: Mapping[str, Column]
+    model: Any = None
     vary: str = "value"  #: what ``value`` and ``values`` are of
 
-    def is_angle(self, name: str) -> bool:
-        """Whether a column's numbers are radians."""
-        return name in self.kind.table_angles or self.known(self.vary if name in VARIED else name)
+    def column(self, key: str) -> Column:
+        """The column of a name, with what a table adds to it behind a blank."""
+        name = key.partition(" ")[0]
+        name = self.vary if name in VARIED and self.vary in self.columns else name
+        return self.columns.get(name, Column(name))
 
     def heading(self, key: str) -> str:
         """A column's name, of an angle with its unit."""
         name, blank, rest = key.partition(" ")
         called = self.vary if name in ("value", "values") else name
-        return f"{called}{'_deg' if self.is_angle(name) else ''}{blank}{rest}"
+        return f"{called}{'_deg' if self.column(key).is_angle else ''}{blank}{rest}"
 
     def cell(self, key: str, value: Any) -> str:
         """A number to ten digits, a code as its word."""
@@ -89,9 +164,9 @@ class Words:
             value = value.item() if value.ndim == 0 else self.listed(key, value)
         if isinstance(value, tuple):
             return ", ".join(self.cell(key, part) for part in value)
-        column, code = self.kind.table_codes
-        if key == column:
-            value = code(value) if value in set(code) else "other"
+        column = self.column(key)
+        if column.codes is not None and isinstance(value, int):
+            value = column.codes(value) if value in set(column.codes) else "other"
         if isinstance(value, enum.Enum):
             return value.name.lower()
         if isinstance(value, str):
@@ -105,7 +180,7 @@ class Words:
             from .numerics.decimals import upward
 
             return upward(value)
-        return f"{math.degrees(value) if self.is_angle(key.partition(' ')[0]) else value:.10g}"
+        return f"{math.degrees(value) if column.is_angle else value:.10g}"
 
     def listed(self, key: str, values: Any) -> str:
         """The first few numbers of an array."""
@@ -114,34 +189,28 @@ class Words:
         return f"[{text}{', …' if flat.size > 8 else ''}]"
 
 
-def _by_name(name: str) -> bool:
-    """Whether the article's nomenclature calls an angle so."""
-    return name.partition("_")[0] in ("theta", "theta0") and not name.endswith("_deg")
-
-
-#: Table words of a result that is part of no other.
-_ALONE = Words(_by_name)
-
-
-def words(thing: Any, above: Words = _ALONE) -> Words:
-    """Table words of a result; a part that does not know its model or its parameter takes those of
+def schema_of(thing: Any, above: Schema | None = None) -> Schema:
+    """The schema of a result; a part that does not know its model or its parameter takes those of
     the result ``above``.
     """
-    kind = type(thing) if isinstance(thing, Shown) else Shown
-    model, vary = (getattr(thing, name, None) for name in ("table_model", "vary"))
-    return Words(
-        getattr(model, "is_angle", above.known), kind, vary if isinstance(vary, str) else above.vary
+    above, kind = above or Schema({}), cast(Hashable, type(thing))
+    model = getattr(thing, "_of_model", None) or above.model
+    vary = getattr(thing, "__dict__", {}).get("vary")
+    return Schema(
+        {} if model is None else columns_of_class(kind, model),
+        model,
+        vary if isinstance(vary, str) else above.vary,
     )
 
 
-def tables(thing: Any, above: Words = _ALONE) -> Iterator[Table]:
+def tables(thing: Any, above: Schema | None = None) -> Iterator[Table]:
     """The tables of a dataclass: one of its columns, and one of each part that has columns
     itself.
     """
     if hasattr(thing, "as_table"):  # one whose rows are not its fields
         yield thing.as_table()
         return
-    name, said = type(thing).__name__, words(thing, above)
+    name, said = type(thing).__name__, schema_of(thing, above)
     columns, single, values = sorted_out(thing, said)
     if columns:
         shape = next(iter(columns.values())).shape
@@ -164,12 +233,12 @@ def tables(thing: Any, above: Words = _ALONE) -> Iterator[Table]:
 
 
 def sorted_out(
-    thing: Any, said: Words
+    thing: Any, said: Schema
 ) -> tuple[dict[str, NDArray[Any]], dict[str, Any], dict[str, Any]]:
     """The columns of a dataclass, arrays of its largest shape; what fits on the line above them;
     and all values.
     """
-    values = thing.table_values() if isinstance(thing, Shown) else named_fields(thing)
+    values = thing._shown() if isinstance(thing, Tabular) else named_fields(thing)
     if isinstance(values.get("undecided"), np.ndarray):
         values["undecided"] = counted(len(values["undecided"]), "box", "boxes")
     if "vary" in values and "values" in values:
@@ -186,7 +255,7 @@ def sorted_out(
         key: value for key, value in values.items() if isinstance(value, np.ndarray) and value.ndim
     }
     shape = max(
-        (value.shape for key, value in arrays.items() if key not in said.kind.table_angles),
+        (value.shape for value in arrays.values()),
         key=math.prod,
         default=(),
     )
@@ -211,7 +280,7 @@ def not_all(found: Any) -> str:
     return "" if found.complete else f"; not complete: {'; '.join(found.remarks)}"
 
 
-def caption(said: Words, name: str, single: Mapping[str, Any], size: str) -> str:
+def caption(said: Schema, name: str, single: Mapping[str, Any], size: str) -> str:
     """What a result is, the numbers in it, and how many rows there are."""
     return ", ".join(
         [
@@ -223,7 +292,7 @@ def caption(said: Words, name: str, single: Mapping[str, Any], size: str) -> str
 
 
 def in_rows(
-    title: str, said: Words, count: int, columns: Callable[[IntArray], Mapping[str, Any]]
+    title: str, said: Schema, count: int, columns: Callable[[IntArray], Mapping[str, Any]]
 ) -> Table:
     """A row for each of so many things, the first and the last ones of many; ``columns`` are those
     of some rows, by name.
@@ -248,24 +317,28 @@ def points(places: Sequence[IntArray]) -> dict[str, list[str]]:
 def named_fields(thing: Any) -> dict[str, Any]:
     """Fields by name; in place of a mapping of arrays its items, broadcast to one shape."""
     out: dict[str, Any] = {}
+    ours = {each.name for each in fields(thing)}
     for each in fields(thing):
         value = getattr(thing, each.name)
         # Private attributes are not shown, columns that are held in a mapping are.
-        if not each.repr and each.name != getattr(thing, "held_in", ""):
+        if not each.repr and each.name != getattr(thing, "_held", ""):
             continue
         if isinstance(value, Mapping):
             shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))
             end = f"_{each.name}" if each.name in ("before", "after") else ""
-            out |= {
+            items = {
                 f"{key}{end}": np.broadcast_to(part, shape) if np.size(part) > 1 else part
                 for key, part in value.items()
             }
+            for name in ours & items.keys() & out.keys():
+                out[f"{name}_"] = out.pop(name)
+            out |= items
         elif value is not None:
             out[each.name] = value
     return out
 
 
-def _columns(title: str, columns: Mapping[str, Any], shape: tuple[int, ...], said: Words) -> Table:
+def _columns(title: str, columns: Mapping[str, Any], shape: tuple[int, ...], said: Schema) -> Table:
     used = {
         key: value
         for key, value in columns.items()
@@ -282,7 +355,7 @@ def _columns(title: str, columns: Mapping[str, Any], shape: tuple[int, ...], sai
     return in_rows(title, said, math.prod(shape), taken)
 
 
-def _sequence(key: str, things: Sequence[Any], above: Words) -> Iterator[Table]:
+def _sequence(key: str, things: Sequence[Any], above: Schema) -> Iterator[Table]:
     """A row for each of several parts of one kind, arrays by their extremes."""
     if not things:
         yield Table(f"{key}: none")
@@ -292,7 +365,7 @@ def _sequence(key: str, things: Sequence[Any], above: Words) -> Iterator[Table]:
     ]
     yield in_rows(
         key,
-        words(things[0], above),
+        schema_of(things[0], above),
         len(rows),
         lambda some: {
             "": map(str, some),

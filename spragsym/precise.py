@@ -283,10 +283,7 @@ def _exactly(
             limits = replace(allowed, low=low, high=high)
             given[name] = Degrees(as_exact(f"{name}_deg", degrees, limits))
             continue
-        if (
-            value is None
-            and (own := model.base.get(name) if p is None else getattr(p, name)) is not None
-        ):
+        if value is None and (own := model.base.get(name) if p is None else p[name]) is not None:
             value = repr(own) if p is None else float(own)
         if value is None:
             degrees_too = f" (radians) or {name}_deg (degrees)" * (name in model.about["angles"])

@@ -193,7 +193,7 @@ def extrema(
 def rows_of(family: Family, found: Points) -> FloatArray:
     """Coordinates and both parameters of points, shape (n + 2, points)."""
     names = (*family.balance.coordinates, *family.vary)
-    return np.array([getattr(found, name) for name in names]).reshape(len(names), -1)
+    return np.array([found[name] for name in names]).reshape(len(names), -1)
 
 
 @dataclass(frozen=True)

@@ -65,7 +65,7 @@ class _States(ByColumn):
 
 def undecided_points(eq: Equilibria, vary: str, cuts: Span) -> FloatArray:
     """Ranges around undecided points, each up to the points beside it, shape (number, 2)."""
-    stops = np.array([cuts[0], *np.asarray(getattr(eq.parameters, vary)), cuts[1]])
+    stops = np.array([cuts[0], *np.asarray(eq.parameters[vary]), cuts[1]])
     open_ = np.flatnonzero(~eq.decided)
     return np.stack([stops[open_], stops[open_ + 2]], axis=1)
 
@@ -112,12 +112,12 @@ def linked(
     at, kinds, q = np.empty(0), np.empty(0, dtype=str), np.empty((0, 0))
     if turns is not None:
         at, kinds, q = (
-            getattr(turns, vary),
+            turns[vary],
             turns.kind,
-            np.array([getattr(turns, name) for name in p.model.coordinates]),
+            np.array([turns[name] for name in p.model.coordinates]),
         )
     along = Along(Balance(p.model, eq.contact), p, vary, at, kinds, q)
-    stops = np.asarray(getattr(eq.parameters, vary)).tolist()
+    stops = np.asarray(eq.parameters[vary]).tolist()
     steps = list(itertools.pairwise(stops))[slice(only, None if only is None else only + 1)]
     given = columns(eq.parameters, along.balance.parameters)
     ends = Intervals.between(given.min(axis=1, keepdims=True), given.max(axis=1, keepdims=True))
@@ -168,7 +168,7 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
         )
         known = np.abs(across[turned[0]]) > 4 * eq.error[point, slot]
         sides = np.where(known, np.sign(across[turned[0]]), 0.0)
-    values = np.asarray(getattr(eq.parameters, along.vary)).tolist()
+    values = np.asarray(eq.parameters[along.vary]).tolist()
     found = _States(q, np.sign(np.linalg.det(K)), sides)
     return {value: found[point == number] for number, value in enumerate(values)}
 

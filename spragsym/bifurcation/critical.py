@@ -183,9 +183,9 @@ def cusp_friction(
     0.20093178180509003
     """
     vary, over = p.model.rising_over(vary, over)
-    used = [name for name in p.ranges if name not in (vary, over) and getattr(p, name) is not None]
-    shape = np.broadcast_shapes(*(getattr(p, name).shape for name in used))
-    columns = {name: np.broadcast_to(getattr(p, name), shape) for name in used}
+    used = [name for name in p.ranges if name not in (vary, over) and p[name] is not None]
+    shape = np.broadcast_shapes(*(p[name].shape for name in used))
+    columns = {name: np.broadcast_to(p[name], shape) for name in used}
     points = (p.replace(**picked(columns, index)) for index in np.ndindex(shape))
     found = [_lowest_cusp(point, vary, over, between) for point in points]
     return np.reshape(found, shape) if shape else found[0]
@@ -193,8 +193,8 @@ def cusp_friction(
 
 def _lowest_cusp(p: ParameterSet, vary: str, over: str, between: Ranges | None) -> float:
     found = cusps(p, (over, vary), between=between)
-    inside = np.logical_and(*(p.ranges[name].inside(getattr(found, name)) for name in (vary, over)))
-    value = float(getattr(found, vary)[inside].min(initial=math.inf))
+    inside = np.logical_and(*(p.ranges[name].inside(found[name]) for name in (vary, over)))
+    value = float(found[vary][inside].min(initial=math.inf))
     if (
         _least_left(found, vary) < value
         or not found.whole
@@ -390,7 +390,7 @@ class _Search:
         """All places at which a piece can have its least value, ascending."""
         found: list[_Candidate] = []
         for kind, points in self.points():
-            columns = (getattr(points, name).tolist() for name in (self.vary, self.over, "error"))
+            columns = (one.tolist() for one in (points[self.vary], points[self.over], points.error))
             found += [
                 _Candidate(value, where, kind, error)
                 for value, where, error in zip(*columns, strict=True)

@@ -167,7 +167,7 @@ def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArra
     """Scalar parameters as one column, NaN for those that vary."""
     fixed = [name for name in names if name not in vary]
     for name in fixed:
-        if getattr(p, name) is None:
+        if p[name] is None:
             raise ParameterError(
                 f"{name} has no value while {' and '.join(vary)} varies; use "
                 f"p.replace({name}=...), or vary it"

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from ..core.questions import Method, question
+from ..display import Column, own_name
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots, distinct
@@ -292,7 +293,8 @@ def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
         remarks += (
             f"floats see no other onset between two of {VALUES} values of {family.vary[0]}",
         )
-    return arranged(family, found, kind, {"omega": omega}, remarks)
+    own = own_name(family.p.model, "omega")
+    return arranged(family, found, kind, {own: omega}, remarks)
 
 
 def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:
@@ -477,15 +479,25 @@ class Onsets(Points):
         Why an onset is undecided; empty for the others.
     """
 
+    schema = (
+        *Points.schema,
+        Column("omega", "1/s", "frequency of the onset"),
+        Column("branch", "1", "number of the state from below in theta"),
+        Column("count", "1", "number of states at this point"),
+        Column("side", "1", "side on which flutter is"),
+        Column("criticality", "1", "gentle, dangerous or undecided"),
+        Column("lyapunov", "", "first Lyapunov coefficient"),
+        Column("lyapunov_error", "", "bound on its error"),
+        Column("crossing", "", "derivative of the growth by the parameter"),
+        Column("crossing_error", "", "bound on its error"),
+    )
+
     @property
-    def table_columns(self) -> dict[str, NDArray[Any]]:
+    def _of_each(self) -> tuple[str, ...]:
         """The frequency, what closed forms know, and the criticality of each."""
-        more = {
-            name: getattr(self, name)
-            for name in ("omega", "branch", "count", "side")
-            if hasattr(self, name)
-        }
-        return {**more, "kind": self.kind, "criticality": self.criticality}
+        more = ("omega", "branch", "count", "side")
+        known = (name for name in more if self._own(name) in self._values)
+        return (*known, "kind", "criticality")
 
     @cached_property
     def normal_forms(self) -> tuple[Any, ...]:
@@ -522,16 +534,16 @@ class Onsets(Points):
             return NO_DAMPING
         state, vary = self.state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.
-        radii = self.error[row] * scale_of([*state, getattr(self, vary)[row]]) * (1 + 2.0**-50)
+        radii = self.error[row] * scale_of([*state, self[vary][row]]) * (1 + 2.0**-50)
         return form_or_why(self.parameters.model, self.given(row), state, vary, radii)
 
     def given(self, row: int) -> FloatArray:
         """Parameters of one of them, in the order of the model."""
-        return np.array([getattr(self, name)[row] for name in self.parameters.model.parameters])
+        return np.array([self[name][row] for name in self.parameters.model.parameters])
 
     def state(self, row: int) -> FloatArray:
         """Coordinates of one of them."""
-        return np.array([getattr(self, name)[row] for name in self.parameters.model.coordinates])
+        return np.array([self[name][row] for name in self.parameters.model.coordinates])
 
 
 def form_or_why(*point: Any) -> Any:

@@ -13,6 +13,7 @@ import numpy as np
 from ..core.error_states import in_usual_state
 from ..core.questions import model_of
 from ..core.remarks import Remark
+from ..display import own_name
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
@@ -217,7 +218,8 @@ class _Plane(Family):
         )
         said += (HARDLY.format(hardly, len(undecided), UNDAMPED),) if hardly else ()
         said += tuple(Remark("of points: {}", it) for it in points.remarks) if damping else ()
-        names = (*self.vary, *self.balance.coordinates, "error")
+        own = own_name(self.balance.model, "error")
+        names = (*self.vary, *self.balance.coordinates, own)
         rows = dict(zip(names, np.array(changes).reshape(-1, len(names)).T, strict=True))
         between = {
             name: (float(low), float(high))
@@ -321,15 +323,14 @@ class _Plane(Family):
         self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str]
     ) -> Curve:
         """The points with what is known of them."""
-        return Curve(
-            {
-                **self.named(states),
-                "omega": omega,
-                "lyapunov": of_forms(forms, "lyapunov", np.nan),
-                "lyapunov_error": of_forms(forms, "lyapunov_error", np.inf),
-                "criticality": np.array([told(form)[0] for form in forms], dtype=np.str_),
-            }
-        )
+        ours = {
+            "omega": omega,
+            "lyapunov": of_forms(forms, "lyapunov", np.nan),
+            "lyapunov_error": of_forms(forms, "lyapunov_error", np.inf),
+            "criticality": np.array([told(form)[0] for form in forms], dtype=np.str_),
+        }
+        own = {own_name(self.balance.model, name): column for name, column in ours.items()}
+        return Curve({**self.named(states), **own})
 
     def changes(
         self, curves: FoldCurves, states: FloatArray, kinds: Sequence[str]

@@ -163,7 +163,7 @@ def quasi_static_path(
     along = along[: len(out)]
     coordinates = dict(zip(way.balance.coordinates, q, strict=True))
     states = one_each(p.replace(**{vary: along}), coordinates, stability.astype(np.int8), error)
-    places = {name: getattr(states, name)[:, 0] for name in states.columns}
+    places = {name: states[name][:, 0] for name in states.state_columns}
     return Path(p, vary, along, states.stability[:, 0], tuple(jumps), places, states)
 
 
@@ -222,9 +222,9 @@ class Way:
         except ConvergenceError:  # of what lies beyond the values nothing is asked
             ends = self._ends(along, AROUND)
         self.turns = self._turns_within(along, ends)
-        self.at, self.kinds = getattr(self.turns, vary), self.turns.kind
+        self.at, self.kinds = self.turns[vary], self.turns.kind
         #: Coordinates of the points at which states vanish, shape (n, numbers).
-        self.q = np.array([getattr(self.turns, name) for name in self.balance.coordinates])
+        self.q = np.array([self.turns[name] for name in self.balance.coordinates])
         self.error = self.turns.error * scale_of(self.at)
         self.far = np.char.startswith(self.kinds.astype(str), INFINITY)
         self.stops = self._stops(along)
@@ -299,9 +299,9 @@ class Way:
         """
 
         def every(name: str) -> NDArray[Any]:
-            return np.concatenate([getattr(points, name) for points in ends])
+            return np.concatenate([points[name] for points in ends])
 
-        at, error = every(self.vary), every("error")
+        at, error = every(self.vary), np.concatenate([points.error for points in ends])
         wide = error * scale_of(at)
         order = np.argsort(at)
         begins = np.diff(at[order], prepend=-np.inf) > wide[order] + np.roll(wide[order], 1)
@@ -311,11 +311,11 @@ class Way:
             off.min(axis=1) <= np.where(error <= ROUNDED, 0.0, wide), along[off.argmin(axis=1)], at
         )
         first, *others = ends
-        names = self.balance.coordinates if others else first.columns
+        names = self.balance.coordinates if others else first.state_columns
         values = {name: every(name) for name in names} | {self.vary: at}
         found = replace(
             first,
-            kind=every("kind"),
+            kind=np.concatenate([points.kind for points in ends]),
             error=error,
             _values=values,
             _ended=ended if others else first._ended,
@@ -483,10 +483,7 @@ class Way:
 
     def _place(self, number: int, names: Sequence[str] = ()) -> dict[str, float]:
         """Coordinates of a point at which states vanish, or what else is named, by name."""
-        return {
-            name: float(getattr(self.turns, name)[number])
-            for name in names or self.balance.coordinates
-        }
+        return {name: float(self.turns[name][number]) for name in names or self.balance.coordinates}
 
     def _ending(self, stop: int, place: int, goal: int) -> int:
         """The number of the point at which a state vanishes on its way from a stop to the next
@@ -569,8 +566,8 @@ class Way:
             if at_end.decided and at_end.count
             else (eq, slot)
         )
-        after = {name: float(getattr(there, name)[place]) for name in there.columns}
-        whole, kind = self._place(number, there.columns), Stability(int(eq.stability[slot]))
+        after = {name: float(there[name][place]) for name in there.state_columns}
+        whole, kind = self._place(number, there.state_columns), Stability(int(eq.stability[slot]))
         # Another search may list the states at the stop in another order.
         return int(nearest_state(self.eq, behind)[stop]), Jump(
             end.value, end.kind, whole, after, kind, end.error
@@ -579,7 +576,9 @@ class Way:
     def escape(self, number: int) -> Jump:
         """The last event of a path whose state runs to infinity."""
         end = self.end(number)
-        return Jump(end.value, end.kind, self._place(number, self.eq.columns), {}, None, end.error)
+        return Jump(
+            end.value, end.kind, self._place(number, self.eq.state_columns), {}, None, end.error
+        )
 
     def end(self, number: int) -> ModelEnd:
         """A point at which states vanish, as a result."""

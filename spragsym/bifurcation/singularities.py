@@ -334,9 +334,7 @@ def _at(points: Points, row: int) -> tuple[str, str]:
     vanish.
     """
     family = Family.of(points.parameters.of(points.parameters.model.search), points.vary)
-    z = np.array(
-        [float(getattr(points, name)[row]) for name in (*family.balance.coordinates, *family.vary)]
-    )
+    z = np.array([float(points[name][row]) for name in (*family.balance.coordinates, *family.vary)])
     size = points.error[row] * scale_of(z)
     side, lower = _normal_form(family, Intervals(ends_around(z, size)[:, :, None]))
     when = "up" if side < 0 else "down"
@@ -383,17 +381,16 @@ def _afterwards(points: Points) -> dict[str, FloatArray]:
     found, vary = nowhere(points), points.vary[0]
     allowed = points.parameters.ranges[vary]
     for row in np.flatnonzero(np.isin(points.ends, ("lower", "upper"))):
-        value, forward = float(getattr(points, vary)[row]), 1 if points.when[row] == "up" else -1
+        value, forward = float(points[vary][row]), 1 if points.when[row] == "up" else -1
         beyond = value + forward * BEYOND * max(1.0, abs(value)) * float(points.error[row])
         beyond = beyond if allowed.low < beyond < allowed.high else value
         here = equilibria(points.parameters.replace(**{vary: beyond}), method="search")
         stable = here.stability == Stability.STABLE
         if here.decided and stable.any():
             before = {
-                name: float(getattr(points, name)[row])
-                for name in points.parameters.model.coordinates
+                name: float(points[name][row]) for name in points.parameters.model.coordinates
             }
             slot = nearest_state(here, before, stable, here.error + points.error[row])
             for name, column in found.items():
-                column[row] = getattr(here, name)[slot]
+                column[row] = here[name][slot]
     return found

@@ -98,13 +98,13 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
             f"the belt moves at {belt} = {speed}, and what sticks rides with it; take "
             f"parameters with {belt} = 0"
         )
-    own = _held(model)(**{name: getattr(p, name) for name in p.ranges})
+    own = _held(model)(**{name: p[name] for name in p.ranges})
     turns = [_turns(own, place) for place in range(len(model.coordinates))]
     try:
         way = Way(
             own,
             HELD,
-            np.unique(np.concatenate([[-1.0, 1.0], *(getattr(points, HELD) for points in turns)])),
+            np.unique(np.concatenate([[-1.0, 1.0], *(points[HELD] for points in turns)])),
         )
         return _sets(p, way, turns)
     except ConvergenceError as error:

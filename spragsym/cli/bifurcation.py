@@ -17,6 +17,7 @@ import spragsym as ss
 
 from ..core.errors import ParameterError
 from ..core.progress import show_progress
+from ..display import own_name
 from ..results.points import after_if_known
 from . import options as o
 from .case import Case, Row
@@ -186,18 +187,18 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
         lambda: ss.figures.stability_figure(found),
         lambda: [[*map(case.axis, names)]],
     )
-    columns = ("criticality", *names, *coordinates, "omega", "lyapunov", "lyapunov_error")
-    curves = [case.row({name: getattr(curve, name) for name in columns}) for curve in found.curves]
+    own = partial(own_name, case.model)
+    forms = map(own, ("omega", "lyapunov", "lyapunov_error"))
+    columns = (own("criticality"), *names, *coordinates, *forms)
+    curves = [
+        case.row({name: curve[name] for name in columns}, ss.Onsets) for curve in found.curves
+    ]
     # Points at which two conditions hold, and those at which the kind of the onset changes.
-    special = {
-        name: [*getattr(found.points, name), *found.changes[name]]
-        for name in (*names, *coordinates, "error")
-    }
-    kinds, errors = (
-        [*found.points.kind, *["GH"] * len(found.changes["error"])],
-        special.pop("error"),
-    )
-    points = case.rows({"kind": kinds, **special}, error=errors)
+    places = (*names, *coordinates)
+    special = {name: [*found.points[name], *found.changes[name]] for name in places}
+    between = found.changes[own("error")]
+    kinds, errors = [*found.points.kind, *["GH"] * len(between)], [*found.points.error, *between]
+    points = case.rows({own("kind"): kinds, **special, own("error"): errors}, ss.Onsets)
     told = {
         "curves": curves,
         "points": points,
@@ -246,15 +247,20 @@ def points_of(case: Case, found: Any, after: bool = False) -> Row:
     """A row for each point, whether these are all, what was searched, and the undecided boxes;
     ``after`` at any cost.
     """
-    names, following = [*found.vary, "kind", *found.columns], {}
-    if hasattr(found, "criticality"):
-        names += ["omega", "criticality", "when", *BESIDE]
+    ours, following = list[str](), {}
+    if isinstance(found, ss.Onsets):
+        ours = ["omega", "criticality", "when", *BESIDE]
     elif len(found.vary) == 1:
-        names += ["ends", "when"]
-        following = case.row(found.after if after else after_if_known(found), "_after")
-    points = case.rows(
-        {name: getattr(found, name) for name in names}, **following, error=found.error
-    )
+        ours = ["ends", "when"]
+        following = case.row(found.after if after else after_if_known(found), end="_after")
+    own = partial(own_name, case.model)
+    columns = {
+        **{name: found[name] for name in found.vary},
+        own("kind"): found.kind,
+        **{name: found[name] for name in found.state_columns},
+        **{own(name): getattr(found, name) for name in ours},
+    }
+    points = case.rows(columns, ss.Onsets, **following, error=found.error)
     searched, *undecided = case.boxes(
         [found.region, *found.undecided], (*case.model.coordinates, *found.vary)
     )

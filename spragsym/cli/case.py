@@ -7,7 +7,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -17,10 +16,12 @@ from click.core import ParameterSource
 
 from ..core.errors import ParameterError, hint
 from ..core.remarks import Remark
-from ..models.model import Model, options_of
+from ..display import columns_of_class, own_name
+from ..models.model import Model, option_name, options_of
 from ..models.parameters import FloatArray, ParameterSet, Range, Ranges, as_number
 from ..models.quantities import Quantities, quantities
-from ..results import Stability
+from ..results import Equilibria
+from ..results.result import titled
 
 if TYPE_CHECKING:
     from ..report import Study
@@ -29,12 +30,6 @@ if TYPE_CHECKING:
 #: units is there.
 Row: TypeAlias = dict[str, Any]
 Titled: TypeAlias = tuple[str, float]
-#: What is measured of a motion in the unit of its first component; forces; and rates.
-MEASURED = ("rms", "rms_about_mean", "mean", "amplitude", "largest", "error")
-FORCES, RATES = (
-    ("spring_force", "contact_force"),
-    ("growth", "omega", "eigenvalues", "damped_eigenvalues"),
-)
 #: Values from one end of a range to the other, unless told otherwise; and how far an end may be, in
 #: the model's units.
 COUNT, LARGEST = 11, 1e6
@@ -174,7 +169,7 @@ class Case:
         found = replace(span, name=name, unit=unit, title=title)
         if span.ends is None:
             return found
-        if alone and is_typed(name):
+        if alone and is_typed(option_name(name)):
             flag = options_of(self.model.about, name)[0]
             raise ParameterError(
                 f"{flag} gives {name} a value, and --vary {span.typed} varies it; leave one "
@@ -209,15 +204,6 @@ class Case:
             found[span.name] = (low / unit, high / unit)
         return found
 
-    @cached_property
-    def si(self) -> dict[str, str]:
-        """SI units of coordinates and their rates, and of what is measured of a motion."""
-        entries = self.model.about["coordinates"]
-        times = dict.fromkeys(("t", "duration", "period"), "s")
-        rates = {entry["rate"]: "1/s" if entry["unit"] == "rad" else "m/s" for entry in entries}
-        measured = dict.fromkeys(MEASURED, entries[0]["unit"]) | dict.fromkeys(FORCES, "N") | times
-        return {entry["name"]: entry["unit"] for entry in entries} | rates | measured
-
     @property
     def kind(self) -> Quantities:
         """The quantities of its model."""
@@ -233,35 +219,37 @@ class Case:
         """What one of a time is in the answer: seconds, with a file."""
         return 1.0 if self.study is None else self.study.scales.time
 
-    def of(self, name: str, end: str = "") -> Titled:
-        """The title of a column of states or of a measure of motions, and what one of the model's
-        own units is, printed or typed.
+    def of(self, name: str, kind: type = Equilibria, end: str = "") -> Titled:
+        """The title of a column of a class of results, and what one of the model's own units is,
+        printed or typed.
 
         Angles are degrees, their rates are not.
         """
         for span in self.spans:
             if span.name == name:
                 return span.title, span.unit
-        if self.study is not None and name in RATES:
-            return f"{name}_per_s", 1.0 / self.time
-        of_spring = {"theta": "rad", "L": "m"}.get(name.partition("_")[0], "1")
-        return self._titled(name + end, self.si.get(name, of_spring))
+        known = columns_of_class(kind, self.model)
+        dimension = known[name].dimension if name in known else "1"
+        return self._titled(name + end, dimension)
 
-    def row(self, values: Mapping[str, Any], end: str = "") -> Row:
-        """Columns of a state, or what is measured of a motion, each under the name that says its
-        unit.
-        """
-        if "stability" in values:
-            values = {
-                **values,
-                "stability": [Stability(code).name.lower() for code in values["stability"]],
-            }
-        titles = ((self.of(name, end), value) for name, value in values.items())
-        return {title: _scaled(value, size) for (title, size), value in titles}
+    def row(self, values: Mapping[str, Any], kind: type = Equilibria, end: str = "") -> Row:
+        """Columns of a class of results, each under the name that says its unit, codes as words."""
+        known, found = columns_of_class(kind, self.model), {}
+        for name, value in values.items():
+            title, size = self.of(name, kind, end)
+            codes = known[name].codes if name in known else None
+            if codes is not None:
+                found[title] = [codes(code).name.lower() for code in value]
+            else:
+                found[title] = _scaled(value, size)
+        return found
 
-    def rows(self, columns: Mapping[str, Any], **more: Sequence[Any]) -> list[Row]:
+    def rows(
+        self, columns: Mapping[str, Any], kind: type = Equilibria, **more: Sequence[Any]
+    ) -> list[Row]:
         """Rows of columns of one length, and of those that have no unit."""
-        told = {**self.row(columns), **more}
+        own = {own_name(self.model, name): values for name, values in more.items()}
+        told = {**self.row(columns, kind), **own}
         return [dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True)]
 
     def varied(self, name: str) -> tuple[str, str, float]:
@@ -303,8 +291,7 @@ class Case:
             return None
         from ..figures.style import symbol
 
-        quantity = self.quantity_of.get(name, "")
-        si = self.kind.units.get(quantity, "m")
+        quantity, si = self.quantity_of.get(name, ""), self.model.columns[name].dimension
         unit, size = ("", 1.0) if si == "1" else self.study.unit_of(si, quantity)
         return f"{before}${symbol(quantity or name)}${f' ({unit})' if unit else ''}{after}", size
 
@@ -324,12 +311,7 @@ class Case:
 
     def _titled(self, title: str, si: str, quantity: str = "") -> Titled:
         """A title with its unit, and what one of the model's own units is there."""
-        if si == "rad":
-            return f"{title}_deg", math.degrees(1.0)
-        if self.study is None or si == "1":
-            return title, 1.0
-        unit, size = self.study.unit_of(si, quantity)
-        return f"{title}_{unit}", size
+        return titled(title, si, self.study, quantity)
 
 
 def _scaled(value: Any, size: float) -> Any:

@@ -19,6 +19,7 @@ from ..core.errors import ConvergenceError, ParameterError, SpragsymError
 from ..core.progress import show_progress
 from ..core.remarks import At, Remark
 from ..design.jumps import first_ends, told
+from ..display import own_name
 from ..models.parameters import INSIDE
 from . import options as o
 from .bifurcation import lengths, summed
@@ -182,19 +183,11 @@ def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[Row]:
     the friction law.
     """
     count = int(eq.count[point])
-    names = (
-        "stability",
-        "damped",
-        *eq.columns,
-        "eigenvalues",
-        "damped_eigenvalues",
-        "growth",
-        "error",
-        "marginal",
-    )
-    columns = {name: getattr(eq, name)[point][:count] for name in names}
-    error, marginal = (columns.pop(name).tolist() for name in ("error", "marginal"))
-    return case.rows({"state": [eq.regime] * count, **columns}, error=error, marginal=marginal)
+    ours = ("eigenvalues", "damped_eigenvalues", "growth", "error", "marginal")
+    own = partial(own_name, case.model)
+    names = (own("stability"), own("damped"), *eq.state_columns, *map(own, ours))
+    columns = {name: eq[name][point][:count] for name in names}
+    return case.rows({own("state"): [eq.regime] * count, **columns})
 
 
 @o.of_model(statics=True, values=True)
@@ -221,12 +214,13 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
         found = ss.quasi_static_path(
             case.following(case.set(along.name), near), along.name, along.values, **case.ask
         )
-    words = {name: getattr(found, name) for name in ("stability", "damped", "growth")}
-    states = case.rows({along.name: found.values, **words, **found.places})
+    ours = ("stability", "damped", "growth")
+    words = {own_name(case.model, name): getattr(found, name) for name in ours}
+    states = case.rows({along.name: found.values, **words, **found.places}, ss.Path)
     jumps = [
         case.row({along.name: jump.value, "kind": jump.kind})
-        | case.row(jump.before, "_before")
-        | case.row(jump.after, "_after")
+        | case.row(jump.before, end="_before")
+        | case.row(jump.after, end="_after")
         | {"error": jump.error}
         for jump in found.jumps
     ]
@@ -345,7 +339,7 @@ def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> Row:
             )
         )
         searched, at = (
-            (float(getattr(p, name)) if begin is None else begin, float(found.until)),
+            (float(p[name]) if begin is None else begin, float(found.until)),
             float(found.value),
         )
         if not math.isnan(at):

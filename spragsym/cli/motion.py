@@ -5,6 +5,7 @@ comes to, and its cycles.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,7 @@ import spragsym as ss
 
 from ..core.errors import ParameterError
 from ..core.progress import show_progress
+from ..display import own_name
 from ..models.parameters import FloatArray, ParameterSet
 from . import options as o
 from .case import Case, Row, is_typed
@@ -87,7 +89,8 @@ def simulate(
             **{kind.name.lower(): len(tr.events.of(kind)) for kind in ss.Event},
             "backend": tr.backend,
             **({} if tr.error is None else {"error": tr.error.max()}),
-        }
+        },
+        ss.Trajectory,
     )
     if output is not None:
         tr.save(output)
@@ -315,11 +318,13 @@ def cycles(
             **found.forces,
             "crossings": len(found.events),
             "backend": found.backend,
-        }
+        },
+        type(found),
     )
     modes, slips = found.phases, SLIPS if case.model.about["friction"] else {1: "none"}
     phases = case.rows(
         {"t": modes.t, "duration": modes.duration},
+        type(modes),
         state=["contact" if held else "lift-off" for held in modes.contact],
         slip=[slips[side] for side in modes.side.tolist()],
     )
@@ -456,22 +461,22 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
         branch.plot,
         lambda: [(case.axis(along.name), up) for up in (case.axis(first, "RMS of "), period)],
     )
-    events = branch.events
+    events, own = branch.events, partial(own_name, case.model)
     columns = {
         along.name: branch.values,
-        "period": branch.periods,
-        "rms": branch.rms,
-        "stable": branch.stable,
+        own("period"): branch.periods,
+        own("rms"): branch.rms,
+        own("stable"): branch.stable,
     }
     return {
-        "branch": case.rows(columns),
+        "branch": case.rows(columns, type(found)),
         "branch_events": case.rows(
             {
-                "kind": [event.kind for event in events],
+                own("kind"): [event.kind for event in events],
                 along.name: [event.value for event in events],
             },
             error=[unit * event.error for event in events],
-            **case.row({"period": [event.cycle.period for event in events]}),
+            **case.row({own("period"): [event.cycle.period for event in events]}, type(found)),
             how=case.said(event.how for event in events),
         ),
     }

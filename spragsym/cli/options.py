@@ -18,7 +18,7 @@ import numpy as np
 
 from ..core.errors import ParameterError
 from ..models.load import USUAL, load
-from ..models.model import Model, options_of
+from ..models.model import Model, option_name, options_of
 from ..models.parameters import (
     FINITE,
     NOT_NEGATIVE,
@@ -325,13 +325,13 @@ class OfModel(Command):
             str([getattr(one, "help", "") for one in self.own]),
         )
         self.varied = [name for word, names in usual.items() if word in texts for name in names]
-        kind, si = self.kind(FINITE), Case(model).si
+        kind = self.kind(FINITE)
         start = [
             click.Option(
                 [f"--{name}0", f"{name}0"],
                 type=kind,
                 default=0.0,
-                help=f"Initial {name}{', degrees' * (si[name] == 'rad')}.",
+                help=f"Initial {name}{', degrees' * model.is_angle(name)}.",
             )
             for name in model.components
             if self.start
@@ -373,10 +373,10 @@ class OfModel(Command):
         units = Case(self.model, ctx.obj)
         values = {}
         for entry in self.model.about["parameters"]:
-            value = given.pop(name := entry["name"])
+            value = given.pop(option_name(name := entry["name"]))
             if value is not None and self.model.is_angle(name):
                 value = np.radians(value)
-            elif ctx.obj and name == entry["quantity"] and is_typed(name):
+            elif ctx.obj and name == entry["quantity"] and is_typed(option_name(name)):
                 # A quantity of the file that is typed by its own name is in the file's unit, as
                 # that of --vary is.
                 value = value / units.varied(name)[2]
@@ -424,7 +424,7 @@ class OfModel(Command):
             exact = default is not None and float(f"{default:.7g}") == default
             # Click puts a default that is told in words into parentheses.
             rounded = "" if default is None or exact else f"  [default: {default:.7g}]"
-            flags = (*options_of(self.model.about, name), name)
+            flags = (*options_of(self.model.about, name), option_name(name))
             yield click.Option(
                 flags,
                 type=self.kind(allowed),
@@ -445,12 +445,12 @@ class OfModel(Command):
                 'V = "1.2 m/s" and d = "10 s/m"'
             )
         values = {
-            name: float(getattr(p, name))
+            name: float(p[name])
             for quantity, name in kind.parameters.items()
             if quantity in study.quantities
         }
         return {
-            name: str(degrees(value) if name in kind.about["angles"] else value)
+            option_name(name): str(degrees(value) if name in kind.about["angles"] else value)
             for name, value in values.items()
         }
 

@@ -252,7 +252,7 @@ class Border:
         by_z = by_z - slopes[self.vary]
         if not 0 < float(by_z @ by_z) < np.inf:
             raise ConvergenceError("the state does not end, or no slope is known where it does")
-        return float(found.value) - float(getattr(p, self.vary)), by_z
+        return float(found.value) - float(p[self.vary]), by_z
 
     def _next(self, p: ParameterSet) -> Ends | None:
         """The fold near the last one, if there is one within what the parameter may be."""

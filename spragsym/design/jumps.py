@@ -189,9 +189,7 @@ def have_jumped(
     array([0., 1., 1.])
     """
     vary, begin = p.model.rising(vary, begin)
-    return Followed(p, vary, "up", begin, np.maximum(begin, getattr(p, vary))).have_ended(
-        hasty=hasty
-    )
+    return Followed(p, vary, "up", begin, np.maximum(begin, p[vary])).have_ended(hasty=hasty)
 
 
 def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
@@ -203,7 +201,7 @@ def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
         found.state.reshape(balance.n, -1),
     )
     moving = names.index(vary)
-    columns = (found.value if name == vary else getattr(p, name) for name in names)
+    columns = (found.value if name == vary else p[name] for name in names)
     with quiet():
         values = balance.floats(
             np.stack([np.broadcast_to(column, shape).reshape(-1) for column in columns])
@@ -396,7 +394,7 @@ class JumpGradient(Named):
     started. Each derivative is an attribute under the name of its parameter.
     """
 
-    held_in = "slopes"
+    _held = "slopes"
 
     vary: str
     value: FloatArray

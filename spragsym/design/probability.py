@@ -417,7 +417,7 @@ def bracket(
     laws = {name: one for name, one in variables.items() if not isinstance(one, float)}
     ends = ({name: _end(one, share) for name, one in laws.items()} for share in (0.0, 1.0))
     low, high = (model.Parameters(**variables | end) for end in ends)
-    goal = float(getattr(high, vary))
+    goal = float(high[vary])
     up_to = laws[vary].cdf if vary in laws else lambda value: 1.0 * (value >= goal)
     return measured(
         Splitting(low, high, vary, begin),
@@ -468,7 +468,7 @@ def _variables(model: Model, kind: Quantities | None, distribution: Distribution
             raise ParameterError(
                 "distribution: the corners of a box are two Parameters or two PhysicalParameters"
             )
-        given = {name: (getattr(low, name), getattr(high, name)) for name in names}
+        given = {name: (low[name], high[name]) for name in names}
     else:
         given = dict(distribution)
     if kind:

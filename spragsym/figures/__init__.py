@@ -203,7 +203,7 @@ def _equilibria(eq: Any, ax: Axes | None, quantity: str | None = None, **options
     if across is None:
         ax.set_xlabel("state")
     if across is not None:
-        given = np.broadcast_to(getattr(eq.parameters, across), eq.count.shape)[~eq.decided]
+        given = np.broadcast_to(eq.parameters[across], eq.count.shape)[~eq.decided]
         shade(ax, model, across, np.stack([given, given], axis=1))
     lines = []
     for kind, mark in _MARKS.items():

@@ -66,7 +66,8 @@ class Branch(Named):
     each an attribute too.
     """
 
-    held_in = "states"
+    schema = Path.schema
+    _held = "states"
 
     model: Model
     vary: str
@@ -177,8 +178,8 @@ def _by_stability(
     """The pieces of one curve, each of one stability."""
     n = eq.count.size
     columns = {
-        vary: getattr(eq.parameters, vary)[at[0]],
-        **{name: getattr(eq, name)[at] for name in eq.columns},
+        vary: eq.parameters[vary][at[0]],
+        **{name: eq[name][at] for name in eq.state_columns},
     }
     kinds = eq.stability[at]
     if damping:  # where the sign of the growth is not proved, the type by (27) stays
@@ -190,10 +191,11 @@ def _by_stability(
         )
         kinds = np.select([sign < 0, sign > 0], [Stability.STABLE, grows], kinds)
     for side, cut in () if turns is None else zip((0, -1), cuts, strict=True):
-        folds, count = np.flatnonzero(getattr(turns, vary) == cut), eq.count[side]
+        assert turns is not None  # there are no sides else
+        folds, count = np.flatnonzero(turns[vary] == cut), eq.count[side]
         if not folds.size or count < 2 or at[0][side] != range(n)[side]:
             continue
-        fold = {name: getattr(turns, name)[folds[0]] for name in columns}
+        fold = {name: turns[name][folds[0]] for name in columns}
         away = [values[side, :count] - fold[name] for name, values in eq.coordinates.items()]
         if (
             at[1][side] in np.argsort(np.hypot.reduce(away))[:2]
@@ -216,9 +218,9 @@ def pieces_between(
     """
     inner: list[float] = []
     if turns is not None:
-        inner += getattr(turns, vary).tolist()
+        inner += turns[vary].tolist()
         with suppress(SpragsymError):
-            inner += getattr(ss.flutter_onsets(p, vary, damping=damping), vary).tolist()
+            inner += ss.flutter_onsets(p, vary, damping=damping)[vary].tolist()
     low, high = ends
     for begin, end in itertools.pairwise(
         [low, *sorted({value for value in inner if low < value < high}), high]
@@ -304,13 +306,13 @@ def mark_folds(
     """Mark folds at their exact positions, those ``between`` ends of the parameter that varies."""
     require_kind("turns", turns, Points, "an answer of ss.folds(...)")
     vary = turns.vary[0]
-    along = getattr(turns, vary)
+    along = turns[vary]
     low, high = varied_range(vary, between, FINITE) if between else (-np.inf, np.inf)
     inside = (low <= along) & (along <= high)
     model = turns.parameters.model
     x, y = (
         as_drawn(model, vary, along[inside]),
-        as_drawn(model, quantity, getattr(turns, quantity)[inside]),
+        as_drawn(model, quantity, turns[quantity][inside]),
     )
     style = {
         "linestyle": "none",
@@ -422,7 +424,7 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
     ]
     jumps = np.array(ends).reshape(-1, 2)
     stops = np.searchsorted(forward * values, forward * jumps[:, 0], side="right")
-    whole = np.insert(np.stack([values, getattr(path, quantity)], axis=1), stops, jumps, axis=0)
+    whole = np.insert(np.stack([values, path[quantity]], axis=1), stops, jumps, axis=0)
     pieces = np.split(whole, stops[::2] + np.arange(1, stops.size, 2))
     return [
         (as_drawn(model, path.vary, piece[:, 0]), as_drawn(model, quantity, piece[:, 1]))
@@ -587,7 +589,7 @@ def _drawn(
         spans.append(undecided_points(eq, vary, cuts))
         states += [(eq, at) for at in chains(p, vary, eq, turns)]
     for eq, at in states:
-        values = getattr(eq.parameters, vary)[at[0]]
+        values = eq.parameters[vary][at[0]]
         damped, undamped = (
             _followed(values, every[at]) for every in (eq.damped_eigenvalues, eq.eigenvalues)
         )

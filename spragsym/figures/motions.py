@@ -152,7 +152,7 @@ def draw_motion(
     place, t = row_of(of, names), np.linspace(motion.t[0], motion.t[-1], 4000)
     ax = own_axes(ax)
     (line,) = ax.plot(time * t, length * motion(t)[place], color=BLUE, linewidth=0.8)
-    across, up = labels or (axis_label(motion.model, "t"), axis_label(motion.model, names[place]))
+    across, up = labels or (axis_label(motion, motion._own("t")), axis_label(motion, names[place]))
     ax.set(xlabel=across, ylabel=up)
     return line
 
@@ -179,12 +179,12 @@ def draw_phase(
     friction = motion.model.about["friction"]
     if friction is not None and friction["along"] == name and friction["belt"] is not None:
         ax.axhline(
-            speed * float(getattr(motion.p, friction["belt"])),
+            speed * float(motion.p[friction["belt"]]),
             color=GREY,
             linewidth=0.6,
             linestyle=":",
         )
-    across, up = labels or (axis_label(motion.model, name), axis_label(motion.model, rate))
+    across, up = labels or (axis_label(motion, name), axis_label(motion, rate))
     ax.set(xlabel=across, ylabel=up)
     return line
 
@@ -207,10 +207,10 @@ def draw_spectrum(
     )
     # Of a motion that stays at rest none is large.
     last = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max()).max(initial=0)
-    unit = in_letters(motion.model.quantities["t"][0])
+    unit = in_letters(motion.model.unit("s"))
     across, up = labels or (
         rf"frequency $\times\ {unit}$",
-        f"amplitude of {axis_label(motion.model, of)}",
+        f"amplitude of {axis_label(motion, of)}",
     )
     end = frequency * found.frequency[min(2 * last + 8, found.frequency.size - 1)]
     ax.set(xlim=(0, end), ylim=(0, None), xlabel=across, ylabel=up)
@@ -249,19 +249,19 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
         draw_spectrum(late, name, axes[row, 2], length=size, frequency=1 / time, labels=spectrum)
         found = late.spectrum(0.0, of=name)
         columns: tuple[Table, ...] = (
-            {"t": time * motion.t, name: size * getattr(motion, name)},
-            {name: size * getattr(late, name), rate: size / time * getattr(late, rate)},
+            {"t": time * motion.t, name: size * motion[name]},
+            {name: size * late[name], rate: size / time * late[rate]},
             {"frequency": found.frequency / time, "amplitude": size * found.amplitude},
         )
         figure.tables |= dict(zip("abcdefghijkl"[3 * row : 3 * row + 3], columns, strict=False))
     after = f"{transient:g}" if units is None else f"{transient * time:.4g} s"
     friction = model.about["friction"]
     if units is not None and friction is not None and friction["belt"] is not None:
-        moved = f"belt speed {float(getattr(motion.p, friction['belt'])) * length / time:.4g} mm/s"
+        moved = f"belt speed {float(motion.p[friction['belt']]) * length / time:.4g} mm/s"
     else:
         entries = [entry for entry in model.about["parameters"] if entry["role"] == "motion"]
         moved = ", ".join(
-            f"{each['meaning']} {each['name']} = {float(getattr(motion.p, each['name'])):g}"
+            f"{each['meaning']} {each['name']} = {float(motion.p[each['name']]):g}"
             for each in entries
         )
     return figure.describe(

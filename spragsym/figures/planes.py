@@ -43,13 +43,13 @@ def _table(found: BifurcationSet | OnsetCurves, *names: str) -> Table:
     """Columns of curves, one after the other, and their numbers."""
     every = (*found.vary, *names)
     return stacked(
-        [{name: getattr(curve, name) for name in every} for curve in found.curves], "curve", every
+        [{name: curve[name] for name in every} for curve in found.curves], "curve", every
     )
 
 
 def _places(model: Model, vary: Sequence[str], of: Any) -> list[Any]:
     """Columns of two parameters as axes show them."""
-    return [as_drawn(model, name, getattr(of, name)) for name in vary]
+    return [as_drawn(model, name, of[name]) for name in vary]
 
 
 def draw_bifurcation_set(

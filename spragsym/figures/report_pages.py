@@ -365,9 +365,7 @@ def draw_rising(
         else (further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end)
     )
     turns = ss.folds(p, vary, between={vary: (begin, min(max(far, further), high))})
-    known = [
-        value + _MORE * abs(value) for value in getattr(turns, vary).tolist() if begin < value < far
-    ]
+    known = [value + _MORE * abs(value) for value in turns[vary].tolist() if begin < value < far]
     top = min(max(least, further, *known), high)
     top = top if top > begin else end  # nothing is applied yet, and nothing ends
     draw_branches(

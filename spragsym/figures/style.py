@@ -28,6 +28,7 @@ from ..models import Model
 from ..models.field import Field
 from ..models.load import USUAL, load
 from ..models.parameters import ARTICLE, Ranges
+from ..motion import Trajectory
 from ..results import Points, Stability
 
 #: Widths of one column and of two, inches.
@@ -276,11 +277,12 @@ def symbol(name: str) -> str:
     return (rf"\{base}" if base in GREEK else base) + (rf"_{{\rm {index}}}" if index else "")
 
 
-def axis_label(model: Model, name: str) -> str:
+def axis_label(motion: Trajectory, name: str) -> str:
     """What an axis says of a coordinate, of its rate, or of the time ``t``: the symbol over its
     unit.
     """
-    unit = model.quantities[name][0]
+    model = motion.model
+    unit = model.unit(motion.columns[name].dimension)
     written = (
         rf"{symbol(model.coordinates[model.rates.index(name)])}'"
         if name in model.rates
@@ -336,11 +338,7 @@ def with_unit(model: Model, name: str) -> str:
     """Axis label with the unit of the model."""
     if model.is_angle(name):
         return label(model, name)
-    scale = (
-        "1"
-        if name in model.parameters
-        else model.quantities.get(name, (model.about["scales"]["length"],))[0]
-    )
+    scale = "1" if name in model.parameters else model.unit(model.columns[name].dimension)
     return (
         f"{label(model, name)} "
         f"({'dimensionless' if scale == '1' else f'units of ${in_letters(scale)}$'})"
@@ -384,7 +382,7 @@ def window(
             own = model.Parameters.ranges[name]
             low, high = own.low, own.high
             if np.isinf((low, high)).any():
-                farthest = float(np.abs(getattr(cusps(), name)).max(initial=0.0)) if cusps else 0.0
+                farthest = float(np.abs(cusps()[name]).max(initial=0.0)) if cusps else 0.0
                 far = max(1.0, 2.0 * abs(model.base.get(name, 0.0)), ROOM * farthest)
                 low, high = -far if np.isinf(low) else low, far if np.isinf(high) else high
             out[name] = low, high

@@ -26,7 +26,6 @@ import time
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from contextvars import ContextVar
-from enum import IntEnum
 from io import FileIO
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -36,11 +35,12 @@ import numpy as np
 from .._version import __version__
 from ..core.errors import DamagedError, MissingExtraError, ParameterError, StoreError, TargetError
 from ..core.interrupts import held
+from ..display import Column
 from ..generated import SOURCE_HASH
 from .text import FilePath, path_text, printed
 
-#: Unit and meaning of columns, by their names.
-Explained: TypeAlias = Mapping[str, tuple[str, str]]
+#: What columns are, by their names; their dimension is the unit that the file is in.
+Columns: TypeAlias = Mapping[str, Column]
 
 
 def xarray() -> Any:
@@ -59,22 +59,19 @@ def dataset(
     data: Mapping[str, Any],
     coords: Mapping[str, Any],
     attributes: Mapping[str, Any],
-    explained: Explained,
-    codes: Mapping[str, type[IntEnum]],
+    columns: Columns,
 ) -> Any:
-    """An ``xarray.Dataset``, with unit and meaning of every quantity, and the words of
-    ``codes``.
-    """
+    """An ``xarray.Dataset``, with unit and meaning of every column, and the words of its codes."""
     made = xarray().Dataset(data, coords=coords, attrs=attributes)
     for name in made.variables:
-        told = zip(("units", "long_name"), explained.get(name, ("", "")), strict=True)
-        made[name].attrs = {key: text for key, text in told if text}
-    for name, kinds in codes.items():
-        words = " ".join(kind.name.lower() for kind in kinds)
-        made[name].attrs |= {
-            "flag_values": np.array(list(kinds), dtype=np.int8),
-            "flag_meanings": words,
-        }
+        column = columns.get(name, Column(name, ""))
+        told = {"units": column.dimension, "long_name": column.meaning}
+        made[name].attrs = {key: text for key, text in told.items() if text}
+        if column.codes is not None:
+            made[name].attrs |= {
+                "flag_values": np.array(list(column.codes), dtype=np.int8),
+                "flag_meanings": " ".join(kind.name.lower() for kind in column.codes),
+            }
     return made
 
 
@@ -124,18 +121,18 @@ def write(
     dataset: Callable[[], Any],
     columns: Mapping[str, Any],
     attrs: Mapping[str, Any],
-    explained: Explained,
+    described: Columns,
 ) -> None:
     """Write netCDF or CSV, by the ending, whole or not at all. Equal data give equal bytes.
 
-    ``explained`` has unit and meaning of columns.
+    ``described`` says what columns are.
     """
     path = check_target(path, 0)
     # In memory first: HDF5 ends the process when a disk fills while it writes.
     if path.suffix == ".nc":
         put(path, _sealed(_netcdf(dataset()) + b"\n"))
     else:
-        put(path, _csv(columns, attrs, explained))
+        put(path, _csv(columns, attrs, described))
 
 
 def _netcdf(data: Any) -> bytes:
@@ -151,7 +148,7 @@ def _netcdf(data: Any) -> bytes:
     return held.getvalue()
 
 
-def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Explained) -> bytes:
+def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], described: Columns) -> bytes:
     """Names of the columns, then attributes and units in comment lines, then the numbers to the
     last digit.
 
@@ -161,9 +158,8 @@ def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Explai
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
     text.writelines(f"# {name}: {value}\n" for name, value in attrs.items())
-    text.writelines(
-        "# {} [{}]: {}\n".format(name, *explained.get(name, ("", ""))) for name in columns
-    )
+    told = [described.get(name, Column(name, "")) for name in columns]
+    text.writelines(f"# {each.name} [{each.dimension}]: {each.meaning}\n" for each in told)
     writer.writerows(zip(*(np.ravel(values).tolist() for values in columns.values()), strict=True))
     return _sealed(text.getvalue().encode())
 

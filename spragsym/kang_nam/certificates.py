@@ -275,7 +275,7 @@ def _jumps(p: Parameters) -> BoolArray:
     """The first of some points whose state jumps below its friction, by its path too."""
     out = np.zeros(p.shape, dtype=np.bool_)
     for i in np.flatnonzero(first_jumps(p, "mu0", sides=True).value < p.mu0 * (1 - 1e-11))[:1]:
-        point = Parameters(**point_at({name: getattr(p, name) for name in NAMES}, i))
+        point = Parameters(**point_at({name: p[name] for name in NAMES}, i))
         out[i] = first_end(point, "mu0", (0.0, float(point.mu0))) is not None
     return out
 

@@ -76,7 +76,7 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool 
     point in ``p`` it lies.
     """
     p.require(*(name for name in ("theta0", "mu0") if name != vary))
-    own, whole = getattr(p, vary), p.shape
+    own, whole = p[vary], p.shape
     if vary in FROM_LOWER_END:
         p = p.replace(**{vary: None})
     forward, shape, size = 1 if direction == "up" else -1, p.shape, math.prod(p.shape)
@@ -101,7 +101,7 @@ def _blocks(p: Parameters) -> Iterator[tuple[slice, dict[str, FloatArray]]]:
     """Some of the points at a time: where they stand, and the parameters that are given, an array
     of each.
     """
-    columns = ((name, getattr(p, name)) for name in NAMES)
+    columns = ((name, p[name]) for name in NAMES)
     given = {
         name: np.broadcast_to(column, p.shape).reshape(-1)
         for name, column in columns
@@ -212,11 +212,7 @@ def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
     """
     found = folds(p, vary)
     values: FloatArray = getattr(found, vary)
-    start = (
-        min([FROM_LOWER_END[vary], *(values / 2)])
-        if vary in FROM_LOWER_END
-        else float(getattr(p, vary))
-    )
+    start = min([FROM_LOWER_END[vary], *(values / 2)]) if vary in FROM_LOWER_END else float(p[vary])
     ahead = values[forward * (values - start) >= 0]
     if not ahead.size:
         return math.nan, math.nan
@@ -272,7 +268,7 @@ def _at_or_below(p: Parameters, vary: str) -> FloatArray:
     found = first_jumps(p, vary, sides=True)
     unknown = np.zeros(found.value.size)
     unknown[list(found.reasons)] = np.nan
-    return np.asarray((found.value <= getattr(p, vary)) + unknown.reshape(found.value.shape))
+    return np.asarray((found.value <= p[vary]) + unknown.reshape(found.value.shape))
 
 
 def with_and_without_friction(

@@ -40,7 +40,7 @@ def critical_friction(p: Parameters, vary: str | None = None, over: str | None =
     """
     if vary not in (None, "mu0") or over not in (None, "theta0") or p.followed is not None:
         raise NotInClosedForm
-    columns = np.broadcast_arrays(*(getattr(p, name) for name in FIXED))
+    columns = np.broadcast_arrays(*(p[name] for name in FIXED))
     return LowestEnd(
         "mu0", "theta0", *np.vectorize(_lowest, otypes=[float, float, str, float])(*columns)
     )[()]  # numbers of one point

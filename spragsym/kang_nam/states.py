@@ -106,9 +106,7 @@ def linked(
     two meet. Of every fold it is proved which two of three these are. Of the two that begin at a
     pitchfork the upper goes on: along F_y = 0, x grows with θ.
     """
-    values, counts = (
-        np.asarray(column).tolist() for column in (getattr(eq.parameters, vary), eq.count)
-    )
+    values, counts = (np.asarray(column).tolist() for column in (eq.parameters[vary], eq.count))
     steps = list(itertools.pairwise(zip(values, counts, strict=True)))
     return [
         _over(one, two, vary, turns)
@@ -123,7 +121,7 @@ def _over(
     (one, before), (two, after) = begin, end
     if before == after or turns is None:
         return {slot: slot for slot in range(before)} if before == after else {}
-    at = getattr(turns, vary)
+    at = turns[vary]
     passed = np.flatnonzero(
         (min(one, two) <= at) & (at <= max(one, two)) & np.isin(turns.kind, ("fold", "pitchfork"))
     )
@@ -153,7 +151,7 @@ def rest_index(p: Parameters, places: FloatArray) -> Int8Array:
     index, rows = np.full(places.shape[1:], -1, dtype=np.int8), np.isfinite(places[0])
     if rows.any():
         x, y = places[:, rows]
-        given = {name: np.broadcast_to(getattr(p, name), rows.shape)[rows] for name in p.ranges}
+        given = {name: np.broadcast_to(p[name], rows.shape)[rows] for name in p.ranges}
         given["mu0"] = sliding_friction(*(given[name] for name in ("mu0", "V", "d")))
         found = equilibria(Parameters(**given))
         away = np.hypot(found.x - x[:, None], found.y - y[:, None])

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ParameterError
+from ..display import Column, named_fields
 from ..generated import catastrophe as _catastrophe
 from ..generated import kernel as solver
 from ..generated import laws
@@ -40,7 +41,7 @@ class Surface(Result):
     Arrays have the common shape of θ, θ₀ and the parameters; angles are radians, lengths over L_0.
     """
 
-    table_codes = ("stability", Stability)
+    schema = (Column("stability", "1", "kind of state by (27)", Stability),)
 
     theta: FloatArray
     theta0: FloatArray
@@ -87,7 +88,7 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
     reference = as_numbers("theta0", theta0, RANGES["theta0"])
     try:
         direction, reference, *fixed = np.broadcast_arrays(
-            direction, reference, *(getattr(p, name) for name in FIXED)
+            direction, reference, *(p[name] for name in FIXED)
         )
     except ValueError as error:
         raise ParameterError(
@@ -154,13 +155,23 @@ class LinearSprag(Result):
     θ₀ in (0, π) of the poles, two at the last axis, NaN where there are none.
     """
 
-    table_angles = frozenset({"poles"})
+    schema = (
+        Column("determinant", "1", "of the linear equations; at most 0 where it sprags"),
+        Column("poles_1", "rad", "first inclination of a pole"),
+        Column("poles_2", "rad", "second inclination of a pole"),
+        Column("critical_friction", "1", "friction above which there are poles"),
+    )
 
     x: FloatArray
     y: FloatArray
     determinant: FloatArray
     poles: FloatArray
     critical_friction: FloatArray
+
+    def _shown(self) -> dict[str, Any]:
+        first, second = np.moveaxis(self.poles, -1, 0)
+        others = {name: one for name, one in named_fields(self).items() if name != "poles"}
+        return others | {"poles_1": first, "poles_2": second}
 
 
 @of_article("equilibria(p) has the states")

@@ -154,8 +154,8 @@ class Field:
         Whether a level is no linear function of the state.
     around : tuple of int
         Places of coordinates that are angles after a turn of which all is as before.
-    is_angle : callable
-        ``is_angle(name)`` of a parameter or a coordinate.
+    model : Model or None
+        Whose motion it is; None of one that is of no page.
     aloft : callable or None
         ``aloft(constants, state)``: whether a motion is above the belt for good; None where that is
         not known.
@@ -186,7 +186,7 @@ class Field:
     ways: int = 0
     curved: bool = False
     around: tuple[int, ...] = ()
-    is_angle: Callable[[str], bool] = "".__eq__
+    model: Any = None
     aloft: Callable[[Values, FloatArray], bool] | None = None
     units: tuple[str, ...] = ()
     lengths: Callable[[Sequence[float], Values], Sequence[float]] = lambda *_: ()
@@ -220,6 +220,10 @@ class Field:
     def components(self) -> tuple[str, ...]:
         """Names of the numbers in a state: the coordinates, then their rates as pages call them."""
         return (*self.coordinates, *(f"v{name}" for name in self.coordinates))
+
+    def is_angle(self, name: str) -> bool:
+        """Whether a parameter or a coordinate is an angle."""
+        return self.model is not None and bool(self.model.is_angle(name))
 
     @property
     def size(self) -> int:
@@ -282,7 +286,7 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
             for place, entry in enumerate(model.about["coordinates"])
             if entry.get("comes_around")
         ),
-        is_angle=model.is_angle,
+        model=model,
         aloft=model.closed_form("aloft"),
         units=tuple(entry["unit"] for entry in model.about["coordinates"]),
         lengths=motion.lengths,

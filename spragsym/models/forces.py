@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ParameterError
+from ..display import Column
 from .parameters import FloatArray, ParameterSet
 
 
@@ -32,6 +33,18 @@ def _ends(model: Any) -> list[str]:
     """
     count = len(model.about["springs"])
     return [""] if count == 1 else [f"_{place + 1}" for place in range(count)]
+
+
+def columns(model: Any) -> list[Column]:
+    """Columns of springs and contact: directions, lengths, tensions, and the normal force."""
+    found = []
+    for end, entry in zip(_ends(model), model.about["springs"], strict=True):
+        found += [
+            Column(f"theta{end}", "rad", f"direction of {entry['name']}"),
+            Column(f"L{end}", "m", f"length of {entry['name']}"),
+            Column(f"spring_force{end}", "N", f"tension of {entry['name']}"),
+        ]
+    return [*found, Column("contact_force", "N", "normal force of the contact")]
 
 
 def told_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatArray]:

@@ -5,21 +5,21 @@ page says in words.
 from __future__ import annotations
 
 import math
-import re
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import field, make_dataclass
 from functools import cache, cached_property
 from importlib import import_module
+from inspect import Parameter, Signature
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 from ..core.errors import ParameterError
-from ..display import aligned
+from ..display import Column, aligned
+from . import forces
 from .field import REACH, Field, field_of
-from .parameters import ANGLE, FINITE, FloatArray, ParameterSet, Range, as_numbers, named
+from .parameters import ANGLE, FINITE, FloatArray, ParameterSet, Range, as_numbers
 
 
 class Model:
@@ -106,21 +106,12 @@ class Model:
         return tuple(entry["name"] for entry in self.about["coordinates"])
 
     def is_angle(self, name: str) -> bool:
-        """Whether a parameter, a coordinate, the direction of a spring, or what is told of them
-        after a jump, is an angle.
-        """
-        turning = {entry["name"] for entry in self.about["coordinates"] if entry["unit"] == "rad"}
-        for one in (
-            name,
-            re.sub(r"^(rest|mean|cycle)_|_(before|after|low|high)$", "", name),
-        ):  # one may be named rest_angle
-            if one in (*self.parameters, *self.coordinates):
-                return one in self.about["angles"] or one in turning
-        return one.partition("_")[0] == "theta"
+        """Whether a parameter, a component of a state, or the direction of a spring is an angle."""
+        return name in self.columns and self.columns[name].is_angle
 
     def any_of(self, name: str) -> Range:
         """Any finite number, of the unit of a parameter or of a component of a state."""
-        return ANGLE if name not in self.rates and self.is_angle(name) else FINITE
+        return ANGLE if self.is_angle(name) else FINITE
 
     @property
     def rates(self) -> tuple[str, ...]:
@@ -175,9 +166,48 @@ class Model:
         return tuple(dict.fromkeys([*known, *balanced]))[:2]
 
     @cached_property
-    def quantities(self) -> Mapping[str, tuple[str, str]]:
-        """Unit and meaning of everything that files of motions hold, by its name."""
-        return explained(self.about)
+    def columns(self) -> Mapping[str, Column]:
+        """Columns of the model's own quantities by name: coordinates, rates, parameters, and
+        directions, lengths and forces of springs and contact, of the time the column ``t``.
+        """
+        found = [
+            *forces.columns(self),
+            *(
+                Column(entry["name"], entry.get("quantity_unit", "1"), entry["meaning"])
+                for entry in self.about["parameters"]
+            ),
+        ]
+        for entry in self.about["coordinates"]:
+            rate = "1/s" if entry["unit"] == "rad" else f"{entry['unit']}/s"
+            found += [
+                Column(entry["name"], entry["unit"], entry["meaning"]),
+                Column(entry["rate"], rate, f"rate of {entry['name']}"),
+            ]
+        return {column.name: column for column in found}
+
+    @cached_property
+    def places(self) -> tuple[str, ...]:
+        """Names of columns that say where a state is: direction and length of each inclined spring,
+        and the coordinates.
+        """
+        return forces.columns_of(self)
+
+    @cached_property
+    def _units(self) -> Mapping[str, str]:
+        scales, found = self.about["scales"], {"1": "1", "rad": "rad", "degree": "degree"}
+        for entry in self.about["parameters"]:
+            found.setdefault(entry.get("quantity_unit", "1"), entry.get("scale") or "1")
+        for entry in self.about["coordinates"]:
+            found.setdefault(entry["unit"], entry["scale"] or "1")
+            found.setdefault(self.columns[entry["rate"]].dimension, entry["rate_scale"])
+        scale = {"m": "length", "s": "time", "N": "force", "1/s": "rate"}
+        return found | {unit: scales[name] for unit, name in scale.items()}
+
+    def unit(self, dimension: str) -> str:
+        """The model's own unit of a dimension, as ``k_c*L_0`` of ``"N"``; empty where it has
+        none.
+        """
+        return self._units.get(dimension, "")
 
     def describe(self) -> str:
         """The drawing, the coordinates and the parameters, as text."""
@@ -281,9 +311,7 @@ class Model:
             )
         of_law = self.about["friction"]["quantities"]
         missing = {
-            name: 1.0
-            for name in self.about["angles"]
-            if name not in of_law and getattr(p, name) is None
+            name: 1.0 for name in self.about["angles"] if name not in of_law and p[name] is None
         }
         return np.asarray(
             getattr(self.algebra, law)(*self.arguments(p.replace(**missing), "motion")), dtype=float
@@ -355,6 +383,41 @@ class Model:
 #: Options whose names are not those of their parameters.
 _OPTIONS = {"V": ("--speed", "-V"), "d": ("--creep", "-d")}
 
+#: What commands call their own options, and the values of these.
+OF_COMMANDS = frozenset(
+    (
+        "backend",
+        "data",
+        "diagram",
+        "digits",
+        "error",
+        "estimate_error",
+        "force",
+        "help",
+        "json",
+        "json_output",
+        "method",
+        "model",
+        "n",
+        "near",
+        "output",
+        "plot",
+        "points",
+        "prove",
+        "quiet",
+        "rtol",
+        "state",
+        "store",
+        "t_end",
+        "transient",
+        "undamped",
+        "vary",
+        "whole",
+        "within",
+        "workers",
+    )
+)
+
 #: What an angle without a base value is, as in the article's cases.
 _INCLINATION = math.radians(30.0)
 
@@ -364,31 +427,44 @@ def options_of(about: Mapping[str, Any], name: str) -> tuple[str, ...]:
     name.
     """
     known = _OPTIONS.get(name)
-    return known if known and known[0][2:] not in _names(about) else (f"--{name}",)
+    if known and known[0][2:] not in _names(about):
+        return known
+    return (f"--{option_name(name)}",)
+
+
+def option_name(name: str) -> str:
+    """A parameter among the options of a command: with an underscore behind it where commands have
+    an option of its name.
+    """
+    return f"{name}_" if name in OF_COMMANDS else name
 
 
 def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
-    """A class whose fields are the model's parameters with their base values.
+    """The class of a model's sets of parameters, with their base values.
 
     ``where`` is what :func:`spragsym.load` takes for the model, by which a set finds its class
     again in another process.
     """
-    made = make_dataclass(
+    names, base = _names(about), {one["name"]: one["base"] for one in about["parameters"]}
+    made = type(
         "Parameters",
-        [(entry["name"], Any, field(default=entry["base"])) for entry in about["parameters"]],
-        bases=(ParameterSet,),
-        frozen=True,
-        eq=False,
-        repr=False,
-        namespace={
+        (ParameterSet,),
+        {
             "__doc__": _documentation(about),
+            "__signature__": Signature(
+                [
+                    Parameter(name, Parameter.POSITIONAL_OR_KEYWORD, default=base[name])
+                    for name in names
+                ]
+            ),
             "ranges": {entry["name"]: _range(entry) for entry in about["parameters"]},
-            "spanned": frozenset(_names(about)),
+            "spanned": frozenset(names),
             "origin": "model.Parameters(...)",
             "where": where,
+            "base": base,
         },
     )
-    return named(made)
+    return made
 
 
 @cache
@@ -453,73 +529,3 @@ def title_drawing_words(about: Mapping[str, Any]) -> tuple[str, str, list[str]]:
     ):  # a drawing with blank lines
         drawn += "\n\n" + blocks.pop(0)
     return title, textwrap.dedent(drawn).strip("\n"), blocks
-
-
-def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
-    """Unit and meaning of everything that files of motions hold, by its name: of the model, and of
-    what is computed of it.
-    """
-    time, rate, x = (
-        about["scales"]["time"],
-        about["scales"]["rate"],
-        about["coordinates"][0]["name"],
-    )
-    after, top = "after the transient", f"of the cycle where its {x} is largest"
-    found = {
-        "t": (time, "time"),
-        "event_t": (time, "time of an event"),
-        "event": ("1", "what happened"),
-    }
-    for entry in (*about["coordinates"], *about["parameters"]):
-        found[entry["name"]] = (
-            "rad" if entry["unit"] == "rad" else entry["scale"] or "1",
-            entry["meaning"],
-        )
-    for name in about["angles"]:
-        found[f"{name}_deg"] = ("degree", found[name][1])
-    for entry in about["coordinates"]:
-        y, unit = entry["name"], found[entry["name"]][0]
-        found[entry["rate"]] = (entry["rate_scale"], f"rate of {y}")
-        found[f"rest_{y}"] = (
-            unit,
-            f"{y} of the equilibrium that it settles to or approaches; NaN for none",
-        )
-        if y != x:
-            found[f"mean_{y}"] = (unit, f"mean of {y} {after}")
-        for name in (y, entry["rate"]):
-            found |= {
-                f"{name}0": (found[name][0], f"initial {name}"),
-                f"cycle_{name}": (found[name][0], f"{name} {top}"),
-            }
-    unit = found[x][0]
-    return found | {
-        "error": ("1", "largest difference of the state to a run at a tighter tolerance"),
-        "rms": (unit, f"root mean square of {x} about zero, {after}"),
-        "spread": (unit, f"root mean square of {x} about its mean, {after}"),
-        "largest": (unit, f"largest |{x}| {after}"),
-        "mean": (unit, f"mean of {x} {after}"),
-        "period": (time, "period of the cycle that the motion is on or approaches; NaN for none"),
-        "rate": (rate, "rate at which what the motion settles to or approaches attracts"),
-        "distance": (
-            "1",
-            f"what is left of the way there: of the reach of a cycle, over {unit} for rest",
-        ),
-        "cycle_mean": (unit, f"mean of {x} over one period of the cycle"),
-        "cycle_rms": (unit, f"root mean square of {x} about zero over one period of the cycle"),
-        "contact_lost": ("1", f"times contact was lost {after}"),
-        "slip_reversed": ("1", f"times the sliding speed changed its sign {after}"),
-        "regime": ("1", "what the motion settles to or approaches"),
-        "equilibrium": (
-            "1",
-            "index of the equilibrium that it settles to or approaches; -1 for none",
-        ),
-        "reason": ("1", "why a point has no result"),
-        "kind": ("1", "0 undecided, 1 rest, 2 cycle, 3 lift-off, 4 chaotic"),
-        "exponent": (rate, "largest Lyapunov exponent but the trivial one"),
-        "exponent_error": (
-            rate,
-            "half-width of its 95 % interval; 0 where eigenvalues or multipliers give it",
-        ),
-        "time_scale": (time, "on which the slowest deviations from steady sliding die out"),
-        "why": ("1", "what decides the kind, or would"),
-    }

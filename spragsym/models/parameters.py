@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from ..core import assumed
 from ..core.errors import ParameterError, ParameterTypeError, hint
-from ..display import Shown
+from ..display import Tabular
 from ..generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
 from ..numerics.interval_arrays import BoolArray, Shape
 from ..numerics.interval_arrays import FloatArray as FloatArray
@@ -263,34 +263,39 @@ def common_shape(given: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
 
 
 @dataclass(frozen=True, eq=False)
-class Values(Shown):
+class Values(Tabular):
     """Fields that are numbers, arrays that broadcast together, or None."""
+
+    @property
+    def _values(self) -> Mapping[str, Any]:
+        """The fields by name."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @functools.cached_property
     def shape(self) -> Shape:
         """Common shape of all fields."""
-        known = {field.name: np.shape(getattr(self, field.name)) for field in fields(self)}
+        known = {name: np.shape(value) for name, value in self._values.items()}
         return common_shape(known) if any(known.values()) else ()
 
+    def __getitem__(self, name: str) -> Any:
+        """A field by its name."""
+        return getattr(self, name)
+
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, type(self)) and not isinstance(self, type(other)):
+        related = isinstance(other, type(self)) or isinstance(self, type(other))
+        if not related or not isinstance(other, Values):
             return NotImplemented
-        same = all(
-            np.array_equal(getattr(self, field.name), getattr(other, field.name))
-            for field in fields(self)
-        )
+        same = all(np.array_equal(value, other[name]) for name, value in self._values.items())
         return same and getattr(self, "followed", None) == getattr(other, "followed", None)
 
     def __hash__(self) -> int:
-        return hash(
-            tuple(getattr(self, field.name) for field in fields(self))
-        )  # arrays do not hash
+        return hash(tuple(self._values.values()))  # arrays do not hash
 
 
 @dataclass(frozen=True, eq=False)
 class ParameterSet(Values):
-    """Dimensionless parameters of a model, scalars or arrays that broadcast together; a subclass
-    has a field for each.
+    """Dimensionless parameters of a model, scalars or arrays that broadcast together: items by
+    their names, and attributes where none of a set has that name.
     """
 
     #: Allowed values of each parameter, in the order in which functions take them.
@@ -305,18 +310,48 @@ class ParameterSet(Values):
     followed: ClassVar[Mapping[str, float] | None] = None
     _model: ClassVar[Any] = None
 
+    #: Values of parameters that are left out.
+    base: ClassVar[Mapping[str, float | None]] = {}
+
+    def __init__(self, /, *given: ArrayLike | None, **values: ArrayLike | None) -> None:
+        check_names(values, self.ranges)
+        named = dict(zip(self.ranges, given, strict=False))
+        if len(given) > len(named) or set(named) & set(values):
+            raise ParameterTypeError(
+                f"{len(given)} values without and {len(values)} with names; give each of "
+                f"{', '.join(self.ranges)} once at most"
+            )
+        self._set({**self.base, **named, **values})
+
     def __post_init__(self) -> None:
         self._set({name: getattr(self, name) for name in self.ranges})
 
     def _set(self, values: Mapping[str, ArrayLike | None]) -> None:
         """Keep values once they are seen to be allowed."""
+        held = self.__dict__["_held"] = dict(self.__dict__.get("_held", {}))
         for name, value in values.items():
             if value is None and name not in self.spanned:
                 raise ParameterError(f"{name} is missing; give it, or start from {self.origin}")
-            self.__dict__[name] = (
-                None if value is None else as_numbers(name, value, self.ranges[name])
-            )
+            held[name] = None if value is None else as_numbers(name, value, self.ranges[name])
+        self.__dict__.update(self._attributes(held))
         self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
+
+    def __getitem__(self, name: str) -> Any:
+        """A parameter by its name."""
+        if name not in self.ranges:
+            raise KeyError(f"{name!r} is none of the parameters {', '.join(self.ranges)}")
+        return self.__dict__["_held"][name]
+
+    @property
+    def _values(self) -> Mapping[str, Any]:
+        return {name: self[name] for name in self.ranges}
+
+    def _shown(self) -> dict[str, Any]:
+        return {name: value for name, value in self._values.items() if value is not None}
+
+    @property
+    def _of_model(self) -> Any:
+        return self.model
 
     @property
     def model(self) -> Any:
@@ -340,16 +375,18 @@ class ParameterSet(Values):
 
     def _copied(self, kind: type[Self]) -> Self:
         other = object.__new__(kind)
-        other.__dict__.update(
-            {
-                name: value
-                for name, value in self.__dict__.items()
-                if name in self.ranges or name == "followed"
-            }
-        )
+        kept = {
+            name: self.__dict__[name] for name in ("followed", "_held") if name in self.__dict__
+        }
+        other.__dict__.update(kept | kind._attributes(self.__dict__["_held"]))
         return other
 
-    def following(self, **coordinates: float) -> Self:
+    @staticmethod
+    def _attributes(values: Mapping[str, Any]) -> dict[str, Any]:
+        """Those whose names are no attributes of sets."""
+        return {name: one for name, one in values.items() if not hasattr(ParameterSet, name)}
+
+    def following(self, /, **coordinates: float) -> Self:
         """A copy whose followed state is the stable equilibrium nearest to these coordinates, in
         place of the reference state.
 
@@ -386,14 +423,14 @@ class ParameterSet(Values):
         }
         return other
 
-    def replace(self, **changes: ArrayLike | None) -> Self:
+    def replace(self, /, **changes: ArrayLike | None) -> Self:
         """A copy with other values."""
         check_names(changes, self.ranges)
         other = self._copied(type(self))
         other._set(changes)  # what stays as it is need not be looked at again
         return other
 
-    def given(self, **changes: ArrayLike | None) -> Self:
+    def given(self, /, **changes: ArrayLike | None) -> Self:
         """A copy with those values that are not None; itself if there are none."""
         known = {name: value for name, value in changes.items() if value is not None}
         return self.replace(**known) if known else self
@@ -401,7 +438,7 @@ class ParameterSet(Values):
     def require(self, *names: str) -> None:
         """Raise unless the named parameters are given."""
         for name in names:
-            if getattr(self, name) is None:
+            if self[name] is None:
                 raise ParameterError(
                     f"{name} is missing from the parameters, and is needed here; use "
                     f"p.replace({name}=...)"
@@ -411,24 +448,24 @@ class ParameterSet(Values):
         """The named parameters as floats; an error if one is missing or an array."""
         self.require(*names)
         kept = (
-            (name, getattr(self, name)) for name in names
+            (name, self[name]) for name in names
         )  # each was seen to be allowed when it was given
         return tuple(as_number(name, value) if value.ndim else value.item() for name, value in kept)
 
     def broadcast(self, *names: str) -> tuple[FloatArray, ...]:
         """The named parameters, read-only, each of the common shape."""
         self.require(*names)
-        return tuple(np.broadcast_to(getattr(self, name), self.shape) for name in names)
+        return tuple(np.broadcast_to(self[name], self.shape) for name in names)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return set_of, (
             self.model,
-            {name: getattr(self, name) for name in self.ranges},
+            dict(self._values),
             self.followed,
         )
 
     def __repr__(self) -> str:
-        given = {name: getattr(self, name) for name in self.ranges}
+        given = self._values
         words = ", ".join(f"{n}={_plain(value)}" for n, value in given.items() if value is not None)
         text = f"{type(self).__name__}({words})"
         chosen = ", ".join(f"{name}={value!r}" for name, value in (self.followed or {}).items())

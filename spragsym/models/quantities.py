@@ -9,12 +9,12 @@ import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
 from ..core.errors import NotDimensionlessError, ParameterError, ParameterTypeError, hint
-from ..display import Shown
+from ..display import Tabular
 from .load import load
 from .model import Model, title_drawing_words
 from .parameters import POSITIVE, Carried, Parameters, Range, Values, as_numbers, named
@@ -197,7 +197,7 @@ def share(model: Model, p: Any) -> Any:
 
 
 @dataclass(frozen=True)
-class Scales(Shown):
+class Scales(Tabular):
     """What one dimensionless unit is, in the units of the data, and of their shape: L_0,
     sqrt(m/k_c) and k_c L_0.
     """
@@ -205,6 +205,17 @@ class Scales(Shown):
     length: Any
     time: Any
     force: Any
+
+    @property
+    def scales(self) -> Self:
+        """Itself: a study has scales besides."""
+        return self
+
+    def unit_of(self, si: str, _: str = "") -> tuple[str, float]:
+        """The unit itself, and what one of the model's is in it."""
+        sizes = (self.length, self.time, self.force)
+        powers = _powers(si, ("m", "s", "N"))
+        return si, float(math.prod(size**power for size, power in zip(sizes, powers, strict=True)))
 
 
 @named
@@ -264,6 +275,10 @@ class PhysicalParameters(Values):
     V: Any = None
     d: Any = None
     of_model = Parameters
+
+    @property
+    def _of_model(self) -> Any:
+        return Parameters.model_of_class()
 
     def __post_init__(self) -> None:
         bare, carrying = list[str](), list[str]()

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..display import Column
 from ..models.parameters import FloatArray, as_count
 from ..numerics.interval_arrays import IndexArray
 from ..results.result import Result
@@ -90,6 +91,8 @@ class Spectrum(Result):
     """Amplitudes over frequency, in cycles per unit of time: a sine of amplitude A has the peak A,
     if it lies on a bin.
     """
+
+    schema = (Column("frequency", "1/s", "cycles per unit of time"),)
 
     frequency: FloatArray
     amplitude: FloatArray

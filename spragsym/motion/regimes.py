@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..display import named_fields
+from ..display import Column, named_fields
 from ..models.field import SETTLED
 from ..numerics.vectors import apart, magnitude
 from ..results.result import Named
@@ -51,6 +51,20 @@ ATTRACTOR = {
 }
 
 
+#: Columns of what motions come to.
+LIMITS = (
+    Column("regime", "1", "what the motion settles to or approaches", Regime),
+    Column("equilibrium", "1", "index of the equilibrium that it comes to; -1 for none"),
+    Column("rate", "1/s", "rate at which what the motion settles to or approaches attracts"),
+    Column("distance", "1", "what is left: of the reach of a cycle, or of the unit for rest"),
+    Column("period", "s", "period of the cycle that it is on or approaches; NaN for none"),
+    Column("cycle_mean", "{x}", "mean of {x} over one period of the cycle"),
+    Column("cycle_rms", "{x}", "root mean square of {x} about zero over one period of the cycle"),
+    Column("rest_{q}", "{q}", "{q} of the equilibrium that it comes to; NaN for none"),
+    Column("cycle_{v}", "{v}", "{v} of the cycle where its first coordinate is largest"),
+)
+
+
 @dataclass(frozen=True)
 class Outcome(Named):
     """The attractor that a motion reaches or approaches, and how fast.
@@ -85,6 +99,8 @@ class Outcome(Named):
         from −π + 0.0123 on.
     """
 
+    schema = LIMITS
+
     regime: Regime = Regime.UNSETTLED
     equilibrium: int = -1
     rest: tuple[float, ...] = ()
@@ -97,11 +113,8 @@ class Outcome(Named):
     names: tuple[str, ...] = ()
 
     @property
-    def offered(self) -> tuple[str, ...]:
-        return tuple(self.places())
-
-    def _asked(self, name: str) -> float | None:
-        return self.places().get(name)
+    def _items(self) -> dict[str, float]:
+        return self.places()
 
     def places(self) -> dict[str, float]:
         """The numbers of ``rest`` and ``cycle`` by their names."""
@@ -123,7 +136,7 @@ class Outcome(Named):
         """The attractor behind the regime."""
         return ATTRACTOR.get(self.regime, self.regime)
 
-    def table_values(self) -> dict[str, Any]:
+    def _shown(self) -> dict[str, Any]:
         values = named_fields(self)
         for key in ("names", "rest", "cycle"):
             del values[key]

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError, hint, one_of
 from ..core.questions import model_of
-from ..display import Table, caption, words
+from ..display import Column, Table, caption
 from ..files import storage
 from ..models import forces
 from ..models.field import SETTLED, Field
@@ -178,6 +178,18 @@ class Trajectory(Named):
         collapsed.
     """
 
+    schema = (
+        Column("t", "s", "time"),
+        Column("error", "{x}", "largest difference of the state to a run at a tighter tolerance"),
+        Column("rms", "{x}", "root mean square of {x} about zero"),
+        Column("rms_about_mean", "{x}", "root mean square of {x} about its mean"),
+        Column("mean", "{x}", "mean of {x}"),
+        Column("largest", "{x}", "largest |{x}|"),
+        Column("period", "s", "period of the cycle that it has settled to"),
+        Column("event_t", "s", "time of an event"),
+        Column("event", "1", "what happened", Event),
+    )
+
     model: Any
     p: Any
     t: FloatArray
@@ -192,22 +204,19 @@ class Trajectory(Named):
     def components(self) -> tuple[str, ...]:
         return self.model.components
 
-    @property
-    def offered(self) -> tuple[str, ...]:
-        return self.components
-
     def data(self) -> dict[str, Any]:
         """Time and every component, at the samples."""
-        return {"t": self.t, **dict(zip(self.components, self.state, strict=True))}
+        return {self._own("t"): self.t, **dict(zip(self.components, self.state, strict=True))}
 
-    def _asked(self, name: str) -> Any:
-        return self.data().get(name)
+    @property
+    def _items(self) -> dict[str, Any]:
+        return self.data()
 
     def as_table(self) -> Table:
         """First, smallest, largest and last value of each coordinate and rate, in place of all
         samples.
         """
-        said, t = words(self), self.t
+        said, t = self._schema, self.t
         rows = [
             (
                 said.heading(key),
@@ -450,21 +459,17 @@ class Trajectory(Named):
         slope, _ = np.polyfit(middle[kept] - middle[kept][0], np.log(swings[kept]), 1)
         return -float(slope)
 
-    @property
-    def _explained(self) -> Mapping[str, tuple[str, str]]:
-        return self.model.quantities
-
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``)."""
-        data: dict[str, Any] = {name: ("t", getattr(self, name)) for name in self.components}
+        t, at, error, event = map(self._own, ("t", "event_t", "error", "event"))
+        data: dict[str, Any] = {name: (t, self[name]) for name in self.components}
         if self.error is not None:
-            data["error"] = ("t", self.error)
-        coords: dict[str, Any] = {"t": self.t}
+            data[error] = (t, self.error)
+        coords: dict[str, Any] = {t: self.t}
         if self.events is not None:
-            coords["event_t"] = self.events.t
-            data["event"] = ("event_t", self.events.which.astype(np.int8))
-        codes = {"event": Event} if "event" in data else {}
-        return storage.dataset(data, coords, self._attributes(), self.model.quantities, codes)
+            coords[at] = self.events.t
+            data[event] = (at, self.events.which.astype(np.int8))
+        return storage.dataset(data, coords, self._attributes(), self._in_model_units)
 
     # --------------------------------------------------------------------------------------------
     # inner parts

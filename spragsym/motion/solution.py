@@ -12,6 +12,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from ..core.errors import ConvergenceError, one_of
+from ..display import Column
 from ..models.field import FLOATS, GAP, JUMPED, Border, Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IndexArray
@@ -360,7 +361,10 @@ class Events(Result):
         Names of the coordinates and rates.
     """
 
-    table_codes = ("which", Event)
+    schema = (
+        Column("t", "s", "time of the event"),
+        Column("which", "1", "what happened", Event),
+    )
 
     t: FloatArray
     state: FloatArray
@@ -385,7 +389,7 @@ class Events(Result):
         """The events that are marked."""
         return replace(self, t=self.t[chosen], state=self.state[chosen], which=self.which[chosen])
 
-    def table_values(self) -> dict[str, Any]:
+    def _shown(self) -> dict[str, Any]:
         """Time, what happened, and the state by its names."""
         return {
             "t": self.t,

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import islice
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from ..core.errors import ConvergenceError, ParameterError, one_of, require_kind
 from ..core.former import former
 from ..core.progress import doing
 from ..core.remarks import At, Remark
-from ..models.field import Field
+from ..display import Column
 from ..models.parameters import (
     ANGLE,
     FINITE,
@@ -147,9 +148,8 @@ class CycleEvent(Result):
     found: Finding = field(repr=False)
 
     @property
-    def table_model(self) -> Field:
-        """It knows whether the parameter is an angle."""
-        return self.cycle.field
+    def _of_model(self) -> Any:
+        return self.cycle.field.model
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,6 +171,14 @@ class CycleBranch(Result):
         How many points of the branch come before each event.
     """
 
+    schema = (
+        Column("periods", "s", "period of the cycle"),
+        Column("rms", "{x}", "root mean square of {x} about zero"),
+        Column("lowest", "{x}", "least {x} of the cycle"),
+        Column("highest", "{x}", "largest {x} of the cycle"),
+        Column("stable", "1", "whether the cycle attracts"),
+    )
+
     vary: str
     values: FloatArray
     periods: FloatArray
@@ -184,9 +192,8 @@ class CycleBranch(Result):
     places: tuple[int, ...] = field(repr=False)
 
     @property
-    def table_model(self) -> Field:
-        """It knows whether the parameter is an angle."""
-        return self.cycles[0].field
+    def _of_model(self) -> Any:
+        return self.cycles[0].field.model
 
     def switch(self, event: CycleEvent, *, step: float = 0.02) -> Cycle:
         """A cycle on the other branch at an event, where :func:`cycle_branch` can begin.
@@ -524,9 +531,8 @@ class EventCurve(Result):
     cycles: tuple[Cycle, ...] = field(repr=False)
 
     @property
-    def table_model(self) -> Field:
-        """It knows which parameters are angles."""
-        return self.cycles[0].field
+    def _of_model(self) -> Any:
+        return self.cycles[0].field.model
 
 
 @in_usual_state

@@ -26,6 +26,7 @@ from ..core.errors import ConvergenceError, ParameterError, SpragsymError
 from ..core.former import former
 from ..core.questions import model_of
 from ..core.remarks import At, Remark
+from ..display import Column
 from ..models.parameters import FloatArray, ParameterSet, Ranges, Span, as_count, varied_range
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import apart, magnitude
@@ -127,6 +128,15 @@ class Diagram(Result):
         Ranges of the parameter in which equilibria or Hopf points may be missing.
     """
 
+    schema = (
+        Column("of", "1", "equilibria or cycles"),
+        Column("branch", "1", "number of the branch among its kind"),
+        Column("lowest", "{x}", "least {x}"),
+        Column("highest", "{x}", "largest {x}"),
+        Column("period", "s", "period of the cycle; NaN of equilibria"),
+        Column("stable", "1", "whether it attracts"),
+    )
+
     vary: str
     to: tuple[float, float]
     equilibria: tuple[EquilibriumBranch, ...]
@@ -154,13 +164,13 @@ class Diagram(Result):
         kinds, at, branches, lowest, highest, periods = zip(*parts, strict=True)
         sizes = [one.values.size for one in branches]
         return {
-            "of": np.repeat(kinds, sizes),
-            "branch": np.repeat(at, sizes),
+            self._own("of"): np.repeat(kinds, sizes),
+            self._own("branch"): np.repeat(at, sizes),
             self.vary: np.concatenate([one.values for one in branches]),
-            "lowest": np.concatenate(lowest),
-            "highest": np.concatenate(highest),
-            "period": np.concatenate(periods),
-            "stable": np.concatenate([one.stable for one in branches]),
+            self._own("lowest"): np.concatenate(lowest),
+            self._own("highest"): np.concatenate(highest),
+            self._own("period"): np.concatenate(periods),
+            self._own("stable"): np.concatenate([one.stable for one in branches]),
         }
 
 
@@ -231,7 +241,7 @@ def diagram(
         if isinstance(start, Cycle):
             start.require(motion, "starts")
             for name, value in start.parameters.items():
-                if name != vary and value != (own := float(getattr(p, name))):
+                if name != vary and value != (own := float(p[name])):
                     raise ParameterError(
                         f"starts: a cycle at {name} = {value:.10g}, the diagram at "
                         f"{own:.10g}; give cycles at p"
@@ -242,7 +252,7 @@ def diagram(
     onsets, born_at = None, np.empty(0)
     try:
         onsets = flutter_onsets(p, vary, between=between)
-        born_at = getattr(onsets, vary)
+        born_at = onsets[vary]
     except SpragsymError as error:
         remarks.append(f"Hopf points were not looked for: {error}")
     for born in _cycles(p, vary, onsets, born_at, starts, remarks):
@@ -381,7 +391,7 @@ def _equilibria(
     """All branches on which there is one of the equilibria known, with their labels."""
     model, found = p.model, list[tuple[bool, list[Point]]]()
     for contact, known in seeds:
-        grid = np.asarray(getattr(known.parameters, vary))
+        grid = np.asarray(known.parameters[vary])
         places = np.stack([*known.coordinates.values()], axis=-1)
         for i, j in np.transpose(known.states).tolist():
             system = System.of(p.replace(**{vary: float(grid[i])}), None)

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
 from ..core.questions import model_of
+from ..display import Column
 from ..files import storage
 from ..files.journal import Record
 from ..models.model import Model
@@ -305,7 +306,15 @@ class FateMap(Result):
     model : Model
     """
 
-    table_codes = ("kind", Kind)
+    schema = (
+        Column("kind", "1", "what the motion comes to", Kind),
+        Column("period", "s", "period of the cycle; NaN for none"),
+        Column("exponent", "1/s", "largest Lyapunov exponent but the trivial one"),
+        Column("exponent_error", "1/s", "half-width of its 95 % interval; 0 where it is exact"),
+        Column("time_scale", "s", "on which slow deviations from steady sliding die out"),
+        Column("t", "s", "how long the motion was followed"),
+        Column("why", "1", "what decides the kind, or would"),
+    )
 
     inputs: dict[str, FloatArray]
     start: tuple[float, ...]
@@ -325,13 +334,6 @@ class FateMap(Result):
         return {
             kind.name.lower().replace("_", "-"): int(np.count_nonzero(self.kind == kind))
             for kind in Kind
-        }
-
-    @property
-    def _explained(self) -> dict[str, tuple[str, str]]:
-        return {
-            **self.model.quantities,
-            "t": (self.model.quantities["t"][0], "how long the motion was followed"),
         }
 
     def _attributes(self) -> dict[str, Any]:
@@ -407,7 +409,7 @@ def fate_map(
     model = model_of(p)
     p.require(*p.ranges)
     p = p.given(V=V, d=d)
-    inputs = {name: getattr(p, name) for name in p.ranges}
+    inputs = {name: p[name] for name in p.ranges}
     settings = {
         "start": tuple(state_of(model, start).tolist()),
         "t_end": as_number("t_end", t_end, POSITIVE),

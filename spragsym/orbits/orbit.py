@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError
+from ..display import Column
 from ..files import storage
 from ..models.field import Field, Values
 from ..models.parameters import FloatArray
@@ -107,6 +108,15 @@ class Cycle(Result):
         The orbit as it was solved for, with its derivatives.
     """
 
+    schema = (
+        Column("period", "s", "period of the cycle"),
+        Column("error", "{x}", "estimated error of state and period"),
+        Column("residual", "", "by how much the orbit does not close"),
+        Column("rms", "{x}", "root mean square of {x} about zero over one period"),
+        Column("mean", "{x}", "mean of {x} over one period"),
+        Column("amplitude", "{x}", "half of the range of {x}"),
+    )
+
     period: float
     state: FloatArray
     multipliers: ComplexArray
@@ -126,8 +136,9 @@ class Cycle(Result):
         """The model."""
         return self.loop.field
 
-    #: It knows which names are angles.
-    table_model = field
+    @property
+    def _of_model(self) -> Any:
+        return self.field.model
 
     def require(self, field: Field, name: str) -> None:
         """Raise unless this is a cycle of that field: another's would be taken for what it is
@@ -216,7 +227,7 @@ class Cycle(Result):
         """Write one period to ``*.nc`` (extra ``sweep``), or its samples alone to ``*.csv``."""
         motion = self.trajectory()
         storage.write(
-            path, self.to_dataset, motion.data(), motion._attributes(), motion.model.quantities
+            path, self.to_dataset, motion.data(), motion._attributes(), motion._in_model_units
         )
 
     def __repr__(self) -> str:
@@ -314,6 +325,13 @@ class Phases(Result):
     side : ndarray of int, shape (k,)
         1 where the belt is ahead, −1 where the mass is, 0 where it sticks.
     """
+
+    schema = (
+        Column("t", "s", "begin of the mode"),
+        Column("duration", "s", "duration of the mode"),
+        Column("contact", "1", "1 in contact, 0 in lift-off"),
+        Column("side", "1", "1 where the belt is ahead, -1 where the mass is, 0 where it sticks"),
+    )
 
     t: FloatArray
     duration: FloatArray

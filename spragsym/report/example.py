@@ -40,7 +40,7 @@ def example(model: Model) -> str:
     kind, (_, p) = quantities(model.where), model.cases()[0]
     sizes = {name: _SIZES.get(unit, 1.0) for name, unit in kind.bases.items()}
     values = sizes | {
-        quantity: float(getattr(p, name)) * kind.scale(kind.units[quantity], sizes)
+        quantity: float(p[name]) * kind.scale(kind.units[quantity], sizes)
         for quantity, name in kind.parameters.items()
     }
     given = ("m/s^2", "m/s", "s/m") if kind.scale("m/s", sizes) > _FASTEST else ("m/s^2",)

@@ -426,7 +426,7 @@ def _folds(answers: _Answers) -> dict[str, Points]:
 def _rows(study: Brake, found: dict[str, Points]) -> tuple[FoldRow, ...]:
     rows = []
     for vary, points in found.items():
-        for i, value in enumerate(getattr(points, vary).tolist()):
+        for i, value in enumerate(points[vary].tolist()):
             angle = math.degrees(value) if vary == "theta0" else None
             told = None if angle is not None else study.told(value)
             friction, other = (told, None) if study.of_friction else (None, told)

@@ -65,7 +65,7 @@ def speed_for(study: Brake, friction: float) -> float:
     law, name = _Law(study), study.kind.law["belt"]
     place, speed = (
         law.balance.parameters.index(name),
-        abs(float(getattr(study.dimensionless, name))),
+        abs(float(study.dimensionless[name])),
     )
     parts = [
         (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(OCTAVES))

@@ -17,6 +17,7 @@ import numpy as np
 from ..core.errors import SpragsymError
 from ..design.design_space import Border, Design, space
 from ..design.margins import jump_margin, redesign
+from ..display import Column
 from ..models.parameters import Range, Span
 from ..models.quantities import factor
 from ..numerics.interval_arrays import BoolArray
@@ -59,6 +60,11 @@ class Change(Result):
     ``probability`` is the share of brakes within them that jump: 0 if that is proved, else what a
     sample gives; NaN where nothing has a tolerance.
     """
+
+    schema = (
+        Column("{a}_before", "{a}", "{a} of the old design"),
+        Column("{a}_after", "{a}", "{a} of the new design"),
+    )
 
     before: Numbers
     after: Numbers

@@ -64,7 +64,7 @@ class Report(Facts, Result):
             "write to_html(path), or json.dumps(to_dict())"
         )
 
-    def table_values(self) -> texts.Json:
+    def _shown(self) -> texts.Json:
         """It has no columns."""
         return {}
 

@@ -72,7 +72,7 @@ class State(Named):
     model leaves out decides.
     """
 
-    held_in = "places"
+    _held = "places"
 
     current: bool
     stable: bool
@@ -110,7 +110,7 @@ class JumpPeak(Named):
     which it was looked at; ``lifts_off`` whether the contact opens.
     """
 
-    held_in = "ranges"
+    _held = "ranges"
 
     at: float
     before: Numbers
@@ -262,7 +262,7 @@ def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: boo
     scales, model = study.scales, study.kind.model
 
     def of(names: Iterable[str], scale: float) -> Any:
-        return _of_springs(study, [scale * float(getattr(eq, name)[slot]) for name in names])
+        return _of_springs(study, [scale * float(eq[name][slot]) for name in names])
 
     where = [
         name for name in forces.columns_of(model) if name not in place

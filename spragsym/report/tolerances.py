@@ -137,7 +137,7 @@ def box(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
     """
     low, high, units = parameter_ends(study)
     name = study.loading.name
-    low = low.replace(**{name: max(study.start(), float(getattr(low, name)))})
+    low = low.replace(**{name: max(study.start(), float(low[name]))})
     if not _all_works(study):
         ends = zip((low, high), friction_bounds(study), strict=True)
         low, high = (p.replace(mu0=max(0.0, value)) for p, value in ends)

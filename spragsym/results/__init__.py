@@ -2,14 +2,17 @@
 for every model.
 """
 
+from ..display import Column
 from .equilibria import Equilibria, Stability, Undecided
 from .points import BifurcationSet, Curve, Jump, LowestEnd, Path, Points
-from .result import Named, Result, Rows
+from .result import InUnits, Named, Result, Rows
 
 __all__ = [
     "BifurcationSet",
+    "Column",
     "Curve",
     "Equilibria",
+    "InUnits",
     "Jump",
     "LowestEnd",
     "Named",

@@ -6,18 +6,19 @@ import enum
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import ConvergenceError
-from ..display import Table, counted, in_rows, not_all, points, words
-from ..models.forces import told_of_states
+from ..display import Column, Table, counted, in_rows, not_all, own_name, points
+from ..files import storage
+from ..models.forces import told_of, told_of_states
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IntArray
-from .result import WHOLE, OfStates, Result
+from .result import WHOLE, Items, OfStates, Result, along_axes, axes_of
 
 
 class Stability(enum.IntEnum):
@@ -46,6 +47,10 @@ class Source(Protocol):
     may bring others.
     """
 
+    @property
+    def more(self) -> tuple[str, ...]:
+        """Names of columns that only closed forms have."""
+
     def column(self, name: str) -> NDArray[Any] | None:
         """A column; None if it is not known here."""
 
@@ -67,6 +72,13 @@ _LINEARIZED: Mapping[str, tuple[str, Any]] = {
     "growth_sign": ("sign", 0),
     "damped": ("damped", ""),
 }
+
+
+@cache
+def _names(model: Any, more: tuple[str, ...]) -> tuple[str, ...]:
+    """Names of all columns: where states are, forces, and ours."""
+    ours = (own_name(model, name) for name in (*_KNOWN, *_LINEARIZED, *more))
+    return tuple(dict.fromkeys([*model.places, *told_of(model), *model.parameters, *ours]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +139,21 @@ class Equilibria(OfStates):
         state stands in two slots.
     """
 
-    table_codes = ("stability", Stability)
+    schema = (
+        Column("count", "1", "number of equilibria that are proved"),
+        Column("stability", "1", "kind of state by (27)", Stability),
+        Column("damped", "1", "what small deviations do: decays, grows, neutral"),
+        Column("growth", "1/s", "largest real part of the damped eigenvalues"),
+        Column("growth_sign", "1", "1 where growth is proved, -1 where that nothing grows is"),
+        Column("error", "1", "bound on |error| / max(1, |value|) of the state"),
+        Column("marginal", "1", "whether the stability is not proved"),
+        Column("eigenvalues", "1/s", "eigenvalues of (27), without damping"),
+        Column("damped_eigenvalues", "1/s", "eigenvalues with dampers and slope of friction"),
+        Column("region", "1", "ends of the box that was searched"),
+        Column("whole", "1", "whether the box is proved to hold all equilibria"),
+        Column("escalated", "1", "whether more digits than those of float64 were needed"),
+        Column("fold", "1", "whether the point is a fold to the last digit"),
+    )
 
     parameters: Any
     contact: bool
@@ -177,16 +203,17 @@ class Equilibria(OfStates):
         def columns(some: IntArray) -> dict[str, Any]:
             states = tuple(part[some] for part in every)
             rows = self._rows(states)
+            growth = self._own("growth")
             return {
                 **points(states[:-1]),
                 **rows,
-                "growth": [f"{rate:.1e}" for rate in rows["growth"]],
+                growth: [f"{rate:.1e}" for rate in rows[growth]],
             }
 
         where = {"sliding": "of sliding", "rest": "at rest"}.get(self.regime, f"in {self.regime}")
         caption = f"{counted(every[0].size, 'equilibrium', 'equilibria')} {where}"
         caption += f" of {number} points" * bool(self.count.shape)
-        return in_rows(caption + not_all(self), words(self), every[0].size, columns)
+        return in_rows(caption + not_all(self), self._schema, every[0].size, columns)
 
     def data(self) -> dict[str, NDArray[Any]]:
         """A row for each equilibrium: the parameters that vary over the points, its stability and
@@ -194,24 +221,42 @@ class Equilibria(OfStates):
         """
         return self._rows(self.states)
 
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over the axes of the parameters and ``state``, the slots of the
+        equilibria, NaN beyond ``count`` (extra ``sweep``).
+
+        An axis along which one parameter alone varies is named after it; others are ``axis_0``, ….
+        """
+        p, shape, state = self.parameters, self.parameters.shape, self._own("state")
+        inputs = {name: p[name] for name in p.ranges if p[name] is not None}
+        axes = axes_of(inputs, shape)
+        names = [name for name in self._rows(self.states) if name not in p.ranges]
+        variables = {
+            name: ((*axes, state), column.astype(object) if column.dtype.kind == "U" else column)
+            for name, column in ((name, self[name]) for name in names)
+        }
+        variables[self._own("count")] = (axes, self.count)
+        coords = along_axes(inputs, axes, shape)
+        return storage.dataset(variables, coords, {}, self._in_model_units)
+
     def _rows(self, states: tuple[IntArray, ...]) -> dict[str, NDArray[Any]]:
         p, (damped, growth) = self.parameters, self.told(states)
-        vary = [name for name in p.ranges if np.size(getattr(p, name)) > 1]
-        given = {name: np.broadcast_to(getattr(p, name), p.shape)[states[:-1]] for name in vary}
-        where = {name: getattr(self, name)[states] for name in self.columns}
+        vary = [name for name in p.ranges if np.size(p[name]) > 1]
+        given = {name: np.broadcast_to(p[name], p.shape)[states[:-1]] for name in vary}
+        where = {name: self[name][states] for name in self.state_columns}
         return {
             **given,
-            "stability": self.stability[states],
-            "damped": damped,
+            self._own("stability"): self.stability[states],
+            self._own("damped"): damped,
             **where,
-            "growth": growth,
-            "error": self.error[states],
+            self._own("growth"): growth,
+            self._own("error"): self.error[states],
         }
 
     def _for_file(self) -> Self:
         known = {
             name: column
-            for name in (*self.columns, *_KNOWN, "escalated", "fold")
+            for name in self._items
             if (column := self._source.column(name)) is not None
         }
         return replace(self, _source=self._source.held(known))
@@ -220,8 +265,8 @@ class Equilibria(OfStates):
         return int(self.count.sum()) <= WHOLE
 
     @property
-    def offered(self) -> tuple[str, ...]:
-        return tuple(dict.fromkeys([*self.columns, *self._made, *_KNOWN, *_LINEARIZED]))
+    def _items(self) -> Items:
+        return Items(_names(self.parameters.model, self._source.more), self._column)
 
     def told(self, states: tuple[IntArray, ...]) -> tuple[NDArray[np.str_], FloatArray]:
         """``damped`` and ``growth`` of some states only, by their indices into the columns."""
@@ -236,22 +281,25 @@ class Equilibria(OfStates):
     def _all(self) -> Any:
         return self._source.linearized(self, self.states)
 
-    def _asked(self, name: str) -> Any:
+    def _column(self, name: str) -> Any:
         """A column: as it was found, by the linearization, or what follows from where the states
         are.
         """
         known = self._source.column(name)
         if known is not None:
             return known
-        if name == "region":
+        if name == self._own("region"):
             return np.broadcast_to(
                 [-np.inf, np.inf], (*self.count.shape, len(self.parameters.model.coordinates), 2)
             )
-        if name == "whole":
+        if name == self._own("whole"):
             return np.broadcast_to(np.True_, self.count.shape)
-        if name not in _LINEARIZED:
-            return self._made.get(name)
-        of, empty = _LINEARIZED[name]
+        if name in self.parameters.ranges:
+            return self.parameters[name]
+        linearized = {self._own(each): told for each, told in _LINEARIZED.items()}
+        if name not in linearized:
+            return self._made[name]
+        of, empty = linearized[name]
         values = getattr(self._all, of)
         out = np.full((*self.stability.shape, *values.shape[1:]), empty, dtype=values.dtype)
         out[self.states] = values

@@ -170,7 +170,7 @@ def _written(thing: Any) -> Any:
         case Model():
             return {"model": [thing.where, thing is thing.search]}
         case ParameterSet():
-            values = {name: getattr(thing, name) for name in thing.ranges}
+            values = {name: thing[name] for name in thing.ranges}
             return {
                 "parameters": [_written(part) for part in (thing.model, values, thing.followed)]
             }

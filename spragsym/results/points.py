@@ -7,19 +7,19 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import NDArray
 
-from ..display import Shown, Table, counted, in_rows, not_all, words
+from ..display import Column, Table, Tabular, counted, in_rows, not_all
 from ..models.forces import told_of_states
 from ..models.parameters import FloatArray
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import BoolArray, Int8Array, Shape
 from .equilibria import Equilibria, Stability
-from .result import Named, OfStates, Result, Rows
+from .result import Items, Named, OfStates, Result, Rows
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +27,8 @@ class Ended(Result):
     """What happens at folds: columns of :class:`Points` under these names; ``after``, or what makes
     it when asked.
     """
+
+    schema = (Column("{p}_after", "{p}", "{p} of the state that is jumped to"),)
 
     ends: NDArray[np.str_]
     when: NDArray[np.str_]
@@ -41,7 +43,7 @@ def nothing_ends(points: Points) -> Ended:
 
 def nowhere(points: Points) -> dict[str, FloatArray]:
     """``after`` of points at which nothing jumps."""
-    return {name: np.full(len(points), np.nan) for name in points.columns}
+    return {name: np.full(len(points), np.nan) for name in points.state_columns}
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,10 +78,11 @@ class Points(OfStates, Rows):
         The two vanish as the parameter goes ``"up"`` or ``"down"``; ``"undecided"``; empty for
         other kinds.
     after : mapping of str to ndarray
-        Where the state that ends jumps to, by the names of ``columns``: the nearest equilibrium
-        that is stable there by (27), of closed forms the only one that is left. NaN where there is
-        none or a search does not decide it, and for other kinds. Each is a search of its own, with
-        the budget of one, where there is no closed form: ``print`` shows what was asked for before.
+        Where the state that ends jumps to, by the names of ``state_columns``: the nearest
+        equilibrium that is stable there by (27), of closed forms the only one that is left. NaN
+        where there is none or a search does not decide it, and for other kinds. Each is a search of
+        its own, with the budget of one, where there is no closed form: ``print`` shows what was
+        asked for before.
     region : ndarray
         Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then
         parameters. A parameter that is larger than 0 may begin at 2⁻³⁰⁰, where nothing is known of
@@ -95,6 +98,14 @@ class Points(OfStates, Rows):
     remarks : tuple of str
         What is known of these boxes, and what was not searched: why the result is not complete.
     """
+
+    schema: ClassVar[tuple[Column, ...]] = (
+        Column("kind", "1", "what happens as the parameter passes"),
+        Column("ends", "1", "which of two states is stable and ends there"),
+        Column("when", "1", "direction of the parameter in which it ends"),
+        Column("{p}_after", "{p}", "{p} of the state that is jumped to"),
+        Column("error", "1", "bound on |error| / max(1, |value|)"),
+    )
 
     parameters: Any
     vary: tuple[str, ...]
@@ -124,44 +135,34 @@ class Points(OfStates, Rows):
         return self.decided and self.whole and not self.endless
 
     @property
-    def offered(self) -> tuple[str, ...]:
-        return tuple(
-            dict.fromkeys(
-                [
-                    *self.vary,
-                    *self.columns,
-                    *self._values,
-                    "ends",
-                    "when",
-                    "after",
-                    *self.parameters.ranges,
-                ]
-            )
-        )
+    def _items(self) -> Items:
+        names = (*self.vary, *self.state_columns, *self._values, *self.parameters.ranges)
+        ours = map(self._own, (*self._of_each, "error"))
+        return Items(tuple(dict.fromkeys([*names, *ours])), self._column)
 
     @property
-    def table_columns(self) -> dict[str, NDArray[Any]]:
-        """What is told of each point but where it is: what happens there."""
-        return {"kind": self.kind}
+    def _of_each(self) -> tuple[str, ...]:
+        """Attributes that tables have of each point but where it is."""
+        return ("kind",)
 
     def data(self) -> dict[str, NDArray[Any]]:
         """The parameters that vary, the state, what happens there and the bound on the errors, by
         name.
         """
-        where = {name: getattr(self, name) for name in (*self.vary, *self.columns)}
-        return {**where, **self.table_columns, "error": self.error}
+        where = {name: self[name] for name in (*self.vary, *self.state_columns)}
+        return where | {self._own(name): getattr(self, name) for name in (*self._of_each, "error")}
 
     def as_table(self) -> Table:
         """A row for each point: the parameters that vary, the state, what ends there or begins, and
         what else is known of it.
         """
-        said = words(self)
+        said = self._schema
         columns = self.data()
-        error = columns.pop("error")
+        error = columns.pop(self._own("error"))
         if "fold" in self.kind:
-            columns |= {"ends": self.ends, "when": self.when}
+            columns |= {self._own("ends"): self.ends, self._own("when"): self.when}
             columns |= {f"{name}_after": column for name, column in after_if_known(self).items()}
-        columns["error"] = error
+        columns[self._own("error")] = error
         ends = self.region[-len(self.vary) :].tolist()
         spans = (
             f"{said.heading(name)} from {said.cell(name, low)} to {said.cell(name, high)}"
@@ -184,7 +185,7 @@ class Points(OfStates, Rows):
         """The points in ranges of what varies, shape (number, 2), which take the place of those
         that were searched.
         """
-        values = np.array([getattr(self, name) for name in self.vary])
+        values = np.array([self[name] for name in self.vary])
         inside = np.asarray(((spans[:, :1] <= values) & (values <= spans[:, 1:])).all(axis=0))
         return replace(
             self.select(inside), region=np.concatenate([self.region[: -len(self.vary)], spans])
@@ -200,20 +201,35 @@ class Points(OfStates, Rows):
     @cached_property
     def _told(self) -> dict[str, FloatArray]:
         """What follows from where the states are."""
-        p = self.parameters.replace(**{name: getattr(self, name) for name in self.vary})
+        p = self.parameters.replace(**{name: self[name] for name in self.vary})
         told = told_of_states(p, [place[:, None] for place in self.coordinates.values()])
         return picked(told, (slice(None), 0))
 
-    def _asked(self, name: str) -> Any:
+    @property
+    def ends(self) -> NDArray[np.str_]:
+        """Whether the stable state that ends is the lower or the upper one."""
+        return self._what_ends.ends
+
+    @property
+    def when(self) -> NDArray[np.str_]:
+        """Direction of the parameter in which two states vanish."""
+        return self._what_ends.when
+
+    @cached_property
+    def after(self) -> Mapping[str, FloatArray]:
+        """Where the state that ends jumps to, by the names of ``state_columns``."""
+        found = self._what_ends.after
+        return found(self) if callable(found) else found
+
+    def _column(self, name: str) -> Any:
         if name in self._values:
             return self._values[name]
-        if name in ("ends", "when", "after"):
-            found = getattr(self._what_ends, name)
-            return found(self) if callable(found) else found
         if name in self.parameters.ranges:
-            given = getattr(self.parameters, name)
+            given = self.parameters[name]
             return np.full(len(self), np.nan if given is None or given.ndim else float(given))
-        return self._told[name] if name in self.columns else None
+        if name in self.state_columns:
+            return self._told[name]
+        return self.data()[name]
 
 
 def after_if_known(points: Points) -> Mapping[str, FloatArray]:
@@ -240,7 +256,12 @@ class StickingStates(Named, Rows):
         Whether these are all states of sticking; otherwise ``remarks`` say what was not searched.
     """
 
-    held_in = "ends"
+    schema = (
+        Column("{q}_low", "{q}", "least {q} of the set"),
+        Column("{q}_high", "{q}", "largest {q} of the set"),
+        Column("error", "1", "bound on |error| / max(1, |value|)"),
+    )
+    _held = "ends"
 
     parameters: Any
     error: FloatArray
@@ -260,7 +281,15 @@ class Curve(Named, Rows):
     as it falls; and ``theta_after``, ``x_after``, ``y_after``. Angles are radians.
     """
 
-    held_in = "values"
+    schema = (
+        Column("upper", "1", "whether the stable state that ends is the upper one in theta"),
+        Column("{p}_after", "{p}", "{p} of the state that is jumped to"),
+        Column("omega", "1/s", "frequency of the onset"),
+        Column("criticality", "1", "gentle, dangerous or undecided"),
+        Column("lyapunov", "", "first Lyapunov coefficient"),
+        Column("lyapunov_error", "", "bound on its error"),
+    )
+    _held = "values"
 
     values: Mapping[str, NDArray[Any]] = field(repr=False)
 
@@ -304,8 +333,7 @@ class BifurcationSet(Result):
     remarks: tuple[str, ...] = ()
 
     @property
-    def table_model(self) -> Any:
-        """It knows which parameters are angles."""
+    def _of_model(self) -> Any:
         return self.cusps.parameters.model
 
     def __len__(self) -> int:
@@ -330,10 +358,16 @@ class Jump(Result):
     """A state that vanishes at a fold, leaves the contact or runs to infinity, and the one that
     takes its place.
 
-    ``before`` and ``after`` say where they are, by the names of ``Path.columns``: numbers, angles
-    in radians. Where a path ends as its state runs to infinity, ``before`` is infinite, NaN in
-    coordinates that stay finite; ``after`` is empty and ``stability_after`` None.
+    ``before`` and ``after`` say where they are, by the names of ``Path.state_columns``: numbers,
+    angles in radians. Where a path ends as its state runs to infinity, ``before`` is infinite, NaN
+    in coordinates that stay finite; ``after`` is empty and ``stability_after`` None.
     """
+
+    schema = (
+        Column("{p}_before", "{p}", "{p} of the state that ends"),
+        Column("{p}_after", "{p}", "{p} of the state that takes its place"),
+        Column("error", "1", "bound on the error of the value"),
+    )
 
     value: float  #: of the parameter, at the fold, on the border or in the limit
     # ``"fold"``, ``"pitchfork"``, ``"border"`` where the state leaves the contact, or
@@ -360,8 +394,14 @@ class Path(OfStates, Rows):
     those of the full linearization, made when they are asked for.
     """
 
-    held_in = "places"
-    table_codes = ("stability", Stability)
+    schema = (
+        Column("stability", "1", "kind of state by (27)", Stability),
+        Column("growth", "1/s", "largest real part of the damped eigenvalues"),
+        Column("growth_sign", "1", "1 where growth is proved, -1 where that nothing grows is"),
+        Column("damped", "1", "what small deviations do: decays, grows, neutral"),
+    )
+
+    _held = "places"
 
     parameters: Any
     vary: str
@@ -372,15 +412,18 @@ class Path(OfStates, Rows):
     _along: Equilibria = field(repr=False)
 
     @property
-    def offered(self) -> tuple[str, ...]:
-        return (*super().offered, *_OF_STATES)
+    def _items(self) -> Items:
+        ours = {self._own(name): name for name in _OF_STATES}
+        places = {self.vary: self.values, **self.places, self._own("stability"): self.stability}
 
-    def _asked(self, name: str) -> Any:
-        return getattr(self._along, name)[:, 0] if name in _OF_STATES else super()._asked(name)
+        def made(name: str) -> Any:
+            return places[name] if name in places else getattr(self._along, ours[name])[:, 0]
+
+        return Items((*places, *ours), made)
 
 
 @dataclass(frozen=True, eq=False)
-class LowestEnd(Shown, NDArrayOperatorsMixin):
+class LowestEnd(Tabular, NDArrayOperatorsMixin):
     """Where the state that is followed ends first over a range of another parameter; a number, or
     an array, as ``value``.
 

@@ -2,28 +2,75 @@
 
 from __future__ import annotations
 
+import math
 import os
-from collections.abc import Iterator, Mapping
-from dataclasses import fields
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import MissingExtraError
-from ..display import Shown, sorted_out, tables, text, words
+from ..display import (
+    Column,
+    Schema,
+    Tabular,
+    own_name,
+    schema_of,
+    sorted_out,
+    tables,
+    text,
+)
 from ..files import storage
-from ..models.forces import columns_of
+from ..models.load import USUAL, load
 from ..models.parameters import FloatArray
 
 #: Longer arrays and tuples stand in ``repr`` by their shapes.
 WHOLE = 6
 
 
-class Result(Shown):
+class Units(Protocol):
+    """What says units of data: a study, or scales."""
+
+    @property
+    def scales(self) -> Any:
+        """Scales in SI."""
+
+    def unit_of(self, si: str, name: str = "") -> tuple[str, float]:
+        """The unit for one in SI, and what one of the model's is in it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Items(Mapping[str, Any]):
+    """Columns by name, each made when it is asked for."""
+
+    names: tuple[str, ...]
+    make: Callable[[str], Any]
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self.names:
+            raise KeyError(name)
+        return self.make(name)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.names
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.names)
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+
+class Result(Tabular):
     """A result: ``print`` gives its table as well; ``repr`` is that of the dataclass, long arrays
     by their shapes.
+
+    Columns are items by their names, ``result["x"]``, and ``result.columns`` says of each what it
+    is. Where no attribute of the package has its name, a column is an attribute too. A column of
+    the package that has the name of a quantity of the page is an item with an underscore behind it.
     """
 
     def __init_subclass__(cls, **options: Any) -> None:
@@ -33,15 +80,36 @@ class Result(Shown):
             cls.__repr__ = _short  # type: ignore[method-assign]
 
     @property
-    def offered(self) -> tuple[str, ...]:
-        """Names of further attributes, made when they are asked for."""
-        return ()
+    def _schema(self) -> Schema:
+        return schema_of(self, Schema({}, load(USUAL)))
+
+    def _own(self, name: str) -> str:
+        """The item that a column of the package is."""
+        model = self._of_model
+        return name if model is None else own_name(model, name)
+
+    @property
+    def columns(self) -> dict[str, Column]:
+        """What every column is, by its name: dimension, meaning and codes."""
+        known = self._schema.columns
+        return {name: known.get(name, Column(name)) for name in self._items}
+
+    @property
+    def _items(self) -> Mapping[str, Any]:
+        """Columns by name."""
+        return self.data()
+
+    def __getitem__(self, name: str) -> Any:
+        made = self.__dict__.setdefault("_made_items", {})
+        if name not in made:
+            items = self._items
+            if name not in items:
+                raise KeyError(f"{name!r} is none of the columns {', '.join(items)}")
+            made[name] = items[name]
+        return made[name]
 
     def __str__(self) -> str:
-        return "\n\n".join(map(text, tables(self)))
-
-    def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *self.offered})
+        return "\n\n".join(map(text, tables(self, self._schema)))
 
     def _is_short(self) -> bool:
         """Whether its columns are worth computing for ``repr``."""
@@ -51,7 +119,7 @@ class Result(Shown):
         """The columns of its table by name, whole: arrays of one shape, angles in radians; none
         where it has no rows.
         """
-        return sorted_out(self, words(self))[0]
+        return sorted_out(self, self._schema)[0]
 
     def to_dataframe(self) -> Any:
         """A ``pandas.DataFrame`` of :meth:`data`, a row a point, angles in radians; pandas must be
@@ -64,9 +132,7 @@ class Result(Shown):
         return DataFrame({name: column.ravel() for name, column in self.data().items()})
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of :meth:`data`, with unit and meaning where the model knows them
-        (extra ``sweep``).
-        """
+        """An ``xarray.Dataset`` of :meth:`data`, with unit, meaning and codes (extra ``sweep``)."""
         variables = {}
         for name, column in self.data().items():
             dims = (
@@ -75,7 +141,41 @@ class Result(Shown):
                 else tuple(f"axis_{place}" for place in range(column.ndim))
             )
             variables[name] = (dims, column.astype(object) if column.dtype.kind == "U" else column)
-        return storage.dataset(variables, {}, {}, self._explained, {})
+        return storage.dataset(variables, {}, {}, self._in_model_units)
+
+    def to_units(self, units: Units) -> InUnits:
+        """The columns in units of data: of a file, or of any consistent system.
+
+        Parameters
+        ----------
+        units : Study or Scales
+            A study says the units of its file; ``PhysicalParameters.scales`` those of its numbers,
+            of which columns bear the names in SI.
+
+        Returns
+        -------
+        InUnits
+            Each column under the name that says its unit, as ``x_mm``; angles in degrees.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> brake = ss.PhysicalParameters(
+        ...     m=0.4, k=1e5, k_x=7e3, k_y=0, k_c=1e6, F_L=350, L_0=0.05,
+        ...     theta0=0.9, mu0=0.3, V=20, d=1,
+        ... )
+        >>> found = ss.equilibria(brake.dimensionless()).to_units(brake.scales)
+        >>> [name for name in found.columns if name[0] in "xL"], found["x_m"].round(5).tolist()
+        (['L_m', 'x_m'], [0.00478, 0.02107, 0.05484])
+        """
+        known, found = self.columns, {}
+        entries = [] if self._of_model is None else self._of_model.about["parameters"]
+        quantities = {one["name"]: one.get("quantity", one["name"]) for one in entries}
+        for name, column in self.data().items():
+            called = quantities.get(name, name)
+            title, size = titled(called, known[name].dimension, units, called)
+            found[title] = size * column if column.dtype.kind == "f" else column
+        return InUnits(found)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all of it to ``*.json``, which :func:`spragsym.open` reads, or its columns to
@@ -92,7 +192,7 @@ class Result(Shown):
     def _save_columns(self, path: Path) -> None:
         """Write a dataset to ``*.nc`` (extra ``sweep``), or columns to ``*.csv``."""
         made = getattr(self, "to_dataset", self.to_xarray)
-        storage.write(path, made, self._columns(), self._attributes(), self._explained)
+        storage.write(path, made, self._columns(), self._attributes(), self._in_model_units)
 
     def _columns(self) -> Mapping[str, NDArray[Any]]:
         """Columns of a ``*.csv``."""
@@ -103,14 +203,10 @@ class Result(Shown):
         return storage.provenance()
 
     @property
-    def _explained(self) -> storage.Explained:
-        """Unit and meaning of columns: as a rule, of those that the page has."""
-        model = self.table_model
-        return {
-            name: told
-            for name, told in getattr(model, "quantities", {}).items()
-            if name in (*model.parameters, *model.components)
-        }
+    def _in_model_units(self) -> dict[str, Column]:
+        """Columns by name, of each the unit of the model in place of that in SI."""
+        said = self._schema
+        return in_model_units(said.model, said.columns)
 
     def plot(self, ax: Any = None, **options: Any) -> Any:
         """Draw it into ``ax``, by default pyplot's current axes, and return what was drawn (extra
@@ -122,12 +218,71 @@ class Result(Shown):
         return spragsym.figures.plot(self, ax, **options)
 
 
+def in_model_units(model: Any, columns: Mapping[str, Column]) -> dict[str, Column]:
+    """Columns with the unit of the model, as ``k_c*L_0``, in place of that in SI; beside an angle
+    its column in degrees.
+    """
+    found = {
+        f"{name}_deg": Column(f"{name}_deg", "degree", column.meaning)
+        for name, column in columns.items()
+        if column.is_angle
+    }
+    return found | {
+        name: replace(column, dimension=model.unit(column.dimension))
+        for name, column in columns.items()
+    }
+
+
+def titled(name: str, dimension: str, units: Units | None, of: str = "") -> tuple[str, float]:
+    """The title of a column with its unit, and what one of the model's own unit is in it; ``of`` is
+    the quantity of a file whose unit it has.
+    """
+    if dimension == "rad":
+        return f"{name}_deg", math.degrees(1.0)
+    if units is None or dimension in ("1", ""):
+        return name, 1.0
+    if dimension == "1/s":
+        return f"{name}_per_s", 1.0 / units.scales.time
+    unit, size = units.unit_of(dimension, of)
+    return f"{name}_{unit}", size
+
+
+def axes_of(inputs: Mapping[str, FloatArray], shape: tuple[int, ...]) -> tuple[str, ...]:
+    """A name for every axis: the input that alone varies along it, and along no other axis."""
+    sizes = {
+        name: (*[1] * (len(shape) - values.ndim), *values.shape) for name, values in inputs.items()
+    }
+    names = []
+    for axis, size in enumerate(shape):
+        along = [name for name, own in sizes.items() if own[axis] > 1]
+        names.append(
+            along[0] if len(along) == 1 and inputs[along[0]].size == size else f"axis_{axis}"
+        )
+    return tuple(names)
+
+
+def along_axes(
+    inputs: Mapping[str, FloatArray], axes: tuple[str, ...], shape: tuple[int, ...]
+) -> dict[str, Any]:
+    """Inputs as coordinates of a dataset: a single number stays one, an axis becomes a coordinate,
+    and a table keeps the full shape.
+    """
+    return {
+        name: ((), float(values.flat[0]))
+        if values.size == 1
+        else (name.removesuffix("_deg"), values.ravel())
+        if name.removesuffix("_deg") in axes
+        else (axes, np.broadcast_to(values, shape).copy())
+        for name, values in inputs.items()
+    }
+
+
 def _short(result: Any) -> str:
     """The dataclass's own text with its first columns, but for what would fill pages."""
     given = {field.name: getattr(result, field.name) for field in fields(result) if field.repr}
     shown = (
         {name: column for name, column in result.data().items() if name not in given}
-        if result.offered and result._is_short()
+        if isinstance(result, Named) and result._is_short()
         else {}
     )
     given.pop("values" if given.get("vary") in shown else "", None)
@@ -143,6 +298,47 @@ def _named(value: Any) -> str:
     return " ".join(repr(value).split())
 
 
+class Named(Result):
+    """A result whose columns are attributes too, each made when it is first asked for.
+
+    Examples
+    --------
+    >>> from dataclasses import dataclass
+    >>> @dataclass(frozen=True)
+    ... class Path(Named):
+    ...     _held = "coordinates"
+    ...     coordinates: dict
+    >>> path = Path({"x": 1.5})
+    >>> path["x"], path.x
+    (1.5, 1.5)
+    """
+
+    #: The field with a mapping of names to columns, of a result that does not make them otherwise.
+    _held = ""
+
+    @property
+    def _items(self) -> Mapping[str, Any]:
+        return {**self.__dict__.get(self._held, {}), **self.data()}
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self._items})
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
+        items, key = self._items, name
+        # An attribute is the package's own where it and the page have the same name.
+        if any(column.name == name for column in self.schema):
+            while f"{key}_" in items:
+                key += "_"
+        if key not in items:
+            raise AttributeError(
+                f"{type(self).__name__!r} has no attribute {name!r}; its columns are "
+                f"{', '.join(items)}"
+            )
+        return self[key]
+
+
 class Rows(Result):
     """A result whose rows can be counted, indexed and gone through: each is a mapping of its
     columns to numbers or words.
@@ -151,45 +347,24 @@ class Rows(Result):
     def __len__(self) -> int:
         return len(next(iter(self.data().values()), ()))
 
-    def __getitem__(self, index: int) -> dict[str, Any]:
+    def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, str):
+            return super().__getitem__(index)
         return {name: column[index].item() for name, column in self.data().items()}
 
     def __iter__(self) -> Iterator[dict[str, Any]]:
         return map(self.__getitem__, range(len(self)))
 
 
-class Named(Result):
-    """A result whose columns are attributes under their names, each made when it is first asked
-    for.
+@dataclass(frozen=True, eq=False)
+class InUnits(Rows):
+    """Columns in units that their names say, as ``x_mm`` and ``theta_deg``."""
 
-    Examples
-    --------
-    >>> from dataclasses import dataclass
-    >>> @dataclass(frozen=True)
-    ... class Path(Named):
-    ...     held_in = "coordinates"
-    ...     coordinates: dict
-    >>> Path({"x": 1.5}).x
-    1.5
-    """
+    values: Mapping[str, NDArray[Any]]
 
-    #: The field with a mapping of names to columns, of a result that does not make them otherwise.
-    held_in = ""
-
-    @property
-    def offered(self) -> tuple[str, ...]:
-        return tuple(self.__dict__.get(self.held_in, ()))
-
-    def _asked(self, name: str) -> Any:
-        """A column; None if there is none of this name."""
-        return self.__dict__.get(self.held_in, {}).get(name)
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or (column := self._asked(name)) is None:
-            known = "" if name.startswith("_") else f"; its columns are {', '.join(self.offered)}"
-            raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}{known}")
-        self.__dict__[name] = column
-        return column
+    def data(self) -> dict[str, NDArray[Any]]:
+        """The columns by name."""
+        return dict(self.values)
 
 
 class OfStates(Named):
@@ -198,13 +373,14 @@ class OfStates(Named):
     parameters: Any
 
     @property
-    def columns(self) -> tuple[str, ...]:
+    def state_columns(self) -> tuple[str, ...]:
         """Names of the columns that say where a state is: directions and lengths of springs, and
         the coordinates.
         """
-        return columns_of(self.parameters.model)
+        names: tuple[str, ...] = self.parameters.model.places
+        return names
 
     @property
     def coordinates(self) -> dict[str, FloatArray]:
         """The model's coordinates by their names."""
-        return {name: getattr(self, name) for name in self.parameters.model.coordinates}
+        return {name: self[name] for name in self.parameters.model.coordinates}

@@ -114,7 +114,7 @@ def chosen_state(
         )
     (_, point), *_ = model.cases()
     missing = {
-        name: getattr(point, name) for name in model.parameters if getattr(p, name) is None
+        name: point[name] for name in model.parameters if p[name] is None
     }  # of the motion: not felt here
     given = [value[..., None] for value in model.arguments(p.replace(**missing), "motion")]
     energy, every, shape = undecorated(model.algebra.strain_energy), range(len(q)), (*p.shape, 1)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..core.errors import ParameterError, ParameterTypeError
 from ..core.questions import question
 from ..core.remarks import At, Remark
+from ..display import own_name
 from ..models import Model
 from ..models.field import SETTLED
 from ..models.parameters import ParameterSet, Ranges
@@ -97,9 +98,7 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     if not rows.any():
         return out
     balance = Balance(p.model, True, "friction_at_speed")
-    given = np.array(
-        [np.broadcast_to(getattr(p, name), rows.shape)[rows] for name in balance.parameters]
-    )
+    given = np.array([np.broadcast_to(p[name], rows.shape)[rows] for name in balance.parameters])
     states = places[:, rows]
     found, _, _ = solved(balance, given.reshape(len(balance.parameters), states.shape[1]))
     found, slot = _in_slots(found)
@@ -193,13 +192,16 @@ def _arranged(
         )
     )
     searched = np.moveaxis(spans_of(around), 0, 1)
-    made = {
+    ours = {
         "stability": placed(codes, 0),
         "marginal": placed(~proved, False),
         "eigenvalues": placed(eigenvalues, np.nan),
         "error": placed(found.error, np.nan),
         "region": searched.reshape(*shape, balance.n, 2),
         "whole": whole.reshape(shape),
+    }
+    made = {
+        **{own_name(p.model, name): column for name, column in ours.items()},
         **{name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
     }
     remarks = (*summed(reasons), *of_region(balance, around, whole))

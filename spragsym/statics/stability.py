@@ -99,7 +99,7 @@ def linearized(
     given = np.array([value[states] for value in columns]).reshape(
         len(balance.parameters), states[-1].size
     )
-    q = np.array([getattr(eq, name)[states] for name in balance.coordinates])
+    q = np.array([eq[name][states] for name in balance.coordinates])
     if around is None:
         off = eq.error[states] * scale_of(q)
         with quiet():

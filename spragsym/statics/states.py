@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..display import own_name
 from ..models.parameters import FloatArray
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import Int8Array, IntArray
@@ -25,6 +26,11 @@ class Linearizing:
 
     #: Boxes around each state alone, shape (2, n, states), where ``error`` does not say as much.
     around: FloatArray | None = None
+
+    @property
+    def more(self) -> tuple[str, ...]:
+        """Names of columns that only closed forms have."""
+        return ()
 
     def linearized(self, eq: Equilibria, states: tuple[IntArray, ...]) -> Linearized:
         """The linearization of some states, by their indices into the columns."""
@@ -44,6 +50,11 @@ class Held(Linearizing):
     columns: Mapping[str, NDArray[Any]]
     around: FloatArray | None = None
 
+    @property
+    def more(self) -> tuple[str, ...]:
+        """Names of columns that only closed forms have."""
+        return tuple(name for name in ("escalated", "fold") if name in self.columns)
+
     def column(self, name: str) -> NDArray[Any] | None:
         """A column; None if it is not known here."""
         return self.columns.get(name)
@@ -58,9 +69,9 @@ def one_each(
     ones, known = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
     columns = {
         **places,
-        "stability": stability,
-        "error": np.broadcast_to(error, p.shape),
-        "marginal": ~known,
+        own_name(p.model, "stability"): stability,
+        own_name(p.model, "error"): np.broadcast_to(error, p.shape),
+        own_name(p.model, "marginal"): ~known,
     }
     return Equilibria(p, True, ones, known, (), (), Held(picked(columns, (..., None))))
 
@@ -76,10 +87,12 @@ def with_state(
 ) -> Equilibria:
     """The equilibria with one more state of one point, given by its coordinates."""
     slot = int((next(iter(eq.coordinates.values()))[point] < next(iter(state.values()))).sum())
-    new: dict[str, Any] = {**state, "stability": stability, "error": error, "marginal": True}
+    ours = {"stability": stability, "error": error, "marginal": True}
+    model = eq.parameters.model
+    new = {**state, **{own_name(model, name): one for name, one in ours.items()}}
 
     def placed(name: str) -> NDArray[Any]:
-        old = getattr(eq, name)
+        old = eq[name]
         out = np.concatenate(
             [old, np.full_like(old[:, :1], np.nan if old.dtype == float else 0)], axis=1
         )

@@ -114,8 +114,8 @@ def test_folds_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -
     known = _degrees(model, model.axes[-1], getattr(found, model.axes[-1]))
     assert [row[told["vary"]] for row in told["points"]] == pytest.approx(known, rel=1e-12)
     assert (told["complete"], told["remarks"]) == (found.complete, list(found.remarks))
-    places = [_title(model, column) for column in found.columns]
-    after = [_title(model, column, "_after") for column in found.columns]
+    places = [_title(model, column) for column in found.state_columns]
+    after = [_title(model, column, "_after") for column in found.state_columns]
     for row in told["points"]:
         assert list(row) == [told["vary"], "kind", *places, "ends", "when", *after, "error"]
     assert run("folds", *of(name))
@@ -166,7 +166,7 @@ def test_cusps_have_the_same_keys(name: str, run: Run) -> None:
     assert list(told) == ["model", "parameters", "folds", "onsets", "cusps"]
     model = load(name)
     for row in told["cusps"]["points"]:
-        places = [_title(model, column) for column in ss.equilibria(a_set(name)).columns]
+        places = [_title(model, column) for column in ss.equilibria(a_set(name)).state_columns]
         assert list(row) == ["theta0_deg", "mu0", "kind", *places, "error"]
     assert told["cusps"]["searched"]["mu0"] == [0.0, 1.0]
     assert told["folds"]["searched"]["theta0_deg"] == pytest.approx([5.0, 85.0])
@@ -204,11 +204,11 @@ def test_paths_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -
     told = json.loads(run("path", *of(name), "--vary", span, "--json"))
     found = ss.quasi_static_path(a_set(name), vary, np.linspace(0.2 * base, 1.2 * base, 3))
     assert list(told) == ["model", "vary", "states", "jumps"]
-    places = [_title(model, column) for column in found.columns]
+    places = [_title(model, column) for column in found.state_columns]
     assert [row[vary] for row in told["states"]] == pytest.approx(found.values, rel=1e-15)
     for row in told["states"]:
         assert list(row) == [vary, "stability", "damped", "growth", *places]
-    for column, place in zip(found.columns, places, strict=True):
+    for column, place in zip(found.state_columns, places, strict=True):
         unit = math.degrees(1.0) if place.endswith("_deg") else 1.0
         assert [row[place] for row in told["states"]] == pytest.approx(
             unit * found.places[column], rel=1e-12

@@ -41,10 +41,10 @@ def test_points_of_every_model_have_everything(name: str, question: str) -> None
     assert type(found) is (ss.Points if question == "folds" else ss.Onsets)
     for attribute in ATTRIBUTES:
         assert getattr(found, attribute) is not None
-    for column in (*p.model.parameters, *found.columns, "error", "kind", "ends", "when"):
+    for column in (*p.model.parameters, *found.state_columns, "error", "kind", "ends", "when"):
         assert getattr(found, column).shape == (len(found),)
     assert found.parameters is p
-    assert tuple(found.after) == found.columns
+    assert tuple(found.after) == found.state_columns
     assert found.region.shape == (len(p.model.coordinates) + 1, 2)
     assert found.undecided.shape[1:] == found.region.shape
     again = pickle.loads(pickle.dumps(found))  # noqa: S301  # our own bytes
@@ -68,6 +68,6 @@ def test_what_ends_is_the_same_by_closed_forms_and_by_search(vary: str) -> None:
     assert len(known) > 0
     assert closed.ends[known].tolist() == search.ends.tolist()
     assert closed.when[known].tolist() == search.when.tolist()
-    for name in closed.columns:
+    for name in closed.state_columns:
         assert closed.after[name][known] == pytest.approx(search.after[name], abs=1e-9)
         assert getattr(closed, name)[known] == pytest.approx(getattr(search, name), abs=1e-10)

@@ -281,9 +281,9 @@ def test_a_statement_that_does_not_fit_is_refused_by_its_line(
 # names
 
 
-@pytest.mark.parametrize("name", ["json", "model", "abs"])
-def test_a_name_of_an_option_is_refused_by_its_line(name: str, tmp_path: Path) -> None:
-    assert name in reserved.OF_COMMANDS | reserved.OF_SETS | reserved.OF_CODE
+@pytest.mark.parametrize("name", ["model", "abs"])
+def test_a_name_of_a_file_or_of_code_is_refused_by_its_line(name: str, tmp_path: Path) -> None:
+    assert name in reserved.OF_FILES | reserved.OF_CODE
     with pytest.raises(PageError, match=r"line 13: .*give it another name"):
         pages.read(written(tmp_path, ('"a", "1"', f'"{name}", "1"')))
 

@@ -2,9 +2,9 @@
 the article's model.
 """
 
-import dataclasses
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 pytest.importorskip("sympy")
@@ -13,12 +13,13 @@ import sympy as sp
 from sympy.physics.mechanics import LagrangesMethod, Point, ReferenceFrame, dynamicsymbols
 
 import spragsym as ss
-from spragsym.derive import pages
+from spragsym.derive import pages, reserved
 from spragsym.derive.kang_nam import mechanics, page_equivalence
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.model import PageError
-from tests.oracles.user_pages import replaced
+from tests.oracles.user_pages import derived, replaced
 
+TESTS = Path(__file__).resolve().parent.parent
 ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
 
 
@@ -284,28 +285,29 @@ def test_a_page_that_is_no_text_in_utf_8(tmp_path: Path) -> None:
         pages.read(path)
 
 
-def test_a_coordinate_hides_nothing_of_the_results() -> None:
-    """Whatever can be asked of a result is no name of a coordinate, and no column of a sweep that
-    of a parameter.
+def test_names_of_the_package_are_free_for_pages() -> None:
+    """Items are the page's, attributes the package's, and what both have is told apart by an
+    underscore.
     """
-    from spragsym.derive import reserved
-    from spragsym.motion.sweeps.many import reported
-
-    def asked(kind: type) -> set[str]:
-        return {
-            name
-            for name in (*dir(kind), *(field.name for field in dataclasses.fields(kind)))
-            if not name.startswith("_")
-        }
-
-    for kind in (ss.Trajectory, ss.Sweep, ss.Equilibria, ss.Points, ss.Path):
-        assert asked(kind) <= reserved.RESULTS | reserved.OF_MOTIONS, kind
-    assert (
-        asked(ss.Points)
-        | asked(ss.Onsets)
-        | {*reported((""), ()), "regime", "equilibrium", "reason"}
-        <= reserved.RESULTS
-    )
+    assert len(reserved.OF_CODE | reserved.OF_FILES) <= 12
+    text = (TESTS / "oracles/pages/named.py").read_text(encoding="utf-8")
+    model = ss.load(derived(text, "named"))
+    p = model.Parameters(omega=[0.3, 0.5])
+    assert p.shape == (2,)
+    assert p["shape"] == 0.5
+    eq = ss.equilibria(p)
+    assert {"mean", "when", "omega", "error", "error_"} <= set(eq.columns)
+    assert eq["mean"].shape == eq.error.shape == eq["error_"].shape
+    assert eq["error"] == 0.5
+    assert eq.error is eq["error_"]
+    assert eq.columns["mean"].dimension == "m"
+    assert eq.columns["error_"].meaning.startswith("bound")
+    frame = eq.data()
+    assert next(iter(frame)) == "omega"
+    assert np.all(frame["error_"] < 1e-9)
+    motion = ss.simulate(model.Parameters(), t_end=5.0)
+    assert np.array_equal(motion["mean"], motion.state[0])
+    assert motion.mean(0.0) == pytest.approx(np.sum(motion.weights * motion["mean"]) / 5.0)
 
 
 # ------------------------------------------------------------------------------------------------

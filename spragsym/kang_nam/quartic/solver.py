@@ -50,6 +50,11 @@ class _Closed(Linearizing):
     escalated: IntArray  #: points
     fold: IntArray
 
+    @property
+    def more(self) -> tuple[str, ...]:
+        """Names of columns that only closed forms have."""
+        return ("escalated", "fold")
+
     def column(self, name: str) -> NDArray[Any] | None:
         """A column of the kernel's, or made of these; None for another name."""
         match name:
@@ -199,7 +204,7 @@ def _in_blocks(
 
 def _column(p: Parameters, name: str) -> FloatArray:
     """A parameter in C order, contiguous: one number as it is, an array of the common shape."""
-    value: FloatArray = getattr(p, name)
+    value: FloatArray = p[name]
     return np.ascontiguousarray(
         value if value.size == 1 else np.broadcast_to(value, p.shape)
     ).reshape(-1)

@@ -45,16 +45,14 @@ class Basin(Named):
     attractors: tuple[tuple[Regime, int, float, float], ...]
     sweep: Sweep
 
-    def table_values(self) -> dict[str, Any]:
+    def _shown(self) -> dict[str, Any]:
         values = named_fields(self)
         return dict(zip(values.pop("plane"), values.pop("starts"), strict=True)) | values
 
     @property
-    def offered(self) -> tuple[str, ...]:
-        return self.plane
-
-    def _asked(self, name: str) -> Any:
-        return dict(zip(self.plane, self.starts, strict=True)).get(name)
+    def _items(self) -> dict[str, Any]:
+        axes = dict(zip(self.plane, self.starts, strict=True))
+        return axes | {self._own("attractor"): self.attractor}
 
 
 @in_usual_state

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from ...core.error_states import in_usual_state
 from ...core.errors import ModelError, ParameterError
 from ...core.questions import model_of
+from ...display import Column
 from ...models.parameters import FloatArray, Parameters, as_numbers
 from ...results.result import Result
 from .many import Sweep, rms_sweep
@@ -34,7 +35,11 @@ class Sensitivity(Result):
         The sweep over θ₀ that the jump was looked for in, shape (len(V), len(d), number of angles).
     """
 
-    table_angles = frozenset({"width"})
+    schema = (
+        Column("before", "{x}", "root mean square of {x} before the jump"),
+        Column("after", "{x}", "root mean square of {x} after the jump"),
+        Column("width", "rad", "half-width of the interval of the jump"),
+    )
 
     V: FloatArray
     d: FloatArray

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.error_states import in_usual_state
 from ...core.errors import ConvergenceError, ParameterError
 from ...core.questions import model_of
+from ...display import Column, own_name
 from ...files import storage
 from ...files.journal import Record
 from ...models.field import field_of
@@ -29,14 +30,14 @@ from ...models.parameters import (
     as_number,
     degrees,
 )
-from ...numerics.interval_arrays import Int8Array, Shape
-from ...results.result import Named
+from ...numerics.interval_arrays import Int8Array
+from ...results.result import Named, along_axes, axes_of
 from ...statics.search import rest_index
 from .. import integrators
 from ..classify import classify
 from ..measures import Course
 from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, Event, Problem, out_of_range, undirected
-from ..regimes import Outcome, Regime
+from ..regimes import LIMITS, Outcome, Regime
 from ..return_map import Onward
 from ..simulation import initial_state
 from ..with_heyoka import LANES
@@ -135,7 +136,7 @@ def rms_sweep(
     model, p = model_of(p), p.given(V=V, d=d)
     p.require(*model.parameters)
     inputs = {
-        **{name: getattr(p, name) for name in model.parameters},
+        **{name: p[name] for name in model.parameters},
         **initial_state(model, None, initial),
     }
     t_end = as_number("t_end", t_end, POSITIVE)
@@ -159,9 +160,12 @@ def rms_sweep(
         partial(_made_of, model, inputs, settings),
         partial(fingerprint, model, inputs, settings),
     )
-    columns = (*reported(model.coordinates, model.rates), "regime")
+    columns = [
+        own_name(model, name)
+        for name in (*reported(model.coordinates, model.rates), "regime", "reason")
+    ]
     return made_or_loaded(
-        inputs, work, made, columns, "reason", key, workers, progress, store, together
+        inputs, work, made, columns[:-1], columns[-1], key, workers, progress, store, together
     )
 
 
@@ -173,6 +177,21 @@ def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:
         return 1
     lasting = max(LANES, int(TOGETHER_FOR / settings["t_end"]))
     return max(1, min(TOGETHER, lasting, count // (PARTS * workers)))
+
+
+#: Columns of sweeps: those after the transient first.
+MEASURED = (
+    Column("rms", "{x}", "root mean square of {x} about zero, after the transient"),
+    Column("spread", "{x}", "root mean square of {x} about its mean, after the transient"),
+    Column("largest", "{x}", "largest |{x}| after the transient"),
+    Column("mean", "{x}", "mean of {x} after the transient"),
+    Column("mean_{y}", "{y}", "mean of {y} after the transient"),
+    Column("contact_lost", "1", "times contact was lost after the transient"),
+    Column("slip_reversed", "1", "times the sliding speed changed its sign after the transient"),
+    *LIMITS,
+    Column("{v}0", "{v}", "initial {v}"),
+    Column("reason", "1", "why a point has no result"),
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -216,9 +235,7 @@ class Sweep(Named):
         The model.
     """
 
-    held_in = "measured"
-
-    table_codes = ("regime", Regime)
+    schema = MEASURED
 
     inputs: dict[str, FloatArray]
     t_end: float
@@ -232,9 +249,15 @@ class Sweep(Named):
     reason: NDArray[np.str_]
     model: Any
 
+    @property
+    def _items(self) -> dict[str, NDArray[Any]]:
+        return {**self.inputs, **self._told()}
+
     def outcome(self, index: Any) -> Outcome:
         """What one motion comes to."""
-        told = {name: float(values[index]) for name, values in self.measured.items()}
+        names = reported(self.model.coordinates, self.model.rates)
+        columns = (self.measured[self._own(name)] for name in names)
+        told = {name: float(one[index]) for name, one in zip(names, columns, strict=True)}
         rest, cycle = (
             tuple(told[f"{what}_{name}"] for name in places if not np.isnan(told[f"{what}_{name}"]))
             for what, places in (("rest", self.model.coordinates), ("cycle", self.model.components))
@@ -245,39 +268,24 @@ class Sweep(Named):
         regime, which = Regime(int(self.regime[index])), int(self.equilibrium[index])
         return Outcome(regime, which, rest, cycle=cycle, names=self.model.components, **known)
 
-    @property
-    def _explained(self) -> Mapping[str, tuple[str, str]]:
-        return self.model.quantities
-
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
 
         An axis along which one input alone varies is named after it; others are ``axis_0``,
         ``axis_1``, …. θ₀ is there in radians and, as ``theta0_deg``, in degrees.
         """
-        dims = _dimensions(self.inputs, self.rms.shape)
-        # A single number stays one, an axis becomes a coordinate, and a table keeps the full shape.
-        inputs = {
-            name: ((), float(values.flat[0]))
-            if values.size == 1
-            else (name.removesuffix("_deg"), values.ravel())
-            if name.removesuffix("_deg") in dims
-            else (dims, np.broadcast_to(values, self.rms.shape).copy())
-            for name, values in with_degrees(self.model, self.inputs).items()
+        shape = self.rms.shape
+        dims = axes_of(self.inputs, shape)
+        inputs = along_axes(with_degrees(self.model, self.inputs), dims, shape)
+        results = {
+            name: (dims, values.astype(object) if values.dtype.kind == "U" else values)
+            for name, values in self._told().items()
         }
-        columns = {**self._told(), "reason": self.reason.astype(object)}
-        results = {name: (dims, values) for name, values in columns.items()}
-        return storage.dataset(
-            results, inputs, self._attributes(), self.model.quantities, {"regime": Regime}
-        )
+        return storage.dataset(results, inputs, self._attributes(), self._in_model_units)
 
     def _told(self) -> dict[str, NDArray[Any]]:
-        return {
-            **self.measured,
-            "regime": self.regime,
-            "equilibrium": self.equilibrium,
-            "reason": self.reason,
-        }
+        ours = {"regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}
+        return {**self.measured, **{self._own(name): one for name, one in ours.items()}}
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         columns = with_degrees(self.model, self.inputs) | self._told()
@@ -382,9 +390,9 @@ def _made_of(
     """The sweep of these columns; of a file the slots of equilibria are ``known``, which are
     searched for otherwise.
     """
-    reason, regime = columns.pop("reason"), columns.pop("regime")
-    if "equilibrium" in known:
-        which = np.asarray(known["equilibrium"]).astype(np.int8).reshape(regime.shape)
+    reason, regime = (columns.pop(own_name(model, name)) for name in ("reason", "regime"))
+    if (at := own_name(model, "equilibrium")) in known:
+        which = np.asarray(known[at]).astype(np.int8).reshape(regime.shape)
     else:
         p = model.Parameters(**{name: inputs[name] for name in model.parameters})
         which = rest_index(p, np.array([columns[f"rest_{name}"] for name in model.coordinates]))
@@ -408,20 +416,6 @@ def with_degrees(model: Any, inputs: Mapping[str, FloatArray]) -> dict[str, Floa
         if name in model.about["angles"]:
             known[f"{name}_deg"] = np.vectorize(degrees, otypes=[np.float64])(values)
     return known
-
-
-def _dimensions(inputs: dict[str, FloatArray], shape: Shape) -> tuple[str, ...]:
-    """A name for every axis: the input that alone varies along it, and along no other axis."""
-    sizes = {
-        name: (*[1] * (len(shape) - values.ndim), *values.shape) for name, values in inputs.items()
-    }
-    names = []
-    for axis, size in enumerate(shape):
-        along = [name for name, own in sizes.items() if own[axis] > 1]
-        names.append(
-            along[0] if len(along) == 1 and inputs[along[0]].size == size else f"axis_{axis}"
-        )
-    return tuple(names)
 
 
 def fingerprint(model: Any, inputs: Mapping[str, FloatArray], settings: Mapping[str, Any]) -> str:

@@ -20,7 +20,6 @@ from .emit import write
 try:
     from .kang_nam import (
         catastrophe,
-        check,
         elimination,
         emission,
         equilibrium,
@@ -73,12 +72,12 @@ def main(arguments: list[str] | None = None) -> int:
     least = _step("the lowest fold", lowest_fold.steps)
     if not options.variant:
         identities |= _step("the general way", page_equivalence.identities)
-    rows = tuple(_step("check against the article", check.run))
+    rows = tuple(_step("check against the article", ledger.run))
     outcome = ledger.Ledger(rows, identities, proof, least)
 
     unproved = [claim for claim, holds in identities.items() if not holds]
     unproved += [step.claim for step in (*proof, *least) if not step.holds]
-    failed = check.failures(rows)
+    failed = ledger.failures(rows)
     for claim in unproved:
         print(f"not proved: {claim}", file=sys.stderr)
     for row in failed:
@@ -102,7 +101,7 @@ def main(arguments: list[str] | None = None) -> int:
         f"{len(least)} of the lowest fold proved"
     )
     for row in rows:
-        if row.status in ("misprint", check.FAILED):
+        if row.status in ("misprint", ledger.FAILED):
             print(f"  {row.id:6} {row.status}: {row.cause or row.note}")
     print(f"wrote {len(files)} files to {options.out.name}/")
     return 0

@@ -9,6 +9,7 @@ import os
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
+from dataclasses import fields as dataclass_fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -45,12 +46,15 @@ class PaperCheck:
         How coordinates of the print differ from those of the page.
     rows : tuple
         One for each statement, with the fields ``id``, ``about``, ``status`` and more.
+    coordinates : tuple of str
+        The page's coordinates, whose rates are shown with dots.
     """
 
     paper: str
     model: str
     conventions: tuple[str, ...]
     rows: tuple[Row, ...]
+    coordinates: tuple[str, ...] = ()
 
     @property
     def id(self) -> tuple[str, ...]:
@@ -104,13 +108,21 @@ class PaperCheck:
         for row in self.rows:
             parts += [f"<h2>{html.escape(row.id)}: {row.status}</h2><dl>"]
             parts += [
-                f"<dt>{title}</dt><dd><code>{html.escape(text)}</code></dd>"
+                f"<dt>{title}</dt><dd>{self._shown(title, text)}</dd>"
                 for title, text in fields(row).items()
             ]
             parts += ["</dl>"]
         head = f"<title>{html.escape(self.paper)}</title>"
         body = "\n".join(parts)
         return f"<!doctype html>\n<meta charset=utf-8>{head}\n{body}\n"
+
+    def _shown(self, title: str, text: str) -> str:
+        """A text as HTML: formulas as MathML where they can be read."""
+        from .derive.statements.mathml import rendered
+
+        is_formula = title in ("Read as", "Derived", "Printed less derived", "Right")
+        formula = rendered(text, self.coordinates) if is_formula else None
+        return formula or f"<code>{html.escape(text)}</code>"
 
     def _table(self, rendered: bool = False) -> str:
         cells = [
@@ -199,7 +211,7 @@ def check(paper: str | os.PathLike[str], model: str | os.PathLike[str] | None = 
         )
     chosen = Path(model) if model is not None else path.parent / read.model
     found = verdicts.check(read, _page(chosen))
-    return PaperCheck(found.paper, found.model, found.conventions, found.rows)
+    return PaperCheck(**{it.name: getattr(found, it.name) for it in dataclass_fields(found)})
 
 
 def _page(chosen: Path) -> Page:

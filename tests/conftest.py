@@ -111,10 +111,10 @@ def checked(once: Once, monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     deriving them again.
     """
     pytest.importorskip("sympy")
-    from spragsym.derive.kang_nam import check
+    from spragsym.derive.kang_nam import ledger
 
-    rows: list[Any] = once("check", check.run)
-    monkeypatch.setattr(check, "run", lambda: rows)
+    rows: list[Any] = once("check", ledger.run)
+    monkeypatch.setattr(ledger, "run", lambda: rows)
     return rows
 
 

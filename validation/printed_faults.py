@@ -7,7 +7,7 @@ right one as well. A fault may not be called right.
 """
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from time import process_time
@@ -19,48 +19,65 @@ import sympy as sp
 from spragsym.derive import pages
 from spragsym.derive.statements import papers, verdicts
 from spragsym.derive.statements.objects import Derivation
-from spragsym.derive.statements.tree import Node, printed, with_part
+from spragsym.derive.statements.reading import Item, opened, prepared
+from spragsym.derive.statements.tree import Equation, Node, printed, with_part
 
 CASES = 600
 FOLDER = Path(__file__).parent / "papers"
+ARTICLE = pages.SHIPPED.parent / "kang_nam/article.toml"
 #: Seconds of processor time for one statement at most.
 SLOWEST = 2.0
 
 
+@dataclass(frozen=True)
+class Case:
+    """A right statement of a paper, and the paper with what else its names need."""
+
+    model: pages.Model
+    paper: papers.Paper
+    item: Item
+
+    def verdict(self, text: str) -> tuple[verdicts.Row, float]:
+        """The verdict on another text in its place, and the seconds that it takes."""
+        own = self.item.statement
+        other = replace(own, text=text, is_latex=False, transcribed="")
+        begin = process_time()
+        item = prepared(other, self.item.book)
+        row = verdicts.judged(item) if isinstance(item, Item) else verdicts.uncompared(item)
+        return row, process_time() - begin
+
+
 @cache
-def sources() -> list[tuple[pages.Model, papers.Paper, verdicts.Item]]:
-    """Every right statement of the files, read, behind the definitions that it may use."""
+def sources() -> list[Case]:
+    """Every right statement of the files."""
     found = []
-    for path in sorted(FOLDER.rglob("*.toml")):
+    for path in (*sorted(FOLDER.rglob("*.toml")), ARTICLE):
         paper = papers.read(path)
         own = path.parent / paper.model
         model = pages.read(own if own.is_file() else pages.SHIPPED / f"{paper.model}.py")
-        forms = verdicts.forms_of(model)
-        rows = verdicts.check(paper, model).rows
-        defined: dict[str, Node] = {}
-        before: list[papers.Statement] = []
-        for statement, row in zip(paper.statements, rows, strict=True):
-            item = verdicts.prepared(statement, forms, paper.renamed, defined)
-            if row.status == "confirmed" and isinstance(item, verdicts.Item):
-                found.append((model, replace(paper, statements=(*before, statement)), item))
-            elif row.status == "definition":
-                before.append(statement)
+        _, items = opened(paper, model)
+        for item, row in zip(items, verdicts.check(paper, model).rows, strict=True):
+            if row.status == "confirmed" and isinstance(item, Item):
+                found.append(Case(model, paper, item))
     return found
 
 
 def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """One equation with a fault, or with two."""
     known = sources()
-    model, paper, item = known[int(rng.integers(len(known)))]
-    equation = item.equations[0]
+    case = known[int(rng.integers(len(known)))]
+    item = case.item
+    place = int(rng.integers(len(item.equations)))
+    equation = item.equations[place]
     double = number % 3 == 2
     for _ in range(100):
         side, other = _side(equation, item, rng)
         for _ in range(2 if double else 1):
             side = planted(side, item.it, rng)
         wrong_text = f"{printed(other)} = {printed(side)}"
-        row = _verdict(model, _with(paper, wrong_text))
-        if row[0].status != "confirmed":  # a fault that changes the value
+        texts = [f"{printed(one.left)} = {printed(one.right)}" for one in item.equations]
+        row = case.verdict("; ".join([*texts[:place], wrong_text, *texts[place + 1 :]]))
+        if row[0].status not in ("confirmed", "definition"):  # a fault that changes the value
             break
     verdict, seconds = row
     kind = "pair" if double else "single"
@@ -78,18 +95,7 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     return found
 
 
-def _with(paper: papers.Paper, text: str) -> papers.Paper:
-    *before, last = paper.statements
-    return replace(paper, statements=(*before, replace(last, text=text, is_latex=False)))
-
-
-def _verdict(model: pages.Model, paper: papers.Paper) -> tuple[verdicts.Row, float]:
-    begin = process_time()
-    row = verdicts.check(paper, model).rows[-1]
-    return row, process_time() - begin
-
-
-def _form(text: str, item: verdicts.Item) -> sp.Expr:
+def _form(text: str, item: Item) -> sp.Expr:
     """The form of an expression, its signs and the order of terms apart."""
     names = {name: sp.Symbol(name) for name in item.values}
     names |= {name: sp.Symbol(name) for name in item.held.names}
@@ -99,9 +105,7 @@ def _form(text: str, item: verdicts.Item) -> sp.Expr:
         return sp.nan
 
 
-def _side(
-    equation: verdicts.Equation, item: verdicts.Item, rng: np.random.Generator
-) -> tuple[Node, Node]:
+def _side(equation: Equation, item: Item, rng: np.random.Generator) -> tuple[Node, Node]:
     """The side that gets a fault: of a residual the longer one more often; and the other."""
     left, right = equation.left, equation.right
     lengths = [len(list(_places(side))) for side in (left, right)]
@@ -109,7 +113,7 @@ def _side(
     return (left, right) if chosen or printed(right) == "0" else (right, left)
 
 
-def _right_forms(equation: verdicts.Equation, item: verdicts.Item) -> list[sp.Expr]:
+def _right_forms(equation: Equation, item: Item) -> list[sp.Expr]:
     left, right = printed(equation.left), printed(equation.right)
     if item.held.is_value:
         return [_form(left if right == "0" else right, item)]

@@ -1,9 +1,8 @@
-"""What we say about the rows that are not simply confirmed: corrections of misprints,
-approximations and definitions.
+"""What we say about the rows that are not simply confirmed: causes, second derivations and costs of
+misprints, and the exact forms behind approximations.
 
-A correction holds the right form, which the check holds against the derived one; a second
-derivation; and what the misprint would cost at the article's base values. An explanation of a
-difference that is zero fails the check.
+The misprints themselves, and what is right, are found by :mod:`derive.statements`. An explanation
+of a row that is no misprint, or of other edits than those that are found, fails the check.
 """
 
 from collections.abc import Callable
@@ -11,27 +10,21 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import mpmath
-import sympy as sp
 from mpmath import mpf
 from sympy.physics import units
 from sympy.physics.units.systems.si import dimsys_SI
 
-from . import article, free_body, mechanics
-from . import nomenclature as nm
+from . import free_body
 from .free_body import DIGITS, Point, show
 
 
 @dataclass(frozen=True)
-class Correction:
-    """The right form of a misprint, its likely cause, evidence by another route, and its
-    consequence in numbers.
-    """
+class Explanation:
+    """The likely cause of a misprint, evidence by another route, and its consequence in numbers."""
 
-    latex: str
-    expression: sp.Expr | tuple[sp.Expr, ...]
-    #: Printed form less right form. Only this difference is explained; any other misprint in the
-    #: row still fails the check.
-    gap: sp.Expr
+    #: Kinds of the edits that make the row right. Only these are explained; any other misprint in
+    #: the row still fails the check.
+    edits: tuple[str, ...]
     cause: str
     #: Both are asked with :data:`.free_body.DIGITS` digits.
     evidence: Callable[[], tuple[bool, str]]
@@ -40,20 +33,16 @@ class Correction:
 
 @dataclass(frozen=True)
 class Approximation:
-    """A form that holds in a limit only: ``limit`` names it, ``vanishes`` proves that the
-    difference is 0 there.
-
-    ``latex`` and ``expression`` are the exact form in the arrangement of the print.
+    """A form that holds in a limit only: what it means, and in LaTeX the exact form in the
+    arrangement of the print, which is a statement that the check confirms.
     """
 
-    latex: str
-    expression: article.Expression
     limit: str
-    vanishes: Callable[[sp.Expr], bool]
+    exact: str
 
 
 # ------------------------------------------------------------------------------------------------
-# corrections
+# misprints
 
 
 def _below(value: mpf) -> str:
@@ -184,50 +173,34 @@ def _constant_consequence(point: Point) -> str:
     )
 
 
-#: The spring's length, (6) with θ_o.
-_DISTANCE = sp.sqrt((nm.L_0 * nm.c0 - nm.x) ** 2 + (nm.L_0 * nm.s0 - nm.y) ** 2)
-#: F_y of (13), with the preload.
-_ACROSS = nm.sigma / nm.L * (1 - nm.L) * (nm.s0 - nm.y) + nm.beta * nm.y - nm.n + nm.kappa
-
-CORRECTIONS: dict[str, Correction] = {
-    "eq-6": Correction(
-        latex=r"L = \sqrt{\left(L_o \cos \theta_o - x\right)^2 + \left(L_o \sin \theta_o - "
-        r"y\right)^2}",
-        expression=_DISTANCE,
-        gap=_DISTANCE.subs({nm.c0: nm.c, nm.s0: nm.s}) - _DISTANCE,
+MISPRINTS: dict[str, Explanation] = {
+    "eq-6": Explanation(
+        edits=("renaming",),
         cause="the index o of θ_o is missing: (4) and (5), squared and added, give the form with "
         "θ_o",
         evidence=_length_evidence,
         consequence=_length_consequence,
     ),
-    "eq-9": Correction(
-        latex=r"y'' + \frac{\sigma}{L}(1-L)(\sin\theta_o - y) + \beta y - n + \kappa = 0",
-        expression=mechanics.AY + _ACROSS,
-        gap=-nm.kappa,
+    "eq-9": Explanation(
+        edits=("missing term",),
         cause="the preload F_L of (2) is lost on the way; it is back in (15) as −κ",
         evidence=_preload_evidence,
         consequence=_preload_consequence,
     ),
-    "eq-13": Correction(
-        latex=r"F_y = \frac{\sigma}{L}(1-L)(\sin\theta_o - y) + \beta y - n + \kappa = 0",
-        expression=_ACROSS,
-        gap=-nm.kappa,
+    "eq-13": Explanation(
+        edits=("missing term",),
         cause="copied from (9) with the preload missing; (15) has it as −κ",
         evidence=_preload_evidence,
         consequence=_preload_consequence,
     ),
-    "def-n": Correction(
-        latex=r"n = N/(k_c L_o)",
-        expression=nm.N / (nm.k_c * nm.L_0),
-        gap=nm.N / nm.k_c - nm.N / (nm.k_c * nm.L_0),
+    "def-n": Explanation(
+        edits=("missing factor",),
         cause="L_o is missing: every force is scaled by k_c L_o, as κ = F_L/(k_c L_o) shows",
         evidence=_force_scale_evidence,
         consequence=_force_scale_consequence,
     ),
-    "A1-d0": Correction(
-        latex=r"d_0 = \left(b_3^2 + b_4^2\right)\sigma^2 - \sigma^4",
-        expression=(nm.b3**2 + nm.b4**2) * nm.sigma**2 - nm.sigma**4,
-        gap=(nm.b1**2 + nm.b2**2 - nm.b3**2 - nm.b4**2) * nm.sigma**2,
+    "A1-d0": Explanation(
+        edits=("index", "index"),
         cause="c_0 and d_0 were set in one line; in lift-off b_3, b_4 stand where b_1, b_2 stand "
         "in contact",
         evidence=_constant_evidence,
@@ -235,81 +208,18 @@ CORRECTIONS: dict[str, Correction] = {
     ),
 }
 
-# ---------------------------------------------------------------------------------------------
-# approximations
-
-
-def _vanishes_at_full_slip(difference: sp.Expr) -> bool:
-    """Whether an expression tends to 0 as V → ∞, and as d → ∞ with V > 0."""
-    d, V = sp.symbols("d V", positive=True)
-    plain = difference.subs({nm.creep: d, nm.V: V})
-    return (
-        plain.has(V)
-        and sp.limit(sp.expand(plain), V, sp.oo) == 0
-        and sp.limit(sp.expand(plain), d, sp.oo) == 0
-    )
-
-
-def _friction_slope() -> sp.Expr:
-    """How friction falls as the mass speeds up, −∂μ/∂x', at steady sliding: n times this is a
-    damping along the belt.
-    """
-    return -sp.diff(mechanics.smooth_friction(sp.S.One), nm.vx).subs(nm.vx, 0)
-
-
 APPROXIMATIONS: dict[str, Approximation] = {
     "eq-12": Approximation(
-        latex=r"F_x = \frac{\sigma}{L}(1-L)(\cos\theta_o - x) + \alpha x - "
-        + nm.latex(mechanics.steady_friction())
-        + " n = 0",
-        expression=nm.sigma / nm.L * (1 - nm.L) * (nm.c0 - nm.x)
-        + nm.alpha * nm.x
-        - mechanics.steady_friction() * nm.n,
         limit="d V → ∞ on a belt that runs forward, V > 0: at steady sliding (10) gives μ = μ_o (1 "
         "− exp(−d |V|)), not μ_o. From here on μ_o stands for the "
         "friction at steady sliding, which makes every later row exact",
-        vanishes=_vanishes_at_full_slip,
+        exact=r"F_x = \frac{\sigma}{L}(1-L)(\cos\theta_o - x) + \alpha x - "
+        r"\mu_o \left(1 - e^{- V d}\right) n = 0",
     ),
     "eq-27": Approximation(
-        latex=r"\det(\lambda^2 \mathbf{I} + \lambda \begin{bmatrix} n "
-        + nm.latex(_friction_slope())
-        + r" & 0 \\ 0 & 0 \end{bmatrix} + \mathbf{K}) = 0",
-        # n = −n̄ y at the equilibrium.
-        expression=lambda K: (
-            article.lam**2 * sp.eye(2)
-            + article.lam * sp.diag(-nm.nbar * nm.y * _friction_slope(), 0)
-            + K
-        ).det(),
         limit="d V → ∞, V > 0: (8) also has the damping n μ_o d exp(−d |V|) λ in its first row, "
         "from ∂μ/∂x'",
-        vanishes=_vanishes_at_full_slip,
+        exact=r"\det(\lambda^2 \mathbf{I} + \lambda \begin{bmatrix} n d \mu_o e^{- V d} & 0 \\ "
+        r"0 & 0 \end{bmatrix} + \mathbf{K}) = 0",
     ),
 }
-
-# ------------------------------------------------------------------------------------------------
-# definitions
-
-DEFINITIONS: dict[str, str] = {
-    "eq-3": "names the compression of the inclined spring",
-    "eq-4": "defines θ, with (5): the spring's direction from the mass to its anchor",
-    "eq-5": "defines θ, with (4)",
-    "eq-7": "the contact law, an assumption",
-    "eq-10": "the friction law, an assumption. Its form is the same with and without dimensions, "
-    "since d |V − dx/dt| is a number; in (10) the dot stands for the prime of (8)",
-    "def-prime": "names the derivative with respect to τ",
-}
-
-NOTES: dict[str, str] = {
-    "eq-1": "Δ and θ by (3)–(5)",
-    "eq-2": "Δ and θ by (3)–(5)",
-    "eq-18": "μ here is the friction at steady sliding, written μ_o in (14) and in Appendix A",
-    "eq-19": "μ here is the friction at steady sliding, written μ_o in (14) and in Appendix A",
-    "eq-20": "for det D ≠ 0",
-    "eq-23": "for det D ≠ 0",
-    "A3": "μ_o² σ² cancels against −μ_o² σ² in the last product",
-    "A4": "the terms in μ_o² cancel",
-}
-
-_IDS = {entry.id for entry in article.PRINTED}
-if not (CORRECTIONS.keys() | APPROXIMATIONS.keys() | DEFINITIONS.keys() | NOTES.keys()) <= _IDS:
-    raise LookupError("an explanation names a row that article.py does not have")

@@ -1,17 +1,144 @@
-"""The outcome of the check, for machines (JSON) and for people (Markdown)."""
+"""The article's statements against the derivation, row by row, for machines (JSON) and for people
+(Markdown).
+"""
 
 from collections import Counter
-from dataclasses import asdict, dataclass
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
+import mpmath
 import sympy as sp
 
-from .check import Row
+from .. import pages
+from ..statements import verdicts
+from ..statements.papers import Paper
+from ..statements.reading import Item, Verdict, opened, prepared
+from ..statements.tree import symbols, to_sympy
+from . import article, explanations
+from .free_body import DIGITS, Point
 from .theorem import Step
 
-
+#: Statuses of a row that passes the check.
+SOUND = ("confirmed", "misprint", "approximation", "definition")
+#: The status of a row whose printed form is not the derived one, without an explanation that holds.
+FAILED = "failed"
 #: Statuses of rows whose printed form is the derived one.
 _AS_PRINTED = ("confirmed", "definition")
+
+
+@dataclass(frozen=True)
+class Row:
+    """The outcome for one printed statement; every text is LaTeX or plain words, every empty field
+    means not applicable.
+
+    ``derivation`` is the form at which the derivation itself arrives. ``derived`` equals it, as
+    exact algebra has shown, and has the arrangement of ``printed``, so that the two can be compared
+    by eye. In a failed row ``derived`` is the same as ``derivation``. ``derived_by`` names the
+    function of ``derive/`` that derives it.
+    """
+
+    id: str
+    where: str
+    status: str
+    derived_by: str
+    printed: str
+    derived: str
+    derivation: str
+    difference: str
+    note: str = ""
+    cause: str = ""
+    evidence: str = ""
+    consequence: str = ""
+    limit: str = ""
+
+    def recorded(self) -> dict[str, str]:
+        """As the ledger has it: without what is empty, and without a derived form that is the
+        printed one.
+        """
+        return {
+            name: text
+            for name, text in asdict(self).items()
+            if text and (name, text) != ("derived", self.printed)
+        }
+
+
+def run(paper: Paper | None = None) -> list[Row]:
+    """Check every printed statement of the article, or of another file of them."""
+    paper = article.printed() if paper is None else paper
+    model = pages.read(pages.SHIPPED / "kang_nam.py")
+    _, found = opened(paper, model)
+    rows = verdicts.compared(paper, model, found).rows
+    pairs = zip(found, rows, strict=True)
+    return [_explained(row, _exact(item)) for item, row in pairs]
+
+
+def _exact(item: Item | Verdict) -> str:
+    """LaTeX of the difference between an approximation and its exact form, if that is derived."""
+    approximation = explanations.APPROXIMATIONS.get(item.statement.id)
+    if approximation is None or isinstance(item, Verdict):
+        return ""
+    exact = prepared(replace(item.statement, text=approximation.exact, limit=""), item.book)
+    if isinstance(exact, Verdict) or verdicts.judged(exact).status != "confirmed":
+        return ""
+    ours, theirs = item.equations[-1].left, exact.equations[-1].left
+    names = {name: sp.Symbol(name) for name in symbols(ours) | symbols(theirs)}
+    gap = to_sympy(ours, names) - to_sympy(theirs, names)
+    return item.latex(sp.factor_terms(sp.expand(gap)))
+
+
+def failures(rows: Sequence[Row]) -> list[Row]:
+    """Rows that do not pass the check."""
+    return [row for row in rows if row.status not in SOUND]
+
+
+def _explained(found: verdicts.Row, exact: str) -> Row:
+    """The verdict on a statement with what we say about it."""
+    row = Row(
+        found.id,
+        found.where,
+        found.status,
+        found.derived_by,
+        found.print,
+        found.derived_latex,
+        found.derived_latex,
+        found.difference_latex or "0",
+        found.note,
+    )
+    misprint = explanations.MISPRINTS.get(row.id)
+    approximation = explanations.APPROXIMATIONS.get(row.id)
+    if row.status in _AS_PRINTED:
+        if misprint or approximation:
+            return _failed(row, "explained as one that differs, but the difference is zero")
+        return replace(row, derived=row.printed)
+    if row.status == "approximation" and approximation is not None:
+        if not exact:
+            return _failed(
+                row, "the exact form given for this approximation is not the derived one"
+            )
+        told, limit = approximation.exact, approximation.limit
+        return replace(row, derived=told, difference=exact, limit=limit)
+    if row.status != "misprint":
+        return _failed(row, found.evidence)
+    kinds = tuple(str(edit["kind"]) for edit in found.edits)
+    if misprint is None or kinds != misprint.edits or found.alternatives != 1:
+        said = f"{found.repaired} is right, and nothing explains the difference"
+        return _failed(replace(row, derived=found.repaired_latex), said)
+    with mpmath.workdps(DIGITS):
+        holds, evidence = misprint.evidence()
+        if not holds:
+            return _failed(row, f"the second derivation disagrees: {evidence}")
+        return replace(
+            row,
+            derived=found.repaired_latex,
+            cause=misprint.cause,
+            evidence=evidence,
+            consequence=misprint.consequence(Point()),
+        )
+
+
+def _failed(row: Row, note: str) -> Row:
+    return replace(row, status=FAILED, note=note)
 
 
 @dataclass(frozen=True)
@@ -70,7 +197,8 @@ def markdown(ledger: Ledger, header: str) -> str:
         "| row | where | status | derived by |",
         "|---|---|---|---|",
         *(
-            f"| [{row.id}](#{row.id.lower()}) | {row.where} | {row.status} | `{row.derived_by}` |"
+            f"| [{row.id}](#{row.id.lower()}) | {row.where} | {row.status} | "
+            f"{row.derived_by and f'`{row.derived_by}`'} |"
             for row in ledger.rows
         ),
         "",

@@ -13,7 +13,10 @@ from .. import algebra, laws, linearization, pages, statics
 from ..emit.definitions import flat
 from ..mechanics import MU, Mechanics
 from ..motion import Motion
+from ..statements import objects
+from ..statements.objects import CONTACT, LIFT_OFF
 from . import unit_circles, equilibrium, mechanics, stability
+from . import nomenclature as nm
 
 #: Page → what it adds to the article's model, and what is left where these are 0.
 ADDED = {
@@ -29,7 +32,8 @@ def identities() -> dict[str, bool]:
     found = {
         "the general way gives K (28) and the damping about steady sliding": _linearization(
             _page("kang_nam")
-        )
+        ),
+        "the general way gives D and b, (16)–(19) and (22)–(25)": _in_direction(),
     }
     for name, added in ADDED.items():
         zero = " = ".join([*added, "0"])
@@ -63,6 +67,22 @@ def _linearization(model: Mechanics) -> bool:
     damped = tuple(linearization.damping(model))
     return _equal(model, K, tuple(stability.stiffness())) and _equal(
         model, damped, tuple(stability.damping())
+    )
+
+
+def _in_direction() -> bool:
+    """Whether what printed equations are held against is what the elimination begins with."""
+    it = objects.derivation(mechanics.page(), mechanics.of_page(), "scaled")
+    D, b = equilibrium.matrix_form()
+    directions = {sp.cos(nm.theta0): nm.c0, sp.sin(nm.theta0): nm.s0}
+    pairs: list[tuple[sp.Expr, sp.Expr]] = []
+    for side, case in ((CONTACT, equilibrium.CONTACT), (LIFT_OFF, equilibrium.LIFTOFF)):
+        ours_D, ours_b, length = objects.balance_in_direction(it, side)
+        ours = (*ours_D.subs(length, nm.L), *ours_b)
+        pairs += zip(ours, (*D.subs(case), *b.subs(case)), strict=True)
+    return all(
+        unit_circles.equal(mechanics.in_article(it.model, one).subs(directions), other)
+        for one, other in pairs
     )
 
 

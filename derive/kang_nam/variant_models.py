@@ -22,6 +22,7 @@ import sympy as sp
 from .. import algebra, laws, linearization, physical_checks, statics, units
 from ..mechanics import DEPTH, MU, PUSHING, SIDE, Line, Mechanics
 from ..motion import Motion
+from ..statements.papers import Statement
 from . import article, equilibrium, mechanics, stability
 from . import nomenclature as nm
 
@@ -49,10 +50,10 @@ class NoMeaning(Exception):
 def judge(model: Mechanics) -> list[Judgement]:
     """Every row of the article, in its order."""
     compared = _Compared(model)
-    return [_judged(entry, compared) for entry in article.PRINTED]
+    return [_judged(entry, compared) for entry in article.printed().statements]
 
 
-def _judged(entry: article.Printed, compared: _Compared) -> Judgement:
+def _judged(entry: Statement, compared: _Compared) -> Judgement:
     found = []
     try:
         for aspect in RESTS_ON[entry.id]:

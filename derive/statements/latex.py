@@ -8,12 +8,14 @@ two ways is refused, with both readings. Nothing is evaluated.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from .lexer import Item, Items, nested
+from .matrices import Matrix, Value, determinant, identity, inverse, named, negative, node_of
+from .matrices import paired, product, quotient, total
 from .names import LAWS, Name, Names, moved
-from .tree import Equation, Node, Unread, Vocabulary, printed, read_sympy
+from .tree import ZERO, Equation, Node, Unread, Vocabulary, printed, read_sympy
 
 _PLAIN = [
     "sin",
@@ -45,6 +47,8 @@ _ROMAN = (r"\mathrm", r"\text", r"\mathit", r"\mathsf", r"\operatorname", r"\tex
 _BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
 _ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
 _MATRICES = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array", "cases")
+#: The matrix I, where it is not a name of the page.
+_IDENTITY = Name(r"\mathbf I")
 _TIMES = (r"\cdot", r"\times", "*", r"\ast")
 _EQUAL = ("=", ":=", r"\equiv", r"\triangleq", r"\coloneqq")
 _RELATIONS = {
@@ -57,16 +61,6 @@ _LETTERS = re.compile(
     r"|sigma|tau|upsilon|phi|chi|psi|omega|Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega)"
     r"|\\ell|[A-Za-z]"
 )
-
-
-@dataclass(frozen=True)
-class Matrix:
-    """Entries of a printed matrix or vector, row by row."""
-
-    rows: tuple[tuple[Node, ...], ...]
-
-
-Value = Node | Matrix
 
 
 @dataclass(frozen=True)
@@ -158,6 +152,8 @@ class _Reader:
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.names = Names(vocabulary)
+        self.matrices = vocabulary.matrices
+        self.size = len(vocabulary.coordinates)
         for text, page in vocabulary.renamed.items():
             key = nested(text)
             name, place, power = self.name(key, 0)
@@ -192,7 +188,7 @@ class _Reader:
         found: list[Equation] = []
         for number, value in enumerate(values[1:], 1):
             zero = isinstance(value, Node) and value.kind == "number"
-            found += _paired(values[number - 1 if zero else 0], value, items[0].at[0])
+            found += paired(values[number - 1 if zero else 0], value, items[0].at[0])
         return found
 
     def side(self, items: Items, place: int, named: bool) -> Value:
@@ -204,10 +200,17 @@ class _Reader:
             known = self.names.known(name, at)
             law = argument and (known is None or known.value in LAWS)
             if stop == len(items) or law:
-                return known or Node("symbol", value=name.spelled, at=at)
+                return self.matrix(known or Node("symbol", value=name.spelled, at=at))
         if not items:
             raise Unread("a side of the equation is empty", place)
-        return self.expression(items)
+        value = self.expression(items)
+        single = isinstance(value, Matrix) and len(value.rows) == 1 == len(value.rows[0])
+        return node_of(value) if single else value
+
+    def matrix(self, node: Node) -> Value:
+        """What a name stands for: entries, where it is one of a matrix."""
+        shape = self.matrices.get(node.value) if node.kind == "symbol" else None
+        return node if shape is None else named(node, shape)
 
     def expression(self, items: Items) -> Value:
         """A sum of terms."""
@@ -229,8 +232,8 @@ class _Reader:
                 raise Unread("a term is missing", items[max(one, 0)].at[0])
             value = self.term(items[start:stop])
             minus = one >= 0 and items[one].text == "-"
-            terms.append(_negative(value, items[one].at[0]) if minus else value)
-        return terms[0] if len(terms) == 1 else _sum(terms, items[0].at[0])
+            terms.append(negative(value, items[one].at[0]) if minus else value)
+        return terms[0] if len(terms) == 1 else total(terms, items[0].at[0])
 
     def term(self, items: Items) -> Value:
         """A product of factors, by juxtaposition or by a sign, over one factor behind a slash."""
@@ -253,23 +256,23 @@ class _Reader:
                 self.juxtaposed(factors[-1], factor, items, place)
             factors.append(factor)
             place, explicit = after, False
-        return _product([it.value for it in factors])
+        return product([it.value for it in factors])
 
     def slash(self, factors: list[Factor], items: Items, place: int) -> Value:
         """What stands before a slash over the one factor behind it."""
-        above = _product([it.value for it in factors])
+        above = product([it.value for it in factors])
         if factors[-1].open:
-            name = printed(_node(factors[-1].value))
+            name = printed(node_of(factors[-1].value))
             raise Unread(f"the slash divides {name} or its argument", items[place].at[0])
         below, after = self.factor(items, place + 1)
         if after < len(items):
-            one, other = (printed(_node(it)) for it in (above, below.value))
+            one, other = (printed(node_of(it)) for it in (above, below.value))
             raise Unread(
                 "what stands behind the fraction is in its denominator, or is not",
                 items[after].at[0],
                 (f"({one})/({other})*…", f"({one})/({other}*…)"),
             )
-        return _quotient(above, _node(below.value))
+        return quotient(above, node_of(below.value))
 
     def juxtaposed(self, before: Factor, factor: Factor, items: Items, place: int) -> None:
         """Refuse factors that stand beside each other and may be something else than a product."""
@@ -283,10 +286,10 @@ class _Reader:
         )
         function = isinstance(value, Node) and value.kind in ("call", "pow") and factor.open
         if before.open and not ((moves or function) and before.open != "number"):
-            call = _node(before.value)
-            one = printed(_node(value)) if isinstance(value, Node) else "…"
+            call = node_of(before.value)
+            one = printed(node_of(value)) if isinstance(value, Node) else "…"
             inner = call if call.kind == "call" else call.args[0]
-            more = replace(inner, args=(_node(_product([inner.args[0], value])),))
+            more = replace(inner, args=(node_of(product([inner.args[0], value])),))
             readings = (f"{printed(call)}*{one}", printed(more))
             raise Unread("the argument of a function ends here, or goes on", at, readings)
 
@@ -304,10 +307,17 @@ class _Reader:
                 return found
         if function := self.function(items, place):
             return self.call(*function, items, place)
+        if it.items is None and it.text == r"\det" and _bracket(items, place + 1, ("(", "[")):
+            inside = self.expression(_bracket(items, place + 1, ("(", "[")) or ())
+            if not isinstance(inside, Matrix):
+                raise Unread("the determinant of what is no matrix", it.at[0])
+            whole = replace(determinant(inside), at=(it.at[0], items[place + 1].at[1]))
+            return self.powered(whole, items, place + 2, it.at[0])
         name, after, power = self.name(items, place)
         if name is not None:
-            at = (it.at[0], items[after - 1].at[1])
-            return self.named(name, power, items, after, at)
+            raised = [one.at[0] for one in items[place:after] if one.text == "^"]
+            stop = raised[-1] if power is not None and raised else items[after - 1].at[1]
+            return self.named(name, power, items, after, (it.at[0], stop))
         value, after = self.base(items, place)
         return self.powered(value, items, after, it.at[0])
 
@@ -318,20 +328,24 @@ class _Reader:
         bracket = _bracket(items, place)
         euler = name == Name("e") and self.names.known(name, at) is None
         if power is not None and name == Name("e") and not euler:
-            exponent = printed(_node(self.expression(power)))
+            exponent = printed(node_of(self.expression(power)))
             readings = (f"exp({exponent})", f"e**({exponent})")
             raise Unread("e is Euler's number or a name of the page", at[0], readings)
         if euler and power is not None:
-            value = Node("call", (_node(self.expression(power)),), "exp", at)
+            value = Node("call", (node_of(self.expression(power)),), "exp", at)
             return Factor(value), place
+        if name == _IDENTITY and self.names.known(name, at) is None and power is None:
+            return Factor(identity(self.size)), place
         node = self.names.of(name, at)
+        if isinstance(matrix := self.matrix(node), Matrix):
+            return Factor(self.matrix_power(matrix, power or (), at[0])), place
         if bracket is not None and power is None:
             if self.is_time(bracket):
                 return self.powered(node, items, place + 1, at[0])
             self.product_only(node, bracket, items[place].at[0])
         if power is None:
             return Factor(node), place
-        return Factor(_power(node, _node(self.expression(power)), at)), place
+        return Factor(_power(node, node_of(self.expression(power)), at)), place
 
     def is_time(self, items: Items) -> bool:
         """Whether a bracket holds the time alone."""
@@ -342,7 +356,7 @@ class _Reader:
         """Refuse f(x), a product or a function of x."""
         if any(it.items is None and it.text == "," for it in bracket):
             raise Unread(f"{node.value} is no function that is known", place)
-        inside = _node(self.expression(bracket))
+        inside = node_of(self.expression(bracket))
         bare = inside.args[0] if inside.kind == "neg" else inside
         if bare.kind in ("symbol", "number") or node.value in LAWS:
             text = printed(inside)
@@ -352,21 +366,29 @@ class _Reader:
     def powered(self, value: Value, items: Items, place: int, start: int) -> tuple[Factor, int]:
         """A value with primes and an exponent behind it."""
         while place < len(items) and items[place].items is None and items[place].text == "'":
-            value, place = self.names.rate(_node(value)), place + 1
+            value, place = self.names.rate(node_of(value)), place + 1
         if place < len(items) and items[place].items is None and items[place].text == "_":
             raise Unread("an index behind what has no name", items[place].at[0])
         if place < len(items) and items[place].items is None and items[place].text == "^":
             exponent, place = _argument(items, place + 1)
-            transposed = [it.text for it in _flat(exponent)] in (["T"], [r"\top"], ["t"])
             if isinstance(value, Matrix):
-                if not transposed:
-                    raise Unread("a power of a matrix is not read", items[place - 1].at[0])
-                return Factor(Matrix(tuple(zip(*value.rows, strict=True)))), place
+                return Factor(self.matrix_power(value, exponent, start)), place
             at = (start, items[place - 1].at[1])
-            value = _power(value, _node(self.expression(exponent)), at)
+            value = _power(value, node_of(self.expression(exponent)), at)
         if place < len(items) and items[place].text == "^" and items[place].items is None:
             raise Unread("two exponents", items[place].at[0])
         return Factor(value), place
+
+    def matrix_power(self, matrix: Matrix, exponent: Items, start: int) -> Matrix:
+        """A matrix transposed, inverted or as it stands."""
+        match [it.text for it in _flat(exponent)]:
+            case []:
+                return matrix
+            case ["T"] | [r"\top"] | ["t"]:
+                return Matrix(tuple(zip(*matrix.rows, strict=True)))
+            case ["-", "1"] if len(matrix.rows) == len(matrix.rows[0]):
+                return inverse(matrix)
+        raise Unread("only the transpose and the inverse of a matrix are read", start)
 
     def base(self, items: Items, place: int) -> tuple[Value, int]:
         """A number, a bracket, a root, a fraction or an environment."""
@@ -377,13 +399,13 @@ class _Reader:
             if it.text in _FRACTIONS:
                 above, middle = _argument(items, place + 1)
                 below, after = _argument(items, middle)
-                value = _quotient(self.expression(above), _node(self.expression(below)))
-                return replace(_node(value), at=(it.at[0], items[after - 1].at[1])), after
+                value = quotient(self.expression(above), node_of(self.expression(below)))
+                return replace(node_of(value), at=(it.at[0], items[after - 1].at[1])), after
             if it.text == r"\sqrt":
                 return self.root(items, place)
             raise Unread(f"{it.text} is not read", it.at[0])
         if it.text in ("|", "|bare"):
-            return Node("call", (_node(self.expression(it.items)),), "Abs", it.at), place + 1
+            return Node("call", (node_of(self.expression(it.items)),), "Abs", it.at), place + 1
         if it.text in _MATRICES:
             return self.environment(it, pieces=False), place + 1
         if it.text not in ("(", "[", "{", r"\{"):
@@ -400,10 +422,10 @@ class _Reader:
         """A square root, or one of another degree."""
         start, degree = items[place].at[0], None
         if items[place + 1 : place + 2] and items[place + 1].text == "[":
-            degree = _node(self.expression(items[place + 1].items or ()))
+            degree = node_of(self.expression(items[place + 1].items or ()))
             place += 1
         argument, after = _argument(items, place + 1)
-        value = _node(self.expression(argument))
+        value = node_of(self.expression(argument))
         at = (start, items[after - 1].at[1])
         if degree is None:
             return Node("call", (value,), "sqrt", at), after
@@ -427,7 +449,7 @@ class _Reader:
             return self.choice(rows, item)
         if any(len(row) != len(rows[0]) for row in rows):
             raise Unread("rows of different length", item.at[0])
-        read = (tuple(_node(self.expression(cell)) for cell in row) for row in rows)
+        read = (tuple(node_of(self.expression(cell)) for cell in row) for row in rows)
         return Matrix(tuple(read))
 
     def choice(self, rows: list[list[list[Item]]], item: Item) -> Node:
@@ -435,7 +457,7 @@ class _Reader:
         pairs = []
         for value, condition in rows:
             value = value[:-1] if value and value[-1].text == "," else value
-            pair = (_node(self.expression(value)), self.condition(condition, item.at[0]))
+            pair = (node_of(self.expression(value)), self.condition(condition, item.at[0]))
             pairs.append(Node("call", pair, "Tuple", (value[0].at[0], condition[-1].at[1])))
         return Node("call", tuple(pairs), "Piecewise", item.at)
 
@@ -459,7 +481,7 @@ class _Reader:
                 continue
             kept.append(it)
         if words in ("otherwise", "else") and not kept:
-            return Node("symbol", value="True", at=(place, place))
+            return Node("call", (ZERO, ZERO), "Eq", (place, place))
         if words not in ("", "if", "for", "when", "where"):
             raise Unread(f"the word {words} is not read", place)
         parts: list[list[Item]] = [[]]
@@ -472,7 +494,7 @@ class _Reader:
                 parts[-1].append(it)
         if not signs:
             raise Unread("a condition without a relation", place)
-        values = [_node(self.expression(part)) for part in parts]
+        values = [node_of(self.expression(part)) for part in parts]
         pairs = zip(signs, values, values[1:], strict=False)
         relations = tuple(Node("call", (a, b), sign, (a.at[0], b.at[1])) for sign, a, b in pairs)
         return relations[0] if len(relations) == 1 else Node("call", relations, "And")
@@ -505,7 +527,7 @@ class _Reader:
         power, begin = None, items[start].at[0]
         if place < len(items) and items[place].items is None and items[place].text == "^":
             exponent, place = _argument(items, place + 1)
-            power = _node(self.expression(exponent))
+            power = node_of(self.expression(exponent))
             if power.kind == "neg":
                 readings = (f"a{name}(…)", f"1/{name}(…)")
                 raise Unread("the inverse function, or its reciprocal", begin, readings)
@@ -521,7 +543,7 @@ class _Reader:
                     groups.append([])
                 else:
                     groups[-1].append(it)
-            arguments = tuple(_node(self.expression(group)) for group in groups)
+            arguments = tuple(node_of(self.expression(group)) for group in groups)
             place, is_open = place + 1, ""
         else:
             argument, place, is_open = self.bare_argument(name, items, place)
@@ -542,7 +564,7 @@ class _Reader:
         if self.function(items, place) or items[place].text in ("+", "-"):
             raise Unread(f"the argument of {name} has no brackets", items[place].at[0])
         factor, place = self.factor(items, place)
-        argument = _node(factor.value)
+        argument = node_of(factor.value)
         if argument.kind == "pow" and items[start].items is None:
             readings = (f"{name}({printed(argument)})", f"{name}({printed(argument.args[0])})**…")
             raise Unread(
@@ -560,10 +582,10 @@ class _Reader:
         if closed:
             raise Unread(f"the argument of {name} ends nowhere", following.at[0])
         factor, place = self.factor(items, place)
-        more = _node(factor.value)
+        more = node_of(factor.value)
         if more.kind == "pow":
             raise Unread(f"the exponent is of {name} or of its argument", following.at[0])
-        return _node(_product([argument, more])), place, "argument"
+        return node_of(product([argument, more])), place, "argument"
 
     def derivative(self, items: Items, place: int) -> tuple[Factor, int] | None:
         """A derivative by time, as a fraction of differentials or its operator."""
@@ -594,13 +616,13 @@ class _Reader:
         if items[place].text == "d" and not what:
             raise Unread("a derivative of what stands behind it; print it as a fraction", start)
         if what:
-            value = _node(self.expression(what))
+            value = node_of(self.expression(what))
         else:
             if after >= len(items):
                 raise Unread("a derivative of nothing", start)
             bracketed = items[after].text == "("
             factor, stop = self.factor(items, after)
-            value = _node(factor.value)
+            value = node_of(factor.value)
             clear = bracketed or _bracket(items, stop - 1) is not None
             if value.kind == "pow" or (stop < len(items) and not clear):
                 raise Unread("the derivative ends nowhere; print brackets", items[after].at[0])
@@ -737,105 +759,5 @@ def _numeric(value: Value) -> bool:
     return value.kind == "number" and value.value != "pi"
 
 
-def _node(value: Value) -> Node:
-    if isinstance(value, Matrix):
-        if len(value.rows) == 1 == len(value.rows[0]):
-            return value.rows[0][0]
-        raise Unread("a matrix where a number has to stand", value.rows[0][0].at[0])
-    return value
-
-
 def _power(base: Value, exponent: Node, at: tuple[int, int]) -> Node:
-    return Node("pow", (_node(base), exponent), at=at)
-
-
-def _quotient(above: Value, below: Node) -> Value:
-    if isinstance(above, Matrix):
-        return _each(above, lambda it: Node("div", (it, below), at=it.at))
-    return Node("div", (above, below), at=(above.at[0], below.at[1]))
-
-
-def _each(matrix: Matrix, do: Callable[[Node], Node]) -> Matrix:
-    return Matrix(tuple(tuple(map(do, row)) for row in matrix.rows))
-
-
-def _negative(value: Value, start: int) -> Value:
-    if isinstance(value, Matrix):
-        return _each(value, lambda it: Node("neg", (it,), at=it.at))
-    return Node("neg", (value,), at=(start, value.at[1]))
-
-
-def _sum(terms: list[Value], place: int) -> Value:
-    nodes = [it for it in terms if isinstance(it, Node)]
-    if len(nodes) == len(terms):
-        return Node("add", tuple(nodes), at=(nodes[0].at[0], nodes[-1].at[1]))
-    matrices = [it for it in terms if isinstance(it, Matrix)]
-    shapes = {(len(it.rows), len(it.rows[0])) for it in matrices}
-    if nodes or len(shapes) > 1:
-        raise Unread("terms of different shapes", place)
-    rows = zip(*(it.rows for it in matrices), strict=True)
-    return Matrix(
-        tuple(
-            tuple(_node(_sum([*cells], place)) for cells in zip(*row, strict=True)) for row in rows
-        )
-    )
-
-
-def _product(values: list[Value]) -> Value:
-    """A product, from the left."""
-    if len(values) == 1:
-        return values[0]
-    nodes = [it for it in values if isinstance(it, Node)]
-    if len(nodes) == len(values):
-        return Node("mul", tuple(nodes), at=(nodes[0].at[0], nodes[-1].at[1]))
-    *before, last = values
-    one = _product(before)
-    if isinstance(last, Node):
-        return (
-            _each(one, lambda it: Node("mul", (it, last), at=it.at))
-            if isinstance(one, Matrix)
-            else one
-        )
-    if isinstance(one, Node):
-        return _each(last, lambda it: Node("mul", (one, it), at=it.at))
-    if len(one.rows[0]) != len(last.rows):
-        raise Unread("matrices whose sizes do not fit", one.rows[0][0].at[0])
-    columns = list(zip(*last.rows, strict=True))
-    return Matrix(
-        tuple(
-            tuple(
-                _node(_sum([_product([a, b]) for a, b in zip(row, column, strict=True)], 0))
-                if len(row) > 1
-                else _node(_product([row[0], column[0]]))
-                for column in columns
-            )
-            for row in one.rows
-        )
-    )
-
-
-def _paired(left: Value, right: Value, place: int) -> list[Equation]:
-    """Equations of two sides, entry by entry."""
-    if isinstance(left, Node) and isinstance(right, Node):
-        return [Equation(left, right)]
-    shape = right if isinstance(right, Matrix) else left
-    assert isinstance(shape, Matrix)
-    found = []
-    for i, row in enumerate(shape.rows):
-        for j, _ in enumerate(row):
-            found.append(Equation(*(_entry(it, i, j, len(row), place) for it in (left, right))))
-    return found
-
-
-def _entry(value: Value, i: int, j: int, columns: int, place: int) -> Node:
-    """An entry of a side: of a matrix, of a name, or of 0."""
-    if isinstance(value, Matrix):
-        if i >= len(value.rows) or j >= len(value.rows[0]):
-            raise Unread("sides of different shapes", place)
-        return value.rows[i][j]
-    if value.kind == "symbol":
-        index = f"[{i + 1}, {j + 1}]" if columns > 1 else f"[{i + 1}]"
-        return replace(value, value=f"{value.value}{index}")
-    if value.kind == "number" and value.value == "0":
-        return value
-    raise Unread("a matrix and a number are not equal", place)
+    return Node("pow", (node_of(base), exponent), at=at)

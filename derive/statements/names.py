@@ -128,4 +128,5 @@ def _spellings(name: Name) -> Sequence[str]:
     bases = {"ell": ("ell", "l"), "lambda": ("lambda_", "lamda", "lam")}.get(
         name.base, (name.base,)
     )
-    return [*dict.fromkeys(sep.join((base, *labels)) for base in bases for sep in ("_", ""))]
+    joined = (sep.join((base, *labels)) for base in bases for sep in ("_", ""))
+    return [*dict.fromkeys((*joined, replace(name, order=0).spelled))]

@@ -17,8 +17,10 @@ from ..model import Page, expression_of
 from ..motion import Motion
 from ..units import Dimension
 
-#: Normal force, frequency parameter of the characteristic polynomial.
-NORMAL, LAMBDA = sp.Symbol("N", real=True), sp.Symbol("lam")
+#: Normal force, frequency parameter of the characteristic polynomial, time.
+NORMAL, LAMBDA, TIME = sp.Symbol("N", real=True), sp.Symbol("lam"), sp.Symbol("t", real=True)
+#: Sides of the contact on which a statement is meant.
+CONTACT, LIFT_OFF, BOTH = "contact", "lift-off", "both"
 
 #: Applied forces that may be counted in an energy one by one; of more all are, or none.
 MOST_FORCES = 3
@@ -44,7 +46,8 @@ class Object:
     covector, vector or form; ``index`` are the places of those that the statement is about. A
     residual may have a factor: "none", "constant" to be added, "parameters" of any kind, or a
     "monomial" of them. A value has the names by which it is called; where authors differ in what
-    they count in it, ``readings`` has every value that may be meant, the entry first.
+    they count in it, ``readings`` has every value that may be meant, the entry first. ``shape`` has
+    the rows and columns of a matrix. Lengths and inclinations of lines stand by their names.
     """
 
     entries: Row
@@ -54,9 +57,12 @@ class Object:
     factor: str = "none"
     names: frozenset[str] = frozenset()
     steady: bool = False  #: friction is that at steady sliding
-    apart: bool = False  #: in lift-off
+    side: str = CONTACT
     unit: Dimension | None = None
     readings: tuple[Reading, ...] = ()
+    shape: tuple[int, int] | None = None
+    #: the one entry in shorthands, and what these stand for
+    short: tuple[sp.Expr, Mapping[sp.Symbol, sp.Expr]] | None = None
 
     @property
     def is_value(self) -> bool:
@@ -73,8 +79,13 @@ class Derivation:
     scaled: bool
 
     @cached_property
-    def found(self) -> dict[str, Object]:
-        """Objects that were asked for."""
+    def found(self) -> dict[str, Object | NoObject]:
+        """Objects that were asked for, and why those that the page does not have are none."""
+        return {}
+
+    @cached_property
+    def directions(self) -> dict[str, tuple[sp.Matrix, sp.Matrix, sp.Symbol]]:
+        """D, b and L by the side of the contact, once they were asked for."""
         return {}
 
     @cached_property
@@ -83,20 +94,27 @@ class Derivation:
         found: dict[sp.Expr, sp.Expr] = {}
         for angle in self.model.angles:
             found |= {angle.c: sp.cos(angle.symbol), angle.s: sp.sin(angle.symbol)}
-        for line in self.model.lines:
+        for line, (length, turn) in zip(self.model.lines, self._lines, strict=True):
             dx, dy = line.dx.subs(found), line.dy.subs(found)
-            length = sp.sqrt(dx**2 + dy**2)
-            found |= {line.l: length, line.c: dx / length, line.s: dy / length}
+            named, size = self.geometry.keys(), sp.sqrt(dx**2 + dy**2)
+            found[line.l] = sp.Symbol(length) if length in named else size
+            is_named = turn in named
+            found[line.c] = sp.cos(sp.Symbol(turn)) if is_named else dx / size
+            found[line.s] = sp.sin(sp.Symbol(turn)) if is_named else dy / size
         for torsion in self.model.torsions:
             found[torsion.phi] = torsion.least.subs(found)
         return found
 
-    def spelled(self, expression: sp.Expr, apart: bool = False) -> sp.Expr:
-        """In coordinates and parameters alone, in contact or in lift-off."""
+    def spelled(self, expression: sp.Expr, side: str = CONTACT) -> sp.Expr:
+        """In coordinates, parameters, lengths and inclinations, on a side of the contact."""
         gap = sp.S.Zero if self.model.gap is None else self.model.gap
-        pushing = sp.S.Zero if apart and self.model.unilateral else sp.S.One
-        inner = sp.sympify(expression).subs({DEPTH: -gap, PUSHING: pushing})
-        return inner.subs(self.plain)
+        pushing = {CONTACT: sp.S.One, LIFT_OFF: sp.S.Zero, BOTH: PUSHING}[side]
+        known = {DEPTH: -gap, PUSHING: pushing if self.model.unilateral else sp.S.One}
+        return sp.sympify(expression).subs(known).subs(self.plain)
+
+    def expanded(self, expression: sp.Expr) -> sp.Expr:
+        """With lengths and inclinations of lines in coordinates."""
+        return expression.subs({sp.Symbol(name): it for name, it in self.geometry.items()})
 
     @cached_property
     def motion(self) -> Motion:
@@ -118,13 +136,21 @@ class Derivation:
         }
 
     @cached_property
+    def _lines(self) -> list[tuple[str, str]]:
+        """Names of the length and the inclination of every line."""
+        marks = [f"_{place}" for place in range(1, len(self.model.lines) + 1)]
+        marks = [""] if len(marks) == 1 else marks
+        return [(f"L{mark}", f"theta{mark}") for mark in marks]
+
+    @cached_property
     def geometry(self) -> dict[str, sp.Expr]:
         """Length L and inclination theta of every line, numbered where there are several."""
         found: dict[str, sp.Expr] = {}
-        for place, line in enumerate(self.model.lines, 1):
-            mark = "" if len(self.model.lines) == 1 else f"_{place}"
-            dx, dy = line.dx.subs(self.plain), line.dy.subs(self.plain)
-            found |= {f"L{mark}": sp.sqrt(dx**2 + dy**2), f"theta{mark}": sp.atan2(dy, dx)}
+        angles = {it.c: sp.cos(it.symbol) for it in self.model.angles}
+        angles |= {it.s: sp.sin(it.symbol) for it in self.model.angles}
+        for line, (length, angle) in zip(self.model.lines, self._lines, strict=True):
+            dx, dy = line.dx.subs(angles), line.dy.subs(angles)
+            found |= {length: sp.sqrt(dx**2 + dy**2), angle: sp.atan2(dy, dx)}
         taken = self.parameters.keys() | set(map(str, self.model.coordinates))
         return {name: value for name, value in found.items() if name not in taken}
 
@@ -151,23 +177,25 @@ class Derivation:
     def names(self) -> dict[str, sp.Expr]:
         """What every name of a print stands for."""
         symbols = (*self.model.coordinates, *self.model.rates, *self.accelerations)
-        found: dict[str, sp.Expr] = {"mu": MU, "N": NORMAL, "lam": LAMBDA}
-        found |= self.geometry
+        found: dict[str, sp.Expr] = {"mu": MU, "N": NORMAL, "lam": LAMBDA, str(TIME): TIME}
+        found |= self.geometry | {str(PUSHING): PUSHING}
         return found | {str(symbol): symbol for symbol in symbols} | self.parameters
 
     @cached_property
     def letters(self) -> dict[str, str]:
         """LaTeX of every name."""
-        found = {str(it.symbol): it.latex for it in (*self.page.units, *self.page.parameters)}
+        data = self.page.parameters
+        found = {str(it.symbol): it.latex for it in (*self.page.units, *data)}
         if self.scaled:
-            found = {it.becomes: sp.latex(number(it)) for it in self.page.parameters}
+            found = {it.becomes: sp.latex(number(it)) for it in data}
+            found |= {name: it.latex for it in data if (name := it.becomes) == str(it.symbol)}
         for it, second in zip(self.page.coordinates, self.accelerations, strict=True):
             found |= {
                 str(it.symbol): it.latex,
                 str(it.rate): rf"\dot{{{it.latex}}}",
                 str(second): rf"\ddot{{{it.latex}}}",
             }
-        return found | {"mu": r"\mu", "lam": r"\lambda"}
+        return found | {"mu": r"\mu", "lam": r"\lambda", str(PUSHING): r"\overline{n}"}
 
     @cached_property
     def kinds(self) -> dict[str, Dimension]:
@@ -185,6 +213,7 @@ class Derivation:
             "N": units.FORCE,
             "mu": units.NONE,
             "lam": units.times(units.NONE, units.TIME, -1),
+            str(TIME): units.TIME,
         } | known
 
     @cached_property
@@ -212,8 +241,8 @@ class Derivation:
     def _measured(self) -> dict[sp.Expr, sp.Expr]:
         return {}
 
-    def place(self, name: str) -> int:
-        """The place of a coordinate.
+    def places(self, name: str) -> tuple[int, ...]:
+        """The place of a coordinate, or those of all where none is named.
 
         Raises
         ------
@@ -221,28 +250,30 @@ class Derivation:
             Where the page has no such coordinate.
         """
         names = [str(symbol) for symbol in self.model.coordinates]
+        if not name:
+            return tuple(range(len(names)))
         if name not in names:
             raise NoObject(f"{name} is no coordinate of the page; these are {', '.join(names)}")
-        return names.index(name)
+        return (names.index(name),)
 
 
-def _motion(it: Derivation, name: str, apart: bool) -> Object:
-    contact = sp.S.Zero if apart or it.page.normal is None else NORMAL
-    rows = tuple(it.spelled(row, apart) for row in it.motion.balance(contact))
-    return Object(rows, "motion.Motion.balance", "covector", (it.place(name),), "parameters")
+def _motion(it: Derivation, name: str, side: str) -> Object:
+    contact = sp.S.Zero if side == LIFT_OFF or it.page.normal is None else NORMAL
+    rows = tuple(it.spelled(row, side) for row in it.motion.balance(contact))
+    return Object(rows, "motion.Motion.balance", "covector", it.places(name), "parameters")
 
 
-def _acceleration(it: Derivation, name: str, apart: bool) -> Object:
-    place = it.place(name)
-    solved = {symbol: it.spelled(value, apart) for symbol, value in it.motion.inverted.items()}
+def _acceleration(it: Derivation, name: str, side: str) -> Object:
+    places = it.places(name)
+    solved = {symbol: it.spelled(value, side) for symbol, value in it.motion.inverted.items()}
     # Entries of the inverse of M are over its determinant, which is itself a shorthand.
-    whole = (it.spelled(row, apart).subs(solved).subs(solved) for row in it.motion.accelerations)
+    whole = (it.spelled(row, side).subs(solved).subs(solved) for row in it.motion.accelerations)
     rows = tuple(whole)
-    second = frozenset({str(it.accelerations[place])})
-    return Object(rows, "motion.Motion.accelerations", "vector", (place,), names=second)
+    second = frozenset(str(it.accelerations[place]) for place in places)
+    return Object(rows, "motion.Motion.accelerations", "vector", places, names=second)
 
 
-def _energy(it: Derivation, name: str, apart: bool) -> Object:
+def _energy(it: Derivation, name: str, side: str) -> Object:
     """An energy, V also as U; V and L count potentials of constant applied forces or do not."""
     kinetic = it.spelled(it.model.kinetic)
     potential = it.spelled(it.model.potential)
@@ -286,35 +317,33 @@ def _potentials_of_forces(it: Derivation) -> list[sp.Expr]:
     return found
 
 
-def _balance(it: Derivation, name: str, apart: bool) -> Object:
+def _balance(it: Derivation, name: str, side: str) -> Object:
     """Forces of the motion at rest, with the friction at the belt's speed."""
     mu = laws.friction_at_speed(it.model)
-    rows = tuple(it.spelled(row, apart).subs(MU, it.spelled(mu)) for row in it.model.residuals)
-    return Object(
-        rows, "mechanics.Mechanics.residuals", "covector", (it.place(name),), "parameters"
-    )
+    rows = tuple(it.spelled(row, side).subs(MU, it.spelled(mu)) for row in it.model.residuals)
+    return Object(rows, "mechanics.Mechanics.residuals", "covector", it.places(name), "parameters")
 
 
-def _equilibrium(it: Derivation, name: str, apart: bool) -> Object:
+def _equilibrium(it: Derivation, name: str, side: str) -> Object:
     mu = it.spelled(laws.friction_at_rest(it.model))
-    rows = tuple(it.spelled(row, apart).subs(MU, mu) for row in it.model.residuals)
+    rows = tuple(it.spelled(row, side).subs(MU, mu) for row in it.model.residuals)
     return Object(
         rows,
         "mechanics.Mechanics.residuals",
         "covector",
-        (it.place(name),),
+        it.places(name),
         "parameters",
         steady=True,
-        apart=apart,
+        side=side,
     )
 
 
 def _entries(
     of: Callable[[Derivation], sp.Matrix], letter: str, by: str
-) -> Callable[[Derivation, str, bool], Object]:
-    def derived(it: Derivation, name: str, apart: bool) -> Object:
+) -> Callable[[Derivation, str, str], Object]:
+    def derived(it: Derivation, name: str, side: str) -> Object:
         mu = it.spelled(laws.friction_at_rest(it.model))
-        matrix = of(it).applyfunc(lambda entry: it.spelled(entry, apart).subs(MU, mu))
+        matrix = of(it).applyfunc(lambda entry: it.spelled(entry, side).subs(MU, mu))
         n = len(it.model.coordinates)
         places = [int(part) - 1 for part in name.split() if part.isdigit()]
         if places and (len(places) != 2 or not all(0 <= place < n for place in places)):
@@ -322,25 +351,27 @@ def _entries(
         index = (places[0] * n + places[1],) if places else tuple(range(n * n))
         mark = "".join(str(place + 1) for place in places)
         names = frozenset({f"{letter}_{mark}", f"{letter}{mark}"} if places else {letter})
-        return Object(tuple(matrix), by, "form", index, names=names, steady=True, apart=apart)
+        shape = None if places else (n, n)
+        entries = tuple(matrix)
+        return Object(entries, by, "form", index, names=names, steady=True, side=side, shape=shape)
 
     return derived
 
 
-def _characteristic(it: Derivation, name: str, apart: bool) -> Object:
+def _characteristic(it: Derivation, name: str, side: str) -> Object:
     mass, C = it.model.mass, linearization.damping(it.model)
     K = sp.Matrix(statics.jacobian(it.model))
     mu = it.spelled(laws.friction_at_rest(it.model))
-    whole = (LAMBDA**2 * mass + LAMBDA * C + K).applyfunc(lambda entry: it.spelled(entry, apart))
+    whole = (LAMBDA**2 * mass + LAMBDA * C + K).applyfunc(lambda entry: it.spelled(entry, side))
     polynomial = whole.subs(MU, mu).det()
     by = "linearization.damping, statics.jacobian"
-    return Object((polynomial,), by, factor="parameters", steady=True, apart=apart)
+    return Object((polynomial,), by, factor="parameters", steady=True, side=side)
 
 
-def _threshold(it: Derivation, name: str, apart: bool) -> Object:
+def _threshold(it: Derivation, name: str, side: str) -> Object:
     mu = it.spelled(laws.friction_at_rest(it.model))
     K = sp.Matrix(statics.jacobian(it.model)).applyfunc(it.spelled).subs(MU, mu)
-    if K.has(*it.model.coordinates):
+    if K.applyfunc(it.expanded).has(*it.model.coordinates):
         raise NoObject("the threshold depends on the state; only those of linear forces are judged")
     A = it.model.mass.inv() * K
     flutter = sp.S.One
@@ -350,34 +381,102 @@ def _threshold(it: Derivation, name: str, apart: bool) -> Object:
     return Object((sp.factor(choice),), "statics.jacobian", factor="monomial", steady=True)
 
 
-def _scale(it: Derivation, name: str, apart: bool) -> Object:
+def _scale(it: Derivation, name: str, side: str) -> Object:
     groups = physical_checks.groups(it.page)
     named = {"time": units.TIME, "length": units.LENGTH, "force": units.FORCE}
-    value = groups.get(name)
-    for coordinate in it.page.coordinates:
-        if str(coordinate.symbol) == name:
-            scale = physical_checks.scale(it.page, units.read(coordinate.unit))
-            value = None if scale is None else coordinate.symbol / scale
-    if name in named or name == "N":
-        scale = physical_checks.scale(it.page, named.get(name, units.FORCE))
-        value = None if scale is None else (NORMAL / scale if name == "N" else scale)
-    if value is None:
-        raise NoObject(f"{name} is no number, coordinate, time, length, force or N of the page")
-    unit = named.get(name, units.NONE)
+    measured = {str(entry.symbol): entry.symbol for entry in it.page.coordinates} | {"N": NORMAL}
+    measured |= {name: sp.Symbol(name) for name in it.geometry} | {"time": TIME}
     by, names = "physical_checks.groups", frozenset({name})
-    return Object((value,), by, "scale", names=names, unit=unit)
+    scale = physical_checks.scale(it.page, named.get(name) or it.kinds.get(name, units.NONE))
+    if name in groups:
+        return Object((groups[name],), by, "scale", names=names, unit=units.NONE)
+    if scale is None or name not in measured | named:
+        raise NoObject(f"{name} is no number, coordinate, time, length, force or N of the page")
+    value = measured[name] / scale if name in measured else scale
+    both = (Reading(value, "time over its scale"), Reading(scale, "the scale itself"))
+    unit = units.NONE if name not in named else named[name] if name != "time" else None
+    return Object(
+        (value,), by, "scale", names=names, unit=unit, readings=both if name == "time" else ()
+    )
 
 
-def _normal(it: Derivation, name: str, apart: bool) -> Object:
-    value = it.spelled(it.model.normal, apart)
-    return Object((value,), "mechanics.Mechanics.normal", names=frozenset({"N"}), apart=apart)
+def _normal(it: Derivation, name: str, side: str) -> Object:
+    value = it.spelled(it.model.normal, side)
+    return Object((value,), "mechanics.Mechanics.normal", names=frozenset({"N"}), side=side)
 
 
-def _friction(it: Derivation, name: str, apart: bool) -> Object:
+def _friction(it: Derivation, name: str, side: str) -> Object:
     return Object((it.friction,), "laws.smooth_friction", names=frozenset({"mu"}))
 
 
-Deriver: TypeAlias = Callable[[Derivation, str, bool], Object]
+def _pushing(it: Derivation, name: str, side: str) -> Object:
+    if not it.model.unilateral:
+        raise NoObject("the page has no contact that can open")
+    own = frozenset({str(PUSHING)})
+    return Object((PUSHING,), "mechanics.Mechanics.normal", names=own, side=BOTH)
+
+
+def _direction(it: Derivation, name: str, side: str) -> Object:
+    """Parts of D (cos θ, sin θ)ᵀ = b, the equilibrium in length L and inclination θ of the line."""
+    if side not in it.directions:
+        it.directions[side] = balance_in_direction(it, side)
+    D, b, length = it.directions[side]
+    word, _, place = name.partition(" ")
+    by, values = "objects.balance_in_direction", {"matrix": D, "slope": D.diff(length), "side": b}
+    any_D, any_b = (
+        sp.Matrix(2, 2, sp.symbols("D_11 D_12 D_21 D_22")),
+        sp.Matrix(sp.symbols("b_1:3")),
+    )
+    parts = dict(zip((*any_D, *any_b), (*D, *b), strict=True))
+    cleared = (any_D.adjugate() * any_b).dot(any_D.adjugate() * any_b) - any_D.det() ** 2
+    if word in ("norm", "eliminated") and not place:  # 1 = bᵀ (D Dᵀ)⁻¹ b, and times det² D
+        short = cleared / any_D.det() ** 2 if word == "norm" else cleared
+        entry = short.subs(parts)
+        return Object((entry,), by, steady=True, side=side, short=(short, parts))
+    if word == "coefficient" and place.isdigit():
+        entry = sp.Poly(cleared.subs(parts), length).coeff_monomial(length ** int(place))
+        return Object((entry,), by, names=frozenset({name}), steady=True, side=side)
+    if word not in values or (place and word != "side") or place not in ("", "1", "2"):
+        raise NoObject(
+            f"direction has matrix, slope, side [1|2], norm, eliminated and coefficient K; {name!r}"
+            " is none of them"
+        )
+    entries = tuple(values[word])
+    index = (int(place) - 1,) if place else tuple(range(len(entries)))
+    shape = None if place else values[word].shape
+    names = frozenset({name})
+    return Object(entries, by, index=index, names=names, steady=True, side=side, shape=shape)
+
+
+def balance_in_direction(it: Derivation, side: str) -> tuple[sp.Matrix, sp.Matrix, sp.Symbol]:
+    """D and b of two coordinates at steady sliding, and L: linear in the direction of a line."""
+    if len(it.model.lines) != 1 or len(it.model.coordinates) != 2 or len(it.geometry) != 2:
+        raise NoObject("only two coordinates and one line that is named L, theta have a direction")
+    (line,), ((length, angle),) = it.model.lines, it._lines
+    L, theta = sp.Symbol(length), sp.Symbol(angle)
+    direction = sp.Matrix(sp.symbols("c s"))
+    ends = (it.spelled(line.dx), it.spelled(line.dy))
+    gaps = [end - L * way for end, way in zip(ends, direction, strict=True)]
+    placed = sp.solve(gaps, it.model.coordinates, dict=True)
+    named = {sp.cos(theta): direction[0], sp.sin(theta): direction[1]}
+    mu = it.friction_at_rest
+    rows = sp.Matrix([it.spelled(row, side).subs(MU, mu) for row in it.model.residuals])
+    if len(placed) != 1:
+        raise NoObject("the coordinates do not follow from length and inclination of the line")
+    turned = rows.subs(named).subs(placed[0]).applyfunc(sp.expand)
+    D = turned.jacobian(direction)
+    b = -turned.subs(dict.fromkeys(direction, 0))
+    if sp.expand(turned - (D * direction - b)) != sp.zeros(2, 1) or D.has(*direction):
+        raise NoObject("the equilibrium is not linear in the direction of the line")
+    return D, b, L
+
+
+def _identity(it: Derivation, name: str, side: str) -> Object:
+    """A relation between names that holds by what they are."""
+    return Object((sp.S.Zero,), "objects.Derivation.geometry", side=side)
+
+
+Deriver: TypeAlias = Callable[[Derivation, str, str], Object]
 #: How each object is derived, by its word.
 OBJECTS: Mapping[str, Deriver] = {
     "motion": _motion,
@@ -395,6 +494,8 @@ OBJECTS: Mapping[str, Deriver] = {
     "scale": _scale,
     "normal": _normal,
     "friction": _friction,
+    "pushing": _pushing,
+    "direction": _direction,
 }
 
 
@@ -414,8 +515,15 @@ def derived(it: Derivation, about: str) -> Object:
     """
     said, _, where = (part.strip() for part in about.partition(","))
     word, _, rest = said.partition(" ")
-    if word not in OBJECTS or where not in ("", "lift-off"):
+    side = where or CONTACT
+    if word not in OBJECTS or side not in (CONTACT, LIFT_OFF, BOTH):
         raise NoObject(f"{about!r} is no object; there are {', '.join(OBJECTS)}")
     if about not in it.found:
-        it.found[about] = OBJECTS[word](it, rest.strip(), where == "lift-off")
-    return it.found[about]
+        try:
+            it.found[about] = OBJECTS[word](it, rest.strip(), side)
+        except (NoObject, ArithmeticError) as error:
+            it.found[about] = NoObject(str(error))
+    found = it.found[about]
+    if isinstance(found, NoObject):
+        raise found
+    return found

@@ -42,6 +42,17 @@ class Statement:
     limit: str = ""
     expect: str = "confirmed"
     note: str = ""
+    transcribed: str = ""  #: the print in SymPy's syntax, beside its LaTeX
+
+    @property
+    def word(self) -> str:
+        """The kind of object that it is about."""
+        return re.split(r"[ ,]", self.about)[0]
+
+    @property
+    def judged(self) -> str:
+        """The text that is read."""
+        return self.transcribed or self.text
 
 
 @dataclass(frozen=True)
@@ -101,8 +112,16 @@ def read(path: Path) -> Paper:
         if problem is not None:
             raise refuse(problem[0], problem[1], after)
         rest = {key: entry[key] for key in entry.keys() - {"latex", "sympy"}}
-        text = entry.get("latex", entry.get("sympy", ""))
-        found.append(Statement(text=text, is_latex="latex" in entry, **rest))
+        latex, sympy = entry.get("latex"), entry.get("sympy", "")
+        is_both = latex is not None and sympy
+        found.append(
+            Statement(
+                text=sympy if latex is None else latex,
+                is_latex=latex is not None,
+                transcribed=sympy if is_both else "",
+                **rest,
+            )
+        )
     return Paper(str(texts["paper"]), str(texts["model"]), names, tuple(found))
 
 
@@ -122,8 +141,8 @@ def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:
             return key, f'is missing in this statement; add {key} = "…"'
     if entry["id"] in before:
         return "id", f"{entry['id']} stands twice; give the second statement another id"
-    if ("latex" in entry) == ("sympy" in entry) and entry["about"] != "other":
-        return "id", f"{entry['id']} has to have one of latex and sympy"
+    if not {"latex", "sympy"} & entry.keys() and entry["about"] != "other":
+        return "id", f"{entry['id']} has to have latex, or sympy, or both"
     for key, allowed in (("form", ("units", "scaled")), ("expect", VERDICTS)):
         if key in entry and entry[key] not in allowed:
             return key, f"{entry[key]!r} is none of {', '.join(allowed)}"

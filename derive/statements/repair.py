@@ -8,7 +8,7 @@ Numbers propose only; what is proposed is proved elsewhere.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import TypeAlias
@@ -52,6 +52,7 @@ class Edit:
     old: Node
     new: Node
     cost: float
+    also: tuple[tuple[int, int], ...] = ()  #: the same edit at further places
 
 
 @dataclass(frozen=True)
@@ -99,12 +100,13 @@ class Pool:
 
     def renaming(self, old: str, new: str) -> str:
         """The kind of edit that puts one name in the place of another."""
-        if _stem(old) == _stem(new):
+        if stem(old) == stem(new):
             return "index"
         return "renaming" if self.kinds.get(old) == self.kinds.get(new) else "symbol"
 
 
-def _stem(name: str) -> str:
+def stem(name: str) -> str:
+    """A name without its index."""
     return name.rstrip("0123456789").split("_")[0]
 
 
@@ -142,12 +144,28 @@ def _values(
                 value = parts[0] / parts[1]
             case "pow":
                 value = parts[0] ** parts[1]
+            case _ if tree.value == "Tuple":
+                value = np.array(parts)
+            case _ if tree.value == "Piecewise":
+                held = [pair[1] != 0 for pair in parts]
+                value = np.select(held, [pair[0] for pair in parts], np.nan)
+            case _ if tree.value in _RELATIONS:
+                value = 1.0 * _RELATIONS[tree.value](*parts)
             case _:
                 value = _NUMERIC[tree.value](parts[0])
     found[path] = value
     return value
 
 
+_RELATIONS = {
+    "Lt": np.less,
+    "Le": np.less_equal,
+    "Gt": np.greater,
+    "Ge": np.greater_equal,
+    "Ne": np.not_equal,
+    "Eq": np.equal,
+    "And": np.multiply,
+}
 _NUMPY = {"Abs": "abs", "asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 _NUMERIC = {
     name: (lambda x: 1 / np.tan(x)) if name == "cot" else getattr(np, _NUMPY.get(name, name))
@@ -299,7 +317,7 @@ def _singles(tree: Node, target: Values, pool: Pool, deep: bool = True) -> list[
 def _dearer(edit: Edit, tree: Node) -> Edit:
     """The cost of an edit with the depth at which it stands."""
     depth = next((len(p) for p, part, _ in _parts(tree) if part is edit.old), 0)
-    return Edit(edit.kind, edit.at, edit.old, edit.new, edit.cost + PER_LEVEL * depth)
+    return replace(edit, cost=edit.cost + PER_LEVEL * depth)
 
 
 def _everywhere(tree: Node, target: Values, pool: Pool) -> list[Repair]:
@@ -316,9 +334,9 @@ def _everywhere(tree: Node, target: Values, pool: Pool) -> list[Repair]:
                 swapped = {**pool.values, old: pool.values[new]}
                 if same(evaluated(tree, swapped), target):
                     one = Node("symbol", value=new)
-                    first = next(part for part in nodes(tree) if part.value == old)
-                    cost = COST["renaming"]
-                    edit = Edit("renaming", first.at, first, one, cost)
+                    first, *others = (part for part in nodes(tree) if part.value == old)
+                    also = tuple(part.at for part in others)
+                    edit = Edit("renaming", first.at, first, one, COST["renaming"], also)
                     found.append(Repair(_renamed(tree, old, new), (edit,)))
     return found
 
@@ -379,7 +397,7 @@ def _fitting(
         if not same(need, -value) and (fit := monomial(ratio, part, pool, deep)) is not None:
             size = len([it for it in nodes(fit) if it.kind == "symbol"])
             simple = fit.kind == "number"
-            new = Node("mul", (fit, part), at=part.at)
+            new = _times(part, fit)
             kind = "number" if simple else "missing factor"
             edit(kind, new, PER_SYMBOL[kind] * max(size - 1, 0))
     if part.kind == "add" or above is None or above.kind not in ("add", "neg"):
@@ -448,6 +466,15 @@ def monomial(values: Values, near: Node, pool: Pool, deep: bool = True) -> Node 
     if below:
         whole = Node("div", (whole, below[0] if len(below) == 1 else Node("mul", tuple(below))))
     return Node("neg", (whole,)) if factor < 0 else whole
+
+
+def _times(part: Node, factor: Node) -> Node:
+    """A part times a factor, which of a quotient joins the denominator if it is below 1."""
+    if factor.kind != "div" or factor.args[0] != ONE:
+        return Node("mul", (factor, part), at=part.at)
+    above, below = part.args if part.kind == "div" else (part, None)
+    below = factor.args[1] if below is None else Node("mul", (below, factor.args[1]))
+    return Node("div", (above, below), at=part.at)
 
 
 def _powered(atom: Node, power: float) -> Node:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from functools import cache
 
 import numpy as np
 import sympy as sp
 
-from .objects import Derivation, NoObject, Object
+from ..mechanics import PUSHING
+from .objects import BOTH, CONTACT, TIME, Derivation, NoObject, Object
 from .repair import Values
 
 #: Pairs of samples with the same parameters.
@@ -24,28 +26,31 @@ def drawn(it: Derivation, held: Object, seed: int = 20201) -> dict[str, Values]:
     for name, symbol in it.parameters.items():
         value = np.repeat(rng.uniform(0.3, 1.4, PAIRS), 2)
         found[name] = value if symbol.is_nonnegative else value * _signs(rng, size, 2)
-    gap = None if it.model.gap is None else it.spelled(it.model.gap)
+    gap = None if it.model.gap is None else it.expanded(it.spelled(it.model.gap))
     coordinates = [str(symbol) for symbol in it.model.coordinates]
     states = {name: _state(rng, size) for name in coordinates}
+    pushing = np.ones(size)
     if gap is not None:
         measure = numeric(gap, [*found, *coordinates])
+        if held.side != CONTACT and it.model.unilateral:
+            pushing = np.repeat(np.arange(PAIRS) % 2 if held.side == BOTH else [0] * PAIRS, 2)
         for _ in range(_TRIES):
             level = measure({**found, **states})
-            wrong = level <= 0 if held.apart else level >= 0
+            wrong = np.where(pushing == 0, level <= 0, level >= 0)
             if not wrong.any():
                 break
             for name in coordinates:
                 states[name] = np.where(wrong, _state(rng, size), states[name])
-    found |= states
+    found |= states | {str(PUSHING): 1.0 * pushing}
     for symbol in (*it.model.rates, *it.accelerations):
         found[str(symbol)] = _state(rng, size)
-    found["lam"] = _state(rng, size)
+    for name in ("lam", str(TIME)):
+        found.setdefault(name, _state(rng, size))
     for name, value in it.geometry.items():
         found[name] = numeric(value, list(found))(found)
     statics = it.friction_at_rest if held.steady else it.friction
     found.setdefault("mu", numeric(statics, list(found))(found))
-    normal = sp.S.Zero if held.apart else it.normal
-    found.setdefault("N", numeric(normal, list(found))(found))
+    found.setdefault("N", pushing * numeric(it.normal, list(found))(found))
     return found
 
 
@@ -59,21 +64,44 @@ def _signs(rng: np.random.Generator, size: int, repeat: int) -> Values:
 
 def numeric(expression: sp.Expr, names: list[str]) -> Callable[[Mapping[str, Values]], Values]:
     """An expression as a function of values by name."""
-    used, function = _compiled(expression)
-    missing = [name for name in used if name not in names]
+    missing = sorted({str(it) for it in expression.free_symbols} - {*names})
     if missing:
         raise NoObject(f"{expression} holds {', '.join(missing)}, which has no values")
 
     def value(values: Mapping[str, Values]) -> Values:
-        shape = np.ones_like(next(iter(values.values())))
+        found: dict[sp.Basic, Values] = {}
         with np.errstate(all="ignore"):
-            return np.asarray(function(*(values[name] for name in used))) * shape
+            return _value(expression, values, found) * np.ones_like(next(iter(values.values())))
 
     return value
 
 
+def _value(part: sp.Basic, values: Mapping[str, Values], found: dict[sp.Basic, Values]) -> Values:
+    """Values of an expression, each part of it once."""
+    if part in found:
+        return found[part]
+    if isinstance(part, sp.Symbol):
+        value = values[part.name]
+    elif isinstance(part, sp.Piecewise):
+        names = tuple(sorted(part.free_symbols, key=str))
+        value = _compiled(part, names)(*(values[str(name)] for name in names))
+    elif not part.args:
+        value = np.array(float(sp.N(part)))
+    else:
+        inner = [_value(it, values, found) for it in part.args]
+        if isinstance(part, sp.Add):
+            value = sum(inner[1:], inner[0])
+        elif isinstance(part, sp.Mul):
+            value = math.prod(inner[1:], start=inner[0])
+        elif isinstance(part, sp.Pow):
+            value = inner[0] ** (int(part.exp) if part.exp.is_Integer else inner[1])
+        else:
+            names = sp.symbols(f"x:{len(inner)}")
+            value = _compiled(part.func(*names), names)(*inner)
+    found[part] = value
+    return value
+
+
 @cache
-def _compiled(expression: sp.Expr) -> tuple[tuple[str, ...], Callable[..., Values]]:
-    symbols = sorted(expression.free_symbols, key=str)
-    function = sp.lambdify(symbols, expression, "numpy", cse=True)
-    return tuple(map(str, symbols)), function
+def _compiled(function: sp.Expr, names: tuple[sp.Symbol, ...]) -> Callable[..., Values]:
+    return sp.lambdify(names, function, "numpy")

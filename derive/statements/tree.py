@@ -6,7 +6,7 @@ import ast
 import itertools
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
@@ -36,6 +36,8 @@ class Vocabulary:
     symbols: frozenset[str]
     coordinates: tuple[str, ...]
     renamed: Mapping[str, str]
+    #: rows and columns of the names that stand for matrices
+    matrices: Mapping[str, tuple[int, int]] = field(default_factory=dict)
 
 
 class Unread(ValueError):
@@ -98,6 +100,8 @@ FUNCTIONS = {
         "atan",
     )
 }
+#: Relations in the conditions of a choice.
+RELATIONS = {name: getattr(sp, name) for name in ("Lt", "Le", "Gt", "Ge", "Ne", "Eq")}
 ZERO, ONE = Node("number", value="0"), Node("number", value="1")
 
 
@@ -153,22 +157,41 @@ def to_sympy(tree: Node, names: Mapping[str, sp.Expr], evaluate: bool = True) ->
                 return parts[0] / parts[1]
             case "pow":
                 return parts[0] ** parts[1]
+            case _ if tree.value == "Piecewise":
+                return sp.Piecewise(*(pair.args for pair in parts))
+            case _ if tree.value in ("Tuple", "And"):
+                return getattr(sp, tree.value)(*parts)
             case _:
-                return FUNCTIONS[tree.value](*parts)
+                return (FUNCTIONS | RELATIONS)[tree.value](*parts)
 
 
 def read_sympy(text: str, vocabulary: Vocabulary) -> list[Equation]:
-    """Equations in Python's syntax, ``left = right`` or an expression that is 0; nothing is run.
+    """Equations in Python's syntax, between semicolons; nothing is run.
+
+    Each is ``left = right``, or an expression that is 0.
 
     Raises
     ------
     Unread
         Where the text is no expression of known names, with the place.
     """
+    equations, begin = [], 0
+    for part in text.split(";"):
+        equations += _read_one(part, begin, vocabulary)
+        begin += len(part) + 1
+    return equations
+
+
+def _read_one(text: str, begin: int, vocabulary: Vocabulary) -> list[Equation]:
     sides = text.split("=")
-    trees, begin = [], 0
+    trees: list[Node] = []
     for side in sides:
         space = len(side) - len(side.lstrip())
+        if not trees and len(sides) > 1 and side.strip().isidentifier():
+            at = (begin + space, begin + space + len(side.strip()))
+            trees.append(Node("symbol", value=side.strip(), at=at))
+            begin += len(side) + 1
+            continue
         try:
             parsed = ast.parse(side.strip(), mode="eval").body
         except (SyntaxError, ValueError, RecursionError) as error:

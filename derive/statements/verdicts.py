@@ -9,18 +9,19 @@ from typing import TypeAlias
 
 import numpy as np
 import sympy as sp
+from sympy.core.relational import Relational
 
 from .. import algebra, units
-from ..mechanics import MU
+from ..mechanics import MU, PUSHING
 from ..pages import Model
 from ..units import Dimension
-from . import samples
-from .objects import LAMBDA, NORMAL, Derivation, NoObject, Object, derivation, derived
+from .markup import repaired_print
+from .objects import BOTH, CONTACT, LAMBDA, LIFT_OFF, NORMAL, TIME, Derivation
 from .papers import Paper, Statement
-from .repair import Edit, Pool, Repair, Values, evaluated, repairs, same
+from .reading import Item, Verdict, opened
+from .repair import Edit, Pool, Repair, Values, evaluated, repairs, same, stem
 from .samples import numeric
-from .tree import Equation, Node, Unread, Vocabulary, printed, read_sympy, symbols
-from .tree import to_latex, to_sympy
+from .tree import Node, printed, symbols, to_sympy
 
 #: Repairs of one statement that are tried for a proof.
 MOST_PROOFS = 12
@@ -45,7 +46,9 @@ class Row:
     read: str = ""
     derived: str = ""
     derived_by: str = ""
+    derived_latex: str = ""
     difference: str = ""
+    difference_latex: str = ""
     repaired: str = ""
     repaired_latex: str = ""
     edits: tuple[Mapping[str, object], ...] = ()
@@ -72,6 +75,7 @@ class Checked:
     model: str
     conventions: tuple[str, ...]
     rows: tuple[Row, ...]
+    coordinates: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -90,123 +94,45 @@ class Convention:
 Conventions: TypeAlias = dict[str, Convention]
 
 
-@dataclass(frozen=True)
-class Item:
-    """A statement that was read, with what it is held against, at samples."""
-
-    statement: Statement
-    it: Derivation
-    held: Object
-    equations: tuple[Equation, ...]
-    values: Mapping[str, Values]
-    targets: tuple[Values, ...]
-    readings: tuple[Values, ...]
-    defined: Mapping[str, Node]
-
-
 def check(paper: Paper, model: Model) -> Checked:
     """Verdicts on every statement of a paper, for a page."""
-    forms = forms_of(model)
-    defined: dict[str, Node] = {}
-    found = [prepared(statement, forms, paper.renamed, defined) for statement in paper.statements]
+    return compared(paper, model, opened(paper, model)[1])
+
+
+def compared(paper: Paper, model: Model, found: Sequence[Item | Verdict]) -> Checked:
+    """Verdicts on the statements of a paper that were read."""
     items = [item for item in found if isinstance(item, Item)]
     conventions = _settled(items)
-    rows = [_row(item, conventions) if isinstance(item, Item) else item for item in found]
+    rows = [
+        judged(item, conventions) if isinstance(item, Item) else uncompared(item) for item in found
+    ]
     said = tuple(it.said(name) for name, it in conventions.items() if (it.sign, it.shift) != (1, 0))
-    return Checked(paper.title, model.name, said, tuple(_said_once(rows)))
+    coordinates = tuple(map(str, model.mechanics.coordinates))
+    return Checked(paper.title, model.name, said, tuple(_said_once(rows)), coordinates)
 
 
-_FORMS: dict[tuple[str, str], dict[str, Derivation]] = {}
-
-
-def forms_of(model: Model) -> dict[str, Derivation]:
-    """A page in both forms, kept for the next paper."""
-    key = model.name, model.digest
-    if key not in _FORMS:
-        both = ("units", "scaled")
-        _FORMS[key] = {form: derivation(model.page, model.mechanics, form) for form in both}
-    return _FORMS[key]
-
-
-# ---------------------------------------------------------------------------------------- reading
-
-
-def prepared(
-    statement: Statement,
-    forms: Mapping[str, Derivation],
-    renamed: Mapping[str, str],
-    defined: dict[str, Node],
-) -> Item | Row:
-    row = Row(statement.id, statement.about, "", statement.expect, statement.where, statement.form)
-    row = replace(row, print=statement.text, note=statement.note)
-    if statement.about == "other":
-        return replace(row, status="other")
-    word = statement.about.split(" ")[0]
-    unread = replace(row, status="unread")
-    for form in (statement.form,) if statement.form else ("units", "scaled"):
-        it = forms["units" if word == "scale" else form]
-        try:
-            held = None if word == "definition" else derived(it, statement.about)
-            equations = _read(statement, it, held, renamed, defined)
-        except Unread as error:
-            place = f"at {error.place}, {statement.text[error.place :][:20]!r}: "
-            readings = f"; either {' or '.join(error.readings)}" if error.readings else ""
-            unread = replace(unread, evidence=unread.evidence or f"{place}{error.reason}{readings}")
-            continue
-        except (NoObject, ArithmeticError) as error:
-            return replace(row, status="unread", evidence=str(error))
-        return _item(statement, it, held, equations, defined, replace(row, form=form))
-    return unread
-
-
-def _read(
-    statement: Statement,
-    it: Derivation,
-    held: Object | None,
-    renamed: Mapping[str, str],
-    defined: Mapping[str, Node],
-) -> tuple[Equation, ...]:
-    own = held.names if held is not None else frozenset()
-    text = statement.text
-    if held is None or statement.about.startswith("scale"):
-        own |= {text.split("=")[0].strip()}
-    vocabulary = Vocabulary(
-        frozenset(it.names) | defined.keys() | own,
-        tuple(map(str, it.model.coordinates)),
-        renamed,
+def uncompared(verdict: Verdict) -> Row:
+    """The row of a statement that is held against nothing."""
+    return replace(
+        _begun(verdict.statement),
+        status=verdict.status,
+        read=verdict.read,
+        evidence=verdict.evidence,
     )
-    if statement.is_latex:
-        from .latex import read_latex
-
-        return tuple(read_latex(text, vocabulary))
-    return tuple(read_sympy(text, vocabulary))
 
 
-def _item(
-    statement: Statement,
-    it: Derivation,
-    held: Object | None,
-    equations: tuple[Equation, ...],
-    defined: dict[str, Node],
-    row: Row,
-) -> Item | Row:
-    if held is None:
-        left = equations[0].left
-        if left.kind != "symbol":
-            reason = "a definition has one name on its left side"
-            return replace(row, status="unread", evidence=reason)
-        known = {**it.geometry, "N": it.normal, "mu": it.friction}
-        if left.value not in known:
-            defined[left.value] = equations[0].right
-            read = f"{left.value} = {printed(equations[0].right)}"
-            return replace(row, status="definition", read=read)
-        by = "objects.Derivation.geometry"
-        held = Object((known[left.value],), by, names=frozenset({left.value}))
-    values = samples.drawn(it, held)
-    names = list(values)
-    targets = tuple(numeric(entry, names)(values) for entry in held.entries)
-    readings = tuple(numeric(one.entry, names)(values) for one in held.readings)
-    return Item(statement, it, held, equations, values, targets, readings, dict(defined))
+def _begun(statement: Statement) -> Row:
+    """What a row has from its statement."""
+    return Row(
+        statement.id,
+        statement.about,
+        "failed",
+        statement.expect,
+        statement.where,
+        statement.form,
+        statement.text,
+        note=statement.note,
+    )
 
 
 # ------------------------------------------------------------------------------------ comparison
@@ -225,7 +151,8 @@ def _printed_values(item: Item, conventions: Conventions) -> dict[str, Values]:
             for name in (str(rate), str(second)):
                 values[name] = convention.sign * item.values[name]
     for name, tree in item.defined.items():
-        values[name] = evaluated(tree, values)
+        if symbols(tree) <= values.keys():
+            values[name] = evaluated(tree, values)
     return values
 
 
@@ -257,20 +184,14 @@ def _components(
 ) -> list[Component]:
     """Every printed equation with what its side ought to be, once for each possible factor."""
     found = []
-    equations = item.equations
-    places = item.held.index
-    if len(equations) > len(places):
-        equations = equations[-len(places) :]
-    for equation, place in zip(equations, places, strict=False):
+    for equation, place in zip(item.equations, item.held.index, strict=True):
         sign = _signs(item, conventions, place)
         target, entry = sign * item.targets[place], sign * item.held.entries[place]
         if item.held.is_value:
             tree, left = equation.right, printed(equation.left)
             if printed(equation.right) == "0":  # an expression alone is the value
                 tree, left = equation.left, ""
-            elif left not in item.held.names and not (
-                item.held.law == "scale" and equation.left.kind == "symbol"
-            ):
+            elif left not in item.held.names and not _is_new(item, equation.left):
                 continue  # 2 T = … is no value of T
             meant = tuple(one.entry for one in item.held.readings)
             found.append(Component(tree, item.readings or (target,), meant or (entry,), left))
@@ -294,6 +215,12 @@ def _components(
     return found
 
 
+def _is_new(item: Item, left: Node) -> bool:
+    """Whether a name on the left is none of the page, or, of a scale, what is scaled."""
+    known = item.held.law != "scale" and left.value in item.it.names
+    return left.kind == "symbol" and not known
+
+
 def _states(it: Derivation) -> tuple[sp.Symbol, ...]:
     return (*it.model.coordinates, *it.model.rates, *it.accelerations, LAMBDA, NORMAL, MU)
 
@@ -301,7 +228,7 @@ def _states(it: Derivation) -> tuple[sp.Symbol, ...]:
 def _factors(item: Item, conventions: Conventions, tree: Node, entry: sp.Expr) -> list[sp.Expr]:
     """Factors of parameters by which terms of the print are terms of the derivation, by votes."""
     whole = sp.expand(to_sympy(tree, _names(item, conventions)))
-    ours = sp.Add.make_args(sp.expand(entry))[:MOST_TERMS]
+    ours = sp.Add.make_args(sp.expand(item.it.expanded(entry)))[:MOST_TERMS]
     votes: dict[sp.Expr, int] = {}
     for term, own in itertools.product(sp.Add.make_args(whole)[:MOST_TERMS], ours):
         ratio = term / own
@@ -311,8 +238,8 @@ def _factors(item: Item, conventions: Conventions, tree: Node, entry: sp.Expr) -
 
 
 def _names(item: Item, conventions: Conventions) -> dict[str, sp.Expr]:
-    """What the print's names are in the page's symbols."""
-    names = dict(item.it.names)
+    """What the print's names are in the page's symbols; lengths and angles of lines stay names."""
+    names = item.it.names | {name: sp.Symbol(name) for name in item.it.geometry}
     for symbol, rate, second in zip(
         item.it.model.coordinates, item.it.model.rates, item.it.accelerations, strict=True
     ):
@@ -320,32 +247,62 @@ def _names(item: Item, conventions: Conventions) -> dict[str, sp.Expr]:
         if convention is not None:
             names[str(symbol)] = convention.sign * symbol + item.it.measured(convention.shift)
             names |= {str(it): convention.sign * it for it in (rate, second)}
+    names |= item.bound
     for name, tree in item.defined.items():
-        names[name] = to_sympy(tree, names)
+        if symbols(tree) <= names.keys():
+            names[name] = to_sympy(tree, names)
     return names
 
 
 def proved(item: Item, conventions: Conventions, tree: Node, entry: sp.Expr) -> bool:
     """Whether a tree is the derived expression, by exact algebra."""
-    value = _on_side(item, to_sympy(tree, _names(item, conventions)))
-    laws = {NORMAL: item.it.normal, MU: item.it.friction}
-    if item.held.steady:
-        laws[MU] = item.it.friction_at_rest
+    names = _names(item, conventions)
+    if _is_short(item, tree, names, entry):
+        return True
+    gap = to_sympy(tree, names) - entry
     if item.held.factor == "constant":
         states = (*item.it.model.coordinates, *item.it.model.rates)
-        return all(_zero(sp.diff(value - entry, it)) for it in states)
-    return _zero(value - entry) or _zero((value - entry).subs(laws))
+        return all(_zero(sp.diff(item.it.expanded(gap), it)) for it in states)
+    sides = (CONTACT, LIFT_OFF) if item.held.side == BOTH else (item.held.side,)
+    return all(_vanishes(item, gap, side) for side in sides)
 
 
-def _on_side(item: Item, value: sp.Expr) -> sp.Expr:
-    """A value with the gap's size and sign as they are in contact, or in lift-off."""
+def _is_short(item: Item, tree: Node, names: Names, entry: sp.Expr) -> bool:
+    """Whether a tree is the derived expression in shorthands, whatever they stand for."""
+    held = item.held
+    if held.short is None or entry not in (held.entries[0], -held.entries[0]):
+        return False
+    symbol_of = {value: symbol for symbol, value in held.short[1].items()}
+    known = {name: symbol_of.get(value, value) for name, value in names.items()}
+    entry = held.short[0] if entry == held.entries[0] else -held.short[0]
+    return _zero(to_sympy(tree, known) - entry)
+
+
+def _vanishes(item: Item, gap: sp.Expr, side: str) -> bool:
+    """Whether a difference is 0 on a side of the contact: as it stands, or by the page's laws."""
+    is_open = side == LIFT_OFF and item.it.model.unilateral
+    mu = item.it.friction_at_rest if item.held.steady else item.it.friction
+    laws = {NORMAL: sp.S.Zero if is_open else item.it.normal, MU: mu}
+    gap = gap.subs(PUSHING, 0 if is_open else 1)
+    named = (gap, gap.subs(laws))
+    if any(map(_zero, named)):
+        return True
+    sign = -1 if side == CONTACT else 1
+    return any(_zero(_on_side(item, item.it.expanded(it), sign)) for it in named)
+
+
+def _on_side(item: Item, value: sp.Expr, side: int) -> sp.Expr:
+    """A value with the gap's size and sign, and relations to 0, as they are on a side."""
     if item.it.model.gap is None or not item.it.model.unilateral:
         return value
-    gap, side = item.it.spelled(item.it.model.gap), 1 if item.held.apart else -1
-    for node in value.atoms(sp.Abs, sp.sign):
+    gap = item.it.expanded(item.it.spelled(item.it.model.gap))
+    for node in value.atoms(sp.Abs, sp.sign, Relational):
+        size = node.lhs - node.rhs if isinstance(node, Relational) else node.args[0]
         for way in (1, -1):
-            if _zero(node.args[0] - way * gap):
+            if _zero(size - way * gap):
                 known = side * gap if isinstance(node, sp.Abs) else sp.Integer(side * way)
+                if isinstance(node, Relational):
+                    known = node.func(known, 0)
                 value = value.xreplace({node: known})
     return value
 
@@ -358,6 +315,8 @@ def _zero(expression: sp.Expr) -> bool:
 def normal_form(expression: sp.Expr) -> sp.Expr:
     """An expression modulo sin² + cos² = 1 of every angle: 0 exactly where it is 0."""
     plain = expression
+    if plain.has(sp.Piecewise):  # a choice that is not made is compared with nothing
+        return plain
     plain = plain.replace(sp.cot, lambda angle: sp.cos(angle) / sp.sin(angle))
     plain = sp.expand_trig(plain.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle)))
     angles = sorted({node.args[0] for node in plain.atoms(sp.cos, sp.sin)}, key=sp.default_sort_key)
@@ -369,7 +328,7 @@ def normal_form(expression: sp.Expr) -> sp.Expr:
     return gap.xreplace({dummy: node for node, dummy in names.items()})
 
 
-def _agrees(item: Item, conventions: Conventions) -> bool:
+def agrees(item: Item, conventions: Conventions) -> bool:
     """Whether a statement holds at all samples, in conventions."""
     values = _printed_values(item, conventions)
     parts = _components(item, conventions, values, factors=False)
@@ -404,11 +363,20 @@ def _settled(items: Sequence[Item]) -> Conventions:
     One statement that would hold otherwise is no convention but a misprint: it takes two.
     """
 
-    def failing(conventions: Conventions) -> int:
-        return sum(not _agrees(item, conventions) for item in items)
+    def failing(conventions: Conventions, most: int) -> int:
+        """How many fail, or ``most``; those that failed last stand first, and end it early."""
+        failed = []
+        for item in order:
+            if not agrees(item, conventions):
+                failed.append(item)
+                if len(failed) == most:
+                    break
+        order.sort(key=lambda item: not any(item is one for one in failed))
+        return len(failed)
 
+    order = [*items]
     best: Conventions = {}
-    first = fewest = failing(best)
+    first = fewest = failing(best, len(order) + 1)
     if fewest < 2:
         return best
     it = items[0].it
@@ -419,7 +387,7 @@ def _settled(items: Sequence[Item]) -> Conventions:
                 continue
             for ways in itertools.product(*(choices[name] for name in names)):
                 tried = best | dict(zip(names, ways, strict=True))
-                if (failed := failing(tried)) < fewest:
+                if (failed := failing(tried, fewest)) < fewest:
                     best, fewest = tried, failed
                 if not fewest:
                     break
@@ -439,23 +407,20 @@ def _choices(it: Derivation, unit: str) -> list[Convention]:
 # --------------------------------------------------------------------------------------- verdicts
 
 
-def _row(item: Item, conventions: Conventions) -> Row:
+def judged(item: Item, conventions: Conventions | None = None) -> Row:
+    """The verdict on one statement, in the conventions of its paper."""
+    conventions = conventions or {}
     statement, held = item.statement, item.held
     values = _printed_values(item, conventions)
     parts = _components(item, conventions, values)
     entries = [held.entries[place] for place in held.index]
-    row = Row(
-        statement.id,
-        statement.about,
-        "failed",
-        statement.expect,
-        statement.where,
-        "scaled" if item.it.scaled else "units",
-        statement.text,
-        "; ".join(_said(part.left, part.tree) for part in parts),
-        "; ".join(map(str, entries)),
-        held.by,
-        note=statement.note,
+    row = replace(
+        _begun(statement),
+        form="scaled" if item.it.scaled else "units",
+        read="; ".join(_said(part.left, part.tree) for part in parts),
+        derived="; ".join(map(str, entries)),
+        derived_latex=_joined(map(item.latex, entries)),
+        derived_by=held.by,
     )
     wrong = "" if item.it.scaled else _units_problem(item, parts)
     repaired: list[tuple[Component, Repair, int]] = []
@@ -472,8 +437,8 @@ def _row(item: Item, conventions: Conventions) -> Row:
                 return replace(row, evidence="equal at all samples, but not by exact algebra")
             row, counted = _as_meant(row, item, exact)
             continue
-        gap = to_sympy(part.tree, _names(item, conventions)) - part.exact[0]
-        row = replace(row, difference=str(normal_form(gap)))
+        exact = part.exact[0]
+        row = _told(row, item, to_sympy(part.tree, _names(item, conventions)) - exact)
         if statement.limit and _in_limit(item, conventions, part, statement.limit):
             return replace(row, status="approximation", evidence=statement.limit)
         found = _repaired(item, conventions, part, values)
@@ -482,19 +447,19 @@ def _row(item: Item, conventions: Conventions) -> Row:
             return replace(row, evidence=f"{wrong}; {said}" if wrong else said)
         repair, exact, count = found
         row, counted = _as_meant(row, item, exact)
-        if counted:
-            gap = to_sympy(part.tree, _names(item, conventions)) - exact
-            row = replace(row, difference=str(normal_form(gap)))
+        names = _names(item, conventions)
+        row = _told(row, item, to_sympy(part.tree, names) - to_sympy(repair.tree, names))
         repaired.append((part, repair, count))
     if not parts:
         said = f"left of = no name of this object stands alone: {', '.join(sorted(held.names))}"
         return replace(row, status="unread", evidence=said)
     if not repaired:
-        word = statement.about.split(" ")[0]
-        status = "definition" if word == "definition" else "confirmed"
+        status = "definition" if statement.word == "definition" else "confirmed"
         return replace(row, status=status, evidence=f"{held.by}, equal by exact algebra{counted}")
     trees = [_said(part.left, repair.tree) for part, repair, _ in repaired]
-    texts = [to_latex(repair.tree, item.it.letters) for _, repair, _ in repaired]
+    texts = [
+        repaired_print(statement, part.left, repair, item.letters) for part, repair, _ in repaired
+    ]
     evidence = f"what is repaired equals {held.by} by exact algebra{counted}"
     return replace(
         row,
@@ -512,8 +477,22 @@ def _as_meant(row: Row, item: Item, exact: sp.Expr) -> tuple[Row, str]:
     """A row with the value that the print means, and what is counted in it."""
     for one in item.held.readings:
         if one.entry == exact:
-            return replace(row, derived=str(exact)), f"; {one.said}"
+            row = replace(row, derived=str(exact), derived_latex=item.latex(exact))
+            return row, f"; {one.said}"
     return row, ""
+
+
+def _told(row: Row, item: Item, gap: sp.Expr) -> Row:
+    """A row with the difference between print and derivation."""
+    shown = sp.factor_terms(normal_form(gap))
+    return replace(row, difference=str(shown), difference_latex=item.latex(shown))
+
+
+def _joined(texts: Iterable[str]) -> str:
+    """LaTeX of one entry, or of several in brackets."""
+    several = [*texts]
+    inside = r",\; ".join(several)
+    return inside if len(several) == 1 else rf"\left({inside}\right)"
 
 
 def _said(left: str, tree: Node) -> str:
@@ -539,10 +518,12 @@ def _cost(item: Item, part: Component, values: Mapping[str, Values]) -> str:
 def _repaired(
     item: Item, conventions: Conventions, part: Component, values: Mapping[str, Values]
 ) -> tuple[Repair, sp.Expr, int] | None:
-    """The most likely repair that is proved, what it is, and how many cost as little."""
+    """The most likely repair that is proved, what it is, and how many forms cost as little."""
     used = symbols(part.tree)
-    known = {"lam", "N", "mu"} - _free(item)
+    known = {"lam", "N", "mu", str(PUSHING), str(TIME)} - _free(item)
     known |= item.held.names if item.held.law != "scale" else set()
+    stems = {stem(name) for name in used}
+    known |= {name for name in item.bound if stem(name) not in stems} | {part.left}
     pool = Pool(
         {n: it for n, it in values.items() if n in used or n not in known},
         item.it.kinds,
@@ -559,11 +540,14 @@ def _repaired(
             for target, exact in (ways[:MOST_FACTORS] if pairs else ways)
             for repair in repairs(part.tree, target, pool, pairs)
         ]
+        forms: set[sp.Expr] = set()
         for repair, exact in sorted(found, key=lambda it: (it[0].cost, len(printed(it[0].tree)))):
             if (good and repair.cost > good[0][0].cost + 0.01) or len(good) > MOST_PROOFS:
                 break
-            if proved(item, conventions, repair.tree, exact):
+            form = to_sympy(repair.tree, {name: sp.Symbol(name) for name in symbols(repair.tree)})
+            if form not in forms and proved(item, conventions, repair.tree, exact):
                 good.append((repair, exact))
+                forms.add(form)
         if good:
             break
     return (*good[0], len(good)) if good else None
@@ -582,16 +566,24 @@ def _in_limit(item: Item, conventions: Conventions, part: Component, limit: str)
     names = _names(item, conventions)
     laws = {NORMAL: item.it.normal, MU: item.it.friction}
     value = to_sympy(part.tree, names)
-    for name in (it.strip() for it in what.split("*")):
-        if name not in names or not isinstance(names[name], sp.Symbol):
-            return False
-        known = sorted((value - part.exact[0]).free_symbols, key=str)
-        positive = {it: sp.Symbol(it.name, positive=True) for it in known}
-        gaps = [sp.expand((value - exact).subs(laws).xreplace(positive)) for exact in part.exact]
-        at = sp.Symbol(str(names[name]), positive=True)
-        if not any(sp.limit(gap, at, sp.sympify(end.strip())) == 0 for gap in gaps):
-            return False
-    return True
+    factors = [names.get(name.strip()) for name in what.split("*")]
+    ways = [(value - exact).subs(laws) for exact in part.exact]
+    gaps = map(normal_form, itertools.chain(ways, map(item.it.expanded, ways)))
+    return all(isinstance(it, sp.Symbol) for it in factors) and any(
+        all(_has_limit_zero(gap, str(it), end.strip()) for it in factors) for gap in gaps
+    )
+
+
+def _has_limit_zero(gap: sp.Expr, name: str, end: str) -> bool:
+    """Whether a difference goes to 0 with a quantity, the others of which are positive."""
+    positive = {it: sp.Symbol(it.name, positive=True) for it in gap.free_symbols}
+    at, point = sp.Symbol(name, positive=True), sp.sympify(end)
+    collected: dict[sp.Expr, sp.Expr] = {}
+    for term in sp.Add.make_args(sp.expand(gap.xreplace(positive))):
+        coefficient, rest = term.as_independent(at, as_Add=False)
+        collected[rest] = collected.get(rest, sp.S.Zero) + coefficient
+    kept = {rest for rest, coefficient in collected.items() if sp.expand(coefficient) != 0}
+    return all(sp.limit(rest, at, point) == 0 for rest in kept)
 
 
 # ------------------------------------------------------------------------------------------ units

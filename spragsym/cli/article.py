@@ -186,7 +186,7 @@ def _equations(only: tuple[str, ...], again: bool) -> _Rows:
     rows = _chosen(only, before, "the equations (statements of the text: --claims)")
     if not again:
         return rows, []
-    from ..derive.kang_nam import check as derivation
+    from ..derive.kang_nam import ledger as derivation
 
     with show_progress("deriving the equations of the article"):
         every = derivation.run()

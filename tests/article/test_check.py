@@ -6,7 +6,7 @@ import dataclasses
 import importlib
 import random
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import cache
 from typing import Any
@@ -15,32 +15,43 @@ import pytest
 import sympy as sp
 from sympy.parsing.latex import parse_latex
 
-from spragsym.derive.kang_nam import article, check, explanations, free_body
+from spragsym.derive import pages
+from spragsym.derive.kang_nam import article, free_body, ledger
 from spragsym.derive.kang_nam import nomenclature as nm
-from spragsym.derive.kang_nam.article import Printed
-from spragsym.derive.kang_nam.check import Derived, Row
+from spragsym.derive.kang_nam.ledger import Row
 from spragsym.derive.kang_nam.mechanics import AX, AY
+from spragsym.derive.statements import verdicts
+from spragsym.derive.statements.papers import Paper, Statement
+from spragsym.derive.statements.reading import Item, opened
+from spragsym.derive.statements.tree import Equation, Node, nodes, printed, to_sympy, with_part
 
 EQUATIONS = {f"eq-{number}" for number in range(1, 30)}
 APPENDIX = {"A1-c0", "A1-d0", *(f"A{number}" for number in range(2, 14))}
 SCALED = ("tau", "prime", "x", "y", "L", "sigma", "alpha", "beta", "kappa", "n")
 DEFINITIONS = {f"def-{name}" for name in SCALED}
-PRINTED = {entry.id: entry for entry in article.PRINTED}
+PRINTED = {entry.id: entry for entry in article.printed().statements}
 
 
 @pytest.fixture(scope="module")
 def rows(once: Callable[[str, Callable[[], list[Row]]], list[Row]]) -> dict[str, Row]:
-    return {row.id: row for row in once("check", check.run)}
+    return {row.id: row for row in once("check", ledger.run)}
 
 
 @cache
-def derived_forms() -> dict[str, Derived]:
-    return check.derived_forms()
+def items() -> dict[str, Item]:
+    """Statements that are compared, as they were read."""
+    model = pages.read(pages.SHIPPED / "kang_nam.py")
+    _, found = opened(article.printed(), model)
+    return {item.statement.id: item for item in found if isinstance(item, Item)}
 
 
-def check_with(id: str, expression: article.Expression) -> Row:
-    """The row for a printed statement whose expression was changed."""
-    return check.check(dataclasses.replace(PRINTED[id], expression=expression), derived_forms()[id])
+def check_with(id: str, text: str, *others: str) -> Row:
+    """The row for a printed statement whose LaTeX was changed, with others that it needs."""
+    kept = [it for it in article.printed().statements if it.id in (id, *others)]
+    changed = [dataclasses.replace(it, text=text) if it.id == id else it for it in kept]
+    paper: Paper = dataclasses.replace(article.printed(), statements=tuple(changed))
+    (row,) = (row for row in ledger.run(paper) if row.id == id)
+    return row
 
 
 # ------------------------------------------------------------------------------------------------
@@ -48,17 +59,16 @@ def check_with(id: str, expression: article.Expression) -> Row:
 
 
 def test_every_printed_statement_has_a_row(rows: dict[str, Row]) -> None:
-    assert len(article.PRINTED) == len(PRINTED), "two statements share an id"
     assert rows.keys() == EQUATIONS | APPENDIX | DEFINITIONS
 
 
 def test_no_row_failed(rows: dict[str, Row]) -> None:
-    assert not check.failures(list(rows.values()))
+    assert not ledger.failures(list(rows.values()))
 
 
 def test_statuses(rows: dict[str, Row]) -> None:
     by_status = {
-        status: {id for id, row in rows.items() if row.status == status} for status in check.SOUND
+        status: {id for id, row in rows.items() if row.status == status} for status in ledger.SOUND
     }
     assert by_status["misprint"] == {"eq-6", "eq-9", "eq-13", "def-n", "A1-d0"}
     assert by_status["approximation"] == {"eq-12", "eq-27"}
@@ -88,7 +98,7 @@ _ATOMS: dict[str, sp.Symbol] = {
     "y''": AY,
     r"\ddot{x}": AX,
     r"\ddot{y}": AY,
-    r"\Delta": article.Delta,
+    r"\Delta": sp.Symbol("Delta", real=True),
     r"\overline{n}": nm.nbar,
     r"\cos\theta_0": nm.c0,
     r"\sin\theta_0": nm.s0,
@@ -138,31 +148,54 @@ def parse(latex: str) -> sp.Expr:
     return parse_latex(source, backend="lark").subs(names, simultaneous=True)
 
 
-def typeset(entry: Printed) -> tuple[sp.Expr, ...]:
+def typeset(entry: Statement) -> tuple[sp.Expr, ...]:
     """The components of a printed statement, read from its LaTeX."""
-    last = entry.latex[
-        entry.latex.rfind(r"\begin{") :
+    last = entry.text[
+        entry.text.rfind(r"\begin{") :
     ]  # (28) also names the derivatives that it evaluates
     matrix = re.search(
         r"\\begin\{(?:bmatrix|array)\}(?:\{c\})?(.*)\\end\{(?:bmatrix|array)\}", last
     )
     if matrix:
         return tuple(parse(part) for part in re.split(r"\\\\|&", matrix[1]))
-    sides = entry.latex.split("=")
+    sides = entry.text.split("=")
     if re.fullmatch(r"F_[xy] ", sides[0]):  # (12) and (13) name their left side
         sides = sides[1:]
     is_definition = entry.id in ("eq-3", "eq-6", "eq-11") or not entry.id.startswith("eq-")
     return (parse(sides[1]),) if is_definition else (parse(sides[0]) - parse(sides[1]),)
 
 
-# Cases, exp and sgn, the arrows of the scaling. Relations between whole matrices are printed as
-# functions.
-NOT_ALGEBRA = {"eq-7", "eq-10", "eq-29", "def-tau", "def-prime", "def-x", "def-y", "def-L"}
+def read(id: str) -> tuple[sp.Expr, ...]:
+    """The components of a printed statement, as the check read it."""
+    item = items()[id]
+    names = {name: sp.Symbol(name) for name in ("theta", "theta0")}
+    own = {"mu0": nm.mu0, "ax": AX, "ay": AY, "pushing": nm.nbar}
+    known = {
+        it.value for one in item.equations for side in (one.left, one.right) for it in nodes(side)
+    }
+    for name in known - names.keys() - own.keys():
+        own[name] = nm.quantities()[name].symbol if name in nm.quantities() else sp.Symbol(name)
+    own |= {f"b_{place}": symbol for place, symbol in enumerate((nm.b1, nm.b2, nm.b3, nm.b4), 1)}
+    own |= {"N": nm.n if item.it.scaled else nm.N, "Delta": _ATOMS[r"\Delta"]}
+    circles = {sp.cos(names["theta"]): nm.c, sp.sin(names["theta"]): nm.s}
+    circles |= {sp.cos(names["theta0"]): nm.c0, sp.sin(names["theta0"]): nm.s0}
+    found = []
+    for equation in item.equations:
+        left, right = (
+            to_sympy(side, own | names).xreplace(circles)
+            for side in (equation.left, equation.right)
+        )
+        is_value = equation.left.kind == "symbol"
+        found.append(right if is_value else left - right)
+    return tuple(found)
 
 
-ALGEBRA = [
-    id for id, entry in PRINTED.items() if not callable(entry.expression) and id not in NOT_ALGEBRA
-]
+# Cases, exp and sgn, the arrows of the scaling, names alone; relations between whole matrices.
+NOT_ALGEBRA = {"eq-7", "eq-10", "eq-29", "def-tau", "def-prime", "def-x", "def-y", "def-L", "eq-3"}
+NOT_ALGEBRA |= {f"eq-{number}" for number in (16, 17, 20, 21, 22, 23, 26, 27)}
+
+
+ALGEBRA = [id for id in PRINTED if id not in NOT_ALGEBRA]
 
 
 #: Those whose LaTeX takes longest to be parsed.
@@ -192,237 +225,164 @@ LONG = (
 @pytest.mark.parametrize(
     "id", [pytest.param(id, marks=pytest.mark.thorough) if id in LONG else id for id in ALGEBRA]
 )
-def test_typesetting_agrees_with_transcription(id: str) -> None:
-    entry = PRINTED[id]
-    expected = entry.expression if isinstance(entry.expression, tuple) else (entry.expression,)
-    for read, transcribed in zip(typeset(entry), expected, strict=True):
-        assert sp.expand(read - transcribed) == 0
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("id", sorted(explanations.CORRECTIONS))
-def test_the_right_form_is_typeset_as_it_is_transcribed(id: str) -> None:
-    correction = explanations.CORRECTIONS[id]
-    assert isinstance(correction.expression, sp.Expr)
-    (read,) = typeset(dataclasses.replace(PRINTED[id], latex=correction.latex))
-    assert sp.expand(read - correction.expression) == 0
+def test_the_print_is_read_as_another_reader_reads_it(id: str) -> None:
+    for own, other in zip(read(id), typeset(PRINTED[id]), strict=True):
+        assert sp.expand(own - other) == 0
 
 
 # ------------------------------------------------------------------------------------------------
 # mutations
 
-#: What a compositor might set instead of each symbol.
-_SWAPS: dict[sp.Symbol, tuple[sp.Symbol, ...]] = {
-    nm.b1: (nm.b2, nm.b3),
-    nm.b2: (nm.b1, nm.b4),
-    nm.b3: (nm.b4, nm.b1),
-    nm.b4: (nm.b3, nm.b2),
-    nm.alpha: (nm.beta,),
-    nm.beta: (nm.alpha,),
-    nm.sigma: (nm.alpha,),
-    nm.kappa: (nm.sigma,),
-    nm.mu0: (nm.kappa,),
-    nm.mu: (nm.kappa,),
-    nm.c0: (nm.c, nm.s0),
-    nm.s0: (nm.s, nm.c0),
-    nm.c: (nm.c0, nm.s),
-    nm.s: (nm.s0, nm.c),
-    nm.x: (nm.y,),
-    nm.y: (nm.x,),
-    nm.k_x: (nm.k_y,),
-    nm.k_y: (nm.k_x,),
-    nm.k: (nm.k_c,),
-    nm.n: (nm.y,),
-    nm.N: (nm.F_L,),
-    nm.F_L: (nm.N,),
-    nm.L: (nm.L_0,),
-    nm.nbar: (nm.n,),
-    nm.k_c: (nm.k,),
-    nm.m_mass: (nm.k,),
-    nm.L_0: (nm.L,),
-    nm.creep: (nm.V,),
-    nm.V: (nm.vx,),
-    nm.vx: (nm.vy,),
-    AX: (AY,),
-    AY: (AX,),
-    article.Delta: (nm.L,),
-}
+
+def mutations(tree: Node, item: Item) -> Iterator[tuple[str, Node]]:
+    """Each way to change one sign, one name, one exponent, one number or one function."""
+    for path, part, above in _parts(tree):
+        if part.kind == "symbol":
+            alike = sorted(name for name in item.values if name[:1] == part.value[:1])
+            others = [name for name in (*alike, "alpha", "beta", "L", "x") if name in item.values]
+            for other in dict.fromkeys(others):
+                if other != part.value:
+                    yield f"{part.value} → {other}", with_part(tree, path, _symbol(other))
+            yield f"{part.value} squared", with_part(tree, path, Node("pow", (part, _number("2"))))
+        if part.kind == "number" and part.value not in ("0", "pi"):
+            value = str(int(part.value) + 1)
+            yield f"{part.value} → {value}", with_part(tree, path, _number(value))
+        if part.kind == "call" and part.value in ("cos", "sin"):
+            other = "sin" if part.value == "cos" else "cos"
+            yield f"{part.value} → {other}", with_part(tree, path, Node("call", part.args, other))
+        if above is not None and above.kind == "add":
+            turned = part.args[0] if part.kind == "neg" else Node("neg", (part,))
+            yield f"sign of {printed(part)}", with_part(tree, path, turned)
 
 
-def mutations(node: sp.Expr, in_exponent: bool = False) -> Iterator[tuple[str, sp.Expr]]:
-    """Each way to change one sign, one index, one exponent or one number of an expression, with a
-    name.
+def _parts(
+    tree: Node, path: tuple[int, ...] = (), above: Node | None = None
+) -> Iterator[tuple[tuple[int, ...], Node, Node | None]]:
+    yield path, tree, above
+    for place, part in enumerate(tree.args):
+        yield from _parts(part, (*path, place), tree)
+
+
+def _symbol(name: str) -> Node:
+    return Node("symbol", value=name)
+
+
+def _number(value: str) -> Node:
+    return Node("number", value=value)
+
+
+def points(item: Item) -> list[dict[str, sp.Expr]]:
+    """Exact values of every name at random states, by the geometry, the laws, and what b and D are.
+
+    Two and two have the same parameters.
     """
-    if node.is_Symbol:
-        for other in _SWAPS[node]:
-            yield f"{node} → {other}", other
-        yield f"{node} squared", node**2
-    elif node.is_Integer:
-        if node not in (0, -1):  # −1 is a sign, and turned where the product stands
-            yield f"{node} → {node + 1}", node + 1
-        if abs(node) > 1:
-            yield f"{node} → {node - 1}", node - 1
-    if not in_exponent and node != 0:
-        yield f"sign of {node}", -node
-    for place, argument in enumerate(node.args):
-        before, after = node.args[:place], node.args[place + 1 :]
-        exponent = isinstance(node, sp.Pow) and place == 1
-        # A sign turned in a factor is the sign of the product; in a square it changes nothing.
-        for name, changed in mutations(argument, in_exponent=exponent):
-            if isinstance(node, sp.Mul | sp.Pow) and name == f"sign of {argument}":
-                continue
-            yield name, node.func(*before, changed, *after)
+    generator, found = random.Random(20200416), []
+
+    def rational(low: int = 1) -> sp.Rational:
+        return sp.Rational(generator.randint(low, 60), generator.randint(20, 60))
+
+    for number in range(6):
+        if number % 2 == 0:
+            given = {str(it): rational() for it in item.it.parameters.values()}
+            angle = sp.atan(rational())
+        value: dict[str, sp.Expr] = given | {"theta0": angle}
+        value |= {"x": rational(-60), "y": -rational(), "ax": rational(), "ay": rational()}
+        value |= {"vx": rational(-60), "vy": rational(), "lam": rational(), "t": rational()}
+        is_open = item.held.side == "lift-off" or (item.held.side == "both" and number > 3)
+        if is_open:
+            value["y"] = -value["y"]
+        length = value.get("L_0", sp.S.One)
+        across = length * sp.sin(angle) - value["y"]
+        along = length * sp.cos(angle) - value["x"]
+        value |= {"L": sp.sqrt(along**2 + across**2), "theta": sp.atan2(across, along)}
+        value |= {"pushing": sp.Integer(not is_open), "Delta": length - value["L"]}
+        value["N"] = -value["y"] * value.get("k_c", 1) * value["pushing"]
+        slip = value["V"] - value["vx"]
+        law = value["mu0"] * (1 - sp.exp(-value["d"] * abs(slip))) * sp.sign(slip)
+        value["mu"] = value["mu0"] if item.held.steady else law
+        own = {name: _at(it, value) for name, it in item.bound.items()}
+        found.append(value | own)
+    return found
 
 
-def rational_points(count: int = 4) -> Iterator[dict[sp.Symbol, sp.Rational]]:
-    """Random rationals for every symbol, on the unit circles, with b₁ … b₄ and Δ as they are
-    defined.
-    """
-    generator = random.Random(20200416)
-
-    def rational() -> sp.Rational:
-        return sp.Rational(generator.randint(1, 60), generator.randint(1, 60))
-
-    symbols = sorted(_SWAPS.keys() | {nm.vy}, key=str)
-    for _ in range(count):
-        point = {symbol: rational() for symbol in symbols}
-        for cosine, sine in ((nm.c, nm.s), (nm.c0, nm.s0)):
-            half = rational()
-            point[cosine], point[sine] = (1 - half**2) / (1 + half**2), 2 * half / (1 + half**2)
-        names = (nm.c0, nm.s0, nm.mu0, nm.kappa, nm.alpha, nm.beta)
-        cos0, sin0, mu, kappa, alpha, beta = (point[name] for name in names)
-        point |= {nm.b1: -alpha * cos0 - mu * sin0, nm.b2: -(beta + 1) * sin0 - kappa}
-        point |= {nm.b3: -alpha * cos0, nm.b4: -beta * sin0 - kappa, nm.mu: mu}
-        point[article.Delta] = point[nm.L_0] - point[nm.L]
-        yield point
+def _at(expression: sp.Expr, value: dict[str, sp.Expr]) -> sp.Expr:
+    return expression.xreplace({it: value[it.name] for it in expression.free_symbols})
 
 
-POINTS = tuple(rational_points())
-
-
-def same_numbers(left: sp.Expr, right: sp.Expr) -> bool:
-    """Whether two expressions agree at all random points, exactly or, with an exponential, to 40
-    digits.
-    """
-    for point in POINTS:
-        gap = (left - right).xreplace(point)
-        if gap != 0 if gap.is_Rational else abs(sp.N(gap, 50)) > sp.Float("1e-40"):
-            return False
-    return True
-
-
-EQUATIONS_MUTATED = (f"eq-{number}" for number in (1, 2, 8, 10, 12, 14, 15, 18, 19, 24, 25, 28))
-MUTATED = sorted(
-    {*APPENDIX, *explanations.CORRECTIONS, *EQUATIONS_MUTATED, "def-sigma", "def-kappa"}
-)
-
-
-def mutated(
-    id: str, components: tuple[sp.Expr, ...]
-) -> Iterator[tuple[str, tuple[sp.Expr, ...], bool]]:
-    """Every mutation of a statement: name, changed components, and whether numbers say that it is
-    neutral.
-    """
-    for place, component in enumerate(components):
-        for name, changed in mutations(component):
-            neutral = same_numbers(component, changed)
-            yield name, (*components[:place], changed, *components[place + 1 :]), neutral
-
-
-def components_of(id: str) -> tuple[sp.Expr, ...]:
-    expression = PRINTED[id].expression
-    return expression if isinstance(expression, tuple) else (expression,)
-
-
-@pytest.fixture
-def plain_differences(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Leave a difference that is not zero as it is: arranging it for the ledger takes most of the
-    time.
-    """
-    derived_forms()
-    monkeypatch.setattr(sp, "simplify", lambda expression: expression)
-
-
-#: Those that take long, by the same code as one of each kind, which CI runs: scalar, matrix,
-#: approximation, law, misprint.
-LONG_ONES = (
-    "def-n",
-    "A11",
-    "A1-c0",
-    "A1-d0",
-    "A2",
-    "A3",
-    "A4",
-    "A6",
-    "A7",
-    "A8",
-    "A9",
-    "A10",
-    "eq-1",
-    "eq-2",
-    "eq-6",
-    "eq-8",
-    "eq-13",
-    "eq-14",
-    "eq-15",
-    "eq-18",
-    "eq-19",
-    "eq-28",
-    "A12",
-)
-OF_EACH_KIND = ("A5", "eq-24", "eq-12", "eq-10", "eq-9")
-
-
-def by_length(ids: Iterable[str]) -> list[Any]:
-    """Parameters of a test."""
-    marks = dict.fromkeys(LONG_ONES, pytest.mark.validate) | dict.fromkeys(
-        OF_EACH_KIND, pytest.mark.thorough
+def is_neutral(item: Item, tree: Node, changed: Node) -> bool:
+    """Whether a change keeps the value, or of a residual times a factor of parameters, to 40 digits."""
+    gaps, ratios = [], []
+    for value in points(item):
+        own = {name: it for name, it in item.defined.items() if name not in value}
+        units = {name: to_sympy(it, value) for name, it in own.items() if not item.it.scaled}
+        names = value | units
+        old, new = (sp.N(to_sympy(it, names), 50) for it in (tree, changed))
+        gaps.append(new is not sp.nan and bool(abs(old - new) < 1e-40))
+        ratios.append(new / old if old != 0 and new != 0 else None)
+    if all(gaps) or item.held.is_value:
+        return all(gaps)
+    pairs = zip(ratios[::2], ratios[1::2], strict=True)
+    same = all(
+        one is not None and other is not None and abs(one - other) < 1e-40 for one, other in pairs
     )
-    return [pytest.param(id, marks=marks.get(id, ())) for id in ids]
+    return same and (item.held.factor == "parameters" or abs(abs(ratios[0]) - 1) < 1e-40)
 
 
-@pytest.mark.parametrize("id", by_length(MUTATED))
-@pytest.mark.usefixtures("plain_differences")
+#: Those that CI runs, one of each kind; the others take long, by the same code.
+OF_EACH_KIND = ("A5", "A12", "A13", "def-sigma", "def-kappa", "def-n", "def-tau", "eq-25", "eq-4")
+COMPARED = [id for id in PRINTED if id not in ("eq-3", "def-prime")]
+
+
+@pytest.mark.parametrize(
+    "id",
+    [
+        pytest.param(id, marks=pytest.mark.thorough if id in OF_EACH_KIND else pytest.mark.validate)
+        for id in COMPARED
+    ],
+)
 def test_every_mutation_is_caught_and_located(id: str) -> None:
-    sound = check_with(id, PRINTED[id].expression).status
-    count = 0
-    for name, changed, neutral in mutated(id, components_of(id)):
-        row = check_with(id, changed)
-        assert row.id == id
-        assert row.status == (sound if neutral else check.FAILED), (
-            f"{id}: {name}, neutral: {neutral}"
-        )
-        count += 1
-    assert count >= 4, f"{id}: hardly anything was changed"
-
-
-@pytest.mark.parametrize("id", by_length(sorted(explanations.CORRECTIONS)))
-@pytest.mark.usefixtures("plain_differences")
-def test_every_mutation_of_a_right_form_is_caught(id: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    correction = explanations.CORRECTIONS[id]
-    right = correction.expression
-    assert isinstance(right, sp.Expr)
-    for name, changed in mutations(right):
-        monkeypatch.setitem(
-            explanations.CORRECTIONS, id, dataclasses.replace(correction, expression=changed)
-        )
-        row = check_with(id, PRINTED[id].expression)
-        assert (row.status == check.FAILED) != same_numbers(right, changed), f"{id}: {name}"
+    """A statement with any small change holds where the change is neutral, and nowhere else."""
+    item, count = items()[id], 0
+    for place, equation in enumerate(item.equations):
+        side = equation.right if item.held.is_value else equation.left
+        for name, changed in mutations(side, item):
+            left, right = equation.left, equation.right
+            other = Equation(left, changed) if item.held.is_value else Equation(changed, right)
+            others = (*item.equations[:place], other, *item.equations[place + 1 :])
+            whole = side if item.held.is_value else Node("add", (side, Node("neg", (right,))))
+            after = changed if item.held.is_value else Node("add", (changed, Node("neg", (right,))))
+            holds = verdicts.agrees(dataclasses.replace(item, equations=others), {})
+            neutral = PRINTED[id].expect in ("confirmed", "definition") and is_neutral(
+                item, whole, after
+            )
+            assert holds == neutral, f"{id}: {name}, neutral: {neutral}"
+            count += 1
+    assert count >= 2, f"{id}: hardly anything was changed"
 
 
 # -----------------------------------------------------------------------------------------------
 # explanations
 
 
+@pytest.mark.thorough
 def test_an_approximation_that_does_not_vanish_fails() -> None:
-    printed = PRINTED["eq-12"].expression
-    assert isinstance(printed, sp.Expr)
-    row = check_with("eq-12", printed + nm.alpha * nm.x)
-    assert row.status == check.FAILED
-    assert "does not vanish" in row.note
+    row = check_with("eq-12", PRINTED["eq-12"].text.replace(r"\alpha x", r"2 \alpha x"))
+    assert row.status == ledger.FAILED
 
 
-C, A = explanations.CORRECTIONS, explanations.APPROXIMATIONS
+@pytest.mark.thorough
+def test_another_misprint_in_an_explained_row_fails() -> None:
+    """Only the edits that are explained are."""
+    row = check_with("eq-9", PRINTED["eq-9"].text.replace(r"+ \beta y", r"- \beta y"))
+    assert row.status == ledger.FAILED
+    assert "nothing explains" in row.note
+
+
+@pytest.mark.thorough
+def test_what_is_explained_and_right_fails() -> None:
+    row = check_with("eq-9", PRINTED["eq-9"].text.replace("- n", r"- n + \kappa"))
+    assert row.status == ledger.FAILED
+    assert "the difference is zero" in row.note
 
 
 def test_evidence_feels_the_physics(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -435,35 +395,21 @@ def test_evidence_feels_the_physics(monkeypatch: pytest.MonkeyPatch) -> None:
         return original(dataclasses.replace(point, kappa=Fraction(0)), *at)
 
     monkeypatch.setattr(free_body, "forces", without_preload)
-    row = check_with("eq-9", PRINTED["eq-9"].expression)
-    assert row.status == check.FAILED
+    row = check_with("eq-9", PRINTED["eq-9"].text)
+    assert row.status == ledger.FAILED
     assert "virtual work" in row.note
 
 
-def test_a_row_names_the_function_that_derives_it_and_that_function_names_the_row(
-    rows: dict[str, Row],
-) -> None:
-    """Equation (26), say, is found by its number from either side."""
+def test_a_row_names_the_function_that_derives_it(rows: dict[str, Row]) -> None:
+    """What stands under "derived by" is there, below ``derive`` or its ``statements``."""
     for row in rows.values():
-        module, _, name = row.derived_by.partition(".")
-        function = getattr(importlib.import_module(f"spragsym.derive.kang_nam.{module}"), name)
-        number = {"eq": "({})", "def": "after (9)"}.get(row.id.partition("-")[0], "(A{})")
-        asked = number.format(
-            row.id.partition("-")[2]
-            if row.id.startswith("eq")
-            else row.id.removeprefix("A").partition("-")[0]
-        )
-        assert _names(function.__doc__, asked), (row.id, row.derived_by, function.__doc__)
-
-
-def _names(text: str, asked: str) -> bool:
-    """Whether a number, ``(26)`` or ``(A3)`` or ``after (9)``, stands in a text, by itself or
-    inside a range such as (1)–(11).
-    """
-    if asked in text:
-        return True
-    letter, number = re.fullmatch(r"(?:after )?\((A?)(\d+)\)", asked).groups()  # type: ignore[union-attr]
-    ranges = re.findall(rf"\({letter}(\d+)\)–\({letter}(\d+)\)", text)
-    return not asked.startswith("after") and any(
-        int(low) <= int(number) <= int(high) for low, high in ranges
-    )
+        if row.id in ("eq-3", "def-prime"):  # names that are new to the page
+            assert not row.derived_by
+            continue
+        for place in row.derived_by.split(", "):
+            module, *names = place.split(".")
+            below = "statements." if module == "objects" else ""
+            found: Any = importlib.import_module(f"spragsym.derive.{below}{module}")
+            for name in names:
+                found = getattr(found, name)
+            assert found.__doc__, row.derived_by

@@ -582,7 +582,7 @@ def test_cross_references() -> None:
     """What the wrong references point at, as printed."""
     from spragsym.derive.kang_nam import article
 
-    printed = {entry.id: entry.latex for entry in article.PRINTED}
+    printed = {entry.id: entry.text for entry in article.printed().statements}
     assert "L" in printed["eq-26"]
     assert "d_4" in printed["eq-26"]
     assert "mathbf" in printed["eq-22"]

@@ -2,6 +2,7 @@
 missing.
 """
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +10,7 @@ import pytest
 
 from spragsym.derive import __main__ as command
 from spragsym.derive.emit import write
-from spragsym.derive.kang_nam import article, check, elimination, emission, theorem
+from spragsym.derive.kang_nam import article, elimination, emission, ledger, theorem
 from spragsym.generated import SOURCE_HASH
 from tests.support import ROOT
 
@@ -79,15 +80,15 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def print_wrongly(monkeypatch: pytest.MonkeyPatch) -> None:
     """Set (A2) with a sign turned."""
-    printed = tuple(
-        article._appendix("A2", entry.latex, -entry.expression) if entry.id == "A2" else entry
-        for entry in article.APPENDIX
-    )
-    changed = tuple(entry for entry in printed if entry.id in ("A2", "A5"))
-    monkeypatch.setattr(check, "run", lambda: _run(changed))
+    kept = [it for it in article.printed().statements if it.id in ("A2", "A5", "A10", "A11")]
+    wrong = kept[0].text.replace(r"\sigma + ", r"\sigma - ", 1)
+    assert wrong != kept[0].text
+    changed = (replace(kept[0], text=wrong), *kept[1:])
+    paper = replace(article.printed(), statements=changed)
+    monkeypatch.setattr(ledger, "run", lambda: _run(paper))
 
 
-_run = check.run
+_run = ledger.run
 
 
 @pytest.mark.thorough
@@ -146,7 +147,7 @@ def test_what_is_not_proved_writes_nothing(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    monkeypatch.setattr(check, "run", lambda: [])
+    monkeypatch.setattr(ledger, "run", lambda: [])
     monkeypatch.setattr(theorem, "one_or_three", lambda: ())
     monkeypatch.setattr(module, name, lambda: found)
     assert command.main(["--out", str(target), *options]) == 1

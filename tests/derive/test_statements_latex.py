@@ -42,10 +42,10 @@ READ = {
         "a = 0",
     ],
     r"\mathbf{K} = \begin{bmatrix} k & 0 \\ -a & k_c\end{bmatrix}": [
-        "mathbfK[1, 1] = k",
-        "mathbfK[1, 2] = 0",
-        "mathbfK[2, 1] = -a",
-        "mathbfK[2, 2] = k_c",
+        "mathbfK_11 = k",
+        "mathbfK_12 = 0",
+        "mathbfK_21 = -a",
+        "mathbfK_22 = k_c",
     ],
     r"\begin{pmatrix} m & 0 \\ 0 & a\end{pmatrix} \begin{pmatrix}\ddot x\\ \ddot y\end{pmatrix}"
     r" = \begin{pmatrix} k x \\ 0\end{pmatrix}": ["m*ax + 0*ay = k*x", "0*ax + a*ay = 0"],

@@ -1,0 +1,98 @@
+"""Expressions in SymPy's syntax as MathML, which a page of HTML shows without loading anything."""
+
+from __future__ import annotations
+
+import html
+import re
+import unicodedata
+from collections.abc import Sequence
+
+from .tree import FUNCTIONS, Node, Unread, Vocabulary, read_sympy
+
+_NAME = re.compile(r"([^\W\d_]+)_?(\w*)")
+
+
+def rendered(text: str, coordinates: Sequence[str]) -> str | None:
+    """MathML of equations between semicolons, with dots on rates; nothing where they can't be read.
+
+    Examples
+    --------
+    >>> from spragsym.derive.statements.mathml import rendered
+    >>> rendered("m_1*ax = 0", ["x"])
+    '<math><mrow><msub><mi>m</mi><mn>1</mn></msub><mo>&#8290;</mo><mover><mi>x</mi>\
+<mo>¨</mo></mover></mrow><mo>=</mo><mn>0</mn></math>'
+    """
+    names = frozenset(re.findall(r"[^\W\d]\w*", text)) - FUNCTIONS.keys()
+    try:
+        found = read_sympy(text, Vocabulary(names, (), {}))
+    except Unread:
+        return None
+    dotted = {
+        f"{mark}{it}": (it, dots) for it in coordinates for mark, dots in (("v", "˙"), ("a", "¨"))
+    }
+    sides = [f"{_shown(it.left, dotted)}<mo>=</mo>{_shown(it.right, dotted)}" for it in found]
+    if "=" not in text:
+        sides = [_shown(it.left, dotted) for it in found]
+    return "".join(f"<math>{it}</math>" for it in sides)
+
+
+def _shown(node: Node, dotted: dict[str, tuple[str, str]]) -> str:
+    """MathML of a tree."""
+    parts = [_shown(part, dotted) for part in node.args]
+    match node.kind:
+        case "number":
+            return f"<mn>{node.value}</mn>"
+        case "symbol" if node.value in dotted:
+            name, dots = dotted[node.value]
+            return f"<mover>{_name(name)}<mo>{dots}</mo></mover>"
+        case "symbol":
+            return _name(node.value)
+        case "neg":
+            return f"<mrow><mo>-</mo>{_bracketed(node.args[0], parts[0], ('add', 'neg'))}</mrow>"
+        case "add":
+            signed = [
+                it if part.kind == "neg" else f"<mo>+</mo>{it}"
+                for part, it in zip(node.args[1:], parts[1:], strict=True)
+            ]
+            return f"<mrow>{parts[0]}{''.join(signed)}</mrow>"
+        case "mul":
+            factors = [
+                _bracketed(part, it, ("add", "neg"))
+                for part, it in zip(node.args, parts, strict=True)
+            ]
+            return f"<mrow>{'<mo>&#8290;</mo>'.join(factors)}</mrow>"
+        case "div":
+            return f"<mfrac>{parts[0]}{parts[1]}</mfrac>"
+        case "pow":
+            base = _bracketed(node.args[0], parts[0], ("add", "neg", "mul", "div", "pow"))
+            return f"<msup>{base}{parts[1]}</msup>"
+    if node.value == "sqrt":
+        return f"<msqrt>{parts[0]}</msqrt>"
+    if node.value == "Abs":
+        return f"<mrow><mo>|</mo>{parts[0]}<mo>|</mo></mrow>"
+    inner = "<mo>,</mo>".join(parts)
+    return f"<mrow><mi>{node.value}</mi><mo>(</mo>{inner}<mo>)</mo></mrow>"
+
+
+def _bracketed(node: Node, text: str, kinds: tuple[str, ...]) -> str:
+    return f"<mrow><mo>(</mo>{text}<mo>)</mo></mrow>" if node.kind in kinds else text
+
+
+def _name(name: str) -> str:
+    """A name with its index, Greek where it is a Greek letter."""
+    found = _NAME.fullmatch(name)
+    base, index = (found[1], found[2]) if found else (name, "")
+    letter = f"<mi>{html.escape(_greek(base))}</mi>"
+    if not index:
+        return letter
+    sign = "mn" if index.isdigit() else "mi"
+    return f"<msub>{letter}<{sign}>{html.escape(_greek(index))}</{sign}></msub>"
+
+
+def _greek(word: str) -> str:
+    size = "SMALL" if word.islower() else "CAPITAL"
+    letter = word.upper().replace("LAMBDA", "LAMDA").removesuffix("_")
+    try:
+        return unicodedata.lookup(f"GREEK {size} LETTER {letter}") if len(word) > 1 else word
+    except KeyError:
+        return word

@@ -1,0 +1,244 @@
+"""Statements of a paper read, each beside the object that it is held against, at samples."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+import sympy as sp
+
+from ..pages import Model
+from . import samples
+from .matrices import entry_name
+from .objects import TIME, Derivation, NoObject, Object, derivation, derived
+from .papers import Paper, Statement
+from .repair import Values, stem
+from .samples import numeric
+from .tree import Equation, Node, Unread, Vocabulary, printed, read_sympy, symbols, to_sympy
+
+
+@dataclass(frozen=True)
+class Book:
+    """A paper beside its page: what its names mean, besides those of the page.
+
+    A statement that gives the value of an object under a new name binds that name to the object
+    as it is derived, so that a mistake is found where it stands and not where it is used. The
+    names of definitions stand for what is printed.
+    """
+
+    forms: Mapping[str, Derivation]
+    renamed: Mapping[str, str]
+    bound: dict[str, str] = field(default_factory=dict)  #: name to what it is about
+    defined: dict[str, Node] = field(default_factory=dict)
+    letters: dict[str, str] = field(default_factory=dict)  #: LaTeX of names, as printed
+
+    def objects(self, it: Derivation) -> Iterator[tuple[str, Object]]:
+        """Names that are bound to objects that the page has in this form."""
+        for name, about in self.bound.items():
+            try:
+                yield name, derived(it, about)
+            except (NoObject, ArithmeticError):
+                continue
+
+    def values(self, it: Derivation) -> dict[str, sp.Expr]:
+        """Bound names, and those of the entries of matrices, as derived."""
+        found: dict[str, sp.Expr] = {}
+        for name, held in self.objects(it):
+            if held.shape is None:
+                found[name] = held.entries[held.index[0]]
+                continue
+            for place in held.index:
+                i, j = divmod(place, held.shape[1])
+                found[entry_name(name, held.shape, i, j)] = held.entries[place]
+        return found
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """A statement that is not compared: its verdict, and why."""
+
+    statement: Statement
+    status: str
+    evidence: str = ""
+    read: str = ""
+
+
+@dataclass(frozen=True)
+class Item:
+    """A statement that was read, with what it is held against, at samples."""
+
+    statement: Statement
+    it: Derivation
+    held: Object
+    equations: tuple[Equation, ...]
+    values: Mapping[str, Values]
+    targets: tuple[Values, ...]
+    readings: tuple[Values, ...]
+    bound: Mapping[str, sp.Expr]
+    defined: Mapping[str, Node]
+    letters: Mapping[str, str]
+    book: Book
+
+    def latex(self, expression: sp.Expr) -> str:
+        """LaTeX of an expression in the letters of the print."""
+        known = {it.name: it for it in expression.free_symbols}
+        names = {known[name]: text for name, text in self.letters.items() if name in known}
+        return str(sp.latex(expression, symbol_names=names))
+
+
+_FORMS: dict[tuple[str, str], dict[str, Derivation]] = {}
+
+
+def forms_of(model: Model) -> dict[str, Derivation]:
+    """A page in both forms, kept for the next paper."""
+    key = model.name, model.digest
+    if key not in _FORMS:
+        both = ("units", "scaled")
+        _FORMS[key] = {form: derivation(model.page, model.mechanics, form) for form in both}
+    return _FORMS[key]
+
+
+def opened(paper: Paper, model: Model) -> tuple[Book, list[Item | Verdict]]:
+    """A paper's names, and its statements in order; definitions may stand behind their use."""
+    book = Book(forms_of(model), paper.renamed)
+    for text, name in paper.renamed.items():
+        if name.isidentifier():
+            book.letters[name] = text
+    for statement in paper.statements:
+        _bind(statement, book)
+    found: dict[str, Item | Verdict] = {}
+    for first in (True, False):
+        for statement in paper.statements:
+            if (statement.word == "definition") is first:
+                found[statement.id] = prepared(statement, book)
+    return book, [found[statement.id] for statement in paper.statements]
+
+
+def _bind(statement: Statement, book: Book) -> None:
+    """Let the name on the left of an object's value stand for that object."""
+    statement = replace(statement, transcribed="" if statement.is_latex else statement.transcribed)
+    left, equal, _ = statement.text.partition("=")
+    if not equal or statement.word in ("definition", "scale", "other", "notation"):
+        return
+    it = book.forms[statement.form or "units"]
+    known = it.names.keys() | book.renamed.keys()
+    if left.strip() in book.renamed:
+        return
+    try:
+        (equation,) = _equations(f"{left} = 0", statement, it, book, {})
+        held = derived(it, statement.about)
+    except (Unread, NoObject, ArithmeticError, ValueError):
+        return
+    name = equation.left.value
+    if equation.left.kind == "symbol" and held.is_value and name not in known | held.names:
+        book.bound[name] = statement.about
+        letter = left.strip()
+        if statement.is_latex:
+            book.letters[name] = letter
+        for i, j in itertools.product(*map(range, held.shape or (0, 0))):
+            entry = entry_name(name, held.shape or (0, 0), i, j)
+            book.letters[entry] = f"{letter}_{{{entry.rpartition('_')[2]}}}"
+
+
+def _equations(
+    text: str,
+    statement: Statement,
+    it: Derivation,
+    book: Book,
+    matrices: Mapping[str, tuple[int, int]],
+) -> list[Equation]:
+    is_scale = statement.word == "scale"
+    names = {*it.names} - ({str(TIME)} if not is_scale else set())
+    known = frozenset(names | book.defined.keys() | book.bound.keys() | book.values(it).keys())
+    coordinates = tuple(map(str, it.model.coordinates))
+    vocabulary = Vocabulary(known, coordinates, book.renamed, matrices)
+    if statement.is_latex and not statement.transcribed:
+        from .latex import read_latex
+
+        return read_latex(text.replace(r"\to", " = ") if is_scale else text, vocabulary)
+    return read_sympy(text, vocabulary)
+
+
+def prepared(statement: Statement, book: Book) -> Item | Verdict:
+    """A statement read in the form in which it can be, or why it can't."""
+    if statement.about in ("other", "notation"):
+        status = "other" if statement.about == "other" else "definition"
+        return Verdict(statement, status, statement.note and "not held against the page")
+    problem = ""
+    for form in (statement.form,) if statement.form else ("units", "scaled"):
+        it = book.forms["units" if statement.word == "scale" else form]
+        try:
+            held = None if statement.word == "definition" else derived(it, statement.about)
+            matrices = {name: one.shape for name, one in book.objects(it) if one.shape is not None}
+            equations = _equations(statement.judged, statement, it, book, matrices)
+            return _item(statement, it, held, equations, book)
+        except Unread as error:
+            place = f"at {error.place}, {statement.judged[error.place :][:20]!r}: "
+            readings = f"; either {' or '.join(error.readings)}" if error.readings else ""
+            problem = problem or f"{place}{error.reason}{readings}"
+        except (NoObject, ArithmeticError) as error:
+            return Verdict(statement, "unread", str(error))
+    return Verdict(statement, "unread", problem)
+
+
+def _item(
+    statement: Statement,
+    it: Derivation,
+    held: Object | None,
+    equations: list[Equation],
+    book: Book,
+) -> Item | Verdict:
+    if held is None:
+        left = equations[0].left
+        normal = derived(it, statement.about.replace("definition", "normal"))
+        known = {**it.geometry, "N": normal.entries[0], "mu": it.friction}
+        name = left.value if left.kind == "symbol" else ""
+        is_new = name not in it.names and name not in book.bound
+        if name and is_new and name not in symbols(equations[0].right):
+            book.defined[name] = equations[0].right
+            if statement.is_latex:
+                book.letters[name] = statement.text.partition("=")[0].strip()
+            read = f"{name} = {printed(equations[0].right)}"
+            return Verdict(statement, "definition", read=read)
+        if not symbols(left) <= it.names.keys():
+            raise Unread(f"{printed(left)} is not in names of the page; say them under [symbols]")
+        value = known[name] if name in known else to_sympy(left, it.names)
+        by, own = "objects.Derivation.geometry", frozenset({printed(left)})
+        held = normal if name == "N" else Object((value,), by, names=own)
+    count = len(held.index)
+    if len(equations) < count:
+        reason = f"{statement.about} has {count} entries, and the print {len(equations)}"
+        return Verdict(statement, "unread", f"{reason}; name one of them in about")
+    equations = equations[-count:]
+    values = samples.drawn(it, held)
+    bound = book.values(it)
+    used = {name for one in equations for name in symbols(one.right) | symbols(one.left)}
+    stems = {stem(name) for name in used & bound.keys()}
+    bound = {name: value for name, value in bound.items() if stem(name) in stems}
+    for name, value in bound.items():
+        values[name] = numeric(value, list(values))(values)
+    names = list(values)
+    sides = [one.right if held.is_value and one.left.kind == "symbol" else one for one in equations]
+    for side in sides:
+        parts = (side,) if isinstance(side, Node) else (side.left, side.right)
+        unknown = {name for part in parts for name in symbols(part)} - values.keys()
+        if unknown := unknown - book.defined.keys():
+            name = min(unknown)
+            raise Unread(f"{name} is no name of the page; say what it is under [symbols]")
+    targets = tuple(numeric(entry, names)(values) for entry in held.entries)
+    readings = tuple(numeric(one.entry, names)(values) for one in held.readings)
+    letters = it.letters | ({} if held.law == "scale" else book.letters)
+    return Item(
+        statement,
+        it,
+        held,
+        tuple(equations),
+        values,
+        targets,
+        readings,
+        bound,
+        dict(book.defined),
+        letters,
+        book,
+    )

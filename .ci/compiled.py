@@ -12,6 +12,7 @@ import sysconfig
 
 from spragsym.kang_nam.quartic import compiled
 from spragsym.motion import with_compiled
+from spragsym.numerics import tape
 
 #: Source file, whether its module is there, and what serves without it.
 EXTENSIONS = (
@@ -21,6 +22,7 @@ EXTENSIONS = (
         with_compiled.available,
         "motion is integrated by heyoka or SciPy",
     ),
+    ("spragsym/numerics/_tape.c", tape.available, "boxes are searched by NumPy"),
 )
 
 

@@ -13,8 +13,9 @@ smooth at l = 0 for each direction.
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any, Self
 
 import numpy as np
@@ -42,17 +43,17 @@ from ..numerics.interval_arrays import (
     IntArray,
     Intervals,
     Shape,
-    matrix,
     quiet,
     stacked,
 )
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
-from ..statics.balance import ENDLESS, Balance, StateSystem, at_anchors
+from ..statics.balance import ENDLESS, Balance, no_direction
 from ..statics.forces import State, Values
 from ..statics.namespaces import XP
 from ..statics.precise_balance import settled_by_digits
 from ..statics.regions import by_hand
+from ..statics.systems import Boxes, StateSystem, at_anchors
 
 #: End of the range of a parameter that has none, over its base value if that is larger than 1.
 FAR = 10.0
@@ -204,6 +205,7 @@ FOLD_ON_BORDER = Condition(
 )
 
 
+@cache
 def cusp(column: int) -> Condition:
     """det K = 0, and K v = 0 for a direction v along which det K does not change.
 
@@ -275,6 +277,7 @@ def _characteristic(along: int | None, at: State) -> list[Any]:
     return characteristic(K, C, at.mass())
 
 
+@cache
 def undamped_mode(along: int) -> Condition:
     """:data:`HOPF` where only the coordinate ``along`` is damped, by any amount: a mode in which it
     does not move.
@@ -295,6 +298,7 @@ def undamped_mode(along: int) -> Condition:
     return Condition(equations)
 
 
+@cache
 def no_damping(along: int, on_fold: bool = False) -> Condition:
     """The damping of the coordinate ``along`` is 0, at a fold too: if nothing else damps, every
     pair of the state crosses.
@@ -317,6 +321,7 @@ KINDS: Mapping[str, Callable[[Sequence[Any]], Sequence[Any]]] = {
 }
 
 
+@cache
 def of_kind(kind: str, along: int | None) -> Condition:
     """Points of one of the :data:`KINDS`; ``along`` as of :func:`_characteristic`."""
     return Condition(lambda at: KINDS[kind](_characteristic(along, at)))
@@ -368,6 +373,16 @@ class Augmented(OfFamily):
         super().__init__(family)
         self.condition, self.order = condition, condition.order
 
+    def identity(self) -> Hashable:
+        """Those of the balance, the parameters that vary, and the condition."""
+        return (
+            type(self.balance),
+            self.balance.identity(),
+            self.family.vary,
+            self.condition.equations,
+            self.order,
+        )
+
     def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
         """The evaluation at unknowns of any number type, from arguments of which those that vary
         are replaced.
@@ -378,7 +393,7 @@ class Augmented(OfFamily):
         """Forces and condition."""
         return [*at.forces(), *self.condition.equations(at)]
 
-    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+    def slopes_over(self, unknowns: Any, parameters: Any) -> Matrix:
         """Their slopes by coordinates and parameters."""
         at = self.state(variables(list(unknowns), self.condition.order + 1), parameters)
         # By the coordinates the stiffness itself, which is sharper, and finite where a law like
@@ -388,16 +403,16 @@ class Augmented(OfFamily):
             [constant(entry) for entry in row] + gradient(force, self.n)[n:]
             for row, force in zip(at.slopes, at.forces(), strict=True)
         ]
-        return matrix(
-            rows + [gradient(value, self.n) for value in self.condition.equations(at)], at.shape
-        )
+        return rows + [gradient(value, self.n) for value in self.condition.equations(at)]
 
-    def nothing_at(self, at: State) -> BoolArray:
+    def nothing_at(self, boxes: Boxes) -> BoolArray:
         """Boxes where no state is, or without what the condition asks for."""
-        out: BoolArray = self.balance.nothing_at(at)
-        out = out if self.condition.hopeless is None else out | self.condition.hopeless(at)
+        out = super().nothing_at(boxes)
+        out = out | at_anchors(boxes, ~out, no_direction)
+        if self.condition.hopeless is not None:
+            out = out | self.condition.hopeless(boxes.state)
         return (
-            out | at_anchors(at, ~out, _regular)
+            out | at_anchors(boxes, ~out, _regular)
             if self.condition.singular and not self.balance.torsions
             else out
         )
@@ -412,7 +427,7 @@ class Augmented(OfFamily):
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """The coordinates contracted by the balance over the box of parameters."""
-        ends = self.balance.with_directions(self.state(unknowns, parameters, self.balance.anywhere))
+        ends = self.directed(unknowns, parameters)
         return np.concatenate([ends, unknowns.ends[:, self.balance.n :]], axis=1)
 
 
@@ -428,40 +443,38 @@ def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     return settled_by_digits(system, system.family.begin, region, found, most=CLUSTERS)
 
 
-def _regular(at: State, spring: int) -> BoolArray:
+def _regular(boxes: Boxes, spring: int) -> BoolArray:
     """Boxes at the anchor of a spring in which det K is not 0, whatever its direction is.
 
     Most of those in which it may be 0 show it in a direction along an axis already, a fourth of a
     turn apart.
     """
-    out = np.ones(at.shape, dtype=np.bool_)
+    out = np.ones(boxes.shape, dtype=np.bool_)
     for arcs in (ARCS,) if out.size < FEW else (ARCS[::8], ARCS):
         rows = np.flatnonzero(out)
-        out[rows] = _regular_along(at.some(rows), spring, arcs)
+        out[rows] = _regular_along(boxes.some(rows), spring, arcs)
     return out
 
 
-def _regular_along(at: State, spring: int, numbers: IntArray) -> BoolArray:
+def _regular_along(boxes: Boxes, spring: int, numbers: IntArray) -> BoolArray:
     """Boxes in which det K is not 0 for directions of the spring on these arcs."""
-    count, place = at.shape[0], 3 * spring
+    (count,), place = boxes.shape, 3 * spring
     every, turns = np.tile(np.arange(count), numbers.size), np.repeat(numbers, count)
-    arc, known = (
-        Intervals.between(ARC * turns, ARC * (turns + 1)),
-        stacked(at.directions[place : place + 2], (count,)),
-    )
+    arc = Intervals.between(ARC * turns, ARC * (turns + 1))
+    known = boxes.taped(("direction", spring), lambda at: at.directions[place : place + 2])
     arcs = stacked([XP.cos(arc), XP.sin(arc)], every.shape)
     possible = np.flatnonzero(~contractors.apart(arcs.ends, known[:, every].ends))
-    at, arcs = at.some(every[possible]), arcs[:, possible]
 
-    def slopes(length: Any) -> list[Any]:
-        fixed = [*at.directions[:place], *arcs, length, *at.directions[place + 3 :]]
-        return [list(row) for row in replace(at, fixed=fixed).slopes]
+    def rows(at: State, arcs: Any) -> Sequence[Any]:
+        def slopes(length: Any) -> list[Any]:
+            fixed = [*at.directions[:place], *arcs, length, *at.directions[place + 3 :]]
+            return [list(row) for row in replace(at, fixed=fixed).slopes]
 
-    K = slopes(ENDLESS)
-    R = slopes(Jet.variable(Intervals.point([1.0]), 0, 1))
-    pushed = -sum(
-        cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in range(len(K)) for j in range(len(K))
-    )
-    pushed, whole = stacked([pushed, determinant(K)], possible.shape)
-    singular = (pushed + whole * at.directions[place + 2]).holds_zero()
-    return np.bincount(every[possible], singular, count) == 0
+        K = slopes(ENDLESS)
+        R = slopes(Jet.variable(Intervals.point([1.0]), 0, 1))
+        size = range(len(K))
+        pushed = -sum(cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in size for j in size)
+        return [pushed + determinant(K) * at.directions[place + 2]]
+
+    found = boxes.some(every[possible]).taped(("regular", spring), rows, arcs[:, possible])
+    return np.bincount(every[possible], found[0].holds_zero(), count) == 0

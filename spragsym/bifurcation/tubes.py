@@ -246,9 +246,15 @@ class Tubes(ByColumn):
         """Slopes of the forces by q, v and the free parameters over boxes, shape (n, n + 1 + free,
         N).
         """
-        at = self.balance.state(z[:-1], self._bounds(z[-1]))
+
+        def rows(q: Any, parameters: Any) -> list[Any]:
+            return [entry for row in self._rows(self.balance.state(q, parameters)) for entry in row]
+
+        key = "slopes along", self.vary, self.free, bool(self.half.any())
         with quiet():
-            return matrix(self._rows(at), at.shape)
+            found = self.balance.taped(key, rows, z[:-1], self._bounds(z[-1]))
+        shape = 2, self.n, found.shape[0] // self.n, *found.shape[1:]
+        return Intervals(found.ends.reshape(shape))
 
     def over(self, tube: Place) -> Slopes:
         """Slopes over places or tubes, affine where parameters have a width.
@@ -322,9 +328,13 @@ class Tubes(ByColumn):
     def _forces(self, z: FloatArray) -> Intervals:
         """Enclosed, in the middle of the boxes."""
         bounds = replace(self, half=np.zeros_like(self.half))._bounds(Intervals.point(z[-1]))
-        at = self.balance.state(Intervals.point(z[:-1]), bounds, self.balance.anywhere)
+        balance = self.balance
+
+        def rows(q: Any, parameters: Any) -> Sequence[Any]:
+            return balance.state(q, parameters, balance.anywhere).rows("forces")
+
         with quiet():
-            return stacked(at.rows("forces"), at.shape)
+            return balance.taped("forces", rows, Intervals.point(z[:-1]), bounds)
 
     def apart(self) -> FloatArray:
         """How far the free parameters lie from their middles at most."""

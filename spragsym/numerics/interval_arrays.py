@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import partial, reduce
+from operator import methodcaller
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -288,6 +289,30 @@ class Intervals(Arithmetic):
             np.where(self.ends == 0, 0.0, raised(self._at_ends(np.atan), FUNCTION_ULPS))
         )
 
+    def cos(self) -> Intervals:
+        """Cosine."""
+        return _wave(self, np.cos, 0.0)
+
+    def sin(self) -> Intervals:
+        """Sine."""
+        return _wave(self, np.sin, 0.25)
+
+    def not_negative(self) -> Intervals:
+        """What is known not to be negative, where rounding has pushed the lower end below 0."""
+        return Intervals(np.stack([np.minimum(self.ends[0], 0.0), self.ends[1]]))
+
+    def component(self, across: Intervals) -> Intervals:
+        """x/√(x² + y²), see :func:`unit_vector`."""
+        return _component(self, across)
+
+    def angle(self, cosine: Intervals, side: int | None) -> Intervals:
+        """Of the vector of which this is the sine, see :func:`atan2`."""
+        return _angle(self, cosine, side)
+
+    def is_nothing(self) -> bool:
+        """Whether all are 0."""
+        return self.ends.size > 0 and not self.ends.any()
+
     def _at_ends(self, function: np.ufunc) -> FloatArray:
         """A function that grows with its argument: −least and greatest, as NumPy rounds them."""
         values: FloatArray = function(np.stack([-self.ends[0], self.ends[1]]))
@@ -396,23 +421,10 @@ PI = Intervals.between([np.pi], [np.nextafter(np.pi, 4.0)])
 #: hardly widens anything.
 TURN_ERROR = 1e-10
 
-sqrt, exp, log, tanh, atan = (
-    Intervals.sqrt,
-    Intervals.exp,
-    Intervals.log,
-    Intervals.tanh,
-    Intervals.atan,
+#: As functions.
+sqrt, exp, log, tanh, atan, cos, sin = map(
+    methodcaller, ("sqrt", "exp", "log", "tanh", "atan", "cos", "sin")
 )
-
-
-def cos(angle: Intervals) -> Intervals:
-    """Cosine."""
-    return _wave(angle, np.cos, 0.0)
-
-
-def sin(angle: Intervals) -> Intervals:
-    """Sine."""
-    return _wave(angle, np.sin, 0.25)
 
 
 def _wave(angle: Intervals, function: np.ufunc, peak: float) -> Intervals:
@@ -432,7 +444,7 @@ def _wave(angle: Intervals, function: np.ufunc, peak: float) -> Intervals:
 
 def length(dx: Intervals, dy: Intervals) -> Intervals:
     """√(dx² + dy²)."""
-    return Intervals(_not_negative((dx.squared() + dy.squared()).ends)).sqrt()
+    return (dx.squared() + dy.squared()).not_negative().sqrt()
 
 
 def unit_vector(dx: Intervals, dy: Intervals) -> tuple[Intervals, Intervals]:
@@ -442,7 +454,7 @@ def unit_vector(dx: Intervals, dy: Intervals) -> tuple[Intervals, Intervals]:
     dx/√(dx² + dy²) grows with dx, and with |dy| it goes to 0: so it is largest at the largest dx,
     and there at the least |dy| if that dx is positive, at the largest if not.
     """
-    return _component(dx, dy), _component(dy, dx)
+    return dx.component(dy), dy.component(dx)
 
 
 def _component(along: Intervals, across: Intervals) -> Intervals:
@@ -465,6 +477,10 @@ def atan2(sine: Intervals, cosine: Intervals, side: int | None = None) -> Interv
     with 0 all. Over a rectangle that does not meet the ray the angle is least and greatest at
     corners: on each side it is monotone.
     """
+    return sine.angle(cosine, side)
+
+
+def _angle(sine: Intervals, cosine: Intervals, side: int | None) -> Intervals:
     x, y = (np.stack([part.low, part.high]) for part in (cosine, sine))
     cut = ~((x[0] > 0) | (y[0] > 0) | (y[1] < 0))
     corners = np.stack([np.arctan2(y[j], x[i]) for i in (0, 1) for j in (0, 1)])
@@ -483,8 +499,9 @@ def _across(x: FloatArray, y: FloatArray, side: int | None) -> FloatArray:
     most = np.full(x.shape[1:], raised(np.array(np.pi)))
     if side == 0:
         return np.stack([most, most])
-    # Of vectors with a sine of this sign the angle is least in size at the greatest cosine.
-    far = np.maximum(y[1] if side > 0 else -y[0], 0.0)
+    # Of vectors with a sine of this sign the angle is least in size at the greatest cosine. A sine
+    # of −0 would stand for the other side.
+    far = np.maximum(y[1] if side > 0 else -y[0], 0.0) + 0.0
     least = -_bounded_by_pi(-np.minimum(np.arctan2(far, x[1]), np.arctan2(0.0, x[1])))
     return np.stack([-least, most] if side > 0 else [most, -least])
 

@@ -4,8 +4,7 @@ it, and with many digits.
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
@@ -20,15 +19,13 @@ from ..models.quantities import Unit
 from ..numerics import balls, contractors, jets
 from ..numerics.arithmetic import Matrix, is_zero
 from ..numerics.balls import ball
-from ..numerics.boxes import POLE, System
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, Shape, matrix, stacked
+from ..numerics.boxes import POLE
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
 from ..numerics.precise_roots import Digits
 from .forces import Forces, State, Values, filled
-from .namespaces import FREE, XP
+from .namespaces import FREE
+from .systems import Boxes, Linear, StateSystem, as_linear, at_anchors
 
-#: Sizes of a box from an anchor up to which it is asked whether any direction of the spring
-#: balances the forces.
-AWAY = 1.0
 #: Steps of Newton's method from the middle of a box that has one root.
 GUESSES = 4
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
@@ -43,76 +40,6 @@ SCALE = "l/scale"
 Rows: TypeAlias = Callable[[State], Sequence[Any]]
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
-Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
-
-
-class StateSystem(System):
-    """A system of which the roots are states of a model: what vanishes at a state, over boxes or
-    with many digits.
-    """
-
-    balance: Balance
-
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
-        """The evaluation at unknowns, of any number type as the arguments are."""
-        raise NotImplementedError
-
-    def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """What vanishes at a state, of the number type of the unknowns."""
-        raise NotImplementedError
-
-    def prepared(self, bounds: Intervals) -> Intervals:
-        """Prepared parameters of the balance."""
-        return self.balance.prepared(bounds)
-
-    def prepared_at(self, given: FloatArray) -> Intervals:
-        """Those of points."""
-        return self.prepared(Intervals.point(given))
-
-    def state(
-        self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None
-    ) -> State:
-        """The evaluation over boxes, whose unknowns are intervals or jets of them."""
-        at = self.at(list(unknowns), self.balance.arguments(parameters), parameters.shape[1:])
-        at.sides = sides
-        return at
-
-    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
-        """What vanishes, over boxes."""
-        return self.conditions(self.state(unknowns, parameters), unknowns)
-
-    def values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
-        """What vanishes, on the given sides of the rays where torsion angles jump."""
-        given = jets.variables(list(unknowns), self.order) if self.order else list(unknowns)
-        found = self.conditions(self.state(given, parameters, sides), given)
-        return stacked([jets.constant(value) for value in found], unknowns.shape[1:])
-
-    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """What vanishes, on any side: torsion angles that jump in a box have any value there."""
-        return self.values(unknowns, parameters, self.balance.anywhere)
-
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes where no state is; where a torsion angle jumps in a box, what vanishes is asked on
-        each side of the jump.
-        """
-        at = self.state(unknowns, parameters)
-        out, torsions = self.nothing_at(at), self.balance.torsions
-        if torsions:
-            jumps = np.logical_or.reduce(
-                [np.isnan(phi.ends[0]) for phi in at.directions[3 * self.balance.springs :]]
-            )
-            rows = np.flatnonzero(~out & jumps)
-            for sides in itertools.product((1, -1), repeat=len(torsions)) if rows.size else ():
-                still = np.logical_and.reduce(
-                    self.values(unknowns[:, rows], parameters[:, rows], sides).holds_zero()
-                )
-                rows = rows[~still]
-            out[rows] = True
-        return out
-
-    def nothing_at(self, at: State) -> BoolArray:
-        """Boxes beyond the contact's border."""
-        return at.beside_border()[1]
 
 
 class Balance(Forces, StateSystem):
@@ -121,6 +48,10 @@ class Balance(Forces, StateSystem):
     Parameters of the search are those of the model, in its order; :meth:`prepared` turns them into
     the arguments of the generated functions, once for each node of the tree of points.
     """
+
+    def identity(self) -> Hashable:
+        """Contact, the law of friction, and how far beyond the border states count."""
+        return self.contact, self.law, self.room
 
     def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
         """The forces."""
@@ -146,16 +77,21 @@ class Balance(Forces, StateSystem):
             q = q - (contractors.inverse(slopes) * forces).sum(axis=1)
         return q
 
-    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """Stiffness over boxes, shape (n, n, N)."""
-        return matrix(self.state(unknowns, parameters).slopes, unknowns.shape[1:])
+    def slopes_over(self, unknowns: Any, parameters: Any) -> Matrix:
+        """Stiffness over boxes."""
+        return self.state(unknowns, parameters).slopes
 
-    def nothing_at(self, at: State) -> BoolArray:
+    def vanishing(self, parameters: Intervals) -> list[bool]:
+        """Which prepared parameters are 0 in all boxes."""
+        there: BoolArray = np.logical_or.reduce(parameters.ends != 0, axis=(0, 2))
+        return [not one for one in there.tolist()]
+
+    def nothing_at(self, boxes: Boxes) -> BoolArray:
         """Boxes on the other side of the contact's border, or where no unit vector balances the
         other forces.
         """
-        out = super().nothing_at(at)
-        return out | at_anchors(at, ~out, _no_direction)
+        out = super().nothing_at(boxes)
+        return out | at_anchors(boxes, ~out, no_direction)
 
     def given_up(
         self, unknowns: Intervals, parameters: Intervals, width: float = POLE
@@ -179,7 +115,7 @@ class Balance(Forces, StateSystem):
         """Smaller boxes with the same roots: the coordinates that balance the forces of springs
         with these directions.
         """
-        return self.with_directions(self.state(unknowns, parameters, self.anywhere))
+        return self.directed(unknowns, parameters)
 
     def with_directions(self, at: State) -> FloatArray:
         """Smaller boxes with the same roots, for springs of the given directions, whatever their
@@ -200,16 +136,22 @@ class Balance(Forces, StateSystem):
     def _linear(
         self, at: State, near: FloatArray, forces: Rows, slopes: Callable[[State], Matrix]
     ) -> Linear:
-        """:meth:`linear` by the generated slopes, where no length counts and no wave is a free
-        unknown.
+        found = self.linear_rows(at, list(Intervals.point(near)), forces, slopes)
+        return as_linear(stacked(found, at.shape), at.box.ends, near)
+
+    def linear_rows(
+        self, at: State, near: Sequence[Any], forces: Rows, slopes: Callable[[State], Matrix]
+    ) -> list[Any]:
+        """Entries of :func:`linear`: by the generated slopes, where no length counts and no wave is
+        a free unknown.
         """
         if at.xp is FREE or self.torsions:  # forces of torsion springs contain a length
-            return linear(at, near, forces)
+            return linear_rows(at, near, forces)
         # What directions change by goes with one over the length, and of these lengths that is 0 to
         # rounding. So no law is asked for a derivative that its stiffness has in a sharper form.
         lengths = range(2, 3 * self.springs, 3)
         fixed = [ENDLESS if place in lengths else part for place, part in enumerate(at.directions)]
-        return _from(at, near, forces, matrix(slopes(replace(at, fixed=fixed)), at.shape))
+        return _rows(at, near, forces, slopes(replace(at, fixed=fixed)))
 
 
 def linear(at: State, near: FloatArray, forces: Rows) -> Linear:
@@ -218,47 +160,39 @@ def linear(at: State, near: FloatArray, forces: Rows) -> Linear:
 
     Directions and lengths are those of the boxes.
     """
+    found = linear_rows(at, list(Intervals.point(near)), forces)
+    return as_linear(stacked(found, at.shape), at.box.ends, near)
+
+
+def linear_rows(at: State, near: Sequence[Any], forces: Rows) -> list[Any]:
+    """Entries of :func:`linear`: forces, and then their slopes, row by row."""
     moved = replace(at, q=jets.variables(at.q, 1), fixed=at.directions)
-    return _from(
-        at, near, forces, matrix([jets.gradient(row, len(at.q)) for row in forces(moved)], at.shape)
-    )
+    return _rows(at, near, forces, [jets.gradient(row, len(at.q)) for row in forces(moved)])
 
 
-def _from(at: State, near: FloatArray, forces: Rows, slopes: Intervals) -> Linear:
-    there = replace(at, q=list(Intervals.point(near)), fixed=at.directions)
-    return stacked(forces(there), at.shape), slopes, near, contractors.distance(at.box.ends, near)
+def _rows(at: State, near: Sequence[Any], forces: Rows, slopes: Matrix) -> list[Any]:
+    there = replace(at, q=near, fixed=at.directions)
+    return [*forces(there), *(entry for row in slopes for entry in row)]
 
 
-def at_anchors(at: State, among: BoolArray, told: Callable[[State, int], BoolArray]) -> BoolArray:
-    """Boxes of which something is told of all directions of a spring, among those at its anchor.
-
-    Farther from there the direction is known so well that the equations themselves tell.
-    """
-    out = np.zeros(at.shape, dtype=np.bool_)
-    for spring, (dx, dy) in enumerate(at.anchors):
-        rows = np.flatnonzero(
-            among & ~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width))
-        )
-        if rows.size:
-            out[rows] = told(at.some(rows), spring)
-    return out
-
-
-def _no_direction(at: State, spring: int) -> BoolArray:
+def no_direction(boxes: Boxes, spring: int) -> BoolArray:
     """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its
     anchor is.
     """
-    place, cover = 3 * spring, Intervals(np.ones((2, *at.shape)))
+    place, n = 3 * spring, boxes.system.balance.n
 
-    def forces(*direction: Any) -> Sequence[Any]:
-        fixed = [*at.directions[:place], *direction, *at.directions[place + 2 :]]
-        return replace(at, fixed=fixed).forces()
+    def rows(at: State) -> Sequence[Any]:
+        def forces(*direction: Any) -> Sequence[Any]:
+            fixed = [*at.directions[:place], *direction, *at.directions[place + 2 :]]
+            return replace(at, fixed=fixed).forces()
 
-    M = matrix(
-        [jets.gradient(row, 2) for row in forces(*jets.variables([cover, cover], 1))], at.shape
-    )
-    none = Intervals(np.zeros((2, *at.shape)))
-    return contractors.no_unit_vector(stacked(forces(none, none), at.shape), M)
+        none, cover = (Intervals(np.full((2, *at.shape), size)) for size in (0.0, 1.0))
+        moved = forces(*jets.variables([cover, cover], 1))
+        return [*forces(none, none), *(entry for row in moved for entry in jets.gradient(row, 2))]
+
+    found = boxes.taped(("no direction", spring), rows)
+    M = Intervals(found.ends[:, n:].reshape(2, n, 2, *boxes.shape))
+    return contractors.no_unit_vector(found[:n], M)
 
 
 class PreciseBalance(Digits):
@@ -335,6 +269,11 @@ class BalanceInUnits(Balance):
             name for name in self.factors if law != "friction_at_rest" or name in self.balanced
         ]
         self.codes += [*units, *(self.factors[name] for name in self.needed)]
+
+    def identity(self) -> Hashable:
+        """Those of the balance, and how parameters depend on units."""
+        powers = ((name, *sorted(unit.powers.items())) for name, unit in self.units.items())
+        return super().identity(), *powers
 
     def scaled(
         self, values: Values, xp: Any = np, names: Iterable[str] | None = None

@@ -139,7 +139,7 @@ class Forces:
         exponentials of it are exact.
         """
         values: dict[str, Any] = dict(zip(self.codes, prepared, strict=False))
-        return values | {name: 0 for name in self.may_vanish if _is_nothing(values[name])}
+        return values | {name: 0 for name in self.may_vanish if values[name].is_nothing()}
 
     def over(self, bounds: Intervals) -> dict[str, Any]:
         """:meth:`arguments` from parameters of shape (P, N)."""
@@ -371,13 +371,9 @@ class State:
         return self.call("mirror", self.q, kind="statics")
 
 
-def _is_nothing(values: Intervals) -> bool:
-    return values.ends.size > 0 and not values.ends.any()
-
-
 def _is_none(stiffness: Any) -> bool:
     """0 everywhere, and no unknown."""
-    return is_zero(stiffness) or (isinstance(stiffness, Intervals) and _is_nothing(stiffness))
+    return is_zero(stiffness) or (isinstance(stiffness, Intervals) and stiffness.is_nothing())
 
 
 def direction(dx: Any, dy: Any, shape: Shape) -> tuple[Any, Any, Any]:
@@ -432,6 +428,9 @@ def _at(dx: Any, dy: Any, shape: Shape) -> tuple[Intervals, Intervals, Intervals
 
 
 def as_intervals(value: Any, shape: Shape) -> Intervals:
+    """A number, or intervals of some shape, as an array of intervals of that shape."""
+    if isinstance(value, Intervals) and value.shape == shape:
+        return value
     return stacked([value], shape)[0]
 
 

@@ -59,11 +59,7 @@ def _enclosed(value: Any) -> Any:
 def _not_negative(value: Any) -> Any:
     if isinstance(value, Jet):
         return Jet({**value.terms, (): _not_negative(_enclosed(value.value))}, value.order)
-    return (
-        Intervals(np.stack([np.minimum(value.ends[0], 0.0), value.ends[1]]))
-        if isinstance(value, Intervals)
-        else value
-    )
+    return value.not_negative() if isinstance(value, Intervals) else value
 
 
 class FreeWaves(LawFunctions):

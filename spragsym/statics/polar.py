@@ -40,7 +40,7 @@ and those that can't be told from one on the border are undecided.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -59,10 +59,11 @@ from ..numerics.interval_arrays import (
     stacked,
     width_of,
 )
-from .balance import SCALE, Balance, StateSystem
+from .balance import SCALE, Balance
 from .forces import State, Values, as_intervals
 from .namespaces import XP
 from .precise_balance import once_around, refined, settled_by_digits
+from .systems import StateSystem
 
 #: Stiffness over that of the contact from which on a point is looked at in polar coordinates first.
 #: In lift-off, where nothing else may hold the mass across, the line of a single spring is the
@@ -92,6 +93,10 @@ class Polar(StateSystem):
     chart: tuple[int, int]
     turns: bool
     tight: bool
+
+    def identity(self) -> Hashable:
+        """Those of the balance, and the chart."""
+        return self.balance.identity(), self.spring, self.chart, self.turns, self.tight
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Prepared parameters of the balance, with the scale last."""

@@ -31,7 +31,8 @@ from ..numerics.precise_roots import (
     reduced_roots,
 )
 from ..numerics.vectors import BEGIN, TURN
-from .balance import PreciseBalance, StateSystem
+from .balance import PreciseBalance
+from .systems import StateSystem
 
 #: Bits of the forces where roots are looked for, and of a root that is known.
 BITS, ROOT_BITS = (160, 320), 256

@@ -227,7 +227,8 @@ def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_pa
     wheel = wheel_by(str(hasty), archives[1], tmp_path)
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
     assert sorted(extensions(wheel)) == [
-        f"spragsym/{name}{suffix}" for name in ("kang_nam/quartic/_compiled", "motion/_carried")
+        f"spragsym/{name}{suffix}"
+        for name in ("kang_nam/quartic/_compiled", "motion/_carried", "numerics/_tape")
     ]
     assert not wheel.name.endswith("-none-any.whl")
 

@@ -1,0 +1,9 @@
+"""Made from ``_tape.c`` on installation, if there is a C compiler."""
+
+from typing import Any as Buffer
+
+OPERATIONS: tuple[str, ...]
+
+def run(
+    code: Buffer, numbers: Buffer, inputs: tuple[Buffer, ...], out: Buffer, slots: int
+) -> None: ...

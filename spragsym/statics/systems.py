@@ -1,0 +1,240 @@
+"""Systems whose roots are states of a model: what is asked of many boxes goes by tape."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, TypeAlias
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from ..numerics import contractors, jets
+from ..numerics.arithmetic import Matrix
+from ..numerics.boxes import System
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape
+from ..numerics.tape import Tapes
+from .forces import State, Values
+from .namespaces import XP
+
+if TYPE_CHECKING:
+    from .balance import Balance
+
+#: Sizes of a box from an anchor up to which it is asked whether any direction of the spring
+#: balances the forces.
+AWAY = 1.0
+
+#: Tapes of every model's systems, as long as its functions are loaded.
+TAPES: WeakKeyDictionary[ModuleType, dict[Hashable, Tapes]] = WeakKeyDictionary()
+
+#: Entries over boxes, from unknowns, whatever else, and parameters.
+Rows: TypeAlias = Callable[..., Sequence[Any]]
+Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
+
+
+class StateSystem(System):
+    """A system of which the roots are states of a model: what vanishes at a state, over boxes or
+    with many digits.
+    """
+
+    balance: Balance
+
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
+        """The evaluation at unknowns, of any number type as the arguments are."""
+        raise NotImplementedError
+
+    def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
+        """What vanishes at a state, of the number type of the unknowns."""
+        raise NotImplementedError
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """Prepared parameters of the balance."""
+        return self.balance.prepared(bounds)
+
+    def prepared_at(self, given: FloatArray) -> Intervals:
+        """Those of points."""
+        return self.prepared(Intervals.point(given))
+
+    def state(
+        self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None
+    ) -> State:
+        """The evaluation over boxes, whose unknowns are intervals or jets of them."""
+        at = self.at(list(unknowns), self.balance.arguments(parameters), parameters.shape[1:])
+        at.sides = sides
+        return at
+
+    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
+        """What vanishes, over boxes."""
+        return self.conditions(self.state(unknowns, parameters), unknowns)
+
+    def identity(self) -> Hashable:
+        """What tells the system from others of its class and model: tapes are those of all with the
+        same, or its own without one.
+        """
+        return None
+
+    @cached_property
+    def tapes(self) -> Tapes:
+        """Tapes of what is asked over boxes."""
+        identity, algebra = self.identity(), self.balance.model.algebra
+        if identity is None or not isinstance(algebra, ModuleType):
+            return Tapes()
+        of_model = TAPES.setdefault(algebra, {})
+        return of_model.setdefault((type(self), identity), Tapes())
+
+    def taped(self, key: Hashable, rows: Rows, *given: Intervals) -> Intervals:
+        """Rows over boxes, from unknowns and whatever else, and parameters as the last."""
+        parameters = given[-1]
+        return self.tapes.evaluated(key, rows, *given, vanishing=self.balance.vanishing(parameters))
+
+    def values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
+        """What vanishes, on the given sides of the rays where torsion angles jump."""
+
+        def rows(unknowns: Any, parameters: Any) -> Sequence[Any]:
+            given = jets.variables(list(unknowns), self.order) if self.order else list(unknowns)
+            found = self.conditions(self.state(given, parameters, sides), given)
+            return [jets.constant(value) for value in found]
+
+        return self.taped(("values", *sides), rows, unknowns, parameters)
+
+    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Enclosure of ∂F/∂x, shape (equations, n, N)."""
+
+        def rows(unknowns: Any, parameters: Any) -> Sequence[Any]:
+            return [entry for row in self.slopes_over(unknowns, parameters) for entry in row]
+
+        entries = self.taped("slopes", rows, unknowns, parameters)
+        n = unknowns.shape[0]
+        shape = 2, entries.shape[0] // n, n, *unknowns.shape[1:]
+        return Intervals(entries.ends.reshape(shape))
+
+    def slopes_over(self, unknowns: Any, parameters: Any) -> Matrix:
+        """∂F/∂x over boxes, by rows: by jets, if nothing sharper is known."""
+        given = jets.variables(list(unknowns), self.order + 1)
+        rows = self.equations(given, parameters)
+        return [jets.gradient(row, unknowns.shape[0]) for row in rows]
+
+    def directed(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
+        """Boxes of coordinates that balance the forces of springs with the directions over the
+        boxes.
+        """
+        balance = self.balance
+
+        def rows(unknowns: Any, near: Any, parameters: Any) -> Sequence[Any]:
+            at = self.state(unknowns, parameters, balance.anywhere)
+            return balance.linear_rows(at, list(near), State.forces, lambda at: at.slopes)
+
+        near = unknowns[: balance.n].middle
+        return np.fmin(
+            contractors.newton(
+                *self.contraction("directed", rows, unknowns, near, parameters)
+            ).ends,
+            unknowns.ends[:, : balance.n],
+        )
+
+    def contraction(
+        self,
+        key: Hashable,
+        rows: Rows,
+        unknowns: Intervals,
+        near: FloatArray,
+        parameters: Intervals,
+    ) -> Linear:
+        """What contractors take, from the entries ``rows`` of unknowns, points of their boxes and
+        parameters.
+        """
+        found = self.taped(key, rows, unknowns, Intervals.point(near), parameters)
+        return as_linear(found, unknowns.ends[:, : self.balance.n], near)
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """What vanishes, on any side: torsion angles that jump in a box have any value there."""
+        return self.values(unknowns, parameters, self.balance.anywhere)
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+        """Boxes where no state is; where a torsion angle jumps in a box, what vanishes is asked on
+        each side of the jump.
+        """
+        boxes = Boxes(self, unknowns, parameters)
+        out, torsions = self.nothing_at(boxes), self.balance.torsions
+        if torsions:
+            at = boxes.state
+            jumps = np.logical_or.reduce(
+                [np.isnan(phi.ends[0]) for phi in at.directions[3 * self.balance.springs :]]
+            )
+            rows = np.flatnonzero(~out & jumps)
+            for sides in itertools.product((1, -1), repeat=len(torsions)) if rows.size else ():
+                still = np.logical_and.reduce(
+                    self.values(unknowns[:, rows], parameters[:, rows], sides).holds_zero()
+                )
+                rows = rows[~still]
+            out[rows] = True
+        return out
+
+    def nothing_at(self, boxes: Boxes) -> BoolArray:
+        """Boxes beyond the contact's border."""
+        gap = boxes.taped("gap", lambda at: [at.gap()] if self.balance.opens else [0])
+        return self.balance.sides(gap[0])[1]
+
+
+@dataclass
+class Boxes:
+    """Boxes of a system's unknowns, shape (n, N), with the prepared parameters of each."""
+
+    system: StateSystem
+    unknowns: Intervals
+    parameters: Intervals
+
+    @property
+    def shape(self) -> Shape:
+        """(N,)."""
+        return self.unknowns.shape[1:]
+
+    @cached_property
+    def state(self) -> State:
+        """The evaluation over all of them."""
+        return self.system.state(self.unknowns, self.parameters)
+
+    def some(self, rows: IntArray) -> Boxes:
+        """Some of the boxes."""
+        return Boxes(self.system, self.unknowns[:, rows], self.parameters[:, rows])
+
+    def taped(self, key: Hashable, rows: Rows, *more: Intervals) -> Intervals:
+        """Entries that follow from a state, and perhaps from more intervals for each box."""
+
+        def noted(unknowns: Any, *rest: Any) -> Sequence[Any]:
+            *others, parameters = rest
+            return rows(self.system.state(unknowns, parameters), *others)
+
+        return self.system.taped(key, noted, self.unknowns, *more, self.parameters)
+
+
+def at_anchors(
+    boxes: Boxes, among: BoolArray, told: Callable[[Boxes, int], BoolArray]
+) -> BoolArray:
+    """Boxes of which something is told of all directions of a spring, among those at its anchor.
+
+    Farther from there the direction is known so well that the equations themselves tell.
+    """
+    out = np.zeros(boxes.shape, dtype=np.bool_)
+    ends = boxes.taped("anchors", lambda at: [part for line in at.geometry for part in line[:2]])
+    for spring in range(boxes.system.balance.springs):
+        dx, dy = ends[2 * spring], ends[2 * spring + 1]
+        rows = np.flatnonzero(
+            among & ~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width))
+        )
+        if rows.size:
+            out[rows] = told(boxes.some(rows), spring)
+    return out
+
+
+def as_linear(found: Intervals, ends: FloatArray, near: FloatArray) -> Linear:
+    """Entries as contractors take them: forces at points near, slopes over the boxes, and with them
+    the points and distances.
+    """
+    n, shape = near.shape[0], near.shape[1:]
+    rows = found.shape[0] // (n + 1)
+    slopes = Intervals(found.ends[:, rows:].reshape(2, rows, n, *shape))
+    return found[:rows], slopes, near, contractors.distance(ends, near)

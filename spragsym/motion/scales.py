@@ -165,7 +165,8 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Scales
     the damping, or of what changes the speed at the start. Coordinates of one unit share theirs:
     the largest of the coordinates at the start, of how far they go at its rates and accelerations
     in the unit of time, of the way on which friction that holds is used up, and of the lengths of
-    springs. Angles have the unit 1. Of a motion about which this says nothing all units are 1.
+    springs. Angles have the unit 1. Of a motion about which this says nothing all units are 1, and
+    of a field that does not tell the units of its coordinates.
 
     Parameters
     ----------
@@ -187,6 +188,8 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Scales
     (262144.0,)
     """
     state, n = [float(value) for value in start], len(field.coordinates)
+    if not field.units:
+        return Scales((1.0,) * n, 1.0, (1.0,) * len(field.borders))
     lengths = field.lengths(state, constants)
     try:
         time, ways = _time_and_ways(field, constants, state)

@@ -188,6 +188,17 @@ def stick_slip(tmp_path_factory: pytest.TempPathFactory) -> str:
     return exported(tmp_path_factory.mktemp("driven"), *model, "--input", "V", "--input", "mu_k")
 
 
+@pytest.mark.parametrize("size", [1e-6, 3e4, 1e6])
+def test_a_motion_of_any_size_is_the_same_scaled(size: float, stick_slip: str) -> None:
+    """In lengths, speeds and forces: states and events."""
+    values = {"mu_s": 0.6, "mu_k": 0.4, "V": 0.5, "x": 1.5}
+    one, times = stepped(stick_slip, values, ["x", "vx"], 30.0)
+    large = {name: size * value for name, value in values.items()}
+    other, scaled = stepped(stick_slip, large, ["x", "vx"], 30.0)
+    np.testing.assert_allclose(np.array(other) / size, one, rtol=0.0, atol=1e-9)
+    np.testing.assert_allclose(scaled, times, rtol=0.0, atol=1e-9)
+
+
 @pytest.mark.thorough
 def test_what_an_importer_is_told_of_a_variable(stick_slip: str) -> None:
     """A quantity that a border has jumps at events only; the rate that sticking resets says so."""

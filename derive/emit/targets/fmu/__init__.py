@@ -185,6 +185,7 @@ def _model(material: Material, seen: Motion, words: Mapping[str, str]) -> str:
         "layers": layers,
         "turnings": turnings,
         "rooted": seen.rooted,
+        "springs": len(algebra["geometry"].leaves) // 3 if "geometry" in algebra else 0,
         "outputs": len(seen.outputs),
     }
     places = {
@@ -200,9 +201,16 @@ def _model(material: Material, seen: Motion, words: Mapping[str, str]) -> str:
         for name, kinds in _CALLED.items()
         if name in algebra
     ]
+    geometry = algebra.get("geometry")  # none where there are no springs along lines
+    if geometry and geometry.leaves:
+        names = taken(algebra["rhs"], material.angles)
+        known = dict(zip(names, (*places["s"], *places["p"]), strict=True))
+        own = [known[name] for name in taken(geometry, material.angles)]
+        called.append(_calling(material, geometry, "sp", own))
     texts = {
         "quantities": ",\n    ".join(map(_quantity, (*seen.given, Variable("", "")))),
         "powers": ", ".join(map(_powers, (*seen.states[:count], seen.time))),
+        "angles": ", ".join(f"{bool(one.dimension[3]):d}" for one in seen.states[:count]),
         "output_powers": ", ".join(map(_powers, seen.outputs)),
         "adapters": "\n".join(called),
     }
@@ -218,6 +226,10 @@ def _adapter(
     """A function of the library, given arrays; not 0 where it has no result."""
     given = [one for kind in kinds for one in places[kind]]
     assert len(given) == len(taken(function, material.angles)), function.name
+    return _calling(material, function, kinds, given)
+
+
+def _calling(material: Material, function: Definition, kinds: str, given: list[str]) -> str:
     arrays = dict.fromkeys("m" if kind in "lw" else kind for kind in kinds)
     head = ", ".join(f"const double *{name}" for name in arrays)
     called = f"{material.library}_{function.name}({', '.join(given)}, result)"

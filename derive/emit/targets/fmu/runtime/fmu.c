@@ -50,6 +50,7 @@ typedef struct {
     double state[STATES];
     double nominal[STATES]; /* as the importer was last told */
     double mode[MODES];
+    double unit[STATES], second, level[BORDERS + 1]; /* of the motion, inside */
 } State;
 
 typedef struct {
@@ -140,7 +141,18 @@ static Motion motion_of(const Instance *it) {
     motion.borders = it->exchange ? INDICATORS : BORDERS;
     motion.tolerance = it->now.tolerance;
     memcpy(motion.mode, it->now.mode, sizeof motion.mode);
+    memcpy(motion.unit, it->now.unit, sizeof motion.unit);
+    memcpy(motion.level, it->now.level, sizeof motion.level);
+    motion.second = it->now.second;
     return motion;
+}
+
+/* Keeps the mode of a motion, and its units. */
+static void keep(Instance *it, const Motion *motion) {
+    memcpy(it->now.mode, motion->mode, sizeof motion->mode);
+    memcpy(it->now.unit, motion->unit, sizeof motion->unit);
+    memcpy(it->now.level, motion->level, sizeof motion->level);
+    it->now.second = motion->second;
 }
 
 /* Motion, rates and clearances as they are now, before the start and after a jump in the mode where the state is. Not 0: there are
@@ -177,7 +189,6 @@ static void reset(Instance *it) {
     now->phase = INSTANTIATED;
     now->kind = it->exchange | it->paused << 1;
     now->tolerance = 1e-10;
-    now->length = 1e-3;
     for (int i = 0; i < GIVEN; i++) {
         now->given[i] = QUANTITIES[i].start;
     }
@@ -266,7 +277,8 @@ FMI(fmi3Status, ExitInitializationMode)(void *instance) {
     double unit_of_rate[STATES];
     ENTER(INITIALIZING)
     EXPECT(!here(it, &motion, &at, unit_of_rate), "%s", NOWHERE)
-    memcpy(it->now.mode, motion.mode, sizeof motion.mode);
+    keep(it, &motion);
+    it->now.length = FIRST_STEP * motion.second;
     scales(&it->now, it->now.nominal, unit_of_rate);
     it->now.jumped = false;
     it->now.phase = it->paused ? EVENT : STEPPING;
@@ -636,7 +648,7 @@ static int enter(Instance *it) {
     if (here(it, &motion, &at, unit_of_rate) || settle(&motion, &at)) {
         return 1;
     }
-    memcpy(it->now.mode, motion.mode, sizeof mode);
+    keep(it, &motion);
     it->now.jumped = false;
     if (LIFTS && mode[0] != motion.mode[0]) {
         say(it, fmi3OK, "at %.12g contact is %s", it->now.time, motion.mode[0] > 0.0 ? "regained" : "lost");

@@ -18,6 +18,7 @@
 #define TURNINGS @turnings@      /* torsion springs whose turning is counted */
 #define ROOTED @rooted@        /* whether the contact law has no values beyond its border */
 #define OUTPUTS @outputs@       /* forces, energy and power */
+#define SPRINGS @springs@       /* along lines */
 
 /* Parameters, then units of measure, as they are given; inside, a number is divided by powers of the units of measure. */
 struct quantity {
@@ -34,6 +35,9 @@ static const struct quantity QUANTITIES[] = {
 
 /* The powers of coordinates, and of time. */
 static const double POWERS[][3] = {@powers@};
+
+/* Whether a coordinate is an angle. */
+static const int ANGLES[] = {@angles@};
 
 /* The powers of outputs. */
 static const double OUTPUT_POWERS[][3] = {@output_powers@};

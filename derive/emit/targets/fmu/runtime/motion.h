@@ -1,7 +1,8 @@
 /*
  * The motion between events: modes in which the field is smooth, the borders at which they end, and steps that end there.
  *
- * All numbers are dimensionless. A mode is: whether the contact is closed (1, 0), the sign of the sliding speed (1, -1; 0 while
+ * All numbers are dimensionless. Tolerances are numbers beside 1, in units of the motion's own: powers of four, 1 between 1/32 and 32,
+ * which are taken from the numbers of its start as Python takes them (spragsym.motion.scales). A mode is: whether the contact is closed (1, 0), the sign of the sliding speed (1, -1; 0 while
  * friction holds the mass), for each exponential of the friction law whether it is felt (1, 0), for each torsion spring the way on
  * which its turning is counted (1, -1). Each has a border, and the force of friction that holds has two, its limits; the clearance of
  * a border is positive within the mode. A mode is left GAP beyond its border: two crossings are never closer than 2 GAP, so that
@@ -24,22 +25,29 @@ enum {
 
 #define GAP 1e-12
 /* A contact law with a root has no values beyond its border: its mode is left before it. */
-#define SHIFT (ROOTED ? 2.0 * GAP : 0.0)
+#define SHIFT (ROOTED ? 2.0 * GAP * it->level[0] : 0.0)
 /* Minus the exponent beyond which an exponential is left out, and how much sooner it is taken in again. */
 #define REACH 36.0
 #define WIDTH 5.0
-/* Sliding speeds up to this are 0 where friction holds. */
+/* Sliding speeds up to this, in units of theirs, are 0 where friction holds. */
 #define STILL (2.0 * GAP)
 /* The clearance of what is no border of the mode. */
 #define FREE 1.0
 #define MOST_STEPS 10000000L
+/* The least step and the first one, in units of time; what of a number's unit counts as error beside its size. */
 #define LEAST_STEP 1e-15
+#define FIRST_STEP 1e-3
+#define BESIDE 1e-3
+/* Binary digits between one unit and the next, and beyond which a unit is not 1. */
+#define DIGITS 2
+#define COMMON 5
 
 typedef struct {
     double p[PARAMETERS + 1];
     double mode[MODES];
     int borders; /* how many are watched: all, or those of an importer */
     double tolerance;
+    double unit[STATES], second, level[BORDERS + 1]; /* units of the state, of time and of the borders' levels */
 } Motion;
 
 typedef struct {
@@ -67,22 +75,24 @@ static int look(const Motion *it, Point *at) {
     }
     if (LIFTS) {
         const double sign = 1.0 - 2.0 * mode[0];
-        at->clearance[k] = sign * (level[0] + SHIFT) + GAP;
-        at->change[k++] = sign * change[0];
+        at->clearance[k] = sign * (level[0] + SHIFT) / it->level[k] + GAP;
+        at->change[k] = sign * change[0] / it->level[k];
+        k++;
     }
     if (SLIDES) {
-        at->clearance[k] = mode[1] != 0.0 ? mode[1] * level[1] + GAP : FREE;
-        at->change[k++] = mode[1] * change[1];
+        at->clearance[k] = mode[1] != 0.0 ? mode[1] * level[1] / it->level[k] + GAP : FREE;
+        at->change[k] = mode[1] * change[1] / it->level[k];
+        k++;
     }
 #if HOLDS
     /* Beyond a root there is no force that holds: there the contact's border is crossed. */
     double margin[2], slope[3 * WIDE];
     const int held = mode[1] == 0.0 && !grip(at->state, it->p, mode, margin) && !grip_slopes(at->state, it->p, mode, slope);
     for (int i = 0; i < 2; i++) {
-        at->clearance[k] = held ? margin[i] + GAP : FREE;
+        at->clearance[k] = held ? margin[i] / it->level[k] + GAP : FREE;
         at->change[k] = 0.0;
         for (int j = 0; held && j < STATES; j++) {
-            at->change[k] += slope[(i + 1) * WIDE + j] * at->rate[j];
+            at->change[k] += slope[(i + 1) * WIDE + j] * at->rate[j] / it->level[k];
         }
         k++;
     }
@@ -93,7 +103,9 @@ static int look(const Motion *it, Point *at) {
         return 1;
     }
     for (int i = 0; i < TURNINGS; i++) {
-        at->clearance[k++] += GAP;
+        at->clearance[k] = at->clearance[k] / it->level[k] + GAP;
+        at->change[k] /= it->level[k];
+        k++;
     }
 #endif
 #if LAYERS
@@ -171,7 +183,7 @@ static int cross(Motion *it, double *state, int border) {
 }
 
 /* The mode of a state, which on a border may be on either side. */
-static int begin(Motion *it, const double *state) {
+static int mode_of(Motion *it, const double *state) {
     double level[2];
     if (borders(state, it->p, level)) {
         return 1;
@@ -204,7 +216,127 @@ static int begin(Motion *it, const double *state) {
         }
     }
 #endif
-    return HOLDS && fabs(level[1]) <= STILL && hold(it, state);
+    return HOLDS && fabs(level[1]) <= STILL * it->level[LIFTS] && hold(it, state);
+}
+
+static double unit_near(double value) {
+    if (!(value > 0.0 && isfinite(value)) || fabs(log2(value)) <= COMMON) {
+        return 1.0;
+    }
+    return ldexp(1.0, DIGITS * (int)floor(log2(value) / DIGITS + 0.5));
+}
+
+/* How far each coordinate goes in a unit of time: by its place, its rate, its accelerations, and the way on which friction is used up. */
+static double distances(const Motion *it, const double *state, double *ways) {
+    double stiff = 0.0, damped = 0.0, fastest = 0.0, pull[COORDINATES] = {0.0}, rate, most = 0.0;
+    for (int first = 0; first < 2; first++) {
+        Motion one = *it;
+        double moved[STATES], slope[COORDINATES * STATES];
+        for (int i = 0; first && i < 2 + LAYERS; i++) {
+            one.mode[i] = 1.0; /* at rest */
+        }
+        if (rates(&one, state, moved) || regime_jacobian(state, it->p, one.mode, slope)) {
+            continue;
+        }
+        for (int i = 0; i < COORDINATES; i++) {
+            pull[i] = fmax(pull[i], fabs(moved[COORDINATES + i]));
+            most = fmax(most, pull[i]);
+            fastest = fmax(fastest, fabs(state[COORDINATES + i]));
+            for (int j = 0; j < COORDINATES; j++) {
+                if (ANGLES[i] == ANGLES[j]) {
+                    stiff = fmax(stiff, fabs(slope[i * STATES + j]));
+                    damped = fmax(damped, fabs(slope[i * STATES + COORDINATES + j]));
+                }
+            }
+        }
+    }
+    rate = (stiff > 0.0) ? sqrt(stiff) : (damped > 0.0) ? damped :
+        (fastest > 0.0)                                 ? most / fastest :
+                                                          0.0;
+    if (!(rate > 0.0 && isfinite(rate))) {
+        rate = 1.0;
+    }
+    for (int i = 0; i < COORDINATES; i++) {
+        ways[i] = fmax(fabs(state[i]), fmax(fabs(state[COORDINATES + i]) / rate, pull[i] / (rate * rate)));
+    }
+#if HOLDS
+    Motion held = *it;
+    double margin[2], slope[3 * WIDE];
+    for (int i = 0; i < 2 + LAYERS; i++) {
+        held.mode[i] = (i == 1) ? 0.0 : 1.0;
+    }
+    if (!grip(state, it->p, held.mode, margin) && !grip_slopes(state, it->p, held.mode, slope)) {
+        for (int row = 0; row < 2; row++) {
+            for (int angle = 0; angle < 2; angle++) {
+                double steepest = 0.0;
+                for (int i = 0; i < COORDINATES; i++) {
+                    steepest = (ANGLES[i] == angle) ? fmax(steepest, fabs(slope[(row + 1) * WIDE + i])) : steepest;
+                }
+                for (int i = 0; steepest > 0.0 && i < COORDINATES; i++) {
+                    ways[i] = (ANGLES[i] == angle) ? fmax(ways[i], fabs(margin[row]) / steepest) : ways[i];
+                }
+            }
+        }
+    }
+#endif
+    return 1.0 / rate;
+}
+
+/* Units of the motion from a state whose mode is known. */
+static void measure(Motion *it, const double *state) {
+    double ways[COORDINATES], largest = 0.0;
+    it->second = unit_near(distances(it, state, ways));
+#if SPRINGS
+    double line[3 * SPRINGS];
+    for (int i = 0; !geometry(state, it->p, line) && i < SPRINGS; i++) {
+        largest = fmax(largest, hypot(line[3 * i], line[3 * i + 1]));
+    }
+#endif
+    for (int i = 0; i < COORDINATES; i++) {
+        largest = ANGLES[i] ? largest : fmax(largest, ways[i]);
+    }
+    for (int i = 0; i < COORDINATES; i++) {
+        it->unit[i] = ANGLES[i] ? 1.0 : unit_near(largest);
+        it->unit[COORDINATES + i] = it->unit[i] / it->second;
+    }
+    double size[BORDERS + 1] = {0.0};
+    for (int trial = 0; trial < 4 * COORDINATES; trial++) {
+        Motion one = *it;
+        Point at;
+        const int moved = trial % COORDINATES, held = trial / COORDINATES % 2, aside = trial / COORDINATES / 2;
+        memset(&at, 0, sizeof at);
+        for (int i = 0; i < COORDINATES; i++) {
+            at.state[i] = state[i] + aside * it->unit[i];
+        }
+        at.state[COORDINATES + moved] = at.rate[moved] = it->unit[COORDINATES + moved];
+        at.rate[COORDINATES + moved] = it->unit[COORDINATES + moved] / it->second;
+        one.mode[1] = held ? 0.0 : 1.0;
+        if ((held && !HOLDS) || look(&one, &at)) {
+            continue;
+        }
+        for (int k = 0; k < INDICATORS && k < one.borders; k++) {
+            size[k] = fmax(size[k], fabs(at.change[k]) * it->second);
+        }
+    }
+    for (int k = 0; k < INDICATORS; k++) {
+        it->level[k] = unit_near(size[k]);
+    }
+}
+
+/* Mode and units of a state from which a motion begins. */
+static int begin(Motion *it, const double *state) {
+    for (int i = 0; i < STATES; i++) {
+        it->unit[i] = 1.0;
+    }
+    for (int k = 0; k <= BORDERS; k++) {
+        it->level[k] = 1.0;
+    }
+    it->second = 1.0;
+    if (mode_of(it, state)) {
+        return 1;
+    }
+    measure(it, state);
+    return mode_of(it, state);
 }
 
 /* Leaves every mode whose border the point has reached, but for rounding, and gives the point its rates and clearances. */
@@ -269,7 +401,7 @@ static int step(const Motion *it, const Point *from, double h, Point *to, double
         for (int j = 0; j < STAGES; j++) {
             wrong += off[j] * slope[j][i];
         }
-        wrong *= h / (it->tolerance * (1e-3 + fmax(fabs(from->state[i]), fabs(to->state[i]))));
+        wrong *= h / (it->tolerance * (BESIDE * it->unit[i] + fmax(fabs(from->state[i]), fabs(to->state[i]))));
         sum += wrong * wrong;
     }
     *error = sqrt(sum / STATES);
@@ -375,7 +507,7 @@ static int carry(Motion *it, double *state, double duration, double *length, dou
         const int none = step(it, &from, h, &to, &error);
         if (none || error > 1.0) {
             *length = h * (none ? 0.25 : fmax(0.2, 0.9 * pow(error, -0.2)));
-            if (*length < LEAST_STEP) {
+            if (*length < LEAST_STEP * it->second) {
                 return STUCK;
             }
             continue;

@@ -13,7 +13,7 @@ import inspect
 import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property, partial
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -167,6 +167,8 @@ class Field:
         ``sized(levels)``: the field whose borders are resolved in units of their levels.
     natural, scales : Field and Scales, or None
         Of a field in units of a motion: the field in those of the model, and what they are.
+    lead : int
+        Place of the coordinate whose maxima mark the rounds of a motion.
     """
 
     name: str
@@ -193,6 +195,14 @@ class Field:
     sized: Callable[[tuple[float, ...]], Field] | None = None
     natural: Field | None = None
     scales: Scales | None = None
+    lead: int = 0
+
+    def led(self, lead: int) -> Field:
+        """The field with rounds marked by another coordinate."""
+        if lead == self.lead:
+            return self
+        natural = self.natural.led(lead) if self.natural else None
+        return replace(self, lead=lead, natural=natural)
 
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
         """The first mode, but for its last numbers, which are as at the state."""

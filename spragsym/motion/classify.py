@@ -7,10 +7,13 @@ its multipliers (:mod:`.return_map`), in this order.
 """
 
 import math
+from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from scipy.linalg import null_space
 
 from ..core.errors import ConvergenceError
 from ..models.field import FLOATS, SETTLED, Field, Mode
@@ -20,7 +23,7 @@ from ..numerics.vectors import in_one_turn, magnitude
 from .measures import KEPT, Course
 from .problem import Event, Problem
 from .regimes import Outcome, Regime
-from .return_map import Onward, on_cycle
+from .return_map import NOISE, Onward, leads, on_cycle
 
 #: Events of the contact.
 CONTACT = [Event.CONTACT_LOST, Event.CONTACT_REGAINED]
@@ -36,9 +39,6 @@ VISIBLE = 1e-3
 
 #: Squares that are larger than this many times what a linear decay leaves of them have not decayed.
 LEFT = 4.0
-
-#: What an integrator leaves of a motion at rest, in tolerances of a step.
-NOISE = 100.0
 
 #: Singular values that are less than this share of the largest are 0 where friction holds.
 HELD = 1e-10
@@ -64,14 +64,29 @@ def classify(course: Course, onward: Onward, tol: float = SETTLED) -> Outcome:
     if apart and problem.field.aloft and problem.field.aloft(problem.constants, course.last):
         found = Outcome(Regime.LIFT_OFF)
     else:
-        found = at_rest(course, problem, tol) or on_cycle(course, onward, tol) or Outcome()
+        sought = (
+            at_rest(each, other.problem, tol) or on_cycle(each, other, tol)
+            for each, other in _led(course, onward)
+        )
+        found = next(filter(None, sought), Outcome())
     return replace(found, names=problem.field.components)
+
+
+def _led(course: Course, onward: Onward) -> Iterator[tuple[Course, Onward]]:
+    """A course, and where its leading coordinate tells of no rounds what the other ones tell."""
+    yield course, onward
+    if leads(course, onward.problem):
+        return
+    for lead in range(1, len(course.last) // 2):
+        other = onward.led(lead)
+        with suppress(ConvergenceError):
+            yield other.courses(course.first[None], course.end - course.begin)[0], other
 
 
 def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
     still = (
-        abs(course.last[0] - course.first[0]) <= 4 * tol
+        abs(course.last[course.lead] - course.first[course.lead]) <= 4 * tol
         and course.reach[1] - course.reach[0] <= 4 * tol
     )
     # On a belt that stands still the law of friction is smooth where x' changes its sign.
@@ -84,7 +99,7 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     if rest is None:
         return None
     place = tuple(in_one_turn(rest.state[:n], problem.field.around).tolist())
-    growth = float(rest.values.real.max())
+    growth = -rest.rate
     late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
     distance = magnitude(np.vstack([late, course.last]) - rest.state)
     if (
@@ -93,20 +108,47 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
         and growth <= ROUNDING
         and _stays(course, rest, problem.rtol, kinks)
     ):
-        return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(0.0, -growth), distance=distance)
+        return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(0.0, rest.rate), distance=distance)
     if decaying and growth < 0 and _decays(course, rest):
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
-        return Outcome(regime, rest=place, rate=-growth, distance=distance)
+        return Outcome(regime, rest=place, rate=rest.rate, distance=distance)
     return None
 
 
 @dataclass(frozen=True)
 class Rest:
-    """A steady-sliding equilibrium and its linearization with the damping of the friction law."""
+    """An equilibrium and its linearization with the damping of the friction law.
+
+    Where friction holds there is a whole curve of equilibria: one of the ``values`` is 0 along it,
+    and deviations of what sticks end at once, and have none.
+    """
 
     state: FloatArray
     values: ComplexArray
     vectors: ComplexArray
+    held: bool
+
+    @property
+    def rate(self) -> float:
+        """Of the approach, exp(−rate τ): infinite where nothing is left to decay."""
+        along = np.abs(self.values).argmin() if self.held else ()
+        return -float(np.delete(self.values.real, along).max(initial=-np.inf))
+
+
+def spectrum_at_rest(
+    field: Field, constants: Any, state: FloatArray, mode: Mode
+) -> tuple[ComplexArray, ComplexArray]:
+    """Eigenvalues and eigenvectors of the linearized motion in a mode; where friction holds, of
+    what moves in it, in which no speed slides.
+    """
+    numbers = state.tolist()
+    moving = np.eye(field.size)
+    for border in field.stays(mode):
+        assert border.slopes is not None
+        across = np.array(border.slopes(numbers, constants, mode), dtype=float)[: field.size]
+        moving = moving @ null_space((across @ moving)[None])
+    values, vectors = np.linalg.eig(moving.T @ field.matrix(numbers, constants, mode) @ moving)
+    return values, moving @ vectors
 
 
 def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
@@ -130,7 +172,7 @@ def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
         if border.kink
     ):
         return None
-    return Rest(state, *np.linalg.eig(field.matrix(state.tolist(), constants, mode)))
+    return Rest(state, *spectrum_at_rest(field, constants, state, mode), bool(field.stays(mode)))
 
 
 def equilibrium_near(

@@ -131,7 +131,7 @@ def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exceptio
             counts = np.bincount(
                 events_of(problems[row].field, solution.crossings).which, minlength=len(Event)
             )
-            found[row] = course_of(solution.samples, counts, problems[row].field.around)
+            found[row] = course_of(solution.samples, counts, problems[row].field)
         except (ConvergenceError, ArithmeticError) as error:
             found[row] = error
     return found

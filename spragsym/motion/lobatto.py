@@ -106,7 +106,9 @@ class PiecewisePolynomial:
         below, above = values[first], values[first + 1]
         root, side = high, np.zeros(len(high))
         for _ in range(60):
-            last, root = root, high - above * (high - low) / (above - below)
+            height = above - below  # 0 where values underflow, as of what decays to rest
+            share = np.divide(above, height, out=np.zeros_like(height), where=height > 0)
+            last, root = root, high - share * (high - low)
             value = sign * self.at(step, root)[row]
             left, before = value < 0, side
             side = np.where(left, -1.0, 1.0)

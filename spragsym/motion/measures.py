@@ -3,12 +3,12 @@ points, frequencies.
 """
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..display import Column
+from ..models.field import Field
 from ..models.parameters import FloatArray, as_count
 from ..numerics.interval_arrays import IndexArray
 from ..results.result import Result
@@ -28,10 +28,10 @@ class Course:
     before the latest KEPT of a kind.
 
     States ``first`` (2 n,) at ``begin``, ``last`` at ``end``, ``maxima`` (k, 2 n) at ``maxima_t``
-    where the first coordinate x is largest, ``minima`` (l, 2 n), ``passages`` (j, 2 n) at
+    where the leading coordinate x is largest, ``minima`` (l, 2 n), ``passages`` (j, 2 n) at
     ``passages_t`` of an x that comes around through whole turns; ``integrals`` (n + 1,) over time:
     of u = x − x(begin), of u², and of the other coordinates; how many ``events`` (4,) of each kind;
-    least and largest x, ``reach``.
+    least and largest x, ``reach``; the place of x, ``lead``.
     """
 
     begin: float
@@ -46,30 +46,33 @@ class Course:
     reach: tuple[float, float]
     passages_t: FloatArray
     passages: FloatArray
+    lead: int
 
     def moments(self) -> tuple[float, float]:
         """Mean of x and root mean square about it."""
         shift, square, *_ = self.integrals / (self.end - self.begin)
-        return float(self.first[0] + shift), math.sqrt(max(square - shift * shift, 0.0))
+        return float(self.first[self.lead] + shift), math.sqrt(max(square - shift * shift, 0.0))
 
     @property
     def means(self) -> FloatArray:
         """Means of all coordinates."""
-        return np.array([self.moments()[0], *(self.integrals[2:] / (self.end - self.begin))])
+        others = self.integrals[2:] / (self.end - self.begin)
+        return np.insert(others, self.lead, self.moments()[0])
 
 
-def course_of(samples: PiecewisePolynomial, events: IndexArray, around: Sequence[int]) -> Course:
-    """The course of a motion given by its samples, and the number of events of each kind;
-    coordinates that come ``around``.
+def course_of(samples: PiecewisePolynomial, events: IndexArray, field: Field) -> Course:
+    """The course of a motion of a field given by its samples, and the number of events of each
+    kind.
     """
-    t, states = samples.t, samples.states
-    n, shift = len(states) // 2, states[0] - states[0, 0]
-    lowest, highest = (samples.passages(n, sign) for sign in (1, -1))
+    t, states, lead = samples.t, samples.states, field.lead
+    n, x = len(states) // 2, states[lead]
+    shift, others = x - x[0], np.delete(states[:n], lead, axis=0)
+    lowest, highest = (samples.passages(n + lead, sign) for sign in (1, -1))
     maxima, minima = samples(highest).T, samples(lowest).T
-    extrema = np.concatenate([states[0, [0, -1]], maxima[:, 0], minima[:, 0]])
+    extrema = np.concatenate([x[[0, -1]], maxima[:, lead], minima[:, lead]])
     late = highest[-KEPT:]
-    turning = PiecewisePolynomial(t, np.sin(states[:1] / 2))
-    passed = np.sort(turning.zeros() if 0 in around else late[:0])[-KEPT:]
+    turning = PiecewisePolynomial(t, np.sin(x[None] / 2))
+    passed = np.sort(turning.zeros() if lead in field.around else late[:0])[-KEPT:]
     return Course(
         float(t[0]),
         float(t[-1]),
@@ -77,12 +80,13 @@ def course_of(samples: PiecewisePolynomial, events: IndexArray, around: Sequence
         states[:, -1],
         late,
         maxima[-KEPT:],
-        np.array([shift, shift**2, *states[1:n]]) @ samples.weights(),
+        np.array([shift, shift**2, *others]) @ samples.weights(),
         minima[-KEPT:],
         events,
         (float(extrema.min()), float(extrema.max())),
         passed,
         samples(passed).T,
+        lead,
     )
 
 

@@ -4,16 +4,19 @@ one.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
+from ..bifurcation.sticking import sticking_states
+from ..core.errors import ConvergenceError, ParameterError
 from ..display import Column, named_fields
 from ..models.field import SETTLED
-from ..numerics.vectors import apart, magnitude
+from ..models.parameters import FloatArray, ParameterSet
+from ..numerics.vectors import TURN, apart, magnitude
 from ..results.result import Named
 
 #: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are
@@ -82,7 +85,8 @@ class Outcome(Named):
         The coordinates of that equilibrium, in the order of the model; empty for none.
     rate : float
         Of the approach in the long run, exp(−rate τ), from the limit's own eigenvalues or
-        multipliers. NaN where there is none.
+        multipliers; infinite where sticking ends all deviations. Along a set of states that
+        friction holds nothing is approached. NaN where there is none.
     distance : float
         What is left to the limit when the motion ends: relative to the motion's reach for a cycle,
         in L_0 for rest.
@@ -91,9 +95,9 @@ class Outcome(Named):
         about zero over one whole period. NaN for no cycle, and the last two where x turns around:
         then the cycle is one modulo a turn.
     cycle : tuple of float, length 2 n
-        The cycle's state where its x is largest (there x' = 0), or where x passes 0 if it turns
-        around and never back: one point, which with the equations is the whole orbit. Empty for no
-        cycle.
+        The cycle's state where x is largest (there x' = 0), its first coordinate that moves, or
+        where that passes 0 if it turns around and never back: one point, which with the equations
+        is the whole orbit. Empty for no cycle.
     names : tuple of str, length 2 n
         Of the coordinates, then of their rates. Those that come around after 2π are in the turn
         from −π + 0.0123 on.
@@ -154,27 +158,72 @@ class Outcome(Named):
         )
 
 
-def same_limit(one: Outcome, other: Outcome, around: Sequence[int]) -> bool:
+#: Boxes of connected sets of rest, the least and the largest of each coordinate: (k, 2, n).
+Sets: TypeAlias = FloatArray | tuple[()]
+
+
+def sets_of_rest(p: ParameterSet) -> Sets:
+    """The sets of states in which friction holds the mass where nothing moves, each of them one
+    attractor; none where the belt moves, friction holds nothing, or not all are told apart.
+    """
+    if not p.model.field.holding:
+        return ()
+    try:
+        found = sticking_states(p)
+    except (ParameterError, ConvergenceError):
+        return ()
+    ends = [
+        [found.ends[f"{name}_{end}"] for name in p.model.coordinates] for end in ("low", "high")
+    ]
+    return np.moveaxis(np.array(ends), 2, 0)
+
+
+def same_limit(
+    one: Outcome, other: Outcome, around: Sequence[int], sets: Callable[[], Sets] = lambda: ()
+) -> bool:
     """Whether two motions of one set of parameters have one limit, by all numbers of its state.
 
-    ``around`` are the places of coordinates that come around. What has no limit is not told apart.
+    ``around`` are the places of coordinates that come around, ``sets`` gives the sets of rest, each
+    of which is one limit. What has no limit is not told apart.
     """
     if one.limit != other.limit:
         return False
     if one.limit == Regime.EQUILIBRIUM:
-        return magnitude(apart(one.rest, other.rest, around)) < SAME * (1 + magnitude(one.rest))
+        near = SAME * (1 + magnitude(one.rest))
+        if magnitude(apart(one.rest, other.rest, around)) < near:
+            return True
+        places = {_sets_that_hold(each.rest, sets(), around, near) for each in (one, other)}
+        return len(places) == 1 and len(places.pop()) == 1
     if one.limit != Regime.LIMIT_CYCLE:
         return True
     # Two cycles, by period, averages, and the one state that stands for each, all found by Newton's
     # method.
-    reach = max(abs(one.cycle[0] - one.cycle_mean), abs(other.cycle[0] - other.cycle_mean))
-    if np.isnan(one.cycle_mean) != np.isnan(other.cycle_mean):
+    turns = np.isnan(one.cycle_mean), np.isnan(other.cycle_mean)
+    if turns[0] != turns[1]:
         return False
-    averages = (
-        (one.cycle_mean - other.cycle_mean, one.cycle_rms - other.cycle_rms) if reach > 0 else ()
-    )
-    off = magnitude([*apart(one.cycle, other.cycle, around), *averages])
+    averages = (one.cycle_mean - other.cycle_mean, one.cycle_rms - other.cycle_rms)
+    off = magnitude([*apart(one.cycle, other.cycle, around), *(() if turns[0] else averages)])
+    reach = max(abs(each.cycle[0] - each.cycle_mean) for each in (one, other))
+    # An x that stands still beside what moves has no reach but rounding.
+    far = 10 * SETTLED * (1.0 if turns[0] else reach)
     return bool(
-        abs(one.period / other.period - 1) < SETTLED
-        and off < 10 * SETTLED * (reach if reach > 0 else 1.0)
+        abs(one.period / other.period - 1) < SETTLED and off < max(far, SAME * magnitude(one.cycle))
+    )
+
+
+def _sets_that_hold(
+    rest: Sequence[float], sets: Sets, around: Sequence[int], near: float
+) -> tuple[int, ...]:
+    """Rows of the sets whose boxes hold a place; boxes of several may meet."""
+
+    def inside(place: int, low: float, high: float) -> bool:
+        value = rest[place]
+        if place in around:  # the angle of a whole turn that is behind the lower end
+            value = low + (value - low + near) % TURN - near
+        return low - near <= value <= high + near
+
+    return tuple(
+        row
+        for row, (low, high) in enumerate(sets)
+        if all(map(inside, range(len(rest)), low.tolist(), high.tolist()))
     )

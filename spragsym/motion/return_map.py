@@ -2,7 +2,8 @@
 nears it at that rate.
 
 Newton's method with the derivative of the flow (:class:`Onward`) gives the cycle from two states
-that are alike, where x is largest, or of an x that turns around and never back, where it passes 0.
+that are alike, where x is largest, the first coordinate that moves on the cycle, or of an x that
+turns around and never back, where it passes 0.
 Coordinates that come around are alike after a turn. Of several numbers of rounds the smallest comes
 first, and the least period is looked for, so that a cycle is never counted twice.
 """
@@ -28,7 +29,7 @@ from .integrators import Flow
 from .measures import Course
 from .problem import Problem
 from .regimes import Outcome, Regime
-from .shooting import CLOSED, Guess, Loop, once_round, solved, through
+from .shooting import CLOSED, Guess, Loop, least_period, solved, through
 from .solution import Fly, Passage, Turn
 
 #: Returns as close as this, relative to the extent of the motion, are worth a search for the cycle.
@@ -47,6 +48,9 @@ ALIGNED, AWAY = 0.98, 0.5
 #: By how much the linearized map may be wrong about a return, relative to the distance at the
 #: return before.
 MISSED = 0.25
+
+#: What an integrator leaves of a motion at rest, in tolerances of a step.
+NOISE = 100.0
 
 #: Cycles that are looked for, of one motion.
 CANDIDATES = 3
@@ -75,6 +79,13 @@ class Onward:
 
     problem: Problem
     backend: str
+
+    def led(self, lead: int) -> Onward:
+        """The motion with rounds marked by another coordinate."""
+        field_of = self.problem.field_of
+        return replace(
+            self, problem=replace(self.problem, field_of=lambda reach: field_of(reach).led(lead))
+        )
 
     @property
     def field(self) -> Field:
@@ -140,9 +151,11 @@ class Onward:
             guess = near_guess(partial(fine._differences, 1), near).guess
         fly = partial(fine._differences, 2) if self.backend == "compiled" else None
         try:
-            loop = once_round(near_guess(fly, precision))
+            loop = least_period(near_guess(fly, precision))
         except (OverflowError, ValueError) as error:
             raise ConvergenceError("Newton's method left the range of numbers") from error
+        if loop.lead != self.field.lead:
+            raise ConvergenceError("another coordinate marks the rounds of the orbit")
         place = loop.state
         flow = loop.rate(place)
         if flow[fixed] == 0:
@@ -208,14 +221,34 @@ def section(states: FloatArray, fixed: int) -> FloatArray:
 
 def _marks(course: Course, fixed: int) -> tuple[FloatArray, FloatArray]:
     """Times and states of the passages of a section: where x is largest, or passes a whole turn."""
-    return (course.maxima_t, course.maxima) if fixed else (course.passages_t, course.passages)
+    if fixed != course.lead:
+        return course.maxima_t, course.maxima
+    return course.passages_t, course.passages
+
+
+def leads(course: Course, problem: Problem) -> bool:
+    """Whether rounds of a motion may be seen where its leading coordinate is largest: it moves, and
+    has not all but ceased to.
+    """
+    low, high = course.reach
+    if high - low <= NOISE * problem.rtol * magnitude(course.last):
+        return False
+    if len(course.passages) >= FEWEST:
+        return True
+    swings = [
+        np.ptp(np.append(course.maxima[part, course.lead], course.minima[part, course.lead]))
+        for part in (slice(len(course.maxima) // 3), slice(-(len(course.maxima) // 3), None))
+        if len(course.maxima) >= FEWEST
+    ]
+    return bool(swings and swings[1] > swings[0] / 2)
 
 
 def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
     """The cycle that the motion is on, or winds onto."""
-    around = onward.problem.field.around
+    around, lead = onward.problem.field.around, course.lead
     # An x that turns around and never back has no maxima.
-    fixed = len(course.last) // 2 if len(course.maxima) >= FEWEST or 0 not in around else 0
+    turning = len(course.maxima) < FEWEST and lead in around
+    fixed = lead if turning else len(course.last) // 2 + lead
     times, places = _marks(course, fixed)
     if len(times) < FEWEST:
         return None
@@ -227,21 +260,20 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
     extent = np.ptp(
         section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), axis=0
     )
-    scale = np.maximum(extent, 1e-2 * (TURN if fixed == 0 else extent[0]) + 1e-300)
+    scale = np.maximum(extent, 1e-2 * (TURN if turning else extent[lead]) + 1e-300)
     states /= scale
     for k in _candidates(states):
         period = float(times[-1] - times[-1 - k])
         with suppress(ConvergenceError):
             cycle = onward.closed(places[-1], fixed, period, scale)
-            largest = magnitude(np.linalg.eigvals(cycle.slope))
+            largest = magnitude(cycle.loop.multipliers.others)
             rounds = max(1, round(k * cycle.loop.period / period))
             off = states[::-1][::rounds] - cycle.scaled(cycle.state)  # latest first
             distance = magnitude(off[0])
             if largest < 1 - NEUTRAL and distance <= 4 * CLOSE and _nears(cycle, off, tol):
                 regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
-                return _described(
-                    cycle, regime, -math.log(max(largest, 1e-300)) / cycle.loop.period, distance
-                )
+                rate = -math.log(largest) / cycle.loop.period if largest else math.inf
+                return _described(cycle, regime, rate, distance)
     return None
 
 
@@ -334,9 +366,8 @@ def _goes_on(cycle: Closed, off: FloatArray, tol: float) -> bool:
         math.log(max(part, tol) / max(left, tol))
         for part in np.abs(np.linalg.solve(vectors, images.T))[slowest].tolist()
     ]
-    return bool(
-        left <= tol or math.fsum(growth) <= 0.5 * len(growth) * math.log(np.abs(values[slowest]))
-    )
+    slowest_rate = math.log(max(abs(values[slowest]), tol))
+    return bool(left <= tol or math.fsum(growth) <= 0.5 * len(growth) * slowest_rate)
 
 
 def _same_size(off: FloatArray, values: Any, vectors: Any) -> Iterator[FloatArray]:
@@ -356,8 +387,8 @@ def _described(cycle: Closed, regime: Regime, rate: float, distance: float) -> O
     stands for it.
     """
     loop, fixed, (mean, rms) = cycle.loop, cycle.fixed, cycle.loop.moments()
-    tops = np.array([cycle.state, *(turn.state for turn in loop.tops() if fixed)])
-    tops = in_one_turn(tops, loop.field.around)
+    others = () if fixed == loop.field.lead else (turn.state for turn in loop.tops())
+    tops = in_one_turn(np.array([cycle.state, *others]), loop.field.around)
     # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle
     # has one such state.
     for place, scale in zip(

@@ -126,7 +126,8 @@ class Scales:
 
     def course(self, it: Course) -> Course:
         """Quantities measured on a motion."""
-        place, *others = self.places
+        place = self.places[it.lead]
+        others = np.delete(self.places, it.lead)
         low, high = it.reach
         return replace(
             it,
@@ -281,7 +282,7 @@ def scaled(field: Field, scales: Scales) -> Field:
     """A field in units of its scales; parameters and forces stay as they are."""
     n, units, time = len(field.coordinates), scales.states.tolist(), scales.time
     faster = [time**2 / place for place in scales.places]
-    inner = field.sized(scales.levels) if field.sized else field
+    inner = field.sized(scales.levels).led(field.lead) if field.sized else field
 
     def at(state: Sequence[Any]) -> list[Any]:
         return [value * unit for value, unit in zip(state, units, strict=True)]

@@ -37,11 +37,18 @@ MOST_STRETCHES, SPLIT = 64, 32
 #: jumps, each in its stretch.
 CLEAR = 0.1
 
-#: Where the first coordinate changes faster, it is not largest.
+#: Where the leading coordinate changes faster, it is not largest.
 MOVES = 1e-8
 
 #: States this close are one, whatever their errors.
 ONE = 1e-10
+
+#: A coordinate moves on an orbit if its range is so many of the orbit's errors.
+SURE = 100.0
+
+#: Ranges of one orbit over its least period and over several rounds, both by samples, differ by a
+#: smaller share.
+RANGES = 0.1
 
 
 @dataclass(frozen=True)
@@ -150,10 +157,63 @@ class Loop:
         return magnitude(self.gaps)
 
     @cached_property
+    def windings(self) -> dict[int, int]:
+        """Turns in one round, by the places of coordinates that come around."""
+        moved = (self.ends - self.states).sum(axis=0) / TURN
+        return {place: round(float(moved[place])) for place in self.field.around}
+
+    @property
     def winding(self) -> int:
         """Turns that the first coordinate makes in one round."""
-        moved = float((self.ends - self.states)[:, 0].sum())
-        return round(moved / TURN) if 0 in self.field.around else 0
+        return self.windings.get(0, 0)
+
+    @cached_property
+    def bounds(self) -> tuple[FloatArray, FloatArray]:
+        """Least and largest of every number of the state over one round, each of shape (m,)."""
+        states = np.hstack(
+            [
+                self.flow.samples(each, self.constants, self.guess.stretch).states
+                for each in self.states
+            ]
+        )
+        return states.min(axis=1), states.max(axis=1)
+
+    @cached_property
+    def errors(self) -> FloatArray:
+        """Errors of the numbers of the state at its start, and of the period, (m + 1,)."""
+        return errors_of(self)
+
+    @cached_property
+    def leads(self) -> bool:
+        """Whether the leading coordinate moves, by more than its error."""
+        lead = self.field.lead
+        values = [turn.state[lead] for turn in self.turns() if turn.border == -1]
+        extent = np.ptp([*values, *self.states[:, lead]])
+        return bool(self.windings.get(lead, 0) or extent > SURE * self.errors[lead])
+
+    @cached_property
+    def lead(self) -> int:
+        """Place of the first coordinate that moves, by more than its error."""
+        if self.field.lead == 0 and self.leads:
+            return 0
+        low, high = self.bounds
+        return int((high - low > SURE * self.errors[:-1]).argmax())
+
+    def led(self) -> Loop:
+        """The loop with turns of the first coordinate that moves."""
+        lead = self.lead
+        if lead == self.field.lead:
+            return self
+        return looped(replace(self.flow, field=self.field.led(lead)), self.guess)
+
+    def at(self, t: float) -> FloatArray:
+        """The state at a time of the round, from the nearest state before it."""
+        stretch = self.guess.stretch
+        which = min(int(t / stretch), len(self.states) - 1)
+        start, left = self.states[which], t - which * stretch
+        if not left > 1e-14 * stretch:
+            return start
+        return self.flow.fly(start, self.constants, left).state
 
     @cached_property
     def monodromy(self) -> FloatArray:
@@ -163,11 +223,27 @@ class Loop:
             product = each.by_state @ product
         return product
 
+    @property
+    def sticks(self) -> bool:
+        """Whether it stays on a border on its way: deviations across that end there."""
+        borders = self.field.borders
+        return bool(self.field.stays(self.mode(self.state))) or any(
+            borders[crossing.border].stays and not crossing.sign for crossing in self.crossings()
+        )
+
     @cached_property
     def multipliers(self) -> Multipliers:
-        """Its Floquet multipliers."""
+        """Its Floquet multipliers: where it sticks, the smallest one is 0, whatever rounding
+        leaves.
+        """
         flows = [self.rate(state) for state in self.states]
-        return multipliers_of([each.by_state for each in self.passages], flows)
+        found = multipliers_of([each.by_state for each in self.passages], flows)
+        lasting = np.arange(len(found.others)) < len(found.others) - self.sticks
+        return replace(
+            found,
+            others=np.where(lasting, found.others, 0.0),
+            errors=np.where(lasting, found.errors, 0.0),
+        )
 
     def slopes(self, *rows: FloatArray) -> FloatArray:
         """Derivatives of the gaps by states, period and free parameters, (k m, k m + 1 +
@@ -192,12 +268,12 @@ class Loop:
         )
 
     def tops(self) -> list[Turn]:
-        """Turns at which the first coordinate is largest, the start first: where it is one it may
+        """Turns at which the leading coordinate is largest, the start first: where it is one it may
         be counted at neither end.
         """
         found = [turn for turn in self.turns() if turn.border == -1 and turn.direction < 0]
-        start, n = self.state, len(self.field.coordinates)
-        if found and abs(start[n]) < ONE and self.rate(start)[n] < 0:
+        start, speed = self.state, len(self.field.coordinates) + self.field.lead
+        if found and abs(start[speed]) < ONE and self.rate(start)[speed] < 0:
             found.insert(0, found[0]._replace(t=0.0, state=start))
         return found
 
@@ -374,13 +450,13 @@ def across(loop: Loop, place: FloatArray | None = None) -> Conditions:
 
 
 def phase(loop: Loop, guess: Guess) -> Conditions:
-    """The phase of a guess at an orbit: where the first coordinate is largest, if it begins there,
-    or as it is.
+    """The phase of a guess at an orbit: where the leading coordinate is largest, if it begins
+    there, or as it is.
     """
-    m = loop.field.size
-    if abs(guess.states[0, m // 2]) > MOVES:
+    m, speed = loop.field.size, len(loop.field.coordinates) + loop.field.lead
+    if abs(guess.states[0, speed]) > MOVES:
         return across(replace(loop, guess=guess))
-    return through(np.zeros(m), np.eye(m)[m // 2], guess)
+    return through(np.zeros(m), np.eye(m)[speed], guess)
 
 
 def recut(loop: Loop, pieces: int, begin: float = 0.0) -> Guess:
@@ -390,16 +466,8 @@ def recut(loop: Loop, pieces: int, begin: float = 0.0) -> Guess:
     Carried once around from one state, the error of a strongly unstable orbit would grow beyond
     Newton's reach.
     """
-    guess, stretch, states = loop.guess, loop.guess.stretch, []
-    for i in range(pieces):
-        t = (begin + i * guess.period / pieces) % guess.period
-        which = min(int(t / stretch), len(guess.states) - 1)
-        left = t - which * stretch
-        start = guess.states[which]
-        states.append(
-            loop.flow.fly(start, loop.constants, left).state if left > 1e-14 * stretch else start
-        )
-    return replace(guess, states=np.array(states))
+    times = (begin + np.arange(pieces) * loop.period / pieces) % loop.period
+    return replace(loop.guess, states=np.array([loop.at(t) for t in times.tolist()]))
 
 
 def finer(loop: Loop, most: int = MOST_STRETCHES) -> Guess | None:
@@ -437,39 +505,73 @@ def split(flow: Flow, guess: Guess) -> Loop:
     return loop
 
 
-def once_round(loop: Loop) -> Loop:
+def least_period(loop: Loop) -> Loop:
     """The orbit over its least period: rounds are one if they differ by no more than the orbit's
     error.
 
     Close to where it came out of a doubling, the rounds of an orbit of twice the period differ by
-    very little. They are told by where the first coordinate is largest, or by borders where it
-    rests while it is.
+    very little. Every prime number of rounds is tried that there may be, by :func:`_most_rounds`.
     """
-    period, tops, n = loop.period, loop.tops(), len(loop.field.coordinates)
-    marks = [top for top in tops if loop.rate(top.state)[n] < 0] or loop.crossings()
-    if not (tops and marks):
-        return loop
-    scale = np.ptp([turn.state for turn in loop.turns()], axis=0) + 1e-3
-    first, *others = marks
-    for other in others:
-        if (other.t - first.t) * len(marks) < period / 2:
-            # rounds have a mark each at least: this is the same one, at the end of a stretch and
-            # where the next begins
+    most = _most_rounds(loop)
+    for rounds in (k for k in range(2, most + 1) if all(k % j for j in range(2, k))):
+        if any(turns % rounds for turns in loop.windings.values()):
             continue
-        share = period / (other.t - first.t)
-        off = np.abs(apart(other.state, first.state, loop.field.around))
-        alike = (off / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1
-        if alike and off.max() <= max(ONE, 10 * error_of(loop)):
-            guess = Guess(first.state[None], period / round(share), loop.values)
-            with suppress(ConvergenceError):
-                return solved(loop.flow, guess, phase(loop, guess), reach=1e-3)
-            with suppress(
-                ConvergenceError
-            ):  # where nothing damps orbits are not isolated, and Newton's matrix is singular
-                shorter = looped(loop.flow, guess)
-                if shorter.missed <= CLOSED * (1 + magnitude(loop.states)):
-                    return shorter
+        if (shorter := _divided(loop, rounds)) is not None:
+            return least_period(shorter)
     return loop
+
+
+def _most_rounds(loop: Loop) -> int:
+    """Most rounds that an orbit may consist of.
+
+    A coordinate that turns around makes a whole turn in each, and the leading one is largest once
+    at least, unless a border hides that. Every one goes up and down by its range, no faster than
+    it does anywhere.
+    """
+    tops = len(loop.tops()) if loop.leads and not loop.windings.get(loop.field.lead) else 0
+    most = [abs(turns) for turns in (*loop.windings.values(), tops) if turns]
+    if 1 in most:
+        return 1
+    low, high = loop.bounds
+    n = len(loop.field.coordinates)
+    for place in range(n):
+        extent = float(high[place] - low[place])
+        if extent > SURE * loop.errors[place] and not loop.windings.get(place):
+            up, down = high[n + place], -low[n + place]
+            most.append(int((1 + RANGES) * loop.period / (extent / up + extent / down)))
+    return min(most, default=1)
+
+
+def _divided(loop: Loop, rounds: int) -> Loop | None:
+    """The orbit over a part of its period, if it closes after that; None where it does not.
+
+    Every number of the state has its own range and error. Beside a state at which an orbit all but
+    rests any time closes it: the shorter one has the same ranges, or is another.
+    """
+    errors, ranges = loop.errors[:-1], _ranges(loop)
+    off = np.abs(apart(loop.at(loop.period / rounds), loop.state, loop.field.around))
+    if not (off <= np.maximum(ONE * ranges, 10 * errors)).all():
+        return None
+    near = RANGES * ranges + SURE * errors
+    with suppress(ConvergenceError):
+        guess = Guess(loop.state[None], loop.period / rounds, loop.values)
+        guess = split(loop.flow, guess).guess
+        try:
+            shorter = solved(loop.flow, guess, phase(loop, guess), reach=magnitude(near))
+        except ConvergenceError:
+            # where nothing damps orbits are not isolated, and Newton's matrix is singular
+            shorter = looped(loop.flow, guess)
+        if (np.abs(_ranges(shorter) - ranges) <= near).all():
+            return shorter
+    return None
+
+
+def _ranges(loop: Loop) -> FloatArray:
+    """Ranges of all numbers of the state, a turn of those that turn around."""
+    low, high = loop.bounds
+    ranges = high - low
+    ranges[[place for place, turns in loop.windings.items() if turns]] = TURN
+    return ranges
 
 
 def difference(loop: Loop) -> float:
@@ -482,17 +584,20 @@ def difference(loop: Loop) -> float:
     return magnitude(loop.ends - ends)
 
 
-def error_of(loop: Loop, differs: float = 0.0) -> float:
-    """Largest row sum of the inverse of Newton's matrix, times what does not close, rounding, or
-    ``differs``.
+def errors_of(loop: Loop, differs: float = 0.0) -> FloatArray:
+    """Errors of the first state's numbers and of the period: row sums of the inverse of Newton's
+    matrix, times what does not close, rounding, or ``differs``.
     """
     size = loop.field.size
     _, rows = phase(loop, loop.guess)(loop)
     inverse = np.linalg.pinv(loop.slopes(rows), rcond=1e-12)
-    wanted = np.r_[0:size, -1]
-    return float(
-        np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding(loop), differs)
-    )
+    sums: FloatArray = np.abs(inverse[np.r_[0:size, -1]]).sum(axis=1)
+    return sums * max(loop.missed, rounding(loop), differs)
+
+
+def error_of(loop: Loop, differs: float = 0.0) -> float:
+    """The largest of :func:`errors_of`."""
+    return magnitude(errors_of(loop, differs))
 
 
 def extent(loop: Loop) -> float:

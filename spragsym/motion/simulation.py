@@ -367,7 +367,7 @@ class Trajectory(Named):
             if self.events is None
             else np.bincount(self.events.which, minlength=len(Event))
         )
-        return course_of(self.samples, counts, self.model.field.around)
+        return course_of(self.samples, counts, self.model.field)
 
     def energy(self) -> FloatArray:
         """Kinetic and stored energy, contact and applied forces included, at the samples."""

@@ -229,7 +229,7 @@ def speed_across(problem: Problem, border: Border, mode: Mode, state: FloatArray
 
 
 class Turn(NamedTuple):
-    """A zero of a rate: of a border's level, which is extremal there, or (border −1) of the first
+    """A zero of a rate: of a border's level, which is extremal there, or (border −1) of the leading
     coordinate.
 
     ``direction`` is the sign of the rate's own rate: −1 at a largest value.

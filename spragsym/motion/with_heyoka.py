@@ -108,7 +108,7 @@ def equations(
     in :data:`UNIT`, and the integrals of the first coordinate and of its square; with ``watch`` the
     integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter, so that
     they stay below the states: heyoka's error is relative to the largest of all. The parameter
-    before is x(begin).
+    before is the leading coordinate at the begin.
     """
     hy = library()
     names, n, m = field.coordinates, len(field.coordinates), field.size
@@ -137,11 +137,12 @@ def equations(
                 ]
             system += zip(part, [*part[n:], *rates], strict=True)
     if watch or directions is not None:
-        shift, scale = (state[0] - hy.par[end], hy.par[end + 1]) if watch else (state[0], UNIT)
+        lead, others = state[field.lead], [*state[: field.lead], *state[field.lead + 1 : n]]
+        shift, scale = (lead - hy.par[end], hy.par[end + 1]) if watch else (state[0], UNIT)
         sums = [
             scale * shift,
             scale * shift * shift,
-            *(scale * other for other in state[1:n] if watch),
+            *(scale * other for other in others if watch),
         ]
         system += zip(hy.make_vars(*(f"sum.{i}" for i in range(len(sums)))), sums, strict=True)
     return system, (state, known, mode), accelerations, Approach.of(xp.called, system[:m])
@@ -151,7 +152,7 @@ def _dot(one: Any, other: Any) -> Any:
     return sum(a * b for a, b in zip(one, other, strict=True))
 
 
-#: What stands for a border where x, that comes around, passes a whole turn.
+#: What stands for a border where the leading coordinate, that comes around, passes a whole turn.
 PASSAGE = -2
 
 #: Motions that one integrator carries at once, where they are measured. Another number compiles
@@ -206,8 +207,8 @@ class Carrier:
     """A field compiled for motions in lanes, used again and again: each goes over to its next mode
     where it passes a border.
 
-    ``turning`` is that turns are told, of the first coordinate and of levels. With ``watch`` those
-    of the first coordinate are, and the integrals of a :class:`~spragsym.motion.measures.Course`
+    ``turning`` is that turns are told, of the leading coordinate and of levels. With ``watch``
+    those of the coordinate are, and the integrals of a :class:`~spragsym.motion.measures.Course`
     are carried along.
     """
 
@@ -235,21 +236,26 @@ class Carrier:
             field, watch=watch, directions=directions
         )
         self.constants = len(seen[1])
-        rates = [(-1, seen[0][len(field.coordinates)])] if turning or watch else []
-        if watch and 0 in field.around:
-            rates.append((PASSAGE, hy.sin(seen[0][0] / 2.0)))
+        lead = field.lead
+        rates = [(-1, seen[0][len(field.coordinates) + lead])] if turning or watch else []
+        if watch and lead in field.around:
+            rates.append((PASSAGE, hy.sin(seen[0][lead] / 2.0)))
         if turning:
             rates += [
                 (i, b.rate(seen[0], accelerations, *seen[1:]))
                 for i, b in enumerate(field.borders)
                 if b.kink
             ]
+        # What is constant in a mode has no zero, and heyoka takes no event of it: the rate of the
+        # sliding speed of a block on a ramp, or the force that would hold it there.
+        levels = [self._border(row, border, seen) for row, border in enumerate(field.borders)]
+        rates = [(row, rate) for row, rate in rates if hy.get_variables(hy.expression(rate))]
         self.solver = hy.taylor_adaptive_batch(
             system,
             np.zeros((len(system), lanes)),
             tol=_tightened(field, tol),
             compact_mode=turning,
-            t_events=[self._border(row, border, seen) for row, border in enumerate(field.borders)]
+            t_events=[level for level in levels if level is not None]
             + [
                 hy.t_event_batch(
                     each.watched,
@@ -271,15 +277,19 @@ class Carrier:
         self.told = max(0, min(len(field.modes[0]), len(self.pars) - self.constants))
 
     def _border(self, row: int, border: Border, seen: tuple[Any, Any, Any]) -> Any:
-        """The terminal event of a border: a level that is positive within its mode.
+        """The terminal event of a border: a level that is positive within its mode; None where it
+        is constant.
 
         The gap keeps one crossing from being found twice, which is what a cooldown is for. Where
         the field jumps, the levels of both modes are 0, and are curved in the state: after a
         crossing the new one may be negative by the error of a step, and its way up is no event.
         """
         hy, sign = library(), border.sign(seen[2])
+        level = sign * border.scale * (border.level(*seen) + GAP * sign * border.kink)
+        if not hy.get_variables(level):
+            return None
         return hy.t_event_batch(
-            sign * border.scale * (border.level(*seen) + GAP * sign * border.kink),
+            level,
             callback=partial(self._cross, row),
             cooldown=0.0,
             direction=hy.event_direction.negative if border.jumps else hy.event_direction.any,
@@ -327,8 +337,8 @@ class Carrier:
             one.resting = True
 
     def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
-        """Note a turn of a border's level, or (−1) of the first coordinate, or that this one passes
-        a whole turn.
+        """Note a turn of a border's level, or (−1) of the leading coordinate, or that this one
+        passes a whole turn.
         """
         self.solver.update_d_output(t)
         one = self.some[lane]
@@ -341,7 +351,7 @@ class Carrier:
         )  # the direction is 0 where both derivatives are
         one.latest[PASSAGE if border == PASSAGE else kind].append([t, *state])
         if border != PASSAGE:
-            one.reach[kind] = bound(one.reach[kind], state[0])
+            one.reach[kind] = bound(one.reach[kind], state[self.field.lead])
 
     def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
         """Where a root's argument is zero to GAP, move the state on by as much: at its anchor a
@@ -526,7 +536,7 @@ _CACHE = threading.local()
 def compiled(field: Field, tol: float, **options: Any) -> Carrier:
     """An integrator that is compiled once per field, tolerance and thread."""
     known: dict[Any, Carrier] = _CACHE.__dict__.setdefault("compiled", {})
-    key = field.name, tol, *options.items()
+    key = field.name, field.lead, tol, *options.items()
     if key not in known:
         known[key] = Carrier(field, tol, **options)
     return known[key]
@@ -569,16 +579,16 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
         compiled(one.field, one.rtol, lanes=LANES).carry(motions, 0.0, begin)
     first = [each.carried[:size] for each in motions]
     for each in motions:
-        each.further = each.carried[0], scale
+        each.further = each.carried[one.field.lead], scale
     compiled(one.field, one.rtol, lanes=LANES, watch=True).carry(motions, begin, end)
 
     def course(motion: Traveller, first: FloatArray) -> Course:
-        last, reach = motion.carried, motion.reach
+        last, reach, lead = motion.carried, motion.reach, motion.problem.field.lead
         tops, lows, passed = (
             np.array(motion.latest[kind]).reshape(-1, 1 + size) for kind in (-1, 1, PASSAGE)
         )
         low, high = (
-            float(pick(first[0], last[0], most))
+            float(pick(first[lead], last[lead], most))
             for pick, most in ((min, reach[1]), (max, reach[-1]))
         )
         return Course(
@@ -594,6 +604,7 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
             (low, high),
             passed[:, 0],
             passed[:, 1:],
+            lead,
         )
 
     found = [each.error or course(each, start) for each, start in zip(motions, first, strict=True)]

@@ -228,7 +228,7 @@ class Flight:
         return rates
 
     def _levels(self, mode: Mode, states: FloatArray, *, inside: bool = False) -> FloatArray:
-        """Levels of all borders, and the first coordinate as the last one, with their rates:
+        """Levels of all borders, and the leading coordinate as the last one, with their rates:
         (borders + 1, 2, …).
 
         Or how far ``inside`` those of a mode, negative beyond.
@@ -240,7 +240,7 @@ class Flight:
             sign = border.sign(mode) if inside else 1
             row[0] = sign * border.level(states, constants, mode) + GAP * (inside and border.kink)
             row[1] = sign * border.rate(states, accelerations, constants, mode)
-        found[-1] = states[0], states[len(field.coordinates)]
+        found[-1] = states[field.lead], states[len(field.coordinates) + field.lead]
         return found
 
     def _at(self, piece: _Piece, inside: bool, row: int, part: int, t: float) -> float:
@@ -267,7 +267,7 @@ class Flight:
         return min(found, default=None)
 
     def _turns(self, piece: _Piece) -> list[Turn]:
-        """Zeros of the rates within a step: of the first coordinate, numbered −1, and of levels
+        """Zeros of the rates within a step: of the leading coordinate, numbered −1, and of levels
         where there is a kink.
         """
         field, found = self.problem.field, list[Turn]()

@@ -13,6 +13,7 @@ import numpy as np
 from ..core.errors import ConvergenceError
 from ..models.field import Values
 from ..models.parameters import FloatArray
+from ..motion.classify import spectrum_at_rest
 from ..motion.regimes import SAME, Regime
 from ..numerics.vectors import apart, magnitude
 from .arclength import Setting, along, started
@@ -88,21 +89,27 @@ def settled(system: System, verdict: Verdict) -> tuple[str, FloatArray, FloatArr
     and their errors.
 
     Real parts of eigenvalues, or ln |μ| / T: of a multiplier that is lost in its error nothing is
-    known. NaN for lift-off.
+    known; −∞ of deviations that sticking ends. NaN for lift-off.
     """
     kind, known = KINDS[verdict.kind], attractor(system, verdict)
     if known.kind == Regime.LIFT_OFF:
         nothing = np.full(known.state.size, np.nan)
         return kind, nothing, nothing
     if known.orbit is None:
-        rates = np.asarray(np.linalg.eigvals(system.linearization(known.state)).real, dtype=float)
+        values, _ = spectrum_at_rest(
+            system.field, system.constants, known.state, system.mode(known.state)
+        )
+        rates = np.full(system.field.size, -np.inf)
+        rates[: len(values)] = values.real
         errors = np.zeros(len(rates))
     else:
         sizes = np.abs(known.orbit.multipliers)
         off = np.array([0.0, *known.orbit.multiplier_errors])
         with np.errstate(divide="ignore", invalid="ignore"):
             rates = np.log(sizes) / known.orbit.period
-            errors = np.where(off < sizes, -np.log1p(-off / sizes) / known.orbit.period, np.inf)
+            known_from = np.where(sizes > 0, off < sizes, off == 0)
+            relative = np.divide(off, sizes, out=np.zeros_like(off), where=sizes > 0)
+            errors = np.where(known_from, -np.log1p(-relative) / known.orbit.period, np.inf)
         rates[0] = 0.0
     order = np.argsort(-rates, kind="stable")
     return kind, rates[order], errors[order]

@@ -25,7 +25,6 @@ from ..models.parameters import (
     as_numbers,
     as_ranges,
 )
-from ..motion.regimes import same_limit
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import magnitude, norm
@@ -212,11 +211,7 @@ def _surely(system: System, start: FloatArray) -> Verdict:
 
 def _differ(system: System, one: Verdict, other: Verdict) -> bool:
     """Whether two motions are seen to come to different attractors."""
-    return (
-        one.decided
-        and other.decided
-        and not same_limit(one.outcome, other.outcome, system.field.around)
-    )
+    return one.decided and other.decided and not system.same_limit(one.outcome, other.outcome)
 
 
 def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:

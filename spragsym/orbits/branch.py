@@ -164,7 +164,7 @@ class CycleBranch(Result):
         Of the parameter and of the cycles; the last three of the first coordinate.
     stable : ndarray of bool, shape (n,)
     cycles : sequence of Cycle
-        Each begun anew where its first coordinate is largest when it is asked for.
+        Each begun anew where its first coordinate that moves is largest when it is asked for.
     events : tuple of CycleEvent
         In the order of the branch.
     places : tuple of int

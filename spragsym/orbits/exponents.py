@@ -366,7 +366,7 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
         turned, triangle = np.linalg.qr(ahead[:, order])
         sizes = np.abs(np.diag(triangle))
         lost = sizes <= LOST * sizes.max()
-        met = (state, *(crossing.state for crossing in passage.crossings))
+        met = (state, passage.state, *(crossing.state for crossing in passage.crossings))
         if not lost.any() or (
             lost.sum() == 1 and any(field.stays(system.mode(each)) for each in met)
         ):

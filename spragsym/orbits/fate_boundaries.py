@@ -22,7 +22,7 @@ from ..core.progress import doing
 from ..core.questions import model_of
 from ..models.field import Field
 from ..models.parameters import FloatArray, ParameterSet, Ranges, varied_range
-from ..motion.regimes import Outcome, same_limit
+from ..motion.regimes import Outcome
 from ..motion.simulation import state_of
 from ..numerics.vectors import apart, magnitude
 from ..results.result import Result
@@ -276,7 +276,7 @@ class _Asked:
                 fate.verdict,
                 # whatever labels they have: two may turn out to be one later
                 lambda beside: (
-                    same_limit(fate.verdict.outcome, beside.outcome, self.system.field.around)
+                    self.at(fate.value).same_limit(fate.verdict.outcome, beside.outcome)
                     or self._label(fate.value, beside) == fate.label
                 ),
             )
@@ -296,7 +296,7 @@ class _Asked:
             each.label: each for each in sorted(alike, key=lambda each: -abs(each.value - value))
         }
         for label, each in nearest.items():
-            if same_limit(each.verdict.outcome, verdict.outcome, self.system.field.around):
+            if self.at(value).same_limit(each.verdict.outcome, verdict.outcome):
                 return label
 
         def unlike(fate: _Fate) -> float:

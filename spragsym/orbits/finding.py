@@ -35,7 +35,7 @@ from ..motion.shooting import (
 )
 from ..motion.solution import Turn
 from ..numerics.balls import Undecided
-from ..numerics.vectors import apart, magnitude
+from ..numerics.vectors import apart, in_one_turn, magnitude
 from .arclength import differences
 from .orbit import Cycle, cycle_of
 from .system import JUDGED, System, judged
@@ -54,9 +54,8 @@ FAR = 0.3
 #: A closed orbit of a smaller extent is rest, as is one whose extent is not so many of its errors.
 LEAST, SURE = 1e-9, 100.0
 
-#: So long a motion tells whether a coordinate moves, and a coordinate that moves by such a share of
-#: another stands still.
-LOOK, STILL = 200.0, 1e-9
+#: So long a motion tells whether anything moves.
+LOOK = 200.0
 
 #: Parameters beyond this are named where a motion can't be followed.
 STEEP = 1e8
@@ -184,7 +183,7 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
         verdict = judged(system, start, times=[t * unit for t in JUDGED[:looks]])
     except ConvergenceError as error:
         raise ConvergenceError(f"the motion can't be followed: {error}{_steep(system)}") from error
-    if verdict.kind == Regime.LIMIT_CYCLE and not looks:
+    if verdict.kind == Regime.LIMIT_CYCLE:
         with suppress(ConvergenceError):
             return cycle_at(system, np.array(verdict.outcome.cycle), verdict.outcome.period)
     why = stands_still(system, verdict.end) or (
@@ -261,9 +260,8 @@ def _by_returns(system: System, turns: Sequence[Turn]) -> Loop | None:
     around = system.field.around
     for begin, end in [pair for row in (0, -1, None) for pair in returns(turns, around, row)]:
         with suppress(ConvergenceError):
-            loop = _from_guess(
-                system.flow, Guess(begin.state[None], end.t - begin.t, system.values)
-            )
+            state = in_one_turn(begin.state, around)
+            loop = _from_guess(system.flow, Guess(state[None], end.t - begin.t, system.values))
             if not _rests(loop):
                 return loop
     return None
@@ -272,8 +270,8 @@ def _by_returns(system: System, turns: Sequence[Turn]) -> Loop | None:
 def returns(
     turns: Sequence[Turn], around: tuple[int, ...], row: int | None = None
 ) -> list[tuple[Turn, Turn]]:
-    """Pairs of alike states, largest in x: of each number of rounds the nearest, or the first one
-    (0), or the last one (−1).
+    """Pairs of alike states, largest in the leading coordinate: of each number of rounds the
+    nearest, or the first one (0), or the last one (−1).
 
     One counts only if it is twice as near as those of fewer rounds that count. Those come first
     that are the nearest, times their rounds.
@@ -304,34 +302,22 @@ def _from_guess(flow: Flow, guess: Guess) -> Loop:
 
 
 def stands_still(system: System, state: FloatArray) -> str:
-    """Reason: nothing moves, or the first coordinate stands still or sticks while others move;
-    empty where it moves.
-
-    Returns of a motion are looked at where its first coordinate is largest: there are none then.
-    """
-    names = system.field.coordinates
+    """Reason: nothing moves; empty where it moves."""
+    n = len(system.field.coordinates)
     try:
         scales = system.scales(state)
-        states = system.motion(state, LOOK * scales.time).state[: len(names)]
+        states = system.motion(state, LOOK * scales.time).state[:n]
         moved = np.ptp(states, axis=1) / scales.places
     except ConvergenceError:
         return ""
-    held = system.field.stays(system.mode(state))
-    if not moved.any():
-        if held:
-            return (
-                "it comes to rest, and friction holds it there, as on any belt that stands still; "
-                "give a belt speed above 0"
-            )
-        return "nothing moves from where it begins, a state of equilibrium; begin beside it"
-    if not moved[0] <= STILL * moved.max() or moved.max() <= LEAST:
+    if moved.any():
         return ""
-    first, most = names[0], names[int(moved.argmax())]
-    return (
-        f"{first} {'sticks' if held else 'stands still'} while {most} moves, and cycles are "
-        "looked for where the first "
-        f"coordinate is largest; write a model page whose first coordinate is {most}"
-    )
+    if system.field.stays(system.mode(state)):
+        return (
+            "it comes to rest, and friction holds it there, as on any belt that stands still; "
+            "give a belt speed above 0"
+        )
+    return "nothing moves from where it begins, a state of equilibrium; begin beside it"
 
 
 def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | None) -> Cycle:

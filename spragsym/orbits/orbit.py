@@ -26,11 +26,12 @@ from ..motion.shooting import (
     clear,
     difference,
     error_of,
+    extent,
     finer,
     in_scales,
+    least_period,
     looped,
     natural,
-    once_round,
     phase,
     recut,
     solved,
@@ -80,9 +81,9 @@ class Cycle(Result):
     period : float
         The least one.
     state : ndarray, shape (m,)
-        Where the first coordinate is largest; for the article's model x, y, x' = 0, y'. Anywhere if
-        it only turns around, or where dry friction turns around just then, as on a belt that stands
-        still.
+        Where the first coordinate that moves is largest; for the article's model x, y, x' = 0, y'.
+        Anywhere if it only turns around, or where dry friction turns around just then, as on a belt
+        that stands still.
     multipliers : ndarray of complex, shape (m,)
         Eigenvalues of the monodromy matrix: the trivial one first, which is 1 but for rounding;
         then by size.
@@ -145,7 +146,7 @@ class Cycle(Result):
         not.
         """
         own = self.field
-        if own is not field and not (own.where and own.where == field.where):
+        if own.led(field.lead) != field and not (own.where and own.where == field.where):
             one, other = (each.name.partition(":")[0] for each in (own, field))
             raise ParameterTypeError(
                 f"{name} is a cycle of {one}, not of {other}; give one of the same model"
@@ -239,7 +240,9 @@ class Cycle(Result):
 
 
 def cycle_of(loop: Loop) -> Cycle:
-    """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
+    """The cycle that a closed loop is, begun anew where the first coordinate that moves is
+    largest.
+    """
     found = _cycle_of(in_scales(loop))
     scales = found.field.scales
     if not scales:
@@ -261,7 +264,7 @@ def cycle_of(loop: Loop) -> Cycle:
 
 def _cycle_of(loop: Loop) -> Cycle:
     """The same in the loop's units but for the errors, which are in the model's."""
-    loop = once_round(loop.bound())
+    loop = least_period(loop.bound().led())
     loop = refined(loop, _top(loop))
     if loop.field.holding and not abs(loop.multipliers.trivial - 1) < UNRESOLVED:
         # It may begin as it passes a jump of the field, which derivatives then lack.
@@ -298,7 +301,7 @@ def _cycle_of(loop: Loop) -> Cycle:
 
 def same_cycle(one: Cycle, other: Cycle) -> bool:
     """Whether two cycles at the same values of the parameters are one."""
-    size = max(one.amplitude, other.amplitude)
+    size = max(extent(one.loop), extent(other.loop))
     if (
         abs(one.period / other.period - 1) >= ALIKE
         or max(abs(one.rms - other.rms), abs(one.mean - other.mean)) >= ALIKE * size
@@ -378,7 +381,7 @@ def range_of(loop: Loop) -> tuple[float, float]:
     values = [
         *(float(turn.state[0]) for turn in loop.turns() if turn.border == -1),
         *loop.states[:, 0].tolist(),
-    ]
+    ]  # the first coordinate stands still where another one leads
     return min(values), max(values)
 
 
@@ -399,13 +402,13 @@ def refined(loop: Loop, begin: float) -> Loop:
 
 
 def _top(loop: Loop) -> float:
-    """When the first coordinate is largest, and among several such times the one at which the
-    second is; now if it never is.
+    """When the leading coordinate is largest, and among several such times the one at which the
+    next number of the state is; now if it never is.
     """
-    tops = loop.tops()
-    most = max((float(top.state[0]) for top in tops), default=0.0)
-    highest = [top for top in tops if top.state[0] >= most - SAME * (1 + abs(most))]
-    return max(highest, key=lambda top: float(top.state[1])).t if highest else 0.0
+    tops, lead = loop.tops(), loop.field.lead
+    most = max((float(top.state[lead]) for top in tops), default=0.0)
+    highest = [top for top in tops if top.state[lead] >= most - SAME * (1 + abs(most))]
+    return max(highest, key=lambda top: float(top.state[lead + 1])).t if highest else 0.0
 
 
 def _range(samples: PiecewisePolynomial, force: Any, constants: Values) -> tuple[float, float]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import combinations
 from typing import Any
 
@@ -19,7 +20,7 @@ from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
 from ..motion.integrators import Flow
-from ..motion.regimes import Outcome, Regime
+from ..motion.regimes import Outcome, Regime, Sets, same_limit, sets_of_rest
 from ..motion.scales import Scales, scaled, scales_of
 from ..motion.shooting import Conditions, Guess, Loop
 from ..motion.simulation import motion_of
@@ -67,6 +68,15 @@ class System:
     def constants(self) -> Values:
         """What the field's functions take."""
         return self.field.constants(self.values)
+
+    def same_limit(self, one: Outcome, other: Outcome) -> bool:
+        """Whether two motions have one limit."""
+        return same_limit(one, other, self.field.around, lambda: self._sets_of_rest)
+
+    @cached_property
+    def _sets_of_rest(self) -> Sets:
+        named = zip(self.field.parameters, self.values, strict=True)
+        return sets_of_rest(self.field.parameter_set(**dict(named)))
 
     def at(self, vary: str, value: float) -> System:
         """The system at another value of one parameter, which is checked."""

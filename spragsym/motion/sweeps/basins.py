@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -14,7 +16,7 @@ from ...display import named_fields
 from ...models.parameters import FloatArray, Parameters, as_numbers
 from ...numerics.interval_arrays import IntArray
 from ...results.result import Named
-from ..regimes import Outcome, Regime, same_limit
+from ..regimes import Outcome, Regime, Sets, same_limit, sets_of_rest
 from .many import Sweep, rms_sweep
 
 
@@ -33,7 +35,8 @@ class Basin(Named):
         Row of ``attractors`` that the motion reaches; −1 where it failed.
     attractors : tuple of (Regime, int, float, float)
         EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED, whether reached or approached; index of the
-        equilibrium or −1; for a limit cycle its mean and its RMS of x about that over one period,
+        equilibrium or −1, where friction holds a whole set of states, which is one attractor, of
+        one of them; for a limit cycle its mean and its RMS of x about that over one period,
         else NaN.
     sweep : Sweep
         Everything that was measured.
@@ -119,12 +122,15 @@ def basin(
     (one, first), (other, second) = axes.items()
     options: dict[str, Any] = {one + "0": first[:, None], other + "0": second, **starts}
     sweep = rms_sweep(p, **options)
-    return Basin((one, other), (first, second), *_attractors(sweep), sweep)
+    sets = cache(partial(sets_of_rest, p))
+    return Basin((one, other), (first, second), *_attractors(sweep, sets), sweep)
 
 
-def _attractors(sweep: Sweep) -> tuple[IntArray, tuple[tuple[Regime, int, float, float], ...]]:
+def _attractors(
+    sweep: Sweep, sets: Callable[[], Sets]
+) -> tuple[IntArray, tuple[tuple[Regime, int, float, float], ...]]:
     """Group motions by what they settle to or approach: by all numbers of an equilibrium's place or
-    of a cycle's one state.
+    of a cycle's one state, or by the set of rest.
     """
     labels = np.full(sweep.regime.shape, -1)
     known: list[Outcome] = []
@@ -133,7 +139,7 @@ def _attractors(sweep: Sweep) -> tuple[IntArray, tuple[tuple[Regime, int, float,
         same = (
             i
             for i, other in enumerate(known)
-            if same_limit(other, outcome, sweep.model.field.around)
+            if same_limit(other, outcome, sweep.model.field.around, sets)
         )
         labels[tuple(index)] = label = next(same, len(known))
         if label == len(known):

@@ -1,0 +1,116 @@
+"""Where friction holds: sets of rest are one attractor each, deviations that sticking ends have no
+rate, and a force that is constant is no event.
+"""
+
+import math
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.core.errors import ConvergenceError
+from spragsym.motion.sweeps import basin, rms_sweep
+from tests.oracles.user_pages import model_of
+from tests.support import needs_a_quick_integrator
+
+pytestmark = [pytest.mark.thorough, needs_a_quick_integrator]
+
+HEAD = '''"""A block that dry friction holds."""
+from spragsym.derive.model import Page, sgn
+
+page = Page("A block that dry friction holds.")
+m = page.unit("m", "kg", "mass")
+g = page.unit("g", "m/s^2", "acceleration")
+l = page.unit("l", "m", "length")
+mu_s = page.parameter("mu_s", "1", "static friction coefficient", ">= 0", 0.5)
+mu_k = page.parameter("mu_k", "1", "kinetic friction coefficient", ">= 0", 0.4)
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.0)
+'''
+
+RAMP = (
+    HEAD
+    + """F = page.parameter("F", "N", "weight along the ramp", "real", 0.2)
+x = page.coordinate("x", "m", "way down the ramp")
+page.kinetic(m * page.rate(x) ** 2 / 2)
+page.force(F, along=x)
+page.normal_force(m * g)
+page.friction(x, V, slip=lambda v: mu_k * sgn(v), holds=mu_s)
+"""
+)
+
+WELLS = (
+    HEAD
+    + """c = page.parameter("c", "N s/m", "damper", ">= 0", 0.04)
+x = page.coordinate("x", "m", "block between two wells")
+w = page.coordinate("w", "m", "mass beside it")
+page.kinetic(m * (page.rate(x) ** 2 + page.rate(w) ** 2) / 2)
+page.potential(m * g * (x**4 / (4 * l**3) - x**2 / (2 * l)))
+page.spring(m * g / l, along=w)
+page.damper(c, along=w)
+page.normal_force(m * g)
+page.friction(x, V, slip=lambda v: mu_k * sgn(v), holds=mu_s)
+"""
+)
+
+
+def test_a_block_under_a_constant_force_comes_to_rest_or_drifts() -> None:
+    """Its sliding speed has a constant rate, which no integrator takes for an event."""
+    model, rng = model_of(RAMP, "ramp"), np.random.default_rng(75)
+    for _ in range(2):
+        F, speed = rng.uniform(-0.35, 0.35), rng.uniform(0.5, 1.5)
+        p = model.Parameters(F=F)
+        found = ss.fate(p, start=(0.0, speed), t_end=400.0)
+        assert found.kind == "rest"
+        assert found.outcome.rest[0] == pytest.approx(speed**2 / (2 * (0.4 - F)), abs=1e-9)
+        assert found.exponents.tolist() == [0.0, -math.inf]
+        told = ss.lyapunov(p, start=(0.0, speed), t_end=100.0)
+        assert (told.kind, told.limit.tolist()) == ("rest", [0.0, -math.inf])
+        with pytest.raises(ConvergenceError, match="it comes to rest, and friction holds it"):
+            ss.cycle(p, near=(0.0, speed))
+    p = model.Parameters(F=rng.uniform(0.45, 0.9))
+    told = ss.lyapunov(p, start=(0.0, 1.0), t_end=20.0)
+    assert told.end == pytest.approx([20 + 200 * (p.F - 0.4), 1 + 20 * (p.F - 0.4)], rel=1e-12)
+    assert told.kind == "undecided"
+    assert ss.fate_map(p, start=(0.0, 1.0), t_end=50.0).kind == 0
+    with pytest.raises(ConvergenceError, match="no cycle was found"):
+        ss.cycle(p, near=(0.0, 1.0), patient=False)
+
+
+def test_a_set_of_rest_states_is_one_attractor() -> None:
+    """Friction holds where |x³ − x| ≤ μ_s, in three intervals."""
+    p = ss.load("coulomb_stick_slip").Parameters(V=0.0)
+    axes = {"x": np.linspace(-2, 2, 12), "vx": np.linspace(-1, 1, 12)}
+    found = basin(p, **axes, t_end=60.0, transient=40.0)
+    assert len(found.attractors) == 1
+    assert np.isinf(found.sweep.rate).all()
+    wells = model_of(WELLS, "wells").Parameters(mu_s=0.2, mu_k=0.15)
+    x = np.linspace(-1.1, 1.1, 23)
+    held = np.abs(x**3 - x) <= 0.2
+    found = basin(wells, x=x[held], w=[0.0], t_end=60.0, transient=40.0)
+    own = np.digitize(x[held], [-0.5, 0.5])
+    assert len(found.attractors) == 3
+    assert [len({*found.attractor[own == each, 0]}) for each in range(3)] == [1, 1, 1]
+
+
+@pytest.mark.parametrize("backend", ["heyoka", "scipy"])
+def test_what_sticking_ends_has_no_rate(backend: str) -> None:
+    """Of a cycle that sticks the multiplier across it is 0, whatever rounding leaves."""
+    p = ss.load("coulomb_stick_slip").Parameters(V=0.5)
+    start = {"x0": 0.5, "vx0": 0.5}
+    known = ss.simulate(p, **start, t_end=100.0, backend=backend).outcome(50.0)
+    assert (known.regime, known.rate) == (ss.Regime.LIMIT_CYCLE, math.inf)
+    swept = rms_sweep(p, **start, t_end=100.0, transient=50.0, backend=backend)
+    assert swept.rate == math.inf
+    cycle = ss.cycle(p, near=(0.5, 0.5), backend=backend)
+    assert (cycle.multipliers[1], cycle.multiplier_errors[0], cycle.stable) == (0.0, 0.0, True)
+    told = ss.lyapunov(p, start=(0.5, 0.5), t_end=100.0, backend=backend)
+    assert (told.exponents[1], told.limit.tolist()) == (-math.inf, [0.0, -math.inf])
+
+
+def test_what_approaches_rest_beside_a_block_that_sticks_has_its_rate() -> None:
+    c = float(np.random.default_rng(9).uniform(0.02, 0.08))
+    p = model_of(WELLS, "wells").Parameters(mu_s=0.2, mu_k=0.15, c=c)
+    known = ss.simulate(p, start=(1.0, 0.3, 0.0, 0.0), t_end=500.0).outcome()
+    assert known.rate == pytest.approx(c / 2, rel=1e-9)
+    told = ss.fate(p, start=(1.0, 0.3, 0.0, 0.0), t_end=500.0)
+    assert told.exponents == pytest.approx([0.0, -c / 2, -c / 2, -math.inf], rel=1e-9)

@@ -28,13 +28,13 @@ ALLOWED = 0.05
 #: What both trees are asked; ``many`` are all points, ``some`` 300 of them, ``few`` 30 sets of one
 #: point each.
 QUESTIONS = {
-    "equilibria, numpy": "ss.set_backend('numpy', 1), ss.equilibria(many)",
-    "equilibria, compiled": "ss.set_backend('compiled', 1), ss.equilibria(many)",
-    "equilibria, compiled, 2 threads": "ss.set_backend('compiled', 2), ss.equilibria(many)",
-    "equilibria of one point, numpy": "ss.set_backend('numpy', 1), ss.equilibria(one)",
-    "equilibria of one point, compiled": "ss.set_backend('compiled', 1), ss.equilibria(one)",
-    "count, numpy": "ss.set_backend('numpy', 1), ss.count(many)",
-    "count, compiled": "ss.set_backend('compiled', 1), ss.count(many)",
+    "equilibria, numpy": "ss.kang_nam.set_backend('numpy', 1), ss.equilibria(many)",
+    "equilibria, compiled": "ss.kang_nam.set_backend('compiled', 1), ss.equilibria(many)",
+    "equilibria, compiled, 2 threads": "ss.kang_nam.set_backend('compiled', 2), ss.equilibria(many)",
+    "equilibria of one point, numpy": "ss.kang_nam.set_backend('numpy', 1), ss.equilibria(one)",
+    "equilibria of one point, compiled": "ss.kang_nam.set_backend('compiled', 1), ss.equilibria(one)",
+    "count, numpy": "ss.kang_nam.set_backend('numpy', 1), ss.count(many)",
+    "count, compiled": "ss.kang_nam.set_backend('compiled', 1), ss.count(many)",
     "folds along theta0": "ss.folds(one, 'theta0')",
     "folds along mu0": "ss.folds(one, 'mu0')",
     "folds along theta0, 30 points": "[ss.folds(p, 'theta0') for p in few]",

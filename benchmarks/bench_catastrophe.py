@@ -38,7 +38,7 @@ def main() -> None:
         (
             "ours: flutter boundary (sigma = 1)",
             2000,
-            best(lambda: ss.flutter_boundary(ss.Parameters.article(sigma=1.0))),
+            best(lambda: ss.kang_nam.flutter_boundary(ss.Parameters.article(sigma=1.0))),
         ),
         ("ours: the complete set", points, best(_everything)),
         ("SciPy: fsolve along one fold curve from a given fold", len(found), best(continuation, 3)),
@@ -56,7 +56,7 @@ def main() -> None:
 def _everything() -> None:
     p = ss.Parameters.article(sigma=1.0)
     ss.bifurcation_set(p, n=5000)
-    ss.flutter_boundary(p)
+    ss.kang_nam.flutter_boundary(p)
     ss.critical_friction(p)
 
 

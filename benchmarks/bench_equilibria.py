@@ -144,7 +144,7 @@ _FIRST = """
 import time, numpy as np, spragsym as ss
 from tests.oracles.families import random
 p = random(np.random.default_rng(1), {n})
-ss.set_backend({backend!r}, {threads})
+ss.kang_nam.set_backend({backend!r}, {threads})
 for _ in range(2):
     begin = time.perf_counter()
     eq = ss.equilibria(p)

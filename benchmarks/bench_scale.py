@@ -19,7 +19,7 @@ _MEMORY = _POINT + (
     "p = ss.Parameters(np.pi * rng.uniform(1e-9, 1, n), 2 * rng.random(n), 0.007, 0.007, 0.1, "
     "0.0)\n"
     "before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\n"
-    "ss.set_backend('{backend}', {threads})\n"
+    "ss.kang_nam.set_backend('{backend}', {threads})\n"
     "ss.equilibria(ss.Parameters(np.ones(10), 0.5, 0.007, 0.007, 0.1, 0.0))\n"
     "import time; t = time.perf_counter(); eq = ss.equilibria(p); t = time.perf_counter() - t\n"
     "after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\n"

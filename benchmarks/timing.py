@@ -43,11 +43,11 @@ def best_in_turn(works: Mapping[str, Callable[[], object]], repeats: int = 7) ->
 
 def on_backend(name: str, threads: int, work: Callable[[ss.Parameters], T], p: ss.Parameters) -> T:
     """``work(p)`` with a backend, which is set back to the default afterwards."""
-    ss.set_backend(name, threads)
+    ss.kang_nam.set_backend(name, threads)
     try:
         return work(p)
     finally:
-        ss.set_backend("auto")
+        ss.kang_nam.set_backend("auto")
 
 
 def in_process(code: str) -> str:

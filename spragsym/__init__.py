@@ -13,22 +13,10 @@ Examples
 array(1, dtype=int8)
 """
 
-import sys as _sys
-
-if (_sys.argv[0] == "-m" and "spragsym" in _sys.orig_argv) or _sys.argv[0].endswith(
-    ("/spragsym", "\\spragsym")
-):
-    import _signal
-
-    # As a command: until that hears Ctrl-C itself, it ends the process, without a traceback of what
-    # is imported.
-    if (
-        _signal.getsignal(_signal.SIGINT) != _signal.SIG_IGN
-    ):  # which a script's job in the background ignores
-        _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
-
 import importlib.util as _util
 import pathlib as _pathlib
+import sys as _sys
+from typing import Any as _Any
 
 import lazy_loader as _lazy
 
@@ -57,5 +45,16 @@ for _name in ("derive", "generated"):
         _find_beside(_name)
 
 # Names are read from the list that type checkers read, and loaded when they are used.
-__getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
+_named, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
 __all__.remove("open")  # which an import of all names would put in the place of Python's own
+
+
+def __getattr__(name: str) -> _Any:
+    try:
+        return _named(name)
+    except AttributeError as error:
+        for room in () if name.startswith("_") else ("errors", "results", "kang_nam"):
+            if name in dir(_named(room)):  # where it stood before
+                remedy = f"write spragsym.{room}.{name}"
+                raise AttributeError(f"spragsym has no {name}; {remedy}") from error
+        raise

@@ -28,7 +28,7 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
     p = basin_of(number)
     try:
         found = ss.basin_boundary(p, step=0.05, points=2)
-    except (ss.ParameterError, ss.ConvergenceError):
+    except (ss.errors.ParameterError, ss.errors.ConvergenceError):
         return {"kind": "refused", "wrong": []}
     values = dict(zip(p.ranges, p.scalars(*p.ranges), strict=True))
     wrong, undecided = [], 0

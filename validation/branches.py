@@ -30,7 +30,7 @@ NEAREST = 6
 Told = tuple[str, float, float, float]
 
 
-def place(branch: ss.CycleBranch, cycle: ss.Cycle) -> int:
+def place(branch: ss.results.CycleBranch, cycle: ss.results.Cycle) -> int:
     """Index of the point of a branch that is nearest to a cycle."""
     scale = np.ptp(branch.values) or 1.0
     far = np.abs(branch.values - cycle.parameters[branch.vary]) / scale + np.abs(
@@ -45,7 +45,9 @@ def place(branch: ss.CycleBranch, cycle: ss.Cycle) -> int:
     return int(near[int(np.argmin(away))])
 
 
-def told(branch: ss.CycleBranch, inside: tuple[float, float], start: ss.Cycle) -> list[Told]:
+def told(
+    branch: ss.results.CycleBranch, inside: tuple[float, float], start: ss.results.Cycle
+) -> list[Told]:
     """Events on the piece of a branch around its start that lies within a range."""
     low, high = inside
     count, middle = len(branch.values), place(branch, start)
@@ -79,7 +81,7 @@ def missing(one: list[Told], other: list[Told], width: float) -> list[str]:
     ]
 
 
-def doubtful(branch: ss.CycleBranch) -> list[str]:
+def doubtful(branch: ss.results.CycleBranch) -> list[str]:
     """Events whose multipliers are not what they say, to 1e-3, or next to a grazing to a share of
     what they change between points.
 
@@ -117,8 +119,8 @@ def _from_event(kind: str, values: Any) -> float:
 
 
 def compared(
-    cycle: ss.Cycle, vary: str, ranges: list[tuple[float, float]]
-) -> tuple[dict[str, Any], ss.CycleBranch]:
+    cycle: ss.results.Cycle, vary: str, ranges: list[tuple[float, float]]
+) -> tuple[dict[str, Any], ss.results.CycleBranch]:
     """A cycle followed over a range, and over a part of it with shorter steps."""
     branches = [
         ss.cycle_branch(cycle, vary, between={vary: to}, points=120, longest=step)
@@ -163,7 +165,7 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
     for event in branch.of("period_doubling")[:1]:
         try:
             doubled = branch.switch(event)
-        except ss.ConvergenceError:
+        except ss.errors.ConvergenceError:
             return summed(rows) | {"not switched": 1}
         there = doubled.parameters[vary]
         if wide[0] < there < wide[1]:

@@ -57,7 +57,7 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     for ask in asked:
         try:
             told = ask()
-        except ss.SpragsymError:
+        except ss.errors.SpragsymError:
             found["refused"] += 1
             continue
         found["wrong"] += [f"{name} {values}: {text}" for text in told["wrong"]]
@@ -141,7 +141,7 @@ def motion(model: Any, drawn: Drawn, values: Values, rng: np.random.Generator) -
                     backend=backend,
                     max_steps=MAX_STEPS,
                 )
-            except ss.ConvergenceError as error:
+            except ss.errors.ConvergenceError as error:
                 outcome["refused"] = str(error)
                 wrong = []
                 break

@@ -66,7 +66,7 @@ LOW, HIGH = 1.0, 179.0
 DEEPEST = 2
 
 
-def motions(folder: Path, starts: int) -> ss.Sweep:
+def motions(folder: Path, starts: int) -> ss.results.Sweep:
     """All motions; resumed from their store."""
     rng = np.random.default_rng(15)
     wide = rng.uniform([-1.0, -0.5, -0.5, -0.5], [3.0, 3.0, 0.5, 0.5], (starts, 4))
@@ -87,7 +87,7 @@ def motions(folder: Path, starts: int) -> ss.Sweep:
     )
 
 
-def cycles_of(sweep: ss.Sweep) -> Iterator[tuple[float, list[float]]]:
+def cycles_of(sweep: ss.results.Sweep) -> Iterator[tuple[float, list[float]]]:
     """Inclination in degrees and state of every distinct cycle that a motion came to."""
     seen: set[tuple[float, float, float]] = set()
     for row, col in np.argwhere(
@@ -106,7 +106,7 @@ def cycles_of(sweep: ss.Sweep) -> Iterator[tuple[float, list[float]]]:
             yield float(INCLINATIONS[row]), [state[0], state[1], 0.0, state[2]]
 
 
-def told(branch: ss.CycleBranch, name: str) -> dict[str, Any]:
+def told(branch: ss.results.CycleBranch, name: str) -> dict[str, Any]:
     """A branch as a line of the journal holds it."""
     return {
         "name": name,
@@ -122,7 +122,7 @@ def told(branch: ss.CycleBranch, name: str) -> dict[str, Any]:
     }
 
 
-def known_at(lines: list[dict[str, Any]], cycle: ss.Cycle) -> bool:
+def known_at(lines: list[dict[str, Any]], cycle: ss.results.Cycle) -> bool:
     """Whether a cycle lies on a branch that is known: its period and root mean square are those
     between two of its points.
     """
@@ -140,7 +140,12 @@ def known_at(lines: list[dict[str, Any]], cycle: ss.Cycle) -> bool:
 
 
 def follow(
-    path: Path, lines: list[dict[str, Any]], cycle: ss.Cycle, name: str, points: int, depth: int = 0
+    path: Path,
+    lines: list[dict[str, Any]],
+    cycle: ss.results.Cycle,
+    name: str,
+    points: int,
+    depth: int = 0,
 ) -> None:
     """Follow a branch and those of its doublings, each unless it is done."""
     if any(line["name"] == name for line in lines) or known_at(lines, cycle):
@@ -158,7 +163,7 @@ def follow(
     for event in branch.of("period_doubling") if depth < DEEPEST else ():
         try:
             found = branch.switch(event)
-        except ss.ConvergenceError as error:
+        except ss.errors.ConvergenceError as error:
             print(f"  {error}", file=sys.stderr, flush=True)
             continue
         if found.stable:
@@ -172,7 +177,7 @@ def follow(
         file.write(json.dumps(lines[-1]) + "\n")
 
 
-def record(sweep: ss.Sweep, lines: list[dict[str, Any]]) -> dict[str, Any]:
+def record(sweep: ss.results.Sweep, lines: list[dict[str, Any]]) -> dict[str, Any]:
     """What the figure draws of all this, to the digits that a picture needs."""
     kept = ("theta0", "period", "rms")
     return {
@@ -231,7 +236,7 @@ def main() -> None:
                 near=state,
                 patient=False,
             )
-        except ss.ConvergenceError as error:
+        except ss.errors.ConvergenceError as error:
             print(f"{degrees:g} degrees, {state}: {error}", file=sys.stderr)
             continue
         follow(path, lines, cycle, f"period {cycle.period:.2f} at {degrees:g}", points)

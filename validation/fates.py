@@ -122,7 +122,7 @@ def settled(values: dict[str, float], start: Any, rtol: float = 1e-12) -> tuple[
     return found, state
 
 
-def confirmed(given: dict[str, Any], found: ss.FateBoundary) -> tuple[bool, str]:
+def confirmed(given: dict[str, Any], found: ss.results.FateBoundary) -> tuple[bool, str]:
     """Whether motions on both sides of an answer come to different attractors."""
     away = float(np.abs(found.others - found.value).min()) / 3 if len(found.others) else np.inf
     widest, told = min(ASIDE, away), ""
@@ -305,7 +305,7 @@ def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
             start=given["start"],
             **speeds,
         )
-    except (ss.ParameterError, ss.ConvergenceError) as error:
+    except (ss.errors.ParameterError, ss.errors.ConvergenceError) as error:
         parts = [
             part(given, each) for each in re.split(r"; (?!give)", str(error).partition("): ")[2])
         ]

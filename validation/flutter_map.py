@@ -33,7 +33,7 @@ def grid() -> Array:
     )
 
 
-def compare(p: ss.Parameters, onsets: ss.Onsets) -> tuple[int, int, int]:
+def compare(p: ss.Parameters, onsets: ss.results.Onsets) -> tuple[int, int, int]:
     """Onsets that the map has and the list has not, the other way round, and those on the map."""
     theta0, eq = refined_map(p, onsets)
     flutter = np.where(
@@ -58,7 +58,7 @@ def compare(p: ss.Parameters, onsets: ss.Onsets) -> tuple[int, int, int]:
     return missed, extra, seen
 
 
-def refined_map(p: ss.Parameters, onsets: ss.Onsets) -> tuple[Array, ss.Equilibria]:
+def refined_map(p: ss.Parameters, onsets: ss.results.Onsets) -> tuple[Array, ss.results.Equilibria]:
     """θ₀ and the states there: the grid, points about everything listed, and more where a
     discriminant comes near 0.
     """
@@ -82,7 +82,7 @@ def refined_map(p: ss.Parameters, onsets: ss.Onsets) -> tuple[Array, ss.Equilibr
     return theta0, eq
 
 
-def dips(p: ss.Parameters, eq: ss.Equilibria) -> Array:
+def dips(p: ss.Parameters, eq: ss.results.Equilibria) -> Array:
     """Points at which the discriminant of a state comes closer to 0 than at the neighbours, without
     a change of its sign.
     """

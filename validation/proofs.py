@@ -28,7 +28,7 @@ PROVED = {
 Claim = dict[str, Any]
 
 
-def base() -> ss.Cycle:
+def base() -> ss.results.Cycle:
     """The cycle at 42 degrees."""
     degrees, state = PROVED["attracts weakly"]
     return ss.cycle(ss.Parameters.article(theta0=np.radians(degrees)), near=state, patient=False)

@@ -33,7 +33,7 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     outcome = ss.simulate(p, start=(2.0, 0.0)).outcome()
     try:
         cycle = ss.cycle(p, near=(2.0, 0.0))
-    except ss.ConvergenceError as error:
+    except ss.errors.ConvergenceError as error:
         return {
             "kind": f"refused, {outcome.regime.name}",
             "wrong": [],

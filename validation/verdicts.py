@@ -95,7 +95,7 @@ def reach_of(
     return off, state
 
 
-def holds(values: tuple[float, ...], found: ss.Fate) -> tuple[bool, str]:
+def holds(values: tuple[float, ...], found: ss.results.Fate) -> tuple[bool, str]:
     """Whether the other driver confirms a verdict."""
     if found.kind == "rest":
         place = np.array([*found.outcome.rest, 0.0, 0.0])

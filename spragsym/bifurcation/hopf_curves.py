@@ -75,7 +75,7 @@ class OnsetCurves(Result):
         Hopf points in the order in which they follow each other. Each is proved; that they are
         joined in the right order is not. Their columns: the parameters that vary, the coordinates,
         ``omega``, ``lyapunov`` with its bound ``lyapunov_error``, NaN and inf where there is no
-        coefficient, and ``criticality``, as of :class:`spragsym.Onsets`.
+        coefficient, and ``criticality``, as of :class:`spragsym.results.Onsets`.
     points : Points
         All points of the kinds ``"BT"`` (Bogdanov–Takens: a curve ends on a fold), ``"ZH"``
         (zero–Hopf: it meets a fold) and ``"HH"`` (double Hopf: two curves meet; sought with two

@@ -393,7 +393,7 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
         "mu0_cusp": answer(
             "mu0_cusp", lambda: float(ss.cusp_friction(p, **case.ask)), "theta0", "mu0"
         ),
-        "mu_cr": answer("mu_cr", lambda: float(ss.linear_critical_friction(p))),
+        "mu_cr": answer("mu_cr", lambda: float(ss.kang_nam.linear_critical_friction(p))),
     }, case.said(remarks)
 
 

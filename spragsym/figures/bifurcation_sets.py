@@ -109,7 +109,7 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
         figure.add_axes((0.64, 0.16, 0.345, 0.74)),
     )
     p = Parameters.article(sigma=1.0)
-    onsets = ss.flutter_boundary(p)
+    onsets = ss.kang_nam.flutter_boundary(p)
     flutter = [
         on_surface(
             *(column[onsets.curve == number] for column in (onsets.mu0, onsets.theta0, onsets.x))
@@ -183,7 +183,7 @@ def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, I
     infinite: the mesh has no hole.
     """
     theta0 = np.radians(theta0_deg)
-    found = ss.surface(p, _directions(p, theta0, n), theta0[:, None])
+    found = ss.kang_nam.surface(p, _directions(p, theta0, n), theta0[:, None])
     friction, x, within = found.mu0, found.x, np.clip(found.mu0, *MU0_RANGE)
     kept = friction == within
     for side in (
@@ -219,7 +219,7 @@ def _directions(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
     u = np.linspace(1e-3, 1 - 1e-3, 20 * n)
     share = u**3 * (10 - 15 * u + 6 * u * u)  # dense towards the ends, where μ₀ is steep
     theta = start[:, None] + (np.pi - 2 * start[:, None]) * share
-    found = ss.surface(p, theta, theta0[:, None])
+    found = ss.kang_nam.surface(p, theta, theta0[:, None])
     shown = np.clip(found.mu0, MU0_RANGE[0] - 0.1, MU0_RANGE[1] + 0.1)
     # Outside the shown range points are sparser, the farther away the sparser.
     weight = 0.25 / (1 + (found.mu0 - shown) ** 2)[:, 1:]

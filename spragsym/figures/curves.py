@@ -62,8 +62,8 @@ States: TypeAlias = tuple[IntArray, ...]
 class Branch(Named):
     """A piece of an equilibrium curve of one stability, from end to end; angles in radians.
 
-    ``states`` are the columns of :class:`spragsym.Equilibria` that say where a state is, by name,
-    each an attribute too.
+    ``states`` are the columns of :class:`spragsym.results.Equilibria` that say where a state is, by
+    name, each an attribute too.
     """
 
     schema = Path.schema
@@ -350,8 +350,8 @@ def plot_equilibria(
     vary : str, optional
         As for :func:`branches`: the parameter along the horizontal axis.
     quantity : str, optional
-        What to show, a column of :class:`spragsym.Equilibria` that says where a state is, as x or
-        theta; angles in degrees. By default the first coordinate.
+        What to show, a column of :class:`spragsym.results.Equilibria` that says where a state is,
+        as x or theta; angles in degrees. By default the first coordinate.
     between, contact, damping, n
         As for :func:`branches`.
     ax : matplotlib.axes.Axes, optional

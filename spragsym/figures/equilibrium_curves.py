@@ -111,12 +111,12 @@ def draw_linear(ax: Axes, p: Parameters, name: str) -> tuple[Table, FloatArray]:
     """Curves of the linear model, broken at its poles, which are marked; a table of them, and the
     poles in degrees.
     """
-    poles = np.degrees(ss.linear_sprag(p.replace(theta0=1.0)).poles)
+    poles = np.degrees(ss.kang_nam.linear_sprag(p.replace(theta0=1.0)).poles)
     poles = np.sort(poles[np.isfinite(poles)])
     share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(2e-3, 1 - 2e-3, 400))
     ends = np.array([[0.05, *poles], [*poles, 179.95]])
     angles = ends[0] + (ends[1] - ends[0]) * share[:, None]  # a column a piece
-    model = ss.linear_sprag(p.replace(theta0=np.radians(angles)))
+    model = ss.kang_nam.linear_sprag(p.replace(theta0=np.radians(angles)))
     ax.plot(angles, getattr(model, name), color=BLUE, linewidth=1.0)
     for pole in poles:
         line_at(ax, pole, BLUE, 0.6)

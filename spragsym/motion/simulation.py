@@ -320,8 +320,8 @@ class Trajectory(Named):
         """What the motion settles to or approaches, how fast, and what is left, judged by what
         follows ``transient``.
 
-        The same as a :class:`~spragsym.Sweep` tells of it. A cycle is found by Newton's method on
-        the flow and its derivatives, which integrates a few periods more.
+        The same as a :class:`~spragsym.results.Sweep` tells of it. A cycle is found by Newton's
+        method on the flow and its derivatives, which integrates a few periods more.
         """
         late = self.after(transient)
         start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])

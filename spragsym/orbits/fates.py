@@ -269,7 +269,7 @@ def _near(system: System, end: FloatArray) -> str:
 
 
 class Kind(IntEnum):
-    """What a motion comes to, as :attr:`spragsym.Fate.kind` has it in words."""
+    """What a motion comes to, as :attr:`spragsym.results.Fate.kind` has it in words."""
 
     UNDECIDED = 0
     REST = 1

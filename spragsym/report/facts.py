@@ -58,8 +58,9 @@ class FoldRow:
     """One fold, or another point at which states meet.
 
     ``friction``, ``inclination_deg`` or ``value``, of the loading parameter in SI, is where, the
-    others None; ``ends`` and ``when`` are as of :class:`~spragsym.Points`. ``before`` and ``after``
-    are coordinates in the units of the file, of which those after are NaN where nothing is left.
+    others None; ``ends`` and ``when`` are as of :class:`~spragsym.results.Points`. ``before`` and
+    ``after`` are coordinates in the units of the file, of which those after are NaN where nothing
+    is left.
     """
 
     kind: str
@@ -105,7 +106,7 @@ class Facts:
         Where the state jumps as the inclination rises, NaN where it never does.
     mu_lowest, theta0_lowest_deg, kind_lowest
         The friction below which it jumps at no angle, ``inf`` where it never does; its angle and
-        its kind, see :class:`spragsym.LowestEnd`, empty where it is not known.
+        its kind, see :class:`spragsym.results.LowestEnd`, empty where it is not known.
     mu_cusp : float or None
         Friction of the lowest cusp, ``inf`` where there is none.
     distance : float

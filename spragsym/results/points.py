@@ -51,8 +51,9 @@ class Points(OfStates, Rows):
     """Points at which equilibria change, sorted by the first parameter that varies.
 
     Every parameter and coordinate is an attribute under its own name, one number a point; so are
-    the direction and the length of each inclined spring, as of :class:`spragsym.Equilibria`.
-    Columns are made when they are first asked for. Angles are radians.
+    the direction and the length of each inclined spring, as of
+    :class:`spragsym.results.Equilibria`. Columns are made when they are first asked for. Angles are
+    radians.
 
     Attributes
     ----------
@@ -66,7 +67,7 @@ class Points(OfStates, Rows):
         system that is its own mirror image. ``"cusp"``: two folds meet; along one parameter three
         equilibria meet, and one is left on both sides. ``"touch"``: two meet, and there are as many
         on both sides. ``"hopf"``, ``"flutter"`` and ``"detected"`` are onsets, see
-        :class:`spragsym.Onsets`.
+        :class:`spragsym.results.Onsets`.
     error : ndarray
         Bound on |error| / max(1, |value|) of coordinates and of the parameters that vary, in closed
         forms of theta and L too.
@@ -379,19 +380,20 @@ class Jump(Result):
     error: float  #: bound on the error of ``value``
 
 
-#: Columns of the full linearization, as of :class:`spragsym.Equilibria`.
+#: Columns of the full linearization, as of :class:`spragsym.results.Equilibria`.
 _OF_STATES = ("growth", "growth_sign", "damped")
 
 
 @dataclass(frozen=True, eq=False)
 class Path(OfStates, Rows):
     """States along the values of the parameter, in the order in which they are passed, and the
-    jumps between them; a path whose state runs to infinity ends there, see :class:`spragsym.Jump`.
+    jumps between them; a path whose state runs to infinity ends there, see
+    :class:`spragsym.results.Jump`.
 
     Each coordinate is an attribute under its own name, of the shape of ``values``; so are the
-    direction and the length of each inclined spring, as of :class:`spragsym.Equilibria`. Angles are
-    radians. ``stability`` has the codes of (27); ``growth``, ``growth_sign`` and ``damped`` are
-    those of the full linearization, made when they are asked for.
+    direction and the length of each inclined spring, as of :class:`spragsym.results.Equilibria`.
+    Angles are radians. ``stability`` has the codes of (27); ``growth``, ``growth_sign`` and
+    ``damped`` are those of the full linearization, made when they are asked for.
     """
 
     schema = (

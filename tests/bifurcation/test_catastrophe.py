@@ -115,7 +115,7 @@ def test_surface_puts_equilibria_back() -> None:
         np.radians(np.linspace(2, 178, 60))[:, None],
         np.radians(np.linspace(2, 178, 50))[None, :],
     )
-    s = ss.surface(BASE, theta, theta0)
+    s = ss.kang_nam.surface(BASE, theta, theta0)
     good = np.isfinite(s.mu0) & (s.mu0 >= 0) & (s.mu0 < 50)
     assert good.sum() > 300
     eq = ss.equilibria(BASE.replace(theta0=s.theta0[good], mu0=s.mu0[good]))
@@ -260,5 +260,5 @@ def test_linear_model_is_a_linear_solve() -> None:
                 [sigma * s * c, sigma * s * s + beta + 1],
             ]
         )
-        model = ss.linear_sprag(p)
+        model = ss.kang_nam.linear_sprag(p)
         np.testing.assert_allclose([model.x, model.y], np.linalg.solve(K, [0, -kappa]), rtol=1e-9)

@@ -26,13 +26,13 @@ ON_CYCLE = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
 
 
 @pytest.fixture(scope="module")
-def born() -> ss.Diagram:
+def born() -> ss.results.Diagram:
     model = ss.load("stick_slip")
     return ss.diagram(model.Parameters(), "V", between={"V": (0.08, 0.2)}, points=40)
 
 
 @pytest.fixture(scope="module")
-def article() -> ss.Diagram:
+def article() -> ss.results.Diagram:
     return ss.diagram(
         ss.Parameters.article(theta0=math.radians(42.0)),
         "theta0",
@@ -41,12 +41,12 @@ def article() -> ss.Diagram:
     )
 
 
-def of(found: ss.Diagram, label: str) -> list[float]:
+def of(found: ss.results.Diagram, label: str) -> list[float]:
     return [each.value for each in found.labels if each.label == label]
 
 
 @pytest.mark.thorough
-def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.Diagram) -> None:
+def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.results.Diagram) -> None:
     model = ss.load("stick_slip")
     onsets = ss.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})
     assert of(born, "H") == pytest.approx(onsets.V.tolist(), abs=1e-9)
@@ -60,7 +60,7 @@ def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.Diagram) -> None:
 
 
 @pytest.mark.thorough
-def test_its_table_has_the_points_of_all_branches(born: ss.Diagram) -> None:
+def test_its_table_has_the_points_of_all_branches(born: ss.results.Diagram) -> None:
     table = born.data()
     for kind, branches in (("equilibria", born.equilibria), ("cycles", born.cycles)):
         for number, branch in enumerate(branches):
@@ -113,9 +113,9 @@ def test_a_branch_of_equilibria_is_there_once() -> None:
 
 @pytest.mark.thorough
 def test_equilibria_of_the_motion_turn_at_the_fold_of_the_friction_that_works(
-    article: ss.Diagram,
+    article: ss.results.Diagram,
 ) -> None:
-    friction = ss.sliding_friction(0.5, 0.5, 10.0)
+    friction = ss.kang_nam.sliding_friction(0.5, 0.5, 10.0)
     folds = ss.folds(ss.Parameters.article(mu0=friction), "theta0").theta0
     (fold,) = of(article, "LP")
     assert np.abs(folds - fold).min() < 1e-9
@@ -142,7 +142,7 @@ def parts(values: Any) -> list[Any]:
 
 
 @pytest.mark.thorough
-def test_the_figure_and_the_command(born: ss.Diagram, tmp_path: Any) -> None:
+def test_the_figure_and_the_command(born: ss.results.Diagram, tmp_path: Any) -> None:
     Figure = pytest.importorskip("matplotlib.figure").Figure
     (hopf,) = (label for label in born.labels if label.label == "H")
     beside, far = (dataclasses.replace(hopf, value=value) for value in (hopf.value + 1e-4, 0.18))

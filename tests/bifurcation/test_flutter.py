@@ -234,7 +234,7 @@ def test_no_onset_is_a_fold() -> None:
 )
 def test_the_boundary_has_every_onset_once_at_each_friction(changes: dict[str, float]) -> None:
     p = ss.Parameters.article(**changes)
-    along = ss.flutter_boundary(p)
+    along = ss.kang_nam.flutter_boundary(p)
     points = np.stack([along.theta0, along.theta], axis=-1)
     assert len(np.unique(points, axis=0)) == len(points)
     for mu0 in (0.03, 0.45, 0.75, 1.3, 6.0, 30.0):
@@ -251,7 +251,7 @@ def test_the_boundary_has_every_onset_once_at_each_friction(changes: dict[str, f
 def test_boundary_points_are_on_the_boundary_to_rounding() -> None:
     for changes in ({"alpha": 0.7}, {"sigma": 1.0}, {"alpha": 0.0, "sigma": 0.7}):
         p = ss.Parameters.article(**changes)
-        found = ss.flutter_boundary(p, n=300)
+        found = ss.kang_nam.flutter_boundary(p, n=300)
         for i in np.flatnonzero((found.mu0 < 20) & (found.count > 0))[::20]:
             exact = ss.flutter_onsets(p.replace(mu0=found.mu0[i]), damping=False)
             # Loose, since an onset is ill-conditioned in θ₀ where the boundary has a level of

@@ -62,7 +62,7 @@ def test_a_tube_holds_one_state() -> None:
     way = carried(balance, p, "mu0", np.array([0.0, 0.42]), start)
     assert way[:, 1] == pytest.approx(there, abs=1e-12)
     fold = float(ss.jump_value(ss.Parameters.article(theta0=math.radians(49.0))))
-    with pytest.raises(ss.ConvergenceError, match="followed"):
+    with pytest.raises(ss.errors.ConvergenceError, match="followed"):
         carried(balance, p, "mu0", np.array([0.0, fold + 0.01]), start)
 
 

@@ -118,7 +118,7 @@ def test_a_spring_that_is_stretched_without_end() -> None:
     assert onward.jumps[0].stability_after == ss.Stability.DIVERGENT
 
 
-def _end_of(path: ss.Path) -> float:
+def _end_of(path: ss.results.Path) -> float:
     """Where a path ends as its state runs to infinity."""
     (last,) = path.jumps
     assert (last.kind, last.stability_after) == ("infinity", None)

@@ -152,7 +152,9 @@ def test_two_sets_of_the_pendulum_whose_tip_sticks() -> None:
 
 
 def test_what_does_not_stand_still_and_what_only_touches_the_limit() -> None:
-    with pytest.raises(ss.ConvergenceError, match="share of the static coefficient of friction"):
+    with pytest.raises(
+        ss.errors.ConvergenceError, match="share of the static coefficient of friction"
+    ):
         ss.sticking_states(model_of(BEARING, "bearing").Parameters(mu_s=1.0, V=0.0))
-    with pytest.raises(ss.ParameterError, match="the belt moves at V"):
+    with pytest.raises(ss.errors.ParameterError, match="the belt moves at V"):
         ss.sticking_states(ss.load("coulomb_stick_slip").Parameters())

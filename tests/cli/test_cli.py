@@ -295,8 +295,8 @@ def test_an_error_is_one_line_that_says_what_to_do(
         (ModuleNotFoundError("no", name="something"), FAILED, "unexpected"),
         (KeyError("broken"), FAILED, "unexpected KeyError"),
         (OSError("disk gone"), FAILED, "disk gone"),
-        (ss.ConvergenceError("no convergence"), FAILED, "no convergence"),
-        (ss.ParameterTypeError("a type"), USAGE, "a type"),
+        (ss.errors.ConvergenceError("no convergence"), FAILED, "no convergence"),
+        (ss.errors.ParameterTypeError("a type"), USAGE, "a type"),
     ],
 )
 def test_exit_codes(

@@ -114,7 +114,7 @@ def test_the_search_is_a_second_witness_of_the_closed_forms(
 
 #: Around the anchor of a torsion spring only numbers that floats hold are searched in polar
 #: coordinates.
-UNDECIDED = pytest.mark.xfail(raises=ss.ConvergenceError, strict=True)
+UNDECIDED = pytest.mark.xfail(raises=ss.errors.ConvergenceError, strict=True)
 BESIDE = [
     pytest.param(name, id=name, marks=[UNDECIDED] if name == "soft_brake" else ())
     for name in MODELS
@@ -155,7 +155,7 @@ def test_a_state_beside_the_border_of_the_contact_is_on_its_side(weight: str) ->
     assert len(precise.equilibria(p, W=weight)) == touches
     assert len(precise.equilibria(p, W=weight, contact=False)) == (not touches)
     with pytest.raises(
-        ss.ConvergenceError, match=r"1 boxes are not decided; change a parameter a little$"
+        ss.errors.ConvergenceError, match=r"1 boxes are not decided; change a parameter a little$"
     ):
         precise.equilibria(p, W=1)
 

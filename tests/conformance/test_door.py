@@ -95,13 +95,15 @@ def test_two_ways_to_one_answer() -> None:
         (ss.jump_value, a_set("damped")),
         (rises, one),
     ):
-        with pytest.raises(ss.ModelError, match=rf"{p.model.name} answers .* by no closed form"):
+        with pytest.raises(
+            ss.errors.ModelError, match=rf"{p.model.name} answers .* by no closed form"
+        ):
             function(p, method="closed")
     with pytest.raises(
-        ss.ParameterError, match="method = 'guess' is not one of auto, closed, search"
+        ss.errors.ParameterError, match="method = 'guess' is not one of auto, closed, search"
     ):
         ss.equilibria(p, method="guess")
-    with pytest.raises(ss.ParameterTypeError, match="contact = 'yes'"):
+    with pytest.raises(ss.errors.ParameterTypeError, match="contact = 'yes'"):
         ss.equilibria(one, contact="yes")
     for ask, name, more in (
         (ss.explore, "p", ()),
@@ -111,7 +113,7 @@ def test_two_ways_to_one_answer() -> None:
         (ss.cycle_branch, "cycle", ("V", (0, 1))),
         (ss.cycle_events, "event", (("V", "d"),)),
     ):
-        with pytest.raises(ss.ParameterTypeError, match=f"{name} = 'coulomb' is no .*; "):
+        with pytest.raises(ss.errors.ParameterTypeError, match=f"{name} = 'coulomb' is no .*; "):
             ask("coulomb", *more)
 
 
@@ -135,5 +137,5 @@ def test_what_has_jumped_has_two_witnesses() -> None:
     assert np.array_equal(closed == 1, ss.jump_value(p) <= p.mu0)
     q = ss.load("cubic_contact").Parameters(theta0=0.9, mu0=[[0.0, 0.1], [0.3, 0.5]])
     assert have_jumped(q).tolist() == (ss.jump_value(q.replace(mu0=0.0)) <= q.mu0).tolist()
-    with pytest.raises(ss.ParameterError, match="stribeck has no mu0"):
+    with pytest.raises(ss.errors.ParameterError, match="stribeck has no mu0"):
         have_jumped(a_set("stribeck"))

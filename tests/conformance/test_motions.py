@@ -17,7 +17,7 @@ from tests.support import few
 def test_a_motion_of_every_model_has_everything(name: str) -> None:
     p = a_set(name)
     tr = ss.simulate(p, t_end=30.0, rtol=1e-8, backend="scipy", estimate_error=True)
-    assert type(tr) is ss.Trajectory
+    assert type(tr) is ss.results.Trajectory
     assert tr.model is p.model
     assert tr.state.shape == (len(tr.components), tr.t.size)
     assert np.array_equal(getattr(tr, tr.components[-1]), tr.state[-1])
@@ -35,11 +35,12 @@ def test_a_start_may_be_given_whole_or_by_names() -> None:
     named = ss.simulate(p, x0=0.1, y0=-0.01, vy0=0.02, t_end=20.0)
     assert np.array_equal(whole.state, named.state)
     with pytest.raises(
-        ss.ParameterError, match=r"start has the shape \(2,\); it is x0, y0, vx0, vy0"
+        ss.errors.ParameterError, match=r"start has the shape \(2,\); it is x0, y0, vx0, vy0"
     ):
         ss.simulate(p, start=[0.1, 0.0])
     with pytest.raises(
-        ss.ParameterTypeError, match="xO is no argument; the initial state is x0, y0, vx0, vy0"
+        ss.errors.ParameterTypeError,
+        match="xO is no argument; the initial state is x0, y0, vx0, vy0",
     ):
         ss.simulate(p, xO=0.1)
 
@@ -55,7 +56,8 @@ def test_forces_of_springs_and_of_the_contact_are_those_written_by_hand() -> Non
     assert np.abs(tr.spring_force("spring 2") - 0.04 * (lengths[1] - 1.3)).max() < 1e-14
     assert np.array_equal(tr.contact_force(), np.maximum(-tr.y, 0.0))
     with pytest.raises(
-        ss.ParameterError, match="spring = None of two_springs is one of 'spring 1', 'spring 2'"
+        ss.errors.ParameterError,
+        match="spring = None of two_springs is one of 'spring 1', 'spring 2'",
     ):
         tr.spring_force()
     # Where the gap is no coordinate the normal force is the law of the depth, whatever share of it

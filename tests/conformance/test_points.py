@@ -38,7 +38,7 @@ ATTRIBUTES = (
 def test_points_of_every_model_have_everything(name: str, question: str) -> None:
     p = a_set(name)
     found = getattr(ss, question)(p)
-    assert type(found) is (ss.Points if question == "folds" else ss.Onsets)
+    assert type(found) is (ss.results.Points if question == "folds" else ss.results.Onsets)
     for attribute in ATTRIBUTES:
         assert getattr(found, attribute) is not None
     for column in (*p.model.parameters, *found.state_columns, "error", "kind", "ends", "when"):

@@ -145,7 +145,10 @@ class Asked:
         still = self.p.replace(V=0.0)
         if not hasattr(self.model.algebra, "grip"):
             return refused(
-                ss.ModelError, f"in {self.name} friction holds nothing", ss.sticking_states, still
+                ss.errors.ModelError,
+                f"in {self.name} friction holds nothing",
+                ss.sticking_states,
+                still,
             )
         found, states = ss.sticking_states(still).data(), getattr(ss.equilibria(still), self.first)
         low, high = (found[f"{self.first}_{end}"][:, None] for end in ("low", "high"))
@@ -183,10 +186,10 @@ class Asked:
         """
         if not self.planar:
             words = f"{self.name} has not both theta0 and mu0"
-            refused(ss.ParameterError, words, ss.critical_friction, self.p)
-            refused(ss.ParameterError, words, ss.cusp_friction, self.p)
+            refused(ss.errors.ParameterError, words, ss.critical_friction, self.p)
+            refused(ss.errors.ParameterError, words, ss.cusp_friction, self.p)
             return refused(
-                ss.ParameterError, words, ss.critical_value, self.p, self.other, (0.1, 0.2)
+                ss.errors.ParameterError, words, ss.critical_value, self.p, self.other, (0.1, 0.2)
             )
         least, most = 0.9 * self.jump, 1.1 * self.jump
         between = self.near("theta0") | {"mu0": (least, most)}
@@ -206,7 +209,7 @@ class Asked:
             given = (self.p.replace(mu0=0.1), "kappa", (0.007, 0.008))
             between = {"theta0": (0.69, 0.7), "mu0": (0.1, 0.2)}
             refused(
-                ss.ParameterError,
+                ss.errors.ParameterError,
                 "both on one side of mu0",
                 ss.critical_value,
                 *given,
@@ -270,7 +273,7 @@ class Asked:
         given = (self.p, self.other, {self.vary: 1.01 * self.jump})
         if np.isnan(self.jump):
             return refused(
-                ss.ParameterError,
+                ss.errors.ParameterError,
                 rf"target\['{self.vary}'\] = nan",
                 ss.redesign,
                 *given,
@@ -305,7 +308,7 @@ class Asked:
             {"V": [0.1], "d": [10.0]},
         )
         if not {"theta0", "d"} <= {*self.model.parameters}:
-            return refused(ss.ModelError, "has no (d|theta0)", ss.sensitivity, at, **axes)
+            return refused(ss.errors.ModelError, "has no (d|theta0)", ss.sensitivity, at, **axes)
         found, rms = (
             ss.sensitivity(at, **axes, refine=0, t_end=8.0),
             ss.rms_sweep(at, V=0.1, d=10.0, t_end=8.0).rms,
@@ -329,7 +332,7 @@ class Asked:
         words = (
             "to nothing that is decided" if found.kind == "undecided" else "which is one attractor"
         )
-        errors = (ss.ParameterError, ss.ConvergenceError)
+        errors = (ss.errors.ParameterError, ss.errors.ConvergenceError)
         refused(
             errors,
             words,
@@ -344,7 +347,7 @@ class Asked:
         how: dict[str, Any] = {"points": 1, "step": 0.01}
         if self.name not in SADDLES:
             return refused(
-                ss.ParameterError,
+                ss.errors.ParameterError,
                 "one divergent equilibrium is needed",
                 ss.basin_boundary,
                 self.moving,
@@ -360,7 +363,7 @@ class Asked:
         """
         if self.name not in CYCLES:
             return refused(
-                ss.ConvergenceError,
+                ss.errors.ConvergenceError,
                 "no cycle was found near the motion",
                 ss.cycle,
                 self.moving,
@@ -380,7 +383,7 @@ class Asked:
             curve = ss.cycle_events(event, ("V", self.other), points=2)
             assert np.abs(curve.values[:, 0] - event.value).min() < 1e-9
         refused(
-            ss.ParameterError,
+            ss.errors.ParameterError,
             "end is not followed",
             ss.cycle_events,
             branch.events[-1],
@@ -409,21 +412,24 @@ class Asked:
         poles.
         """
         of_article = {
-            ss.surface: (0.8, 0.7),
-            ss.flutter_boundary: (200,),
-            ss.linear_sprag: (),
-            ss.linear_critical_friction: (),
+            ss.kang_nam.surface: (0.8, 0.7),
+            ss.kang_nam.flutter_boundary: (200,),
+            ss.kang_nam.linear_sprag: (),
+            ss.kang_nam.linear_critical_friction: (),
         }
         for question, more in of_article.items() if self.name != "kang_nam" else ():
             refused(
-                ss.ModelError,
+                ss.errors.ModelError,
                 f"{question.__name__} is not there yet for the model {self.name}; ",
                 question,
                 self.p,
                 *more,
             )
         if self.name == "kang_nam":
-            place, boundary = ss.surface(self.p, 0.8, 0.7), ss.flutter_boundary(self.p, 200)
+            place, boundary = (
+                ss.kang_nam.surface(self.p, 0.8, 0.7),
+                ss.kang_nam.flutter_boundary(self.p, 200),
+            )
             assert (
                 np.nanmin(
                     np.abs(ss.equilibria(self.p.replace(mu0=place.mu0, theta0=0.7)).theta - 0.8)
@@ -435,9 +441,12 @@ class Asked:
             ).theta0
             assert np.abs(known - boundary.theta0[9]).min() < 1e-6
             beside = self.p.replace(
-                mu0=ss.linear_critical_friction(self.p) * np.array([0.99, 1.01])
+                mu0=ss.kang_nam.linear_critical_friction(self.p) * np.array([0.99, 1.01])
             )
-            assert np.isfinite(ss.linear_sprag(beside).poles).any(axis=-1).tolist() == [False, True]
+            assert np.isfinite(ss.kang_nam.linear_sprag(beside).poles).any(axis=-1).tolist() == [
+                False,
+                True,
+            ]
 
 
 case = cache(Asked)
@@ -475,7 +484,10 @@ def questions() -> list[str]:
     one.
     """
     functions = {
-        name: getattr(ss, name) for name in ss.__all__ if inspect.isfunction(getattr(ss, name))
+        name: getattr(room, name)
+        for room in (ss, ss.kang_nam)
+        for name in room.__all__
+        if inspect.isfunction(getattr(room, name))
     }
     first = {
         name: next(iter(inspect.signature(one).parameters), "") for name, one in functions.items()

@@ -40,5 +40,5 @@ FORMER: dict[str, tuple[Callable[[], Any], str]] = {
 def test_a_former_spelling_is_refused_with_the_present_one(
     call: Callable[[], Any], said: str
 ) -> None:
-    with pytest.raises((ss.ParameterTypeError, ss.ParameterError), match=said):
+    with pytest.raises((ss.errors.ParameterTypeError, ss.errors.ParameterError), match=said):
         call()

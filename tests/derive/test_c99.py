@@ -160,7 +160,7 @@ def _around(theta0: float) -> Any:
 def _flutter_onsets() -> Any:
     """Parameters at which the discriminant in (27) is zero at an equilibrium, and next to them."""
     _, _, kappa, _, sigma, beta = BASE
-    onsets = ss.flutter_boundary(ss.Parameters.article(alpha=0.7), n=60)
+    onsets = ss.kang_nam.flutter_boundary(ss.Parameters.article(alpha=0.7), n=60)
     some = np.linspace(0, onsets.mu0.size - 1, 5).astype(int)
     return np.array(
         [

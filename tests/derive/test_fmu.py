@@ -74,7 +74,7 @@ def stepped(
     return fmu.getFloat64([references[name] for name in names]), events
 
 
-def outputs(tr: ss.Trajectory) -> dict[str, float]:
+def outputs(tr: ss.results.Trajectory) -> dict[str, float]:
     """Forces, energy and power at the end of a motion, by the names that they have in an FMU."""
     model = tr.model
     told = {"energy": tr.energy()[-1], "power": tr.power()[-1]}

@@ -337,7 +337,7 @@ TOLERANCES: dict[str, Any] = {
 
 def estimated(
     function: sampling.Function, variables: int, n: int, seed: int, indices: bool
-) -> ss.JumpProbability:
+) -> ss.results.JumpProbability:
     tasks = sampling.chunks(n, np.random.default_rng(seed).integers(0, 2**62, 16).tolist())
     records = [
         sampling.sums(function, [(j,) for j in range(variables)], indices, task) for task in tasks
@@ -477,5 +477,5 @@ def with_correlation(correlation: Any) -> Any:
 @pytest.mark.parametrize("number", range(len(MISTAKES)))
 def test_a_mistake_is_named(number: int) -> None:
     call, named = MISTAKES[number]
-    with pytest.raises(ss.ParameterError, match=named):
+    with pytest.raises(ss.errors.ParameterError, match=named):
         call()

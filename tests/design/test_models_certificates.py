@@ -129,7 +129,9 @@ def test_where_two_states_meet() -> None:
 
 def test_nothing_rises() -> None:
     p = ss.load("two_springs").Parameters(theta0=0.5, mu0=0.2)
-    with pytest.raises(ss.ParameterError, match=r"vary = 'mu0': 'no flutter' is about all states"):
+    with pytest.raises(
+        ss.errors.ParameterError, match=r"vary = 'mu0': 'no flutter' is about all states"
+    ):
         ss.certify(p, p, "no flutter", vary="mu0")
-    with pytest.raises(ss.ParameterError, match="exchange the two"):
+    with pytest.raises(ss.errors.ParameterError, match="exchange the two"):
         certify(p.replace(mu0=0.3), p, "one equilibrium", vary=None)

@@ -65,7 +65,7 @@ def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
     of_room = [one for one in MODULES if one.split(".")[1] == name and one not in (*LONG, *SECONDS)]
     for one in of_room or [name]:
-        with contextlib.suppress(spragsym.MissingExtraError):
+        with contextlib.suppress(spragsym.errors.MissingExtraError):
             failed, _ = doctest.testmod(importlib.import_module(one), optionflags=OPTIONS)
             assert failed == 0, one
 
@@ -78,8 +78,9 @@ def test_a_room_has_what_it_offers(room: str) -> None:
 
 
 def test_a_public_function_says_what_it_takes_gives_and_refuses() -> None:
-    for name in spragsym.__all__:
-        if inspect.isfunction(function := getattr(spragsym, name)):
+    rooms = (spragsym, spragsym.kang_nam)
+    for name, found in ((name, getattr(room, name)) for room in rooms for name in room.__all__):
+        if inspect.isfunction(function := found):
             text, signature = inspect.getdoc(function) or "", inspect.signature(function)
             wanted = {"Examples"}
             if signature.parameters:

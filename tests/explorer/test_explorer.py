@@ -121,7 +121,7 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
         )
         .exception
     )
-    assert isinstance(named, ss.ParameterError)
+    assert isinstance(named, ss.errors.ParameterError)
     assert "is about kang_nam" in str(named)
     other = tmp_path / "other.toml"
     other.write_text(
@@ -132,7 +132,7 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
         .invoke(explore, ["--data", str(other), "--out", str(out), "--no-open", "--force"])
         .exception
     )
-    assert isinstance(problem, ss.SpragsymError)
+    assert isinstance(problem, ss.errors.SpragsymError)
 
 
 # ------------------------------------------------------------------------------------------------

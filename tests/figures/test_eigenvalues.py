@@ -52,7 +52,7 @@ def test_the_picture_shows_what_the_matrices_say() -> None:
     drawn = np.concatenate([line.get_ydata() for line in figure.axes[0].lines])
     assert np.nanmin(drawn) > 0.9
     assert figure.axes[0].get_xlim() == (0.0, 1.0)
-    with pytest.raises(ss.ConvergenceError, match="nothing to draw"):
+    with pytest.raises(ss.errors.ConvergenceError, match="nothing to draw"):
         eigenvalue_figure(ss.Parameters.article(theta0=0.5, kappa=10.0), "mu0", contact=False, n=4)
 
 

@@ -129,7 +129,7 @@ def test_what_is_no_set_of_parameters_and_no_result_is_refused_by_its_name() -> 
     for draw, more in of_parameters:
         needed = dict.fromkeys({"theta0", "mu0", "ends"} & {*more}, (0.0, 1.0))
         with pytest.raises(
-            ss.ParameterTypeError, match="p = 'stick_slip' is no set of parameters; make one"
+            ss.errors.ParameterTypeError, match="p = 'stick_slip' is no set of parameters; make one"
         ):
             draw("stick_slip", **needed)
     for draw in (
@@ -137,7 +137,7 @@ def test_what_is_no_set_of_parameters_and_no_result_is_refused_by_its_name() -> 
         for one, *more in asked
         if more[:1] in (["result"], ["found"], ["path"], ["motion"], ["turns"], ["branch"])
     ):
-        with pytest.raises(ss.ParameterTypeError, match=r"= 'stick_slip' is no \w+; give "):
+        with pytest.raises(ss.errors.ParameterTypeError, match=r"= 'stick_slip' is no \w+; give "):
             draw("stick_slip")
 
 

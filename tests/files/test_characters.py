@@ -148,7 +148,7 @@ def test_what_is_not_printed_is_refused_wherever_it_is_read(place: Place, tmp_pa
             continue  # of CSV that is the next line, and netCDF has no NUL
         folder = tmp_path / str(count)
         folder.mkdir()
-        with pytest.raises(ss.SpragsymError) as refused:
+        with pytest.raises(ss.errors.SpragsymError) as refused:
             place(folder, text)
         message = str(refused.value)
         assert re.search(r"holds the character U\+[0-9A-F]{4}|is not TOML", message), message

@@ -65,7 +65,7 @@ def file_of(name: str) -> Path:
     return KEPT / f"{name.replace(' ', '_')}.json"
 
 
-def sweep(store: Path) -> ss.Sweep:
+def sweep(store: Path) -> ss.results.Sweep:
     """The same call as that which wrote the kept stores."""
     p = ss.Parameters.article(theta0=np.radians([38.0, 44.0]))
     return ss.rms_sweep(p, t_end=20.0, transient=10.0, store=store, **BELT)
@@ -203,7 +203,7 @@ def test_a_file_is_read_by_its_format_and_not_by_its_version(
     if not words:
         assert len(ss.open(tmp_path / "a.json")) == 2
         return
-    with pytest.raises(ss.ParameterError, match=words):
+    with pytest.raises(ss.errors.ParameterError, match=words):
         ss.open(tmp_path / "a.json")
 
 

@@ -286,5 +286,5 @@ def test_what_is_no_path_is_refused(value: Any) -> None:
         lambda: ss.rms_sweep(ss.Parameters.article(theta0=0.8), t_end=1.0, store=value),
     ]
     for ask in asked[: 3 if value is None else 4]:
-        with pytest.raises(ss.ParameterTypeError, match="is no path"):
+        with pytest.raises(ss.errors.ParameterTypeError, match="is no path"):
             ask()

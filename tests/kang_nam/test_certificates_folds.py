@@ -50,7 +50,7 @@ def fixed(request: pytest.FixtureRequest) -> Fixed:
     return request.param
 
 
-def _curves(fixed: Fixed) -> tuple[ss.Curve, ...]:
+def _curves(fixed: Fixed) -> tuple[ss.results.Curve, ...]:
     return ss.bifurcation_set(ss.Parameters(**fixed._asdict()), n=1200).curves
 
 
@@ -88,7 +88,7 @@ def test_a_curve_passes_through_its_cusps(fixed: Fixed) -> None:
         )
 
 
-def _crossings(curves: tuple[ss.Curve, ...], mu0: float) -> list[float]:
+def _crossings(curves: tuple[ss.results.Curve, ...], mu0: float) -> list[float]:
     """Angles θ₀ at which the curves pass a friction coefficient."""
     found = []
     for curve in curves:

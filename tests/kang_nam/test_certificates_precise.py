@@ -34,19 +34,19 @@ def test_a_number_is_what_it_writes() -> None:
 
 def test_what_is_no_number_in_range_is_named() -> None:
     for name, given, error in (
-        ("kappa", True, ss.ParameterTypeError),
-        ("kappa", None, ss.ParameterTypeError),
-        ("kappa", "seven", ss.ParameterTypeError),
-        ("kappa", "1/0", ss.ParameterError),
-        ("kappa", "1/00 ", ss.ParameterError),
-        ("kappa", math.nan, ss.ParameterError),
-        ("kappa", mpmath.inf, ss.ParameterError),
-        ("kappa", 0, ss.ParameterError),
-        ("kappa", mpmath.mpf(-1), ss.ParameterError),
-        ("alpha", "-1/9", ss.ParameterError),
-        ("theta0", math.pi, ss.ParameterError),
-        ("theta0", 4, ss.ParameterError),
-        ("theta0", 0, ss.ParameterError),
+        ("kappa", True, ss.errors.ParameterTypeError),
+        ("kappa", None, ss.errors.ParameterTypeError),
+        ("kappa", "seven", ss.errors.ParameterTypeError),
+        ("kappa", "1/0", ss.errors.ParameterError),
+        ("kappa", "1/00 ", ss.errors.ParameterError),
+        ("kappa", math.nan, ss.errors.ParameterError),
+        ("kappa", mpmath.inf, ss.errors.ParameterError),
+        ("kappa", 0, ss.errors.ParameterError),
+        ("kappa", mpmath.mpf(-1), ss.errors.ParameterError),
+        ("alpha", "-1/9", ss.errors.ParameterError),
+        ("theta0", math.pi, ss.errors.ParameterError),
+        ("theta0", 4, ss.errors.ParameterError),
+        ("theta0", 0, ss.errors.ParameterError),
     ):
         with pytest.raises(error, match=f"^{name} = "):
             ss.precise.as_exact(name, given, RANGES[name])
@@ -56,12 +56,12 @@ def test_the_ends_of_ranges_that_belong_to_them() -> None:
     for name in ("alpha", "beta", "mu0"):
         assert ss.precise.as_exact(name, 0, RANGES[name]) == 0
     assert ss.precise.as_exact("kappa", "1e300", RANGES["kappa"]) == 10**300
-    with pytest.raises(ss.ParameterError, match=r"numpy\.radians"):
+    with pytest.raises(ss.errors.ParameterError, match=r"numpy\.radians"):
         ss.precise.as_exact("theta0", 49, RANGES["theta0"])
     anything, half_open = Range(-math.inf), Range(0.0, 1.0, closed_high=True)
     assert ss.precise.as_exact("a", "-1e300", anything) == -(10**300)
     assert ss.precise.as_exact("a", 1, half_open) == 1
-    with pytest.raises(ss.ParameterError, match=r"^a = "):
+    with pytest.raises(ss.errors.ParameterError, match=r"^a = "):
         ss.precise.as_exact("a", Fraction(1) + Fraction(1, 10**30), half_open)
 
 

@@ -19,10 +19,10 @@ from tests.oracles.families import FAMILIES
 @pytest.fixture(autouse=True)
 def _numpy() -> Iterator[None]:
     """NumPy's solver, whatever the number of points."""
-    before = ss.get_backend()
-    ss.set_backend("numpy")
+    before = ss.kang_nam.get_backend()
+    ss.kang_nam.set_backend("numpy")
     yield
-    ss.set_backend(before)
+    ss.kang_nam.set_backend(before)
 
 
 def _points(n: int) -> ss.Parameters:
@@ -148,7 +148,7 @@ def test_points_without_an_answer_are_marked_with_their_reason(
     assert eq.reason(0) == ""
     assert np.isnan(eq.theta[1]).all()
     assert not eq.fold.any()
-    with pytest.raises(ss.ConvergenceError, match="beyond float64"):
+    with pytest.raises(ss.errors.ConvergenceError, match="beyond float64"):
         eq.require_decided()
     assert ss.equilibria(p.replace(mu0=0.5, kappa=0.3)).require_decided().count == 1
 
@@ -160,7 +160,7 @@ def test_blocks_and_threads_do_not_show(monkeypatch: pytest.MonkeyPatch, contact
     monkeypatch.setattr(solver, "BLOCK", 7)
     monkeypatch.setattr(block, "A_THREAD", 7)
     for threads in (1, 3):
-        ss.set_backend("numpy", threads=threads)
+        ss.kang_nam.set_backend("numpy", threads=threads)
         pieces = ss.equilibria(p, contact=contact)
         for name in ("theta", "L", "count", "stability", "error", "escalated"):
             np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
@@ -219,10 +219,10 @@ def test_the_logarithm_of_a_length_beyond_float64_is_said(backend: str, size: fl
     """A length of 1e399 is no inf with twelve digits."""
     if backend == "compiled" and not compiled.available():
         pytest.skip("the compiled solver was not built: no C compiler")
-    ss.set_backend(backend)
+    ss.kang_nam.set_backend(backend)
     given = dict(theta0=1.0, mu0=size, kappa=size, alpha=1.0, sigma=1.0, beta=1.0)
     with pytest.raises(
-        ss.ConvergenceError, match=r"theta0=1\.0, mu0=.* is beyond float64"
+        ss.errors.ConvergenceError, match=r"theta0=1\.0, mu0=.* is beyond float64"
     ) as failure:
         ss.equilibria(ss.Parameters(**given))
     (state,) = ss.precise.equilibria(**given, dps=20)

@@ -49,7 +49,7 @@ def test_a_tiny_preload_is_told_in_floats() -> None:
     )
     c, s = np.cos(theta0), np.sin(theta0)
     for nbar, backend in ((1, "numpy"), (0, "numpy"), (1, "auto"), (0, "auto")):
-        ss.set_backend(backend)
+        ss.kang_nam.set_backend(backend)
         slope = f_slope(c, s, *f_coefficients(c, s, mu0, 0.0, alpha, sigma, beta, nbar))
         along = -1 - sigma * c * ((alpha + sigma) * c + mu0 * nbar * s) / slope
         eq = ss.equilibria(p, contact=nbar == 1)

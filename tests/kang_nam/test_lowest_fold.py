@@ -138,5 +138,5 @@ def test_no_fold_at_all() -> None:
 
 
 def test_a_parameter_that_is_missing_is_named() -> None:
-    with pytest.raises(ss.ParameterError, match="kappa"):
+    with pytest.raises(ss.errors.ParameterError, match="kappa"):
         ss.critical_friction(ss.Parameters(kappa=None, alpha=0.1, sigma=0.1, beta=0.0))

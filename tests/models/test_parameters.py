@@ -30,7 +30,7 @@ OTHERS: dict[str, Any] = {
 
 def test_physical_parameters_are_told_what_to_do() -> None:
     """By every public function with an argument of type Parameters, or of a set of any model."""
-    modules = ["spragsym", "spragsym.precise", "spragsym.motion.sweeps"]
+    modules = ["spragsym", "spragsym.kang_nam", "spragsym.precise", "spragsym.motion.sweeps"]
     modules += ["spragsym.figures"] * bool(importlib.util.find_spec("matplotlib"))
     asked = 0
     for module in map(importlib.import_module, modules):
@@ -51,7 +51,7 @@ def test_physical_parameters_are_told_what_to_do() -> None:
             arguments = {
                 one.name: BRAKE if one.annotation in sets else OTHERS[one.name] for one in needed
             }
-            with pytest.raises(ss.ParameterTypeError, match=r"\.dimensionless\(\)"):
+            with pytest.raises(ss.errors.ParameterTypeError, match=r"\.dimensionless\(\)"):
                 function(**arguments)
             asked += 1
     assert asked > 30

@@ -28,7 +28,7 @@ ONE = ss.Parameters.article(theta0=0.5)
 BELT: dict[str, Any] = {"V": 0.5, "d": 10.0, "backend": "scipy"}
 
 
-def _basin() -> ss.Basin:
+def _basin() -> ss.results.Basin:
     return ss.basin(ONE, x=[0.0, 1.0], vx=[0.0, 0.1, 0.2], t_end=20.0, transient=10.0, **BELT)
 
 
@@ -37,23 +37,23 @@ SPEED: dict[str, float] = {"V": 0.5, "d": 10.0}
 
 
 @functools.cache
-def _cycle() -> ss.Cycle:
+def _cycle() -> ss.results.Cycle:
     return ss.cycle(SLIDING, **SPEED)
 
 
 @functools.cache
-def _branch() -> ss.CycleBranch:
+def _branch() -> ss.results.CycleBranch:
     """From 42° over its doubling at 43.1°."""
     return ss.cycle_branch(
         _cycle(), vary="theta0", between={"theta0": tuple(np.radians([41.9, 43.3]))}
     )
 
 
-def _doubling() -> ss.CycleEvent:
+def _doubling() -> ss.results.CycleEvent:
     return next(event for event in _branch().events if event.kind == "period_doubling")
 
 
-def _fate() -> ss.FateBoundary:
+def _fate() -> ss.results.FateBoundary:
     return ss.fate_boundary(
         ss.Parameters.article(), "theta0", between={"theta0": (0.7208, 0.7212)}, **SPEED
     )
@@ -63,7 +63,7 @@ MODEL = ss.load("kang_nam").search
 
 
 @functools.cache
-def _diagram() -> ss.Diagram:
+def _diagram() -> ss.results.Diagram:
     return ss.diagram(
         ss.load("stick_slip").Parameters(), "V", between={"V": (0.05, 0.3)}, points=60
     )
@@ -83,16 +83,16 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "PhysicalParameters": lambda: ss.PhysicalParameters(1, 1, 1, 1, 1, 1, 1, 1, 1),
     "Scales": lambda: ss.PhysicalParameters(1, 1, 1, 1, 1, 1, 1, 1, 1).scales,
     "Equilibria": lambda: ss.equilibria(P),
-    "Surface": lambda: ss.surface(ONE, 1.0, [[0.5], [0.6]]),
+    "Surface": lambda: ss.kang_nam.surface(ONE, 1.0, [[0.5], [0.6]]),
     "Points": lambda: ss.folds(ONE),
     "Points of two parameters": lambda: ss.cusps(ONE),
     "LowestEnd": lambda: ss.critical_friction(ONE.replace(beta=[0.0, 1.0])),
     "BifurcationSet": lambda: ss.bifurcation_set(ONE, n=600),
     "Curve": lambda: ss.bifurcation_set(ONE, n=600).curves[0],
-    "FlutterBoundary": lambda: ss.flutter_boundary(ONE.replace(alpha=0.7), 50),
+    "FlutterBoundary": lambda: ss.kang_nam.flutter_boundary(ONE.replace(alpha=0.7), 50),
     "Onsets in closed form": lambda: ss.flutter_onsets(ONE.replace(alpha=0.7), damping=False),
     "StickingStates": lambda: ss.sticking_states(ss.load("coulomb_stick_slip").Parameters(V=0.0)),
-    "LinearSprag": lambda: ss.linear_sprag(P),
+    "LinearSprag": lambda: ss.kang_nam.linear_sprag(P),
     "Path": lambda: ss.quasi_static_path(
         ss.Parameters.article(mu0=0.7), "theta0", np.radians(np.arange(1.0, 180.0))
     ),
@@ -250,8 +250,8 @@ def test_a_result_shows_itself(result: Any) -> None:
 
 
 def test_a_saved_result_is_read_back(result: Any, tmp_path: Path) -> None:
-    if isinstance(result, ss.Report):
-        with pytest.raises(ss.ParameterError, match="to_html"):
+    if isinstance(result, ss.results.Report):
+        with pytest.raises(ss.errors.ParameterError, match="to_html"):
             result.save(tmp_path / "result.json")
         return
     result.save(tmp_path / "result.json")
@@ -293,7 +293,7 @@ def test_a_file_runs_no_code(text: str, what: str, tmp_path: Path) -> None:
     (tmp_path / "a.json").write_text(
         text.replace("VERSION", ss.__version__).replace("DIGEST", digest)
     )
-    with pytest.raises(ss.ParameterError, match=what):
+    with pytest.raises(ss.errors.ParameterError, match=what):
         ss.open(tmp_path / "a.json")
 
 
@@ -304,7 +304,7 @@ def test_a_damaged_file_is_refused(tmp_path: Path) -> None:
         changed = bytearray(whole)
         changed[place] ^= int(rng.integers(1, 128))
         (tmp_path / "a.json").write_bytes(changed)
-        with pytest.raises(ss.ParameterError):
+        with pytest.raises(ss.errors.ParameterError):
             ss.open(tmp_path / "a.json")
 
 
@@ -349,7 +349,7 @@ def test_a_result_is_drawn(result: Any) -> None:
     ax = Figure().add_subplot()
     try:
         found = result.plot(ax=ax)
-    except ss.ParameterError:
+    except ss.errors.ParameterError:
         if any(column.dtype.kind in "fiu" for column in result.data().values()):
             raise
         return

@@ -92,9 +92,9 @@ def test_understood_units_are_converted_in_every_container(library: str) -> None
     np.testing.assert_array_equal(BASE.replace(mu0=[made(20, percent)]).mu0, [0.2])
     for name, unit in (("theta0", "m"), ("theta0", percent), ("mu0", deg), ("mu0", "kg")):
         for given in (made(1, unit), [made(1, unit)], np.array([made(1, unit)], dtype=object)):
-            with pytest.raises(ss.ParameterTypeError, match=f"^{name} is in"):
+            with pytest.raises(ss.errors.ParameterTypeError, match=f"^{name} is in"):
                 BASE.replace(**{name: given})
-    with pytest.raises(ss.ParameterTypeError, match="beside values without a unit"):
+    with pytest.raises(ss.errors.ParameterTypeError, match="beside values without a unit"):
         BASE.replace(theta0=[made(60, deg), 1.0])
 
 
@@ -116,9 +116,9 @@ def test_a_brake_in_units_is_converted_to_si(library: str) -> None:
     for name in data:
         assert getattr(brake, name) == pytest.approx(getattr(right, name), rel=1e-15)
     for name in given:
-        with pytest.raises(ss.ParameterTypeError, match=f"with units, and {name} without"):
+        with pytest.raises(ss.errors.ParameterTypeError, match=f"with units, and {name} without"):
             ss.PhysicalParameters(**{"k_y": 0, **given, name: data[name]}, **others)
-    with pytest.raises(ss.ParameterTypeError, match="m is in"):
+    with pytest.raises(ss.errors.ParameterTypeError, match="m is in"):
         ss.PhysicalParameters(**{"k_y": 0, **given, "m": given["k"]}, **others)
 
 
@@ -130,7 +130,7 @@ def test_units_that_are_not_understood_are_refused(library: str) -> None:
     except Exception as error:  # not installed, or for an older NumPy
         pytest.skip(f"{library}: {error}")
     for given in (value, [value], (value, 1.0)):
-        with pytest.raises(ss.ParameterTypeError, match="mu0"):
+        with pytest.raises(ss.errors.ParameterTypeError, match="mu0"):
             BASE.replace(mu0=given)
 
 
@@ -150,9 +150,9 @@ def test_units_that_are_not_understood_are_refused(library: str) -> None:
     ],
 )
 def test_what_is_no_plain_number_is_refused_by_its_elements(value: Any, words: str) -> None:
-    with pytest.raises(ss.ParameterTypeError, match=words):
+    with pytest.raises(ss.errors.ParameterTypeError, match=words):
         BASE.replace(mu0=value)
-    with pytest.raises(ss.ParameterTypeError, match=words):
+    with pytest.raises(ss.errors.ParameterTypeError, match=words):
         ss.folds(BASE, vary="mu0", between={"mu0": value})
 
 
@@ -164,7 +164,7 @@ def test_labels_and_masks_of_containers_are_read() -> None:
     np.testing.assert_array_equal(BASE.replace(mu0=dask.from_array(np.ones(2))).mu0, 1.0)
     masked = dask.from_array(np.ma.array([0.1, 0.2], mask=[0, 1]))
     for value in (xarray.DataArray(0.2, attrs={"units": "furlong"}), masked):
-        with pytest.raises(ss.ParameterTypeError, match=r"furlong|masked"):
+        with pytest.raises(ss.errors.ParameterTypeError, match=r"furlong|masked"):
             BASE.replace(mu0=value)
 
 
@@ -176,7 +176,7 @@ def test_masks_of_astropy_are_kept() -> None:
         masks.Masked(np.array([1.0, 2.0]), mask=[True, False]),
         table.MaskedColumn([1.0, 2.0], unit="deg", mask=[True, False]),
     ):
-        with pytest.raises(ss.ParameterTypeError, match="1 masked"):
+        with pytest.raises(ss.errors.ParameterTypeError, match="1 masked"):
             BASE.replace(theta0=value)
     column = table.Column([60.0, 90.0], unit="deg")
     np.testing.assert_array_equal(BASE.replace(theta0=column).theta0, np.radians([60, 90]))
@@ -201,7 +201,7 @@ def numeric() -> Iterator[tuple[Callable[..., Any], dict[str, Any], str, Any]]:
     there.
     """
     one = Thrust(3.0)
-    for module in ("spragsym", "spragsym.motion.sweeps"):
+    for module in ("spragsym", "spragsym.kang_nam", "spragsym.motion.sweeps"):
         for public in sorted(importlib.import_module(module).__all__):
             function = getattr(importlib.import_module(module), public, None)
             if not inspect.isfunction(function):
@@ -233,7 +233,7 @@ def test_no_number_of_any_question_loses_its_unit() -> None:
         if inspect.signature(function).parameters[name].kind is inspect.Parameter.VAR_KEYWORD:
             arguments = {**needed, "x0": bad}
         # Some first say what else is missing, as a range of a name that does not vary.
-        with pytest.raises(ss.SpragsymError) as refused:
+        with pytest.raises(ss.errors.SpragsymError) as refused:
             function(**arguments)
         told += "kN" in str(refused.value)
     assert told > 60
@@ -247,7 +247,7 @@ def test_a_word_of_several_meanings_is_refused_with_what_to_write() -> None:
     for word in re.findall(r"\w+", WORDS):
         for text in (word, f"N/{word}", f"{word}^2"):
             words = r"meanings|is not read; write m, g|is not known; write m, g|no unit"
-            with pytest.raises(ss.ParameterError, match=words):
+            with pytest.raises(ss.errors.ParameterError, match=words):
                 factor(text, "m")
 
 

@@ -42,5 +42,5 @@ def test_a_motion_that_grows_beyond_all_bounds_is_told_so(backend: str) -> None:
         "stick_slip", ("page.spring(k, along=x)", "page.force(k**3 * x**3 / N_0**2, along=x)")
     )
     p = model_of(page, "runaway").Parameters(mu_s=0.0, zeta=0.0)
-    with pytest.raises(ss.ConvergenceError, match="grows beyond all bounds"):
+    with pytest.raises(ss.errors.ConvergenceError, match="grows beyond all bounds"):
         ss.simulate(p, start=(2.0, 0.0), t_end=50.0, backend=backend)

@@ -144,7 +144,7 @@ def test_derivatives_of_cycles_that_stick_are_differences_of_motions(
             cycle = ss.cycle(
                 model.Parameters(**values), V=max(values["V"], 0.05), near=start, patient=False
             )
-        except ss.ConvergenceError:
+        except ss.errors.ConvergenceError:
             continue
         if stuck == least or 0 not in cycle.phases.side or cycle.period > 60:
             continue
@@ -185,7 +185,9 @@ def test_what_comes_to_rest_by_sticking_is_at_rest(backend: str) -> None:
             ss.simulate(tr.p, x0=start, t_end=40.0, backend=backend, events=False).outcome().rest
             == found.rest
         )
-    with pytest.raises(ss.ConvergenceError, match="it comes to rest, and friction holds it there"):
+    with pytest.raises(
+        ss.errors.ConvergenceError, match="it comes to rest, and friction holds it there"
+    ):
         ss.cycle(tr.p, near=(1.0, 0.0), backend=backend)
     assert ss.lyapunov(
         tr.p, start=(1.0, 0.0), t_end=60.0, backend=backend

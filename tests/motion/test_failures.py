@@ -97,7 +97,7 @@ def test_a_failure_of_the_motion_is_a_result(monkeypatch: pytest.MonkeyPatch) ->
     def stops(*arguments: Any) -> Any:
         found = measure(*arguments)
         return (
-            [ss.ConvergenceError("it cannot be followed"), *found[1:]]
+            [ss.errors.ConvergenceError("it cannot be followed"), *found[1:]]
             if next(called) == 3
             else found
         )

@@ -86,7 +86,7 @@ def test_what_is_compiled_and_a_cycle_go_over_as_well(
         assert follow().state[:, -1] == pytest.approx(explicit.state[:, -1], abs=1e-6)
         monkeypatch.setattr(with_scipy, "MAX_STEPS", 20)
         with pytest.raises(
-            ss.ConvergenceError, match="than 1e-12,"
+            ss.errors.ConvergenceError, match="than 1e-12,"
         ):  # by which it is integrated, as tight as Radau goes
             follow(rtol=1e-13)
 

@@ -135,7 +135,7 @@ def test_a_store_made_by_other_code_is_another(
     for _ in ("journal", "result"):
         with monkeypatch.context() as patch:
             patch.setattr(many, "RECORDS", many.RECORDS + 1)
-            with pytest.raises(ss.ParameterError, match="other code"):
+            with pytest.raises(ss.errors.ParameterError, match="other code"):
                 rms_sweep(P, **SHORT, store=path)
         rms_sweep(P, **SHORT, store=path)
 

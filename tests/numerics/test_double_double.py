@@ -159,14 +159,14 @@ def test_the_cusp_wedge_needs_no_intervals(monkeypatch: pytest.MonkeyPatch) -> N
     )
     p, rng = FAMILIES["cusp wedge"](np.random.default_rng(47), 500), np.random.default_rng(48)
     for backend in ("numpy", "auto"):
-        ss.set_backend(backend)
+        ss.kang_nam.set_backend(backend)
         eq = ss.equilibria(p)
         assert eq.escalated.mean() > 0.8
         assert wrong_counts(p, eq) == 0
         worst, ratio = worst_errors(p, eq, rng, 40)
         assert ratio <= 1
         assert worst <= 1e-12
-    ss.set_backend("auto")
+    ss.kang_nam.set_backend("auto")
 
 
 @pytest.mark.skipif(

@@ -53,7 +53,7 @@ def predicted_counts(p: ss.Parameters, theta0: Array, mu0: Array) -> Array:
     return predicted
 
 
-def _crossings(curve: ss.Curve, friction: float) -> Array:
+def _crossings(curve: ss.results.Curve, friction: float) -> Array:
     above = curve.mu0 > friction
     at = np.flatnonzero(above[1:] != above[:-1])
     low, high = curve.mu0[at], curve.mu0[at + 1]

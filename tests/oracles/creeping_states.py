@@ -61,7 +61,7 @@ def check(p: ss.Parameters, vary: str, values: Array) -> tuple[int, ...]:
     turns = getattr(ss.folds(p, vary), vary)
     try:
         path = ss.quasi_static_path(p, vary, values)
-    except ss.SpragsymError as error:
+    except ss.errors.SpragsymError as error:
         print(f"{p} along {vary} through {values.tolist()}: {error}", file=sys.stderr)
         return 1, values.size, 0, 0, 1
     near = np.array([np.any(np.abs(turns - value) <= 1e-12 * abs(value)) for value in values])
@@ -145,7 +145,9 @@ def followed(
     return np.array(result)
 
 
-def _is_smallest(p: ss.Parameters, vary: str, values: Array, near: bool, path: ss.Path) -> bool:
+def _is_smallest(
+    p: ss.Parameters, vary: str, values: Array, near: bool, path: ss.results.Path
+) -> bool:
     """Whether the first state is the smallest of all that are stable at the first value or, for a
     fold, beside it.
     """
@@ -178,7 +180,7 @@ def _is_smallest(p: ss.Parameters, vary: str, values: Array, near: bool, path: s
     )
 
 
-def _jumps(p: ss.Parameters, vary: str, jump: ss.Jump, values: Array) -> bool:
+def _jumps(p: ss.Parameters, vary: str, jump: ss.results.Jump, values: Array) -> bool:
     """Whether the state before the jump is there on one side of its value only, and the state after
     it on the other.
     """

@@ -233,7 +233,7 @@ class Driver:
 
 
 def along(
-    name: str, p: Values, near: ss.Cycle, longest: float
+    name: str, p: Values, near: ss.results.Cycle, longest: float
 ) -> tuple[list[tuple[float, str]], float]:
     """Events of one period, and the period, of the cycle near one of other parameters, closed by
     this driver.
@@ -253,7 +253,9 @@ def along(
     return [(t, event) for event, t, _ in run(place)[0].events], place[-1]
 
 
-def derivatives(name: str, cycle: ss.Cycle, varied: Sequence[str], step: float = 5e-6) -> Any:
+def derivatives(
+    name: str, cycle: ss.results.Cycle, varied: Sequence[str], step: float = 5e-6
+) -> Any:
     """Of the state after the period by the state and then by parameters, as differences of this
     driver's motions.
     """

@@ -31,7 +31,7 @@ VARIED = {
 }
 
 
-def cycle_of(seed: int) -> tuple[ss.Cycle | None, np.random.Generator]:
+def cycle_of(seed: int) -> tuple[ss.results.Cycle | None, np.random.Generator]:
     """The cycle of a seed; None where the motion comes to none."""
     rng = np.random.default_rng(seed)
     drawn = {name: float(rng.uniform(*between)) for name, between in DRAWN.items()}
@@ -39,7 +39,7 @@ def cycle_of(seed: int) -> tuple[ss.Cycle | None, np.random.Generator]:
     start = rng.uniform([-1.0, -0.5, -0.5, -0.5], [3.0, 3.0, 0.5, 0.5])
     try:
         return ss.cycle(ss.Parameters(beta=0.0, **drawn), V=V, d=d, near=start, patient=False), rng
-    except ss.ConvergenceError:
+    except ss.errors.ConvergenceError:
         return None, rng
 
 
@@ -62,7 +62,7 @@ def fate_of(number: int) -> dict[str, Any]:
             **{name: values[name] for name in values if name not in ("theta0", "V", "d")},
             theta0=1.0,
         )
-        friction = ss.sliding_friction(values["mu0"], values["V"], values["d"])
+        friction = ss.kang_nam.sliding_friction(values["mu0"], values["V"], values["d"])
         edges = ss.folds(p.replace(mu0=friction)).theta0
         if len(edges):
             values["theta0"] = max(float(edges.min()) - rng.uniform(0.0, 0.15), 0.05)
@@ -81,7 +81,7 @@ def basin_of(number: int) -> ss.Parameters:
     while True:
         mu0, V, d = rng.uniform(0.3, 0.9), rng.uniform(0.2, 0.6), rng.uniform(4.0, 12.0)
         p = ss.Parameters.article(mu0=mu0, V=V, d=d)
-        edges = ss.folds(p.replace(mu0=ss.sliding_friction(mu0, V, d))).theta0
+        edges = ss.folds(p.replace(mu0=ss.kang_nam.sliding_friction(mu0, V, d))).theta0
         if len(edges) == 2:  # there are three below the lower fold
             low = float(edges.min())
             return p.replace(theta0=rng.uniform(max(low - 0.3, 0.05), low))

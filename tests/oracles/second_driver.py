@@ -69,7 +69,7 @@ def carried(
     return state, crossed
 
 
-def differences(cycle: ss.Cycle) -> tuple[float, float, float]:
+def differences(cycle: ss.results.Cycle) -> tuple[float, float, float]:
     """Of state, period, and multipliers relative to the larger of 1 and their size: what Newton's
     step of this driver is.
     """

@@ -132,7 +132,7 @@ def attack_journals(rng: np.random.Generator, folder: Path, count: int) -> Count
             warnings.simplefilter("always")
             try:
                 found = rms_sweep(P, **SHORT, store=path, workers=recorded)
-            except (StoreError, ss.ParameterError) as error:
+            except (StoreError, ss.errors.ParameterError) as error:
                 named(error, path_of(path))
                 outcomes["refused, and named"] += 1
                 continue

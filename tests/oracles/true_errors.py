@@ -65,7 +65,7 @@ def _share(state: PreciseEquilibrium, truth: tuple[mpmath.mpf, ...], dps: int) -
     return float(max(gaps) / bound) if state.error <= mpmath.mpf(10) ** -dps else float("inf")
 
 
-def wrong_counts(p: ss.Parameters, eq: ss.Equilibria) -> int:
+def wrong_counts(p: ss.Parameters, eq: ss.results.Equilibria) -> int:
     """Points whose number of equilibria in contact is not the reference's."""
     columns = p.broadcast(*NAMES)
     return sum(
@@ -75,7 +75,7 @@ def wrong_counts(p: ss.Parameters, eq: ss.Equilibria) -> int:
 
 
 def worst_errors(
-    p: ss.Parameters, eq: ss.Equilibria, rng: np.random.Generator, checked: int
+    p: ss.Parameters, eq: ss.results.Equilibria, rng: np.random.Generator, checked: int
 ) -> tuple[float, float]:
     """Largest |error| / max(1, |value|) of a subsample, and the largest share of the bound that one
     reaches.

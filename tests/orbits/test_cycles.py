@@ -41,13 +41,13 @@ def at(degrees: float, **changes: float) -> ss.Parameters:
     return ss.Parameters.article(theta0=np.radians(degrees), **changes)
 
 
-def moving(p: ss.Parameters, state: Any, **options: Any) -> ss.Trajectory:
+def moving(p: ss.Parameters, state: Any, **options: Any) -> ss.results.Trajectory:
     """The motion from a state, to a tight tolerance."""
     start = dict(zip(("x0", "y0", "vx0", "vy0"), map(float, state), strict=True))
     return ss.simulate(p, **BELT, **start, rtol=1e-12, **options)
 
 
-def cycle_near(field: Field, values: tuple[float, ...], near: Any) -> ss.Cycle:
+def cycle_near(field: Field, values: tuple[float, ...], near: Any) -> ss.results.Cycle:
     """The cycle of any field near a state."""
     return finding.cycle_near(System(Flow.of(field, None), values), near)
 
@@ -63,13 +63,13 @@ def proving() -> types.SimpleNamespace:
 
 
 @pytest.fixture(scope="module")
-def slow() -> ss.Cycle:
+def slow() -> ss.results.Cycle:
     """The weakly attracting cycle at 42 degrees."""
     return ss.cycle(at(42.0), **BELT, near=(2.54, 3.36, 0.0, 0.36))
 
 
 @pytest.fixture(scope="module")
-def branch(slow: ss.Cycle) -> ss.CycleBranch:
+def branch(slow: ss.results.Cycle) -> ss.results.CycleBranch:
     """Through three grazings and a period doubling."""
     return ss.cycle_branch(
         slow, "theta0", between={"theta0": (np.radians(41.0), np.radians(43.6))}, longest=0.3
@@ -80,11 +80,11 @@ def branch(slow: ss.Cycle) -> ss.CycleBranch:
 # orbits
 
 
-def test_a_cycle_is_that_of_another_driver(slow: ss.Cycle) -> None:
+def test_a_cycle_is_that_of_another_driver(slow: ss.results.Cycle) -> None:
     assert max(differences(slow)) < 1e-9
 
 
-def test_a_cycle_keeps_its_promises(slow: ss.Cycle) -> None:
+def test_a_cycle_keeps_its_promises(slow: ss.results.Cycle) -> None:
     assert slow.residual < 1e-12
     assert slow.error < 1e-10
     assert abs(slow.multipliers[0] - 1) < 1e-8
@@ -102,7 +102,7 @@ def test_a_cycle_keeps_its_promises(slow: ss.Cycle) -> None:
     assert slow.spring_force == pytest.approx((force.min(), force.max()), abs=1e-8)
 
 
-def test_both_integrators_carry_derivatives_over_a_border(slow: ss.Cycle) -> None:
+def test_both_integrators_carry_derivatives_over_a_border(slow: ss.results.Cycle) -> None:
     duration = slow.loop.crossings()[0].t + 0.5
     directions = np.eye(8)[:2]  # of theta0 and mu0
     one, other = (
@@ -246,14 +246,14 @@ TWO_CIRCLES = field_of(
 
 
 @pytest.fixture(scope="module")
-def folding() -> ss.CycleBranch:
+def folding() -> ss.results.CycleBranch:
     return ss.cycle_branch(
         cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)), "e", between={"e": (-1.5, -0.4)}, longest=0.3
     )
 
 
 @pytest.mark.thorough
-def test_switching_at_a_fold_goes_to_its_other_side(folding: ss.CycleBranch) -> None:
+def test_switching_at_a_fold_goes_to_its_other_side(folding: ss.results.CycleBranch) -> None:
     (fold,) = folding.of("fold")
     assert fold.value == pytest.approx(-1, abs=1e-9)
     sides = {round(folding.cycles[i].amplitude ** 2 - 1, 6) > 0 for i in (0, -1)}
@@ -338,7 +338,7 @@ def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
 # branches
 
 
-def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.CycleBranch) -> None:
+def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.results.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
     (again,) = ss.cycle_branch(doubling.cycle, "theta0", between={"theta0": branch.to}).of(
         "period_doubling"
@@ -351,7 +351,7 @@ def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.CycleBranch) -
 
 
 @pytest.mark.thorough
-def test_the_doubling_is_seen_by_simulations_on_both_sides(branch: ss.CycleBranch) -> None:
+def test_the_doubling_is_seen_by_simulations_on_both_sides(branch: ss.results.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
     for side, grows in ((-0.3, False), (0.3, True)):
         p = at(np.degrees(doubling.value) + side)
@@ -362,7 +362,7 @@ def test_the_doubling_is_seen_by_simulations_on_both_sides(branch: ss.CycleBranc
         assert (off[1] > off[0]) == grows
 
 
-def test_a_grazing_changes_the_number_of_kinks(branch: ss.CycleBranch) -> None:
+def test_a_grazing_changes_the_number_of_kinks(branch: ss.results.CycleBranch) -> None:
     (grazing,) = branch.of("grazing")
     counts = [
         len(ss.cycle(at(np.degrees(grazing.value) + side), **BELT, near=grazing.cycle).events)
@@ -374,7 +374,7 @@ def test_a_grazing_changes_the_number_of_kinks(branch: ss.CycleBranch) -> None:
 
 
 @pytest.mark.thorough
-def test_the_doubled_cycle_and_where_it_comes_from(branch: ss.CycleBranch) -> None:
+def test_the_doubled_cycle_and_where_it_comes_from(branch: ss.results.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
     doubled = branch.switch(doubling)
     assert doubled.stable
@@ -387,12 +387,12 @@ def test_the_doubled_cycle_and_where_it_comes_from(branch: ss.CycleBranch) -> No
     )
     ends = [event for event in back.of("end") if "half" in event.how]
     assert ends[0].value == pytest.approx(doubling.value, abs=1e-8)
-    with pytest.raises(ss.ParameterError, match="no other branch"):
+    with pytest.raises(ss.errors.ParameterError, match="no other branch"):
         branch.switch(branch.of("grazing")[0])
 
 
 @pytest.mark.thorough
-def test_a_doubling_in_two_parameters(branch: ss.CycleBranch) -> None:
+def test_a_doubling_in_two_parameters(branch: ss.results.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
     curve = ss.cycle_events(doubling, ("theta0", "mu0"), points=1)
     assert len(curve.values) == 3
@@ -462,8 +462,8 @@ MISTAKES = [
 
 
 @pytest.mark.parametrize(("call", "named"), MISTAKES)
-def test_a_mistake_is_named(call: Any, named: str, slow: ss.Cycle) -> None:
-    with pytest.raises((ss.ParameterError, ss.ParameterTypeError), match=named):
+def test_a_mistake_is_named(call: Any, named: str, slow: ss.results.Cycle) -> None:
+    with pytest.raises((ss.errors.ParameterError, ss.errors.ParameterTypeError), match=named):
         call(slow)
 
 
@@ -507,7 +507,7 @@ def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
 def test_a_cycle_and_what_it_becomes_by_doubling_are_one_attractor() -> None:
     p, settings = of_call(32)
     with pytest.raises(
-        ss.ParameterError,
+        ss.errors.ParameterError,
         match=r"21\.\d+ at one end and to a cycle of period 42\.\d+ at the other, which is one",
     ):
         ss.fate_boundary(p, **settings | {"between": {settings["vary"]: (0.0017, 0.0022)}})
@@ -531,7 +531,8 @@ def test_a_cycle_is_followed_on_its_own_sheet() -> None:
     )
     values = tuple((begun.parameters | {"theta0": 1.8126515178867348}).values())
     with pytest.raises(
-        ss.ConvergenceError, match=rf"the cycle ends near theta0 = {last.value:.2f}\d* on the way"
+        ss.errors.ConvergenceError,
+        match=rf"the cycle ends near theta0 = {last.value:.2f}\d* on the way",
     ):
         attractors.followed_cycle(begun, values)
 
@@ -548,7 +549,7 @@ def test_chaos_is_proved_by_exponents() -> None:
     assert "not told from 0" in short.why
 
 
-def test_a_saddle_repels_in_exactly_one_direction(slow: ss.Cycle) -> None:
+def test_a_saddle_repels_in_exactly_one_direction(slow: ss.results.Cycle) -> None:
     assert growth_of_cycle(slow) is None
     p = ss.Parameters.article(theta0=np.radians(54.0))
     doubled = ss.cycle(p, **BELT, near=(2.326445826, 3.364354753, 0.0, 0.3058563602), patient=False)
@@ -558,7 +559,7 @@ def test_a_saddle_repels_in_exactly_one_direction(slow: ss.Cycle) -> None:
 
 
 @pytest.mark.thorough
-def test_exponents_of_a_cycle_are_those_of_its_multipliers(slow: ss.Cycle) -> None:
+def test_exponents_of_a_cycle_are_those_of_its_multipliers(slow: ss.results.Cycle) -> None:
     found = ss.lyapunov(at(42.0), **BELT, start=slow.state, t_end=80 * slow.period)
     expected = np.sort(np.log(np.abs(slow.multipliers)) / slow.period)[::-1]
     assert found.exponents == pytest.approx(expected, abs=2e-3)
@@ -646,7 +647,7 @@ def test_a_motion_that_has_lifted_off_for_good_nears_no_cycle() -> None:
     found = ss.lyapunov(p, **BELT, start=start, t_end=500.0)
     assert abs(found.trace) < 1e-15  # no friction without contact
     assert found.zero.all()
-    with pytest.raises(ss.ParameterError, match="lift-off at both ends"):
+    with pytest.raises(ss.errors.ParameterError, match="lift-off at both ends"):
         ss.fate_boundary(p, "theta0", between={"theta0": (1.04, 1.05)}, **BELT, start=start)
 
 
@@ -729,7 +730,7 @@ def test_printed_digits_of_a_proof_are_within_what_is_proved(
 
 @pytest.mark.thorough
 def test_balls_enclose_the_flow_over_a_border(
-    slow: ss.Cycle, proving: types.SimpleNamespace
+    slow: ss.results.Cycle, proving: types.SimpleNamespace
 ) -> None:
     flint, ball_flow = proving.flint, proving.ball_flow
     first, flow = slow.loop.crossings()[0], slow.loop.flow

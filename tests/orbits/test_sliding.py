@@ -98,7 +98,7 @@ def seen(events: list[tuple[float, str]], period: float) -> tuple[Counter[str], 
 
 
 def motion(
-    name: str, p: dict[str, float], near: ss.Cycle, _: float
+    name: str, p: dict[str, float], near: ss.results.Cycle, _: float
 ) -> tuple[list[tuple[float, str]], float]:
     """Events of a motion over one period of a cycle, begun on it, and the period; by SciPy, which
     did not find it.

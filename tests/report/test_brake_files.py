@@ -93,7 +93,7 @@ def written(folder: Path, lines: dict[str, str], *more: str, head: str = "[brake
 
 
 def message(file: Path) -> str:
-    with pytest.raises(ss.ParameterError) as caught:
+    with pytest.raises(ss.errors.ParameterError) as caught:
         read_brake(file)
     text = str(caught.value)
     assert str(file) in text
@@ -351,5 +351,5 @@ def test_what_has_one_meaning_is_read(text: str, tmp_path: Path) -> None:
 )
 def test_what_has_two_meanings_is_refused(text: str, words: str, tmp_path: Path) -> None:
     (tmp_path / "mu.csv").write_text(text, encoding="utf-8")
-    with pytest.raises(ss.ParameterError, match=words):
+    with pytest.raises(ss.errors.ParameterError, match=words):
         read_friction(tmp_path / "mu.csv")

@@ -117,8 +117,10 @@ def odds(probability: float, low: float, high: float, **changes: Any) -> JumpPro
     return JumpProbability(probability, low, high, 0.95, 4096, 0.0, **given | changes)
 
 
-def proof(outcome: str, counterexample: Mapping[str, float] | None = None) -> ss.Certificate:
-    return ss.Certificate("no jump", outcome, counterexample, 0.0, 0)
+def proof(
+    outcome: str, counterexample: Mapping[str, float] | None = None
+) -> ss.results.Certificate:
+    return ss.results.Certificate("no jump", outcome, counterexample, 0.0, 0)
 
 
 def change(**changes: Any) -> Change:

@@ -118,17 +118,17 @@ def study(path: Path) -> ss.Study:
 
 
 @pytest.fixture(scope="module")
-def report(study: ss.Study) -> ss.Report:
+def report(study: ss.Study) -> ss.results.Report:
     return study.report(n=1024, oscillation=False, redesign=False)
 
 
 @pytest.fixture(scope="module")
-def redesigned(study: ss.Study) -> ss.Report:
+def redesigned(study: ss.Study) -> ss.results.Report:
     return study.report(oscillation=False, probability=False)
 
 
 @pytest.mark.thorough
-def test_the_numbers_are_those_of_direct_calls_without_units(report: ss.Report) -> None:
+def test_the_numbers_are_those_of_direct_calls_without_units(report: ss.results.Report) -> None:
     # By hand: k_c L_0 = 57 000 N; κ = 420/57000, α = 9/1500, σ = 180/1500, β = 0; time
     # sqrt(0.35/1.5e6) s.
     p = ss.Parameters(
@@ -166,7 +166,7 @@ def test_json_has_the_keys_of_the_contract(
     tolerances: bool, tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """And nothing else is written on stdout, be there a page too."""
-    monkeypatch.setattr(ss.Report, "to_html", lambda *_: None)
+    monkeypatch.setattr(ss.results.Report, "to_html", lambda *_: None)
     page = "--html", str(tmp_path / "a.html")
     found = json.loads(
         run(
@@ -205,7 +205,7 @@ def brake(**changes: float | None) -> ss.PhysicalParameters:
 
 @pytest.mark.thorough
 def test_changes_hold_for_all_brakes_within_the_tolerances(
-    study: ss.Study, redesigned: ss.Report
+    study: ss.Study, redesigned: ss.results.Report
 ) -> None:
     """Random brakes about each new design, every tolerance the same share of the new value: none
     jumps below 0.6.
@@ -255,7 +255,7 @@ def test_proposals_stay_within_what_may_change(tmp_path: Path) -> None:
         ss.Study(brake(mu0=0.45), may_change={"theta0": (low, high)}), 0.5
     )
     assert low < change.after["theta0"] == pytest.approx(high)  # the nearest that it may be
-    with pytest.raises(ss.ParameterError, match="no state depends on m"):
+    with pytest.raises(ss.errors.ParameterError, match="no state depends on m"):
         ss.Study(brake(), may_change={"m": (0.1, 0.2)})
 
 
@@ -321,7 +321,7 @@ def with_friction(folder: Path, speed: Any, friction: Any, head: str = "v [m/s],
 
 
 def test_a_certificate_is_proved_where_the_jump_is_far_and_refuted_by_a_brake_that_jumps(
-    report: ss.Report,
+    report: ss.results.Report,
 ) -> None:
     far = ss.Study(brake(mu0=0.2), tolerance={"k": "5 %", "k_c": "5 %", "mu0": 0.02})
     assert certificate(far).outcome == "proved"
@@ -544,7 +544,7 @@ def test_a_mu0_in_forces_of_a_page_without_a_law_of_friction_is_a_load() -> None
         assert said in found.verdict
         assert all(row.friction is None for row in found.fold_rows)
         figures.motion_figure(ss.simulate(p := ss.load(folder).Parameters(), t_end=20.0))
-        with pytest.raises(ss.ConvergenceError, match="nothing moves from where it begins"):
+        with pytest.raises(ss.errors.ConvergenceError, match="nothing moves from where it begins"):
             ss.cycle(p)
 
 
@@ -558,7 +558,7 @@ def test_where_statics_takes_the_law_at_the_speed_of_the_belt_it_is_given_all_of
 
 
 def test_a_belt_that_stands_still_is_refused_also_with_a_tolerance_of_the_friction() -> None:
-    with pytest.raises(ss.ParameterError, match="nothing slides at that speed"):
+    with pytest.raises(ss.errors.ParameterError, match="nothing slides at that speed"):
         ss.Study(brake(V=0.0), {"mu0": 0.1}).report(**QUICKLY)
 
 
@@ -585,7 +585,7 @@ def test_a_file_names_the_state(tmp_path: Path) -> None:
     file.write_text(f'{text}state = {{ x = "50 mm" }}\n', encoding="utf-8")
     assert ss.Study.from_file(file).dimensionless.followed == pytest.approx({"x": 50 / 38})
     file.write_text(f'{text}state = {{ z = "50 mm" }}\n', encoding="utf-8")
-    with pytest.raises(ss.ParameterError, match=r"line 14: state = .*write state = \{ x = "):
+    with pytest.raises(ss.errors.ParameterError, match=r"line 14: state = .*write state = \{ x = "):
         ss.Study.from_file(file)
 
 

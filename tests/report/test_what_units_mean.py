@@ -30,7 +30,7 @@ from tests.support import written_brake
     ],
 )
 def test_a_unit_that_may_be_another_is_refused(text: str, si: str, words: str) -> None:
-    with pytest.raises(ss.ParameterError, match=words):
+    with pytest.raises(ss.errors.ParameterError, match=words):
         read(text, si)
 
 
@@ -56,9 +56,9 @@ def test_a_torsional_stiffness_may_be_a_torque_a_radian(text: str, si: str, valu
     ],
 )
 def test_units_and_dimensions_of_a_value_are_not_dropped(given: object, words: str) -> None:
-    with pytest.raises(ss.ParameterTypeError, match=words):
+    with pytest.raises(ss.errors.ParameterTypeError, match=words):
         ss.Parameters.article(theta0=given)
-    with pytest.raises(ss.ParameterTypeError, match=words):
+    with pytest.raises(ss.errors.ParameterTypeError, match=words):
         ss.PhysicalParameters(
             m=1, k=1, k_x=1, k_y=0, k_c=9, F_L=3, L_0=1, theta0=0.5, mu0=0.5, V=given
         )

@@ -19,16 +19,16 @@ pytestmark = pytest.mark.skipif(
 @pytest.fixture(autouse=True)
 def _restore() -> Iterator[None]:
     yield
-    ss.set_backend("auto")
+    ss.kang_nam.set_backend("auto")
 
 
 @pytest.mark.parametrize("contact", [True, False])
 def test_same_counts_and_digits(contact: bool) -> None:
     for number, (name, family) in enumerate(FAMILIES.items()):
         p = family(np.random.default_rng([21, number]), 300)
-        ss.set_backend("numpy")
+        ss.kang_nam.set_backend("numpy")
         one = ss.equilibria(p, contact=contact)
-        ss.set_backend("compiled")
+        ss.kang_nam.set_backend("compiled")
         other = ss.equilibria(p, contact=contact)
         assert (one.count == other.count).all(), name
         assert (one.stability == other.stability).all(), name
@@ -45,7 +45,7 @@ def test_same_counts_and_digits(contact: bool) -> None:
 @pytest.mark.parametrize("backend", ["numpy", "compiled"])
 def test_where_digits_run_out(backend: str) -> None:
     """Points found by search, each alone against intervals."""
-    ss.set_backend(backend)
+    ss.kang_nam.set_backend(backend)
     eq = ss.equilibria(ss.Parameters(*np.array(EXTREMES).T))
     for i, point in enumerate(EXTREMES):
         truth = adaptive_precision.equilibria(*point, digits=30).states
@@ -63,7 +63,7 @@ def test_underflow_is_left_to_the_ladder(backend: str) -> None:
     """No count of roundings covers what a subnormal parameter loses, but for a preload, whose y is
     0 within its bound.
     """
-    ss.set_backend(backend)
+    ss.kang_nam.set_backend(backend)
     article = ss.Parameters.article(theta0=1.0)
     for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta"):
         assert ss.equilibria(article.replace(**{name: 1e-251})).escalated == (name != "kappa")
@@ -73,13 +73,13 @@ def test_underflow_is_left_to_the_ladder(backend: str) -> None:
 def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compiled, "available", lambda: False)
     assert (solver.chosen(), solver._choice.threads) == (block, 1)
-    with pytest.raises(ss.BackendError, match="install spragsym again, with a compiler"):
-        ss.set_backend("compiled")
+    with pytest.raises(ss.errors.BackendError, match="install spragsym again, with a compiler"):
+        ss.kang_nam.set_backend("compiled")
 
 
 @pytest.mark.parametrize("backend", ["numpy", "compiled"])
 def test_count_is_that_of_equilibria(backend: str) -> None:
-    ss.set_backend(backend)
+    ss.kang_nam.set_backend(backend)
     for number, (name, family) in enumerate(FAMILIES.items()):
         p = family(np.random.default_rng([25, number]), 300)
         assert (ss.count(p) == ss.equilibria(p).count).all(), name

@@ -143,7 +143,7 @@ def test_a_boundary_that_no_bits_settle_is_an_error() -> None:
     """
     stiffness = Fraction(1, 2) + Fraction(1, 10**60)
     with pytest.raises(
-        ss.ConvergenceError,
+        ss.errors.ConvergenceError,
         match=r"128 bits do not settle theta0=.*: L or y holds 0; move the point off",
     ):
         adaptive_precision.equilibria(1, 0, Fraction(1, 2), 0, stiffness, 0, contact=False)

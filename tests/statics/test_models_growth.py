@@ -18,7 +18,7 @@ from tests.bifurcation.test_maps_of_onsets import ZIEGLER
 from tests.oracles.user_pages import model_of, shipped_page
 
 
-def eigenvalues(model: object, eq: ss.Equilibria, slot: int, p: object) -> list[complex]:
+def eigenvalues(model: object, eq: ss.results.Equilibria, slot: int, p: object) -> list[complex]:
     """λ with 40 digits, from the matrices of floats."""
     from spragsym.statics.balance import Balance
     from spragsym.statics.stability import linearization

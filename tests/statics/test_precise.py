@@ -77,7 +77,7 @@ def _everything() -> dict[str, Any]:
 def _bits(value: Any) -> Any:
     if isinstance(value, mpmath.mpf):
         return value._mpf_
-    if isinstance(value, ss.Equilibria):
+    if isinstance(value, ss.results.Equilibria):
         return [
             _bits(getattr(value, name))
             for name in ("count", "theta", "L", "x", "y", "error", "stability")

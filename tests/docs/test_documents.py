@@ -65,7 +65,7 @@ def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
     of_room = [one for one in MODULES if one.split(".")[1] == name and one not in (*LONG, *SECONDS)]
     for one in of_room or [name]:
-        with contextlib.suppress(spragsym.errors.MissingExtraError):
+        with contextlib.suppress(spragsym.core.errors.MissingExtraError):
             failed, _ = doctest.testmod(importlib.import_module(one), optionflags=OPTIONS)
             assert failed == 0, one
 

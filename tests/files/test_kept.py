@@ -28,7 +28,7 @@ KEPT = Path(__file__).parent / "kept"
 NARROW = {"mu0": (0.2, 0.21), "theta0": (1.1, 1.25)}
 
 
-def _motion() -> ss.Trajectory:
+def _motion() -> ss.results.Trajectory:
     return ss.simulate(ONE, t_end=0.5, events=False, **BELT)
 
 
@@ -36,16 +36,21 @@ def _motion() -> ss.Trajectory:
 SMALL: dict[str, Callable[[], Any]] = {
     "BifurcationSet": lambda: ss.bifurcation_set(ONE, n=6, between=NARROW),
     "Curve": lambda: ss.bifurcation_set(ONE, n=6, between=NARROW).curves[0],
-    "FlutterBoundary": lambda: ss.flutter_boundary(ONE.replace(alpha=0.7), 6),
+    "FlutterBoundary": lambda: ss.kang_nam.flutter_boundary(ONE.replace(alpha=0.7), 6),
     "Path": lambda: ss.quasi_static_path(ONE.replace(mu0=0.7), "theta0", [0.5, 0.6, 1.0]),
     "Trajectory": _motion,
     "Spectrum": lambda: _motion().spectrum(points=16),
     "Cycle": lambda: ss.cycle(
         ss.load("stick_slip").Parameters(V=0.2), backend="scipy", near=[0.0, 0.0]
     ),
-    "Diagram": lambda: ss.diagram(ss.load("stick_slip").Parameters(), "V", (0.05, 0.3), points=2),
+    "Diagram": lambda: ss.diagram(
+        ss.load("stick_slip").Parameters(), "V", between={"V": (0.05, 0.3)}, points=2
+    ),
     "CycleBranch": lambda: ss.cycle_branch(
-        MAKERS["Cycle"](), vary="theta0", to=tuple(np.radians([41.9, 42.1])), points=1
+        MAKERS["Cycle"](),
+        vary="theta0",
+        between={"theta0": tuple(np.radians([41.9, 42.1]))},
+        points=1,
     ),
 }
 #: Not written to a file by itself: it is computed anew from its study.
@@ -133,7 +138,7 @@ def test_a_field_that_is_younger_than_a_file_has_its_default(tmp_path: Path) -> 
     held["result"]["class"] = without(held["result"]["class"], "value")
     held["sha256"] = files._digest(files._text(held["result"]))
     (tmp_path / "old.json").write_text(json.dumps(held), encoding="utf-8")
-    with pytest.raises(ss.ParameterError, match=r"had other parts than now .*'value'"):
+    with pytest.raises(ss.errors.ParameterError, match=r"had other parts than now .*'value'"):
         ss.open(tmp_path / "old.json")
 
 

@@ -191,14 +191,15 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
     forms = map(own, ("omega", "lyapunov", "lyapunov_error"))
     columns = (own("criticality"), *names, *coordinates, *forms)
     curves = [
-        case.row({name: curve[name] for name in columns}, ss.Onsets) for curve in found.curves
+        case.row({name: curve[name] for name in columns}, ss.results.Onsets)
+        for curve in found.curves
     ]
     # Points at which two conditions hold, and those at which the kind of the onset changes.
     places = (*names, *coordinates)
     special = {name: [*found.points[name], *found.changes[name]] for name in places}
     between = found.changes[own("error")]
     kinds, errors = [*found.points.kind, *["GH"] * len(between)], [*found.points.error, *between]
-    points = case.rows({own("kind"): kinds, **special, own("error"): errors}, ss.Onsets)
+    points = case.rows({own("kind"): kinds, **special, own("error"): errors}, ss.results.Onsets)
     told = {
         "curves": curves,
         "points": points,
@@ -248,7 +249,7 @@ def points_of(case: Case, found: Any, after: bool = False) -> Row:
     ``after`` at any cost.
     """
     ours, following = list[str](), {}
-    if isinstance(found, ss.Onsets):
+    if isinstance(found, ss.results.Onsets):
         ours = ["omega", "criticality", "when", *BESIDE]
     elif len(found.vary) == 1:
         ours = ["ends", "when"]
@@ -260,7 +261,7 @@ def points_of(case: Case, found: Any, after: bool = False) -> Row:
         **{name: found[name] for name in found.state_columns},
         **{own(name): getattr(found, name) for name in ours},
     }
-    points = case.rows(columns, ss.Onsets, **following, error=found.error)
+    points = case.rows(columns, ss.results.Onsets, **following, error=found.error)
     searched, *undecided = case.boxes(
         [found.region, *found.undecided], (*case.model.coordinates, *found.vary)
     )

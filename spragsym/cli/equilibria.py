@@ -216,7 +216,7 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
         )
     ours = ("stability", "damped", "growth")
     words = {own_name(case.model, name): getattr(found, name) for name in ours}
-    states = case.rows({along.name: found.values, **words, **found.places}, ss.Path)
+    states = case.rows({along.name: found.values, **words, **found.places}, ss.results.Path)
     jumps = [
         case.row({along.name: jump.value, "kind": jump.kind})
         | case.row(jump.before, end="_before")

@@ -90,7 +90,7 @@ def simulate(
             "backend": tr.backend,
             **({} if tr.error is None else {"error": tr.error.max()}),
         },
-        ss.Trajectory,
+        ss.results.Trajectory,
     )
     if output is not None:
         tr.save(output)

@@ -322,7 +322,7 @@ def test_frame_and_dataset_hold_the_columns(result: Any) -> None:
     pytest.importorskip("xarray")
     columns = result.data()
     dataset = result.to_xarray()
-    if isinstance(result, ss.Equilibria):  # over axes and slots
+    if isinstance(result, ss.results.Equilibria):  # over axes and slots
         there = {name: one for name, one in columns.items() if name in dataset.data_vars}
         assert {*dataset.data_vars, *dataset.coords} >= set(columns)
         assert list(dataset["x"].dims)[-1] == "state"

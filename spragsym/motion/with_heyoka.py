@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..models.field import GAP, JUMPED, XP, Border, Field, Functions, Mode, library
+from ..models.field import GAP, JUMPED, Border, Field, Mode
 from ..models.parameters import FloatArray
+from .heyoka_functions import XP, Functions, library
 from .lobatto import sample_times, unit_points
 from .measures import KEPT, Course
 from .problem import (

@@ -20,7 +20,7 @@ from spragsym.derive import pages
 from spragsym.derive.statements import papers, verdicts
 from spragsym.derive.statements.objects import Derivation
 from spragsym.derive.statements.reading import Item, opened, prepared
-from spragsym.derive.statements.tree import Equation, Node, printed, with_part
+from spragsym.derive.statements.tree import Equation, Node, nodes, printed, with_part
 
 CASES = 600
 FOLDER = Path(__file__).parent / "papers"
@@ -57,7 +57,10 @@ def sources() -> list[Case]:
         model = pages.read(own if own.is_file() else pages.SHIPPED / f"{paper.model}.py")
         _, items = opened(paper, model)
         for item, row in zip(items, verdicts.check(paper, model).rows, strict=True):
-            if row.status == "confirmed" and isinstance(item, Item):
+            if row.status != "confirmed" or not isinstance(item, Item):
+                continue
+            trees = [side for one in item.equations for side in (one.left, one.right)]
+            if not any(part.value == "Piecewise" for tree in trees for part in nodes(tree)):
                 found.append(Case(model, paper, item))
     return found
 
@@ -109,7 +112,9 @@ def _side(equation: Equation, item: Item, rng: np.random.Generator) -> tuple[Nod
     """The side that gets a fault: of a residual the longer one more often; and the other."""
     left, right = equation.left, equation.right
     lengths = [len(list(_places(side))) for side in (left, right)]
-    chosen = not item.held.is_value and rng.random() * sum(lengths) < lengths[0]
+    if item.held.is_value and left.kind == "symbol":
+        return right, left
+    chosen = rng.random() * sum(lengths) < lengths[0]
     return (left, right) if chosen or printed(right) == "0" else (right, left)
 
 

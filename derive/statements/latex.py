@@ -345,6 +345,7 @@ class _Reader:
             self.product_only(node, bracket, items[place].at[0])
         if power is None:
             return Factor(node), place
+        place += bracket is not None and self.is_time(bracket)
         return Factor(_power(node, node_of(self.expression(power)), at)), place
 
     def is_time(self, items: Items) -> bool:

@@ -18,14 +18,23 @@ PAIRS = 24
 _TRIES = 200
 
 
-def drawn(it: Derivation, held: Object, seed: int = 20201) -> dict[str, Values]:
-    """Values of all names, in contact or in lift-off as the object says, in units of order 1."""
-    rng = np.random.default_rng(seed)
+def drawn(it: Derivation, held: Object, is_base: bool = False) -> dict[str, Values]:
+    """Values of all names, in contact or in lift-off as the object says, in units of order 1.
+
+    Parameters are random, or those that the page gives as its base values.
+    """
+    rng = np.random.default_rng(20201)
+    base = {
+        entry.becomes if it.scaled else str(entry.symbol): entry.base
+        for entry in it.page.parameters
+    }
     size = 2 * PAIRS
     found: dict[str, Values] = {}
     for name, symbol in it.parameters.items():
         value = np.repeat(rng.uniform(0.3, 1.4, PAIRS), 2)
         found[name] = value if symbol.is_nonnegative else value * _signs(rng, size, 2)
+        if is_base:
+            found[name] = np.full(size, 1.0 if base.get(name) is None else base[name])
     gap = None if it.model.gap is None else it.expanded(it.spelled(it.model.gap))
     coordinates = [str(symbol) for symbol in it.model.coordinates]
     states = {name: _state(rng, size) for name in coordinates}

@@ -15,6 +15,7 @@ from .. import algebra, units
 from ..mechanics import MU, PUSHING
 from ..pages import Model
 from ..units import Dimension
+from . import samples
 from .markup import repaired_print
 from .objects import BOTH, CONTACT, LAMBDA, LIFT_OFF, NORMAL, TIME, Derivation
 from .papers import Paper, Statement
@@ -189,10 +190,10 @@ def _components(
         target, entry = sign * item.targets[place], sign * item.held.entries[place]
         if item.held.is_value:
             tree, left = equation.right, printed(equation.left)
-            if printed(equation.right) == "0":  # an expression alone is the value
-                tree, left = equation.left, ""
-            elif left not in item.held.names and not _is_new(item, equation.left):
-                continue  # 2 T = … is no value of T
+            if left not in item.held.names and not _is_new(item, equation.left):
+                if printed(equation.right) != "0":
+                    continue  # 2 T = … is no value of T
+                tree, left = equation.left, ""  # an expression alone is the value
             meant = tuple(one.entry for one in item.held.readings)
             found.append(Component(tree, item.readings or (target,), meant or (entry,), left))
             continue
@@ -422,8 +423,12 @@ def judged(item: Item, conventions: Conventions | None = None) -> Row:
         derived_latex=_joined(map(item.latex, entries)),
         derived_by=held.by,
     )
+    if len(parts) < len(item.equations):
+        said = f"left of = no name of this object stands alone: {', '.join(sorted(held.names))}"
+        return replace(row, status="unread", evidence=said)
     wrong = "" if item.it.scaled else _units_problem(item, parts)
     repaired: list[tuple[Component, Repair, int]] = []
+    costly: list[tuple[Component, sp.Expr]] = []
     counted = ""
     for part in parts:
         hits = [
@@ -450,9 +455,7 @@ def judged(item: Item, conventions: Conventions | None = None) -> Row:
         names = _names(item, conventions)
         row = _told(row, item, to_sympy(part.tree, names) - to_sympy(repair.tree, names))
         repaired.append((part, repair, count))
-    if not parts:
-        said = f"left of = no name of this object stands alone: {', '.join(sorted(held.names))}"
-        return replace(row, status="unread", evidence=said)
+        costly.append((part, exact))
     if not repaired:
         status = "definition" if statement.word == "definition" else "confirmed"
         return replace(row, status=status, evidence=f"{held.by}, equal by exact algebra{counted}")
@@ -469,7 +472,7 @@ def judged(item: Item, conventions: Conventions | None = None) -> Row:
         edits=tuple(_recorded(edit) for _, repair, _ in repaired for edit in repair.edits),
         alternatives=max(count for *_, count in repaired),
         evidence=f"{wrong}; {evidence}" if wrong else evidence,
-        cost="; ".join(_cost(item, part, values) for part, *_ in repaired),
+        cost="; ".join(_cost(item, conventions, part, exact) for part, exact in costly),
     )
 
 
@@ -508,11 +511,16 @@ def _recorded(edit: Edit) -> dict[str, object]:
     }
 
 
-def _cost(item: Item, part: Component, values: Mapping[str, Values]) -> str:
-    """The size of the mistake at samples: the median of the relative difference."""
-    own = evaluated(part.tree, values)
-    size = np.median(np.abs(own - part.targets[0]) / (np.abs(own) + np.abs(part.targets[0])))
-    return f"{float(size):.2g} of both sides' size in the median of random states"
+def _cost(item: Item, conventions: Conventions, part: Component, exact: sp.Expr) -> str:
+    """The size of the mistake at the base values: the median of the relative difference."""
+    base = samples.drawn(item.it, item.held, is_base=True)
+    for name, value in item.bound.items():
+        base[name] = numeric(value, list(base))(base)
+    own = evaluated(part.tree, _printed_values(replace(item, values=base), conventions))
+    right = numeric(exact, list(base))(base)
+    with np.errstate(all="ignore"):
+        size = np.nanmedian(np.abs(own - right) / (np.abs(own) + np.abs(right)))
+    return f"{float(size):.2g} of both sides' size at the base values, the median of random states"
 
 
 def _repaired(

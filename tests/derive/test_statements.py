@@ -218,3 +218,64 @@ def test_every_function_is_evaluated_in_numbers_and_exactly() -> None:
         (equation,) = read_sympy(f"{name}(x)", vocabulary)
         value = evaluated(equation.left, {"x": np.array([0.3, 0.7])})
         assert np.allclose(value, [float(function(it)) for it in (0.3, 0.7)]), name
+
+
+def test_an_entry_that_is_not_judged_leaves_its_statement_unread() -> None:
+    """An entry without a name on its left is not passed over."""
+    text = "K_11 = k_x + k/2; 0 = mu0*k_c - k/2; K_21 = -k/2; K_22 = k_y + k_c + k/2"
+    assert _judged("stiffness", text.replace("0 =", "K_12 ="), "units", COUPLING).status == (
+        "confirmed"
+    )
+    assert _judged("stiffness", text, "units", COUPLING).status == "unread"
+
+
+@pytest.mark.thorough
+def test_names_of_values_stand_for_what_is_derived() -> None:
+    """A mistake is found where it stands, and not where the name is used."""
+    texts = {
+        "direction matrix": r"\mathbf{D} = \sigma \mathbf{I}",
+        "equilibrium": r"\mathbf{D}\begin{bmatrix}\cos\theta\\ \sin\theta\end{bmatrix} = \mathbf{b}",
+        "direction side": r"\mathbf{b} = \begin{bmatrix} 0 \\ 0 \end{bmatrix}",
+    }
+    statements = tuple(
+        papers.Statement(about, about, text, is_latex=True, form="scaled")
+        for about, text in texts.items()
+    )
+    found = verdicts.check(papers.Paper("", "", {}, statements), ARTICLE)
+    assert [row.status == "confirmed" for row in found.rows] == [False, True, False]
+
+
+@pytest.mark.thorough
+def test_a_matrix_is_read_with_its_inverse_and_its_determinant() -> None:
+    """Random matrices, against SymPy's own algebra."""
+    from spragsym.derive.statements.latex import read_latex
+
+    names = frozenset({"a", "b", "c", "d"})
+    vocabulary = Vocabulary(names | {"R"}, ("a", "b"), {}, {"R": (2, 2)})
+    symbols = {name: sp.Symbol(name) for name in (*names, "R_11", "R_12", "R_21", "R_22")}
+    R = sp.Matrix(2, 2, [symbols[f"R_{i}{j}"] for i in (1, 2) for j in (1, 2)])
+    A = sp.Matrix(2, 2, [symbols[name] for name in ("a", "b", "c", "d")])
+    matrix = r"\begin{bmatrix} a & b \\ c & d \end{bmatrix}"
+    cases = {
+        rf"\det(a \mathbf{{I}} + {matrix} R)": [(symbols["a"] * sp.eye(2) + A * R).det()],
+        rf"R = ({matrix} R^T)^{{-1}}": [*(R - (A * R.T).inv())],
+        rf"R {matrix} - {matrix} R = 0": [*(R * A - A * R)],
+    }
+    for text, expected in cases.items():
+        found = read_latex(text, vocabulary)
+        gaps = [to_sympy(it.left, symbols) - to_sympy(it.right, symbols) for it in found]
+        pairs = zip(gaps, expected, strict=True)
+        assert all(sp.simplify(gap - other) == 0 for gap, other in pairs), text
+
+
+def test_formulas_are_shown_as_mathml() -> None:
+    """What can be read is rendered, with dots on rates; what can't is left as text."""
+    from spragsym.derive.statements.mathml import rendered
+
+    shown = rendered("m_1*ax + sin(theta0)/L = 0", ["x"])
+    assert shown is not None
+    assert "<msub><mi>m</mi><mn>1</mn></msub>" in shown
+    assert "<mover><mi>x</mi><mo>¨</mo></mover>" in shown
+    assert "<mfrac>" in shown
+    assert "θ" in shown
+    assert rendered("atan2(y, x)", []) is None

@@ -55,7 +55,7 @@ ATTRACTOR = {
 
 
 #: Columns of what motions come to.
-LIMITS = (
+LIMITS: tuple[Column, ...] = (
     Column("regime", "1", "what the motion settles to or approaches", Regime),
     Column("equilibrium", "1", "index of the equilibrium that it comes to; -1 for none"),
     Column("rate", "1/s", "rate at which what the motion settles to or approaches attracts"),

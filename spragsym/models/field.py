@@ -161,7 +161,7 @@ class Field:
     units : tuple of str, length n
         Units of the coordinates: those of one unit have one scale, those in rad have the scale 1.
     lengths : callable
-        ``lengths(state, constants)``: lengths of springs.
+        ``lengths(state, constants)``: undeformed lengths of springs.
     sized : callable or None
         ``sized(levels)``: the field whose borders are resolved in units of their levels.
     natural, scales : Field and Scales, or None
@@ -425,14 +425,14 @@ class _Motion:
         return lambda state, constants, mode: slopes(state, constants, mode, _namespace(state))[row]
 
     def lengths(self, state: Sequence[float], constants: Values) -> list[float]:
-        """Lengths of the springs along lines."""
+        """Undeformed lengths of the springs along lines."""
         place = state[: len(self.model.coordinates)]
         geometry = undecorated(self.model.algebra.geometry)
         try:
             lines = geometry(*place, *forces.of_statics(self.model, constants))
         except ArithmeticError:
             return []
-        return [math.hypot(dx, dy) for dx, dy, *_ in lines]
+        return [float(rest) for *_, rest in lines if rest]
 
     @property
     def _gap(self) -> int:

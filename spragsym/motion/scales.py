@@ -163,10 +163,11 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Scales
     """Scales of the motion from a state.
 
     The unit of time is that of the fastest stiffness, 1/√|∂q″/∂q|; where nothing is stiff, that of
-    the damping, or of what changes the speed at the start. Coordinates of one unit share theirs:
-    the largest of the coordinates at the start, of how far they go at its rates and accelerations
-    in the unit of time, of the way on which friction that holds is used up, and of the lengths of
-    springs. Angles have the unit 1. Of a motion about which this says nothing all units are 1, and
+    the damping, or of what changes the speed at the start. Coordinates of one unit share theirs.
+    Lengths have the largest undeformed length of a spring along a line, or else, as other
+    coordinates, the largest of the coordinates at the start, of how far they go at its rates and
+    accelerations in the unit of time, and of the way on which friction that holds is used up.
+    Angles have the unit 1. Of a motion about which this says nothing all units are 1, and
     of a field that does not tell the units of its coordinates.
 
     Parameters
@@ -186,7 +187,7 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Scales
     >>> p = ss.load("coulomb_stick_slip").Parameters(mu_s=6e5, mu_k=4e5, V=5e5)
     >>> field = p.model.field
     >>> scales_of(field, field.constants(p.scalars(*p.model.parameters)), (0.0, 0.0)).places
-    (262144.0,)
+    (1048576.0,)
     """
     state, n = [float(value) for value in start], len(field.coordinates)
     if not field.units:
@@ -199,7 +200,7 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Scales
     places = []
     for unit in field.units:
         alike = [way for way, other in zip(ways, field.units, strict=True) if other == unit]
-        known = [*alike, *(lengths if unit == "m" else ())]
+        known = lengths if unit == "m" and lengths else alike
         places.append(1.0 if unit == "rad" else _power(max(known)))
     found = Scales(tuple(places), _power(time), (1.0,) * len(field.borders))
     if found.trivial:

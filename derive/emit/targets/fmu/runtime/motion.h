@@ -1,8 +1,11 @@
 /*
  * The motion between events: modes in which the field is smooth, the borders at which they end, and steps that end there.
  *
- * All numbers are dimensionless. Tolerances are numbers beside 1, in units of the motion's own: powers of four, 1 between 1/32 and 32,
- * which are taken from the numbers of its start as Python takes them (spragsym.motion.scales). A mode is: whether the contact is closed (1, 0), the sign of the sliding speed (1, -1; 0 while
+ * All numbers are dimensionless. Tolerances are numbers beside 1, in units of the motion's own:
+ * powers of four, 1 between 1/32 and 32, which are taken from the numbers of its start as Python
+ * takes them (spragsym.motion.scales).
+ *
+ * A mode is: whether the contact is closed (1, 0), the sign of the sliding speed (1, -1; 0 while
  * friction holds the mass), for each exponential of the friction law whether it is felt (1, 0), for each torsion spring the way on
  * which its turning is counted (1, -1). Each has a border, and the force of friction that holds has two, its limits; the clearance of
  * a border is positive within the mode. A mode is left GAP beyond its border: two crossings are never closer than 2 GAP, so that
@@ -34,7 +37,8 @@ enum {
 /* The clearance of what is no border of the mode. */
 #define FREE 1.0
 #define MOST_STEPS 10000000L
-/* The least step and the first one, in units of time; what of a number's unit counts as error beside its size. */
+/* The least step and the first one, in units of time; which share of a number's unit counts beside
+ * its size. */
 #define LEAST_STEP 1e-15
 #define FIRST_STEP 1e-3
 #define BESIDE 1e-3
@@ -47,7 +51,8 @@ typedef struct {
     double mode[MODES];
     int borders; /* how many are watched: all, or those of an importer */
     double tolerance;
-    double unit[STATES], second, level[BORDERS + 1]; /* units of the state, of time and of the borders' levels */
+    /* units of the state, of time and of the borders' levels */
+    double unit[STATES], second, level[BORDERS + 1];
 } Motion;
 
 typedef struct {
@@ -226,7 +231,8 @@ static double unit_near(double value) {
     return ldexp(1.0, DIGITS * (int)floor(log2(value) / DIGITS + 0.5));
 }
 
-/* How far each coordinate goes in a unit of time: by its place, its rate, its accelerations, and the way on which friction is used up. */
+/* The unit of time, and how far each coordinate goes in it: by its place, its rate, its
+ * accelerations, and the way on which friction is used up. */
 static double distances(const Motion *it, const double *state, double *ways) {
     double stiff = 0.0, damped = 0.0, fastest = 0.0, pull[COORDINATES] = {0.0}, rate, most = 0.0;
     for (int first = 0; first < 2; first++) {
@@ -289,11 +295,12 @@ static void measure(Motion *it, const double *state) {
 #if SPRINGS
     double line[3 * SPRINGS];
     for (int i = 0; !geometry(state, it->p, line) && i < SPRINGS; i++) {
-        largest = fmax(largest, hypot(line[3 * i], line[3 * i + 1]));
+        largest = fmax(largest, line[3 * i + 2]); /* undeformed */
     }
 #endif
+    const int given = largest > 0.0;
     for (int i = 0; i < COORDINATES; i++) {
-        largest = ANGLES[i] ? largest : fmax(largest, ways[i]);
+        largest = (given || ANGLES[i]) ? largest : fmax(largest, ways[i]);
     }
     for (int i = 0; i < COORDINATES; i++) {
         it->unit[i] = ANGLES[i] ? 1.0 : unit_near(largest);

@@ -55,6 +55,7 @@ from .events import (
     SCATTER,
     SLIDING,
     Finding,
+    approaches,
     arrivals,
     findings,
     touching,
@@ -102,6 +103,11 @@ FAMILIES = "there is a whole family of cycles at every value of the parameter fr
 TOUCHES = (
     "it touches a border there, or a phase of sticking shrinks to nothing, and no cycle was found "
     "beyond"
+)
+
+TANGENT = (
+    "its arrival at {} becomes tangent, a catastrophic sliding bifurcation: beyond, the orbit does "
+    "not come there, and no cycle was found"
 )
 
 #: Sizes of points by which it is told where a size vanishes are so far apart, as a factor.
@@ -412,19 +418,28 @@ def _shrunk(followed: Sequence[Point]) -> Finding:
 
 def _at_border(followed: Sequence[Point]) -> Finding | None:
     """The end where an orbit comes to touch a border, or sticks at the limit of the force from the
-    first; None elsewhere.
+    first, or where it comes to a border at a tangent; None elsewhere.
     """
 
     def off(point: Point) -> float:
         sticking = (touch.level for touch in arrivals(point) if touch.level > 0)
         return min((*sticking, *(abs(touch.level) for touch in point.touches)), default=np.inf)
 
-    found, last = _vanishing(followed, off, TOUCHES), followed[-1]
-    return (
-        None
-        if max(found.error, abs(found.value - last.value)) > NEAR * last.setting.spans[0]
-        else found
+    def slowest(point: Point) -> float:
+        return min((rate for rate, _ in approaches(point)), default=np.inf)
+
+    last = followed[-1]
+    _, name = min(approaches(last), default=(np.inf, ""))
+    ends = (
+        _vanishing(followed, off, TOUCHES),
+        _vanishing(followed, slowest, TANGENT.format(name)),
     )
+    near = [
+        end
+        for end in ends
+        if max(end.error, abs(end.value - last.value)) <= NEAR * last.setting.spans[0]
+    ]
+    return min(near, key=lambda end: end.error, default=None)
 
 
 def _ends(start: Point, point: Point, ahead: Point, length: float, to: Span) -> Iterator[Finding]:
@@ -465,10 +480,11 @@ def _lost(followed: Sequence[Point], error: ConvergenceError) -> Finding:
     loop = point.loop
     if loop.period > 2 * point.setting.period and (rest := _rests(loop)):
         return Finding("homoclinic", loop, 1e-6, how=rest)
+    before = followed[-2] if len(followed) > 1 else point
     lost = Finding(
         "end",
         loop,
-        SHORTEST,
+        SCATTER * abs(point.value - before.value) + SHORTEST * point.setting.spans[0],
         how=f"it could not be followed farther: {error}" if point.alone else FAMILIES,
     )
     return _at_border(followed) or lost

@@ -12,6 +12,7 @@ from functools import partial
 import numpy as np
 
 from ..core.errors import ConvergenceError
+from ..models.field import FLOATS
 from ..models.parameters import FloatArray
 from ..motion.multipliers import CRITERIA, criterion_of, is_complex_pair, unsure
 from ..motion.shooting import Conditions, Loop, recut, solved
@@ -251,6 +252,27 @@ def arrivals(point: Point) -> list[Touch]:
                     level,
                 )
             )
+    return found
+
+
+def approaches(point: Point) -> list[tuple[float, str]]:
+    """Rates at which levels come to 0 where the field jumps, and names of the borders: one that
+    comes to 0 is of a tangent arrival, behind which the orbit does not come there.
+    """
+    found, loop = list[tuple[float, str]](), point.loop
+    for crossing in loop.crossings():
+        border, own = loop.field.borders[crossing.border], loop.mode(crossing.state)
+        if border.jumps is None:
+            continue
+        beside = (
+            mode
+            for mode in loop.field.modes
+            if sum(a != b for a, b in zip(own, mode, strict=True)) == 1
+        )
+        before = next(m for m in (own, *beside) if border.sign(m) == crossing.came)
+        state, constants = crossing.state.tolist(), loop.constants
+        pulls = loop.field.acceleration(state, constants, before, FLOATS)
+        found.append((abs(float(border.rate(state, pulls, constants, before))), border.name))
     return found
 
 

@@ -6,10 +6,11 @@ import math
 from collections import Counter
 from typing import Any
 
+import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.oracles import dry_friction
+from tests.oracles import dry_friction, tangent_arrivals
 from tests.oracles.user_pages import model_of
 
 #: M. di Bernardo, P. Kowalczyk, A. Nordmark 2003: the push, and friction that falls with the speed.
@@ -261,3 +262,17 @@ def test_nothing_happens_to_a_motion_that_nothing_damps(w: float) -> None:
     assert [
         event.how for event in ss.cycle_branch(found, "w", between={"w": (0.9 * w, 1.1 * w)}).events
     ] == ["the range ends"] * 2
+
+
+@pytest.mark.parametrize("vary", ["V", "zeta"])
+def test_a_branch_ends_where_its_arrival_becomes_tangent(vary: str) -> None:
+    """Damped stick-slip: beyond, the block does not come to the speed of the belt any more."""
+    zeta, mu_s, mu_k = np.random.default_rng(5).uniform((0.05, 0.5, 0.3), (0.2, 0.7, 0.4))
+    value = {"V": (mu_s - mu_k) * tangent_arrivals.ratio(zeta), "zeta": zeta}
+    begin = value | {vary: 0.8 * value[vary]}
+    p = tangent_arrivals.model().Parameters(mu_s=mu_s, mu_k=mu_k, **begin)
+    cycle = ss.cycle(p, near=(mu_s - begin["zeta"] * begin["V"], begin["V"]))
+    branch = ss.cycle_branch(cycle, vary, between={vary: (0.7 * value[vary], 1.2 * value[vary])})
+    (end,) = (event for event in branch.events if event.how != "the range ends")
+    assert "its arrival at x' = V becomes tangent" in end.how
+    assert abs(end.value - value[vary]) <= end.error < 1e-9

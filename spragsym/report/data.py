@@ -23,7 +23,7 @@ from .example import OWN_EXAMPLES, example_of
 from .friction_curve import read_friction
 from .friction_fit import FrictionFit, fit_friction
 from .trust import trusted_model
-from .units import ENDS, WITHIN, Measured, Numbers, read, remedy
+from .units import ENDS, WITHIN, Measured, Numbers, read, remedy, shown_in
 
 #: Keys of a file that are no quantities.
 _KEYS = [
@@ -242,7 +242,16 @@ def _state(given: Any, kind: Quantities) -> Numbers:
         raise ParameterError(
             f"state = {given!r} does not name coordinates; write state = {{ {example} }}"
         )
-    return {name: _quantity(name, text, units[name], FINITE).value for name, text in given.items()}
+    return {name: _exact(name, text, units[name]) for name, text in given.items()}
+
+
+def _exact(name: str, text: Any, unit: str) -> float:
+    """The value of a place, or of where a load begins; an error for one with a tolerance."""
+    found = _quantity(name, text, unit, FINITE)
+    if found.varies:
+        value = shown_in(found.value, found.unit, unit)
+        raise ParameterError(f'{name} = {text!r} takes no tolerance here; write "{value}"')
+    return found.value
 
 
 def _may_change(given: Any, kind: Quantities) -> Ranges:
@@ -264,7 +273,7 @@ def _rise(vary: Any, begin: Any, study: Brake) -> LoadParameter | None:
     if not isinstance(vary, str | None):
         raise ParameterError(f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
     if begin is not None and vary in units:
-        begin = _quantity("begin", begin, units[vary], FINITE).value
+        begin = _exact("begin", begin, units[vary])
     return load_parameter_of(study.kind, vary, begin, study.values)
 
 

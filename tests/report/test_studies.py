@@ -589,6 +589,20 @@ def test_a_file_names_the_state(tmp_path: Path) -> None:
         ss.Study.from_file(file)
 
 
+@pytest.mark.parametrize("given", ["50 mm ± 2 %", "[48, 52] mm", "50 +- 1 mm", "50 mm sd 2 %"])
+def test_a_place_and_a_beginning_take_no_tolerance(given: str, tmp_path: Path) -> None:
+    file = written(tmp_path)
+    text = file.read_text(encoding="utf-8")
+    for line, name in (
+        (f'state = {{ x = "{given}" }}\n', "x"),
+        (f'vary = "L_0"\nbegin = "{given}"\n', "begin"),
+    ):
+        file.write_text(f"{text}{line}", encoding="utf-8")
+        refused = f'{name} = .* takes no tolerance here; write "50 mm"'
+        with pytest.raises(ss.errors.ParameterError, match=refused):
+            ss.Study.from_file(file)
+
+
 def test_a_load_that_rises_is_told_in_its_unit(tmp_path: Path) -> None:
     found = studied(tmp_path, EXACT | {"mu0": "0.4", "vary": "F_L", "begin": "50 N"}).report(
         **QUICKLY

@@ -123,4 +123,4 @@ def moved(name: str, *first: str) -> tuple[str, float]:
     """
     names = load(name).parameters
     one = next((wanted for wanted in first if wanted in names), names[-1])
-    return one, float(getattr(a_set(name), one))
+    return one, float(a_set(name)[one])

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.display import own_name
 from spragsym.files import storage
 from spragsym.models.model import options_of
 from tests.conformance import models
@@ -35,17 +36,16 @@ def test_equilibria_have_the_same_keys_and_are_those_of_python(name: str, run: R
     p, model = a_set(name), load(name)
     assert [key.removesuffix("_deg") for key in told["parameters"]] == list(model.parameters)
     for one, shown in zip(model.parameters, told["parameters"].values(), strict=True):
-        assert shown == pytest.approx(
-            _degrees(model, one, np.atleast_1d(getattr(p, one)))[0], rel=1e-15
-        )
+        assert shown == pytest.approx(_degrees(model, one, np.atleast_1d(p[one]))[0], rel=1e-15)
     rows = [(state, eq, slot) for state, eq in _states(p) for slot in range(int(eq.count))]
     assert len(told["equilibria"]) == len(rows) > 0
     for row, (state, eq, slot) in zip(told["equilibria"], rows, strict=True):
         assert list(row)[:3] == ["state", "stability", "damped"]
-        assert list(row)[-4:] == ["damped_eigenvalues", "growth", "error", "marginal"]
+        last = ("damped_eigenvalues", "growth", "error", "marginal")
+        assert list(row)[-4:] == [own_name(model, one) for one in last]
         assert row["state"] == state
         for entry in model.about["coordinates"]:
-            value = float(getattr(eq, entry["name"])[slot])
+            value = float(eq[entry["name"]][slot])
             angle = entry["unit"] == "rad"
             assert row[entry["name"] + "_deg" * angle] == (math.degrees(value) if angle else value)
     assert told["complete"] == all(eq.complete for _, eq in _states(p))
@@ -111,7 +111,7 @@ def test_folds_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -
     assert list(told) == ["model", "vary", "points", "complete", "searched", "undecided", "remarks"]
     model, p = load(name), a_set(name)
     found = ss.folds(p, model.axes[-1])
-    known = _degrees(model, model.axes[-1], getattr(found, model.axes[-1]))
+    known = _degrees(model, model.axes[-1], found[model.axes[-1]])
     assert [row[told["vary"]] for row in told["points"]] == pytest.approx(known, rel=1e-12)
     assert (told["complete"], told["remarks"]) == (found.complete, list(found.remarks))
     places = [_title(model, column) for column in found.state_columns]

@@ -35,7 +35,7 @@ def test_digits_are_those_of_the_floats_and_of_more_digits(name: str) -> None:
         order = sorted(
             range(len(few)), key=lambda slot: float(few[slot].numbers[p.model.coordinates[0]])
         )
-        slots = np.argsort(getattr(floats, p.model.coordinates[0])[: len(few)])
+        slots = np.argsort(floats[p.model.coordinates[0]][: len(few)])
         for place, slot in zip(order, slots.tolist(), strict=True):
             assert (
                 few[place].stability
@@ -45,7 +45,7 @@ def test_digits_are_those_of_the_floats_and_of_more_digits(name: str) -> None:
             for one, decimal in (
                 few[place].decimals(26).items()
             ):  # of a number that is known exactly too
-                value, truth = float(getattr(floats, one)[slot]), many[place].numbers[one]
+                value, truth = float(floats[one][slot]), many[place].numbers[one]
                 assert value == pytest.approx(float(truth), rel=1e-11, abs=1e-11), one
                 number, error = map(exactly, decimal)
                 assert error < Fraction(1, 10**24) * max(1, abs(number))
@@ -63,9 +63,7 @@ def test_the_forces_vanish_to_as_many_digits(name: str) -> None:
     model = p.model
     balance = undecorated(model.algebra.forces)
     with mpmath.workdps(80):
-        values: dict[str, Any] = {
-            one: mpmath.mpf(float(getattr(p, one))) for one in model.parameters
-        }
+        values: dict[str, Any] = {one: mpmath.mpf(float(p[one])) for one in model.parameters}
         for angle, (cosine, sine) in model.about["angles"].items():
             values |= {cosine: mpmath.cos(values[angle]), sine: mpmath.sin(values[angle])}
         law = undecorated(model.algebra.friction_at_rest)
@@ -126,7 +124,7 @@ BESIDE = [
 def test_numbers_beside_floats_have_the_same_states(name: str) -> None:
     """Isolated over a box of parameters, each state on its side of the contact's border."""
     p = a_set(name)
-    given = {one: Fraction(float(getattr(p, one))) for one in p.model.parameters}
+    given = {one: Fraction(float(p[one])) for one in p.model.parameters}
     beside: dict[str, Any] = {
         one: value + Fraction(1, 10**20) for one, value in given.items() if value
     }
@@ -205,10 +203,8 @@ def test_cusps_to_digits_are_those_of_floats(name: str) -> None:
     assert len(few) == len(many) == len(floats)
     assert few.complete == many.complete == floats.complete
     assert list(few.region.values()) == [tuple(ends) for ends in floats.region.tolist()]
-    order = np.lexsort([getattr(floats, one) for one in vary])
+    order = np.lexsort([floats[one] for one in vary])
     for one, other, slot in zip(few, many, order.tolist(), strict=True):
         _are_one(one, other, Fraction(1, 10**24))
         for column, number in one.numbers.items():
-            assert float(number) == pytest.approx(
-                float(getattr(floats, column)[slot]), rel=1e-11, abs=1e-11
-            )
+            assert float(number) == pytest.approx(float(floats[column][slot]), rel=1e-11, abs=1e-11)

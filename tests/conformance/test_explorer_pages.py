@@ -75,7 +75,7 @@ def compare_states(
             "p => window.spragsym.equilibria(p)", {**point, "contact": contact}
         )
         assert (found["status"], found["count"]) == (status, count)
-        where = np.array([getattr(eq, name)[:count] for name in model.coordinates])
+        where = np.array([eq[name][:count] for name in model.coordinates])
         there = sorted(found["states"], key=lambda state: state[model.coordinates[0]])
         for slot, state in zip(np.argsort(where[0]), there, strict=True):
             assert [state[name] for name in model.coordinates] == pytest.approx(

@@ -20,7 +20,7 @@ def test_a_motion_of_every_model_has_everything(name: str) -> None:
     assert type(tr) is ss.results.Trajectory
     assert tr.model is p.model
     assert tr.state.shape == (len(tr.components), tr.t.size)
-    assert np.array_equal(getattr(tr, tr.components[-1]), tr.state[-1])
+    assert np.array_equal(tr[tr.components[-1]], tr.state[-1])
     assert tr.error is not None
     assert tr.error.max() < 1e-4
     assert tr.spectrum(0.0).frequency.size

@@ -41,8 +41,10 @@ def test_points_of_every_model_have_everything(name: str, question: str) -> None
     assert type(found) is (ss.results.Points if question == "folds" else ss.results.Onsets)
     for attribute in ATTRIBUTES:
         assert getattr(found, attribute) is not None
-    for column in (*p.model.parameters, *found.state_columns, "error", "kind", "ends", "when"):
-        assert getattr(found, column).shape == (len(found),)
+    for column in (*p.model.parameters, *found.state_columns):
+        assert found[column].shape == (len(found),)
+    for ours in (found.error, found.kind, found.ends, found.when):
+        assert ours.shape == (len(found),)
     assert found.parameters is p
     assert tuple(found.after) == found.state_columns
     assert found.region.shape == (len(p.model.coordinates) + 1, 2)
@@ -64,10 +66,10 @@ def test_what_ends_is_the_same_by_closed_forms_and_by_search(vary: str) -> None:
             ("search", len(ss.folds(p, vary, method="search"))),
         )
     )
-    known = [int(np.abs(getattr(closed, vary) - value).argmin()) for value in getattr(search, vary)]
+    known = [int(np.abs(closed[vary] - value).argmin()) for value in search[vary]]
     assert len(known) > 0
     assert closed.ends[known].tolist() == search.ends.tolist()
     assert closed.when[known].tolist() == search.when.tolist()
     for name in closed.state_columns:
         assert closed.after[name][known] == pytest.approx(search.after[name], abs=1e-9)
-        assert getattr(closed, name)[known] == pytest.approx(getattr(search, name), abs=1e-10)
+        assert closed[name][known] == pytest.approx(search[name], abs=1e-10)

@@ -59,7 +59,7 @@ class Asked:
         self.vary = self.model.axes[-1]
         self.other = next(one for one in self.model.parameters if one not in (self.vary, "V"))
         self.plane = (self.other, self.vary)
-        self.own = float(getattr(self.p, self.vary))
+        self.own = float(self.p[self.vary])
         #: From a tenth below that value on, where the followed state ends first; NaN if it doesn't.
         self.begin = 0.9 * self.own
         self.jump = float(ss.jump_value(self.p, self.vary, begin=self.begin, until=2.5 * self.own))
@@ -68,7 +68,7 @@ class Asked:
 
     def near(self, *names: str, share: float = 0.02) -> dict[str, tuple[float, float]]:
         """Ranges about values of parameters."""
-        values = {name: float(getattr(self.p, name)) for name in names}
+        values = {name: float(self.p[name]) for name in names}
         return {name: (value * (1 - share), value * (1 + share)) for name, value in values.items()}
 
     def folds(self, low: float, high: float, **changes: Any) -> Any:
@@ -103,10 +103,9 @@ class Asked:
             (found.when == "down").sum() - (found.when == "up").sum()
         )
         for row in np.flatnonzero(found.ends != ""):
-            here = ss.equilibria(self.p.replace(**{self.vary: getattr(found, self.vary)[row]}))
+            here = ss.equilibria(self.p.replace(**{self.vary: found[self.vary][row]}))
             away = [
-                np.nanmin(np.abs(getattr(here, name) - column[row]))
-                for name, column in found.after.items()
+                np.nanmin(np.abs(here[name] - column[row])) for name, column in found.after.items()
             ]
             assert np.isnan(found.after[self.first][row]) or max(away) < 1e-6
         plane = (
@@ -121,7 +120,7 @@ class Asked:
         for curve in ss.bifurcation_set(
             self.p, self.plane, 2, between=self.near(*self.plane)
         ).curves:
-            at, value = (float(getattr(curve, name)[0]) for name in self.plane)
+            at, value = (float(curve[name][0]) for name in self.plane)
             assert (
                 np.abs(self.folds(0.9 * value, 1.1 * value, **{self.other: at}) - value).min()
                 < 1e-6
@@ -132,9 +131,7 @@ class Asked:
         single = ss.flutter_onsets(self.p, self.vary, between=self.near(self.vary, share=0.3))
         places = [({self.vary: row[self.vary]}, row["omega"]) for row in single]
         for curve in ss.onset_curves(self.p, self.plane, 2, between=self.near(*self.plane)).curves:
-            places.append(
-                ({name: float(getattr(curve, name)[0]) for name in self.plane}, curve.omega[0])
-            )
+            places.append(({name: float(curve[name][0]) for name in self.plane}, curve.omega[0]))
         for at, omega in places:
             eq = ss.equilibria(self.p.replace(**at))
             every = np.concatenate([eq.damped_eigenvalues[eq.states], eq.eigenvalues[eq.states]])
@@ -150,7 +147,7 @@ class Asked:
                 ss.sticking_states,
                 still,
             )
-        found, states = ss.sticking_states(still).data(), getattr(ss.equilibria(still), self.first)
+        found, states = ss.sticking_states(still).data(), ss.equilibria(still)[self.first]
         low, high = (found[f"{self.first}_{end}"][:, None] for end in ("low", "high"))
         assert (
             ((low - 1e-9 <= states) & (states <= high + 1e-9)).any(axis=0) | np.isnan(states)
@@ -225,7 +222,7 @@ class Asked:
         assert margin.distance == pytest.approx(away, rel=1e-6)
         high, fixed = (
             1.5 * self.own,
-            {name: float(getattr(self.p, name)) for name in self.model.parameters},
+            {name: float(self.p[name]) for name in self.model.parameters},
         )
         how: dict[str, Any] = {
             "n": 32,

@@ -142,7 +142,7 @@ def test_the_probability_is_the_share_of_loads_beyond(tmp_path: Path) -> None:
 def test_what_can_t_rise_is_said_with_its_line(
     rows: dict[str, str], named: tuple[str, ...], tmp_path: Path
 ) -> None:
-    with pytest.raises(ss.ParameterError) as error:
+    with pytest.raises(ss.errors.ParameterError) as error:
         ss.Study.from_file(written_brake(tmp_path, BRAKE | rows))
     for part in (*named, ", line "):
         assert part in str(error.value)

@@ -110,7 +110,7 @@ def test_two_ways_to_one_answer() -> None:
         (ss.basin, "p", ()),
         (ss.sensitivity, "p", ()),
         (ss.precise.prove_cycle, "cycle", ()),
-        (ss.cycle_branch, "cycle", ("V", (0, 1))),
+        (functools.partial(ss.cycle_branch, between={"V": (0, 1)}), "cycle", ("V",)),
         (ss.cycle_events, "event", (("V", "d"),)),
     ):
         with pytest.raises(ss.errors.ParameterTypeError, match=f"{name} = 'coulomb' is no .*; "):

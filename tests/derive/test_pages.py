@@ -117,12 +117,6 @@ REFUSED = {
         "k_y = page.parameter(",
         "no name in Python",
     ),
-    "a name of the results": (
-        'page.coordinate("y"',
-        'page.coordinate("count"',
-        '"count"',
-        "results and generated functions",
-    ),
     "a point of space": (
         "page.spring(k_y, along=y)",
         "page.spring(k_y, (x, y, 0), (0, 0, 0))",

@@ -127,7 +127,7 @@ def test_what_is_no_set_of_parameters_and_no_result_is_refused_by_its_name() -> 
     of_parameters = [(draw, more) for draw, *more in asked if more[:1] == ["p"]]
     assert len(of_parameters) == 7
     for draw, more in of_parameters:
-        needed = dict.fromkeys({"theta0", "mu0", "ends"} & {*more}, (0.0, 1.0))
+        needed = {key: {"theta0": (0.0, 1.0)} for key in {"vary", "between"} & {*more}}
         with pytest.raises(
             ss.errors.ParameterTypeError, match="p = 'stick_slip' is no set of parameters; make one"
         ):

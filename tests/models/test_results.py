@@ -83,6 +83,7 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "PhysicalParameters": lambda: ss.PhysicalParameters(1, 1, 1, 1, 1, 1, 1, 1, 1),
     "Scales": lambda: ss.PhysicalParameters(1, 1, 1, 1, 1, 1, 1, 1, 1).scales,
     "Equilibria": lambda: ss.equilibria(P),
+    "InUnits": lambda: ss.equilibria(P).to_units(MAKERS["Scales"]()),
     "Surface": lambda: ss.kang_nam.surface(ONE, 1.0, [[0.5], [0.6]]),
     "Points": lambda: ss.folds(ONE),
     "Points of two parameters": lambda: ss.cusps(ONE),

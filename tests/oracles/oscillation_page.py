@@ -19,6 +19,7 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli import cli
+from spragsym.results.result import Result
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "oscillation.md"
@@ -108,7 +109,7 @@ def numbers_of(thing: Any) -> Iterator[float]:
         yield from (float(number) for number in thing.real.ravel() if thing.dtype.kind in "iufc")
     elif isinstance(thing, int | float):
         yield float(thing)
-    elif hasattr(thing, "__dict__"):
+    elif isinstance(thing, Result):
         yield from numbers_of(vars(thing))
 
 

@@ -30,5 +30,5 @@ def test_a_cycle_that_is_not_followed_is_told_and_costs_no_other() -> None:
     )
     assert len(found.cycles) == 1
     assert any(
-        "at V = 0.2 was not followed: to = (0.05, 0.12)" in remark for remark in found.remarks
+        "at V = 0.2 was not followed: between = (0.05, 0.12)" in remark for remark in found.remarks
     )

@@ -321,7 +321,7 @@ def test_a_page_that_differs_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None
     )
     held = page_equivalence.identities()
     assert [*held.values()].count(False) == 2
-    assert len(held) == 3
+    assert len(held) == 4
 
 
 def test_the_articles_page_gives_lagranges_equations() -> None:

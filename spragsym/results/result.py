@@ -168,14 +168,15 @@ class Result(Tabular):
         >>> [name for name in found.columns if name[0] in "xL"], found["x_m"].round(5).tolist()
         (['L_m', 'x_m'], [0.00478, 0.02107, 0.05484])
         """
-        known, found = self.columns, {}
+        known, found, said = self.columns, {}, {}
         entries = [] if self._of_model is None else self._of_model.about["parameters"]
         quantities = {one["name"]: one.get("quantity", one["name"]) for one in entries}
         for name, column in self.data().items():
             called = quantities.get(name, name)
             title, size = titled(called, known[name].dimension, units, called)
             found[title] = size * column if column.dtype.kind == "f" else column
-        return InUnits(found)
+            said[title] = known[name].meaning
+        return InUnits(found, said)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all of it to ``*.json``, which :func:`spragsym.open` reads, or its columns to
@@ -361,6 +362,16 @@ class InUnits(Rows):
     """Columns in units that their names say, as ``x_mm`` and ``theta_deg``."""
 
     values: Mapping[str, NDArray[Any]]
+    meanings: Mapping[str, str]
+
+    @property
+    def _schema(self) -> Schema:
+        usual = super()._schema
+        said = {
+            name: replace(usual.columns.get(name, Column(name)), meaning=meaning)
+            for name, meaning in self.meanings.items()
+        }
+        return replace(usual, columns={**usual.columns, **said})
 
     def data(self) -> dict[str, NDArray[Any]]:
         """The columns by name."""

@@ -277,6 +277,7 @@ def draw_operating_point(
     matplotlib line of the point
     """
     model_of(p)
+    p.scalars("theta0", "mu0")  # a set with units is refused before anything is drawn
     ax = own_axes(ax)
     angles, friction = (between[name] for name in ("theta0", "mu0"))
     top = max(_TOP, 1.15 * friction[1], 1.15 * jump if jump < _FAR else 0.0)

@@ -265,7 +265,7 @@ def critical_value(
     Examples
     --------
     >>> import spragsym as ss
-    >>> print(f"{ss.critical_value(ss.Parameters.article(), 'beta', between={'beta': (1, 2))}:.9f}")
+    >>> print(f"{ss.critical_value(ss.Parameters.article(), 'beta', between={'beta': (1, 2)}):.9f}")
     1.632329272
     """
     from scipy.optimize import brentq
@@ -281,12 +281,11 @@ def critical_value(
     allowed = {name: p.model.any_of(name) for name in (vary, rising, over)}
     given = as_ranges("between", between, allowed)
     own = {vary: given.pop(vary)} if vary in given else {}
-    rest = given or None  # of whole ranges closed forms know the lowest end
     low, high = varied_range(vary, own, p.ranges[vary])
 
     def lowest(value: float) -> float:
         with doing("lowest end at {} = {:.6g}", vary, value):
-            found = critical_friction(p.replace(**{vary: value}), rising, over, between=rest)
+            found = critical_friction(p.replace(**{vary: value}), rising, over, between=given)
         if found.kind == "undecided":
             raise ConvergenceError(
                 f"at {vary} = {value:.12g} the lowest end is undecided: {'; '.join(found.remarks)}"

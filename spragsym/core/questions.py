@@ -56,11 +56,10 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
             asked = model.whole if one_of("method", method, WAYS) == "closed" else model.search
             args = of(asked, args)
             options.update({key: of(asked, value) for key, value in options.items()})
-        if (closed := _closed_form(asked, name, args, options)) is not None:
+        given = {key: value for key, value in options.items() if not _says_nothing(value)}
+        if (closed := _closed_form(asked, name, args, given)) is not None:
             try:
-                return closed(
-                    *args, **{key: value for key, value in options.items() if value is not None}
-                )
+                return closed(*args, **given)
             except NotInClosedForm:
                 pass
         if method == "closed":
@@ -127,19 +126,20 @@ def of(model: Model, thing: Any) -> Any:
 _signature = functools.cache(inspect.signature)
 
 
+def _says_nothing(value: Any) -> bool:
+    """Whether an option is as if it were left out: None, or ranges of no parameter."""
+    return value is None or (isinstance(value, Mapping) and not value)
+
+
 def _closed_form(
     model: Model, name: str, args: tuple[Any, ...], options: Mapping[str, Any]
 ) -> Callable[..., Any] | None:
-    """The closed form of a question, if it has arguments of these names; None is what is left
-    out.
-    """
+    """The closed form of a question, if it has arguments of these names."""
     closed = model.closed_form(name)
     if closed is None or (len(args) == 1 and not options):
         return closed
     try:
-        _signature(closed).bind(
-            *args, **{key: value for key, value in options.items() if value is not None}
-        )
+        _signature(closed).bind(*args, **options)
     except TypeError:
         return None
     return closed

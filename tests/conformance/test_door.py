@@ -89,6 +89,8 @@ def test_two_ways_to_one_answer() -> None:
     assert ss.cusps(
         one.replace(theta0=1.2), vary=("kappa", "mu0"), between={"kappa": (0.006, 0.008)}
     ).vary == ("kappa", "mu0")
+    # Ranges of no parameter say nothing, so that the closed form still answers.
+    assert ss.critical_friction(one, between={}, method="closed").value == ss.critical_friction(one)
     rises = functools.partial(ss.certify, one, claim="no jump", vary="theta0")
     for function, p in (
         (ss.equilibria, a_set("damped")),

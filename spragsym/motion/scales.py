@@ -319,10 +319,13 @@ def scaled(field: Field, scales: Scales) -> Field:
             pulls = [a * (1.0 / f) for a, f in zip(accelerations, faster, strict=True)]
             return that.rate(at(state), pulls, constants, mode) * (time / size)
 
-        def slopes(state: Any, constants: Any, mode: Any) -> list[Any]:
-            found = that.slopes(at(state), constants, mode)  # type: ignore[misc]
-            factors = [*units, *(1.0,) * (len(found) - 2 * n)]
-            return [value * (unit / size) for value, unit in zip(found, factors, strict=True)]
+        def slopes_of(function: Callable[..., Any]) -> Callable[..., list[Any]]:
+            def slopes(state: Any, constants: Any, mode: Any) -> list[Any]:
+                found = function(at(state), constants, mode)
+                factors = [*units, *(1.0,) * (len(found) - 2 * n)]
+                return [value * (unit / size) for value, unit in zip(found, factors, strict=True)]
+
+            return slopes
 
         def elsewhere(function: Callable[..., Any] | None) -> Callable[..., Any] | None:
             return function and (lambda state, *rest: function(at(state), *rest))
@@ -335,7 +338,7 @@ def scaled(field: Field, scales: Scales) -> Field:
                 mode, *((at(given[0]), *given[1:]) if given else ())
             ),
             jumps=elsewhere(that.jumps),
-            slopes=slopes if that.slopes else None,
+            slopes=that.slopes and slopes_of(that.slopes),
             stays=elsewhere(that.stays),
         )
 

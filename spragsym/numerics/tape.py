@@ -23,7 +23,7 @@ from .interval_arrays import Intervals, Shape, exactly, stacked
 try:
     from . import _tape as compiled
 except ImportError:  # there was no compiler
-    compiled = None  # type: ignore[assignment]
+    compiled = None  # type: ignore[assignment]  # a module or nothing
 
 #: What an operation is, and the two things that it is done to: results by their numbers, or what
 #: the operation needs beside them.
@@ -77,7 +77,7 @@ class Recorded(Intervals):
         self.recording, self.place, self.size, self.vanishes = recording, place, size, vanishes
 
     @property
-    def ends(self) -> NoReturn:  # type: ignore[override]
+    def ends(self) -> NoReturn:  # type: ignore[override]  # it has none yet
         raise NotRecorded
 
     @property
@@ -251,12 +251,12 @@ class Tapes:
         key: Hashable,
         rows: Rows,
         *given: Intervals,
-        vanishing: Sequence[bool | None] = (),
+        vanishing: Sequence[bool] = (),
     ) -> Intervals:
         """``rows(*given)``, inputs of shape (…, N) each, as one array of shape (entries, N).
 
-        ``vanishing`` says of the rows of the last input whether they are 0 in all boxes, None for
-        those of which it does not matter; a tape holds for one such pattern.
+        ``vanishing`` says of the first rows of the last input whether they are 0 in all boxes,
+        which may be asked of these alone; a tape holds for one such pattern.
         """
         shape = given[0].shape[1:]
         if compiled is None or shape == (0,):
@@ -268,7 +268,7 @@ class Tapes:
         return stacked(rows(*given), shape) if tape is None else tape(*given)
 
 
-def recorded(rows: Rows, *given: Intervals, vanishing: Sequence[bool | None] = ()) -> Tape | None:
+def recorded(rows: Rows, *given: Intervals, vanishing: Sequence[bool] = ()) -> Tape | None:
     """The tape of a function; None of one that looks at the values of its intervals."""
     recording, shape = Recording(), given[0].shape[1:]
     inputs = [

@@ -18,7 +18,6 @@ from ..numerics.arithmetic import Matrix, is_zero
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
-    IntArray,
     Intervals,
     Shape,
     atan2,
@@ -209,15 +208,6 @@ class State:
         return undecorated(getattr(self.balance.model.algebra, name))(
             *first, *listed, *last, xp=self.xp
         )
-
-    def some(self, rows: IntArray) -> State:
-        """The evaluation at some of the boxes."""
-        values = {
-            name: value[rows] if isinstance(value, Intervals) else value
-            for name, value in self.values.items()
-        }
-        q, fixed = ([part[rows] for part in parts] for parts in (self.q, self.directions))
-        return replace(self, q=q, values=values, shape=rows.shape, fixed=fixed)
 
     # ------------------------------------------------------------------------------------------
     # directions

@@ -70,6 +70,13 @@ def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
             assert failed == 0, one
 
 
+@pytest.mark.parametrize("name", [*LONG, *SECONDS])
+def test_docstring_examples_that_take_long_can_be_read(name: str) -> None:
+    for test in doctest.DocTestFinder().find(importlib.import_module(name)):
+        for example in test.examples:
+            compile(example.source, test.name, "single")
+
+
 @pytest.mark.parametrize(
     "room", ["numerics", "files", "results", "statics", "bifurcation", "design", "cli"]
 )

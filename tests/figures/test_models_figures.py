@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.bifurcation.branches import undecided_points
 from spragsym.models.load import shipped
 from tests.oracles.gap_pages import HANDS
 from tests.oracles.user_pages import model_of
@@ -14,7 +15,6 @@ from tests.support import few
 plot = pytest.importorskip("matplotlib.figure")
 
 from spragsym import figures  # noqa: E402  needs matplotlib
-from spragsym.bifurcation.branches import undecided_points  # noqa: E402
 
 BETWEEN = {"mu0": (0.0, 1.0)}
 

@@ -11,7 +11,8 @@ import enum
 import html
 import math
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
+from contextvars import ContextVar
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import lru_cache
 from typing import Any, ClassVar, cast
 
@@ -43,6 +44,13 @@ class Column:
     meaning : str
     codes : type of enum.IntEnum, optional
         What its numbers mean.
+    rate_of : str, optional
+        The coordinate whose rate it is.
+    of : callable, optional
+        The column of a result that does not hold it.
+    row : {"", "before", "behind", "beside"}
+        Where it stands in a row of states: before or behind the columns that say where the state
+        is, or behind all others and in no table.
 
     Examples
     --------
@@ -54,11 +62,23 @@ class Column:
     dimension: str = "1"
     meaning: str = ""
     codes: type[enum.IntEnum] | None = None
+    rate_of: str = ""
+    of: Callable[[Any], Any] | None = field(default=None, compare=False)
+    row: str = ""
+
+    def value(self, result: Any) -> Any:
+        """The column of a result: as it follows from others, or the attribute of its name."""
+        return getattr(result, self.name) if self.of is None else self.of(result)
 
     @property
     def is_angle(self) -> bool:
         """Whether its numbers are radians."""
         return self.dimension == "rad"
+
+    @property
+    def size(self) -> float:
+        """What one of its numbers is where it is shown: angles are degrees."""
+        return math.degrees(1.0) if self.is_angle else 1.0
 
     @property
     def heading(self) -> str:
@@ -97,7 +117,7 @@ def columns_of_class(kind: type, model: Any) -> dict[str, Column]:
             if dimension != each.dimension:
                 dimension = own[dimension].dimension
             said = said if name else own_name(model, said)
-            found[said] = Column(said, dimension, meaning, each.codes)
+            found[said] = replace(each, name=said, dimension=dimension, meaning=meaning)
     return found
 
 
@@ -115,6 +135,8 @@ class Tabular:
 
     #: Columns of the class that are not the model's own.
     schema: ClassVar[tuple[Column, ...]] = ()
+    #: It stands on the line above the table of what it is part of.
+    in_a_line: ClassVar[bool] = False
 
     @property
     def _of_model(self) -> Any:
@@ -156,7 +178,7 @@ class Schema:
         """A column's name, of an angle with its unit."""
         name, blank, rest = key.partition(" ")
         called = self.vary if name in ("value", "values") else name
-        return f"{called}{'_deg' if self.column(key).is_angle else ''}{blank}{rest}"
+        return f"{replace(self.column(key), name=called).heading}{blank}{rest}"
 
     def cell(self, key: str, value: Any) -> str:
         """A number to ten digits, a code as its word."""
@@ -180,7 +202,7 @@ class Schema:
             from .numerics.decimals import upward
 
             return upward(value)
-        return f"{math.degrees(value) if column.is_angle else value:.10g}"
+        return f"{column.size * value:.10g}"
 
     def listed(self, key: str, values: Any) -> str:
         """The first few numbers of an array."""
@@ -238,7 +260,9 @@ def sorted_out(
     """The columns of a dataclass, arrays of its largest shape; what fits on the line above them;
     and all values.
     """
-    values = thing._shown() if isinstance(thing, Tabular) else named_fields(thing)
+    values = (
+        thing._shown() | following(thing) if isinstance(thing, Tabular) else named_fields(thing)
+    )
     if isinstance(values.get("undecided"), np.ndarray):
         values["undecided"] = counted(len(values["undecided"]), "box", "boxes")
     if "vary" in values and "values" in values:
@@ -266,8 +290,27 @@ def sorted_out(
     return columns, single, values
 
 
-# ----------------------------------------------------------------------------------------- what
-# tables are made of
+#: Results whose columns are being made from others of them, by identity.
+_MAKING: ContextVar[frozenset[int]] = ContextVar("_MAKING", default=frozenset())
+
+
+def following(thing: Any) -> dict[str, Any]:
+    """Columns of a result that follow from what it holds; none while one of them is made."""
+    model, making = thing._of_model, _MAKING.get()
+    ours = [each for each in thing.schema if each.of is not None]
+    if not ours or id(thing) in making:
+        return {}
+    token = _MAKING.set(making | {id(thing)})
+    try:
+        return {
+            each.name if model is None else own_name(model, each.name): each.value(thing)
+            for each in ours
+        }
+    finally:
+        _MAKING.reset(token)
+
+
+# ----------------------------------------------------------------------------- the parts of tables
 
 
 def counted(number: int, one: str, many: str) -> str:
@@ -392,7 +435,7 @@ def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
 
 def _is_single(value: Any) -> bool:
     """Whether something fits on the line above a table."""
-    if type(value).__name__ in ("Parameters", "PhysicalParameters"):
+    if isinstance(value, Tabular) and value.in_a_line:
         return True
     if isinstance(value, np.ndarray):
         return value.ndim == 0

@@ -38,6 +38,8 @@ Exact: TypeAlias = int | float | str | Fraction | mpmath.mpf
 
 #: Digits beyond which a request is taken for a mistake.
 MOST_DIGITS = 1000
+#: Arguments of the functions here, whose names parameters of a page may have.
+_ARGUMENTS = frozenset(("p", "contact", "dps", "method", "vary", "between"))
 _NUMBER = re.compile(
     r"\s*[+-]?(\d{1,400}(/\d{1,400})?|(\d{1,400}\.?\d{0,400}|\.\d{1,400})([eE][+-]?\d{1,3})?)\s*"
 )
@@ -121,7 +123,8 @@ def equilibria(
         Closed forms where the model has them, or the search over boxes as a second witness.
     **exact : int, str, Fraction, mpf or float
         Parameters by name, taken exactly, in the place of those of ``p``; with ``theta0_deg`` an
-        angle in degrees.
+        angle in degrees. One that has the name of an argument stands with an underscore behind
+        it, as ``method_``.
 
     Returns
     -------
@@ -253,8 +256,9 @@ def _exactly(
 
     ``unasked`` are parameters on which the answer does not depend.
     """
+    spelled = {name: f"{name}_" if name in _ARGUMENTS else name for name in model.parameters}
     known = {
-        **{name: name for name in model.parameters},
+        **{called: name for name, called in spelled.items()},
         **{f"{name}_deg": name for name in model.about["angles"]},
     }
     for name in exact:
@@ -272,7 +276,7 @@ def _exactly(
         allowed, degrees, value = (
             model.Parameters.ranges[name],
             exact.get(f"{name}_deg"),
-            exact.get(name),
+            exact.get(spelled[name]),
         )
         if degrees is not None and value is not None:
             raise ParameterError(f"give one of {name} (radians) and {name}_deg (degrees)")
@@ -289,7 +293,7 @@ def _exactly(
             degrees_too = f" (radians) or {name}_deg (degrees)" * (name in model.about["angles"])
             why = "it has no base value" if p is None else "it is missing from p"
             raise ParameterError(f"give one of {name}{degrees_too}: {why}")
-        given[name] = as_exact(name, value, allowed)
+        given[name] = as_exact(spelled[name], value, allowed)
     return given
 
 

@@ -480,16 +480,18 @@ class Onsets(Points):
     """
 
     schema = (
-        *Points.schema,
-        Column("omega", "1/s", "frequency of the onset"),
+        *(each for each in Points.schema if each.name not in ("ends", "when")),
+        Column("omega", "1/s", "frequency of the onset", row="behind"),
         Column("branch", "1", "number of the state from below in theta"),
         Column("count", "1", "number of states at this point"),
         Column("side", "1", "side on which flutter is"),
-        Column("criticality", "1", "gentle, dangerous or undecided"),
-        Column("lyapunov", "", "first Lyapunov coefficient"),
-        Column("lyapunov_error", "", "bound on its error"),
-        Column("crossing", "", "derivative of the growth by the parameter"),
+        Column("criticality", "1", "gentle, dangerous or undecided", row="behind"),
+        Column("when", "1", "direction of the parameter in which it sets in", row="behind"),
+        Column("lyapunov", "", "first Lyapunov coefficient", row="beside"),
+        Column("lyapunov_error", "", "bound on its error", row="beside"),
+        Column("crossing", "", "derivative of the growth by the parameter", row="beside"),
         Column("crossing_error", "", "bound on its error"),
+        Column("why", "1", "why the criticality is undecided", row="beside"),
     )
 
     @property

@@ -241,25 +241,27 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
 
 
 #: Of an onset what JSON has besides the table.
-BESIDE = ("lyapunov", "lyapunov_error", "crossing", "why")
+BESIDE = tuple(each.name for each in ss.results.Onsets.schema if each.row == "beside")
 
 
 def points_of(case: Case, found: Any, after: bool = False) -> Row:
     """A row for each point, whether these are all, what was searched, and the undecided boxes;
     ``after`` at any cost.
     """
-    ours, following = list[str](), {}
-    if isinstance(found, ss.results.Onsets):
-        ours = ["omega", "criticality", "when", *BESIDE]
-    elif len(found.vary) == 1:
-        ours = ["ends", "when"]
+    alone = len(found.vary) == 1
+    onsets, following = isinstance(found, ss.results.Onsets), {}
+    if alone and not onsets:
         following = case.row(found.after if after else after_if_known(found), end="_after")
-    own = partial(own_name, case.model)
+
+    def ours(*rows: str) -> dict[str, Any]:
+        known = (each for each in found.schema if each.row in rows)
+        return {own_name(case.model, each.name): each.value(found) for each in known}
+
     columns = {
         **{name: found[name] for name in found.vary},
-        own("kind"): found.kind,
+        **ours("before"),
         **{name: found[name] for name in found.state_columns},
-        **{own(name): getattr(found, name) for name in ours},
+        **(ours("behind", "beside") if alone or onsets else {}),
     }
     points = case.rows(columns, ss.results.Onsets, **following, error=found.error)
     searched, *undecided = case.boxes(

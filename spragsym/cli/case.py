@@ -14,10 +14,11 @@ import click
 import numpy as np
 from click.core import ParameterSource
 
+from ..command_line import option_name, options_of
 from ..core.errors import ParameterError, hint
 from ..core.remarks import Remark
 from ..display import columns_of_class, own_name
-from ..models.model import Model, option_name, options_of
+from ..models.model import Model
 from ..models.parameters import FloatArray, ParameterSet, Range, Ranges, as_number
 from ..models.quantities import Quantities, quantities
 from ..results import Equilibria

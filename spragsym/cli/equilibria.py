@@ -19,7 +19,7 @@ from ..core.errors import ConvergenceError, ParameterError, SpragsymError
 from ..core.progress import show_progress
 from ..core.remarks import At, Remark
 from ..design.jumps import first_ends, told
-from ..display import own_name
+from ..display import columns_of_class, own_name
 from ..models.parameters import INSIDE
 from . import options as o
 from .bifurcation import lengths, summed
@@ -93,13 +93,11 @@ def equilibria(case: Case, plot: Path | None) -> Any:
 
 
 def _print(case: Case, points: list[Row], many: list[str]) -> None:
+    of_class = columns_of_class(ss.results.Equilibria, case.model).items()
+    beside = {case.of(name)[0] for name, each in of_class if each.row == "beside"}
     rows = [
         {title: point["parameters"][title] for title in many}
-        | {
-            name: value
-            for name, value in row.items()
-            if "eigenvalues" not in name and name != "marginal"
-        }
+        | {name: value for name, value in row.items() if name not in beside}
         for point in points
         for row in point["equilibria"]
     ]
@@ -183,11 +181,10 @@ def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[Row]:
     the friction law.
     """
     count = int(eq.count[point])
-    ours = ("eigenvalues", "damped_eigenvalues", "growth", "error", "marginal")
-    own = partial(own_name, case.model)
-    names = (own("stability"), own("damped"), *eq.state_columns, *map(own, ours))
+    before, behind = eq.row_columns("before"), eq.row_columns("behind", "beside")
+    names = (*before, *eq.state_columns, *behind)
     columns = {name: eq[name][point][:count] for name in names}
-    return case.rows({own("state"): [eq.regime] * count, **columns})
+    return case.rows({own_name(case.model, "state"): [eq.regime] * count, **columns})
 
 
 @o.of_model(statics=True, values=True)

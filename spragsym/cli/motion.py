@@ -306,15 +306,10 @@ def cycles(
         found = ss.cycle(p, start)
     summary: Row = case.row(
         {
-            "period": found.period,
+            **{each.name: each.value(found) for each in found.schema},
             "stable": found.stable,
             "state": found.state * ones,
             "multipliers": found.multipliers,
-            "error": found.error,
-            "residual": found.residual,
-            "rms": found.rms,
-            "mean": found.mean,
-            "amplitude": found.amplitude,
             **found.forces,
             "crossings": len(found.events),
             "backend": found.backend,
@@ -462,14 +457,8 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
         lambda: [(case.axis(along.name), up) for up in (case.axis(first, "RMS of "), period)],
     )
     events, own = branch.events, partial(own_name, case.model)
-    columns = {
-        along.name: branch.values,
-        own("period"): branch.periods,
-        own("rms"): branch.rms,
-        own("stable"): branch.stable,
-    }
     return {
-        "branch": case.rows(columns, type(found)),
+        "branch": case.rows(branch.data(), type(branch)),
         "branch_events": case.rows(
             {
                 own("kind"): [event.kind for event in events],

@@ -16,9 +16,10 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import click
 import numpy as np
 
+from ..command_line import option_name, options_of
 from ..core.errors import ParameterError
 from ..models.load import USUAL, load
-from ..models.model import Model, option_name, options_of
+from ..models.model import Model
 from ..models.parameters import (
     FINITE,
     NOT_NEGATIVE,

@@ -15,11 +15,12 @@ from importlib import resources
 from typing import Any
 
 from .._version import __version__
+from ..command_line import options_of
 from ..core.errors import MissingExtraError
 from ..core.questions import model_of
 from ..derive.kang_nam.library import exported
 from ..models.load import USUAL, load, page_of
-from ..models.model import Model, options_of, title_drawing_words
+from ..models.model import Model, title_drawing_words
 from ..models.parameters import ParameterSet
 
 _ASSETS = resources.files("spragsym.explorer") / "assets"

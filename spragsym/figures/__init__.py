@@ -15,7 +15,8 @@ Examples
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
+from functools import singledispatch
 from typing import Any
 
 import numpy as np
@@ -27,7 +28,18 @@ try:
 except ModuleNotFoundError as error:
     raise MissingExtraError("spragsym.figures", error.name or "matplotlib", "plot") from error
 
-from ..results import Result, Stability
+from ..bifurcation.hopf_curves import OnsetCurves
+from ..orbits import CycleBranch, FateMap
+from ..orbits.diagram import Diagram
+from ..results import (
+    BifurcationSet,
+    Equilibria,
+    Path,
+    Points,
+    Result,
+    Stability,
+    Trajectory,
+)
 from .bifurcation_sets import (
     figure_11,
     figure_12,
@@ -78,7 +90,7 @@ from .motions import (
 )
 from .planes import bifurcation_figure, draw_bifurcation_set, draw_onset_curves, stability_figure
 from .report_pages import draw_operating_point, draw_rising, draw_shares, report_page
-from .style import BLACK, FORMATS, Sheet, as_drawn, own_axes, styled, write
+from .style import BLACK, FORMATS, Sheet, own_axes, styled, write
 
 #: Name → the function that draws it: the article's numbers first.
 FIGURES: dict[str, Callable[..., Sheet]] = {
@@ -174,59 +186,14 @@ def plot(result: Any, ax: Axes | None = None, **options: Any) -> Any:
     1
     """
     require_kind("result", result, Result, "what a question gives, as ss.folds(p)")
-    name = type(result).__name__
-    if name in _FIGURES:
-        whole, on_axes = _FIGURES[name]
-        return whole(result, **options) if ax is None else on_axes(result, ax, **options)
-    draw: Callable[..., Any] = _DRAWN.get(name, _columns)
-    return draw(result, ax=ax, **options)
+    return _whole(result, **options) if ax is None else _drawn(result, ax=ax, **options)
 
 
-def _points(points: Any, ax: Axes | None, quantity: str | None = None, **options: Any) -> Any:
-    ax, model = own_axes(ax), points.parameters.model
-    across, up = (
-        points.vary if len(points.vary) == 2 else (points.vary[0], quantity or model.coordinates[0])
-    )
-    name_axes(ax, model, across, up)
-    return mark_folds(points, up, ax=ax, **options)
-
-
-def _equilibria(eq: Any, ax: Axes | None, quantity: str | None = None, **options: Any) -> Any:
-    """States over the first parameter that varies, or by their number, marked by stability.
-
-    Where a point is undecided there is a hatched line."""
-    ax, model, rows = own_axes(ax), eq.parameters.model, eq.data()
-    up = quantity or model.coordinates[0]
-    across = next((name for name in rows if name in model.parameters), None)
-    along = np.arange(len(rows[up])) if across is None else as_drawn(model, across, rows[across])
-    name_axes(ax, model, across or up, up)
-    if across is None:
-        ax.set_xlabel("state")
-    if across is not None:
-        given = np.broadcast_to(eq.parameters[across], eq.count.shape)[~eq.decided]
-        shade(ax, model, across, np.stack([given, given], axis=1))
-    lines = []
-    for kind, mark in _MARKS.items():
-        here = rows["stability"] == kind
-        if here.any():
-            style = {
-                "linestyle": "none",
-                "marker": mark,
-                "color": BLACK,
-                "markersize": 3,
-                "label": kind.name.lower(),
-                **options,
-            }
-            lines += ax.plot(along[here], as_drawn(model, up, rows[up][here]), **style)
-    return lines
-
-
-def _motion(motion: Any, ax: Axes | None, *, transient: float = 0.0, **options: Any) -> Any:
-    return draw_motion(motion.after(transient), ax=ax, **options)
-
-
-def _columns(result: Any, ax: Axes | None, **options: Any) -> Any:
-    """The first column of numbers over another that varies, or over the row."""
+@singledispatch
+def _drawn(result: Any, ax: Axes | None, **options: Any) -> Any:
+    """A result on axes; of one that no function is registered for, the first column of numbers over
+    another that varies, or over the row.
+    """
     columns = [
         (name, np.ravel(column))
         for name, column in result.data().items()
@@ -245,18 +212,72 @@ def _columns(result: Any, ax: Axes | None, **options: Any) -> Any:
     return ax.plot(x, y, ".", **options)
 
 
-#: Figures of their own, and the same on given axes.
-_FIGURES: Mapping[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
-    "Diagram": (diagram_figure, draw_diagram),
-    "CycleBranch": (branch_figure, draw_branch),
-    "FateMap": (fate_map_figure, draw_fate_map),
-}
-_DRAWN: Mapping[str, Callable[..., Any]] = {
-    "Path": draw_path,
-    "Points": _points,
-    "Onsets": _points,
-    "Equilibria": _equilibria,
-    "BifurcationSet": draw_bifurcation_set,
-    "OnsetCurves": draw_onset_curves,
-    "Trajectory": _motion,
-}
+@singledispatch
+def _whole(result: Any, **options: Any) -> Any:
+    """A result as a figure of its own, of kinds that are registered; others on pyplot's axes."""
+    return _drawn(result, ax=None, **options)
+
+
+@_drawn.register(Points)
+def _points(points: Points, ax: Axes | None, quantity: str | None = None, **options: Any) -> Any:
+    ax, model = own_axes(ax), points.parameters.model
+    across, up = (
+        points.vary if len(points.vary) == 2 else (points.vary[0], quantity or model.coordinates[0])
+    )
+    name_axes(ax, model, across, up)
+    return mark_folds(points, up, ax=ax, **options)
+
+
+@_drawn.register(Equilibria)
+def _equilibria(
+    eq: Equilibria, ax: Axes | None, quantity: str | None = None, **options: Any
+) -> Any:
+    """States over the first parameter that varies, or by their number, marked by stability.
+
+    Where a point is undecided there is a hatched line."""
+    ax, model, rows = own_axes(ax), eq.parameters.model, eq.data()
+    up = quantity or model.coordinates[0]
+    across = next((name for name in rows if name in model.parameters), None)
+    along = np.arange(len(rows[up])) if across is None else model.column(across).size * rows[across]
+    name_axes(ax, model, across or up, up)
+    if across is None:
+        ax.set_xlabel("state")
+    if across is not None:
+        given = np.broadcast_to(eq.parameters[across], eq.count.shape)[~eq.decided]
+        shade(ax, model, across, np.stack([given, given], axis=1))
+    lines = []
+    for kind, mark in _MARKS.items():
+        here = rows["stability"] == kind
+        if here.any():
+            style = {
+                "linestyle": "none",
+                "marker": mark,
+                "color": BLACK,
+                "markersize": 3,
+                "label": kind.name.lower(),
+                **options,
+            }
+            lines += ax.plot(along[here], model.column(up).size * rows[up][here], **style)
+    return lines
+
+
+@_drawn.register(Trajectory)
+def _motion(motion: Trajectory, ax: Axes | None, *, transient: float = 0.0, **options: Any) -> Any:
+    return draw_motion(motion.after(transient), ax=ax, **options)
+
+
+for _kind, _on_axes in (
+    (Path, draw_path),
+    (BifurcationSet, draw_bifurcation_set),
+    (OnsetCurves, draw_onset_curves),
+    (Diagram, draw_diagram),
+    (CycleBranch, draw_branch),
+    (FateMap, draw_fate_map),
+):
+    _drawn.register(_kind, _on_axes)
+for _kind, _figure in (
+    (Diagram, diagram_figure),
+    (CycleBranch, branch_figure),
+    (FateMap, fate_map_figure),
+):
+    _whole.register(_kind, _figure)

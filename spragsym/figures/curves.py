@@ -37,17 +37,15 @@ from .style import (
     VERMILION,
     Sheet,
     Table,
-    as_drawn,
     in_letters,
     label,
     own_axes,
+    own_unit,
     panels,
     runs,
     stacked,
     styled,
-    titled,
     window,
-    with_unit,
 )
 
 #: Names of axes in the article's figures.
@@ -77,7 +75,8 @@ class Branch(Named):
 
     def shown(self, name: str) -> FloatArray:
         """A column or the parameter as an axis shows it: angles in degrees."""
-        return as_drawn(self.model, name, self.values if name == self.vary else self.states[name])
+        values = self.values if name == self.vary else self.states[name]
+        return self.model.column(name).size * values
 
 
 class Branches(list[Branch]):
@@ -104,7 +103,7 @@ def name_axes(ax: Axes, model: Model, vary: str, quantity: str) -> None:
     """Label axes that have no label yet."""
     for axis, name in ((ax.xaxis, vary), (ax.yaxis, quantity)):
         if not axis.get_label_text():
-            axis.set_label_text(with_unit(model, name))
+            axis.set_label_text(label(model.column(name), own_unit(model, model.column(name))))
 
 
 #: What is written for the former ends of the parameter that varies.
@@ -287,7 +286,7 @@ def draw_branches(
 
 def shade(ax: Axes, model: Model, vary: str, spans: FloatArray) -> None:
     """Hatch ranges of a parameter, those of one value too, in which not everything is decided."""
-    for low, high in as_drawn(model, vary, spans).tolist():
+    for low, high in (model.column(vary).size * spans).tolist():
         ax.axvspan(
             low, high, facecolor="none", edgecolor=GREY, hatch="////", linewidth=0.8, zorder=0
         )
@@ -311,8 +310,8 @@ def mark_folds(
     inside = (low <= along) & (along <= high)
     model = turns.parameters.model
     x, y = (
-        as_drawn(model, vary, along[inside]),
-        as_drawn(model, quantity, turns[quantity][inside]),
+        model.column(vary).size * along[inside],
+        model.column(quantity).size * turns[quantity][inside],
     )
     style = {
         "linestyle": "none",
@@ -395,7 +394,8 @@ def table_of(curves: Iterable[Branch]) -> Table:
     tables = list[Table]()
     for curve in curves:
         columns = {
-            titled(curve.model, name): curve.shown(name) for name in (curve.vary, *curve.states)
+            curve.model.column(name).heading: curve.shown(name)
+            for name in (curve.vary, *curve.states)
         }
         tables.append({"stability": curve.stability.name.lower(), **columns})
     return stacked(tables, "branch")
@@ -427,7 +427,7 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
     whole = np.insert(np.stack([values, path[quantity]], axis=1), stops, jumps, axis=0)
     pieces = np.split(whole, stops[::2] + np.arange(1, stops.size, 2))
     return [
-        (as_drawn(model, path.vary, piece[:, 0]), as_drawn(model, quantity, piece[:, 1]))
+        (model.column(path.vary).size * piece[:, 0], model.column(quantity).size * piece[:, 1])
         for piece in pieces
     ]
 
@@ -588,6 +588,7 @@ def _drawn(
     for eq, cuts in pieces_between(p, vary, ends, turns, False, n):
         spans.append(undecided_points(eq, vary, cuts))
         states += [(eq, at) for at in chains(p, vary, eq, turns)]
+    size = model.column(vary).size
     for eq, at in states:
         values = eq.parameters[vary][at[0]]
         damped, undamped = (
@@ -601,7 +602,7 @@ def _drawn(
         ):
             upper = np.where(every.imag >= 0, every, nowhere)
             for ax, part in zip(axes, (upper.imag, upper.real), strict=True):
-                lines += ax.plot(as_drawn(model, vary, values), part, color=color, linewidth=width)
+                lines += ax.plot(size * values, part, color=color, linewidth=width)
         courses.append((values, {"damped": damped, "undamped": undamped}))
     if not lines:
         where = (
@@ -613,10 +614,10 @@ def _drawn(
     for ax, text in zip(axes, (r"frequency Im $\lambda$", r"growth Re $\lambda$"), strict=True):
         ax.set_ylabel(f"{text} (units of ${rate}$)")
         shade(ax, model, vary, joined(np.concatenate(spans)))
-        ax.set_xlim(*as_drawn(model, vary, np.array(ends)))
+        ax.set_xlim(*size * np.array(ends))
     axes[0].set_ylim(bottom=max(0.0, axes[0].get_ylim()[0]))
     axes[1].axhline(0.0, color=BLACK, linewidth=0.4)
-    axes[1].set_xlabel(label(model, vary))
+    axes[1].set_xlabel(label(model.column(vary)))
     imag, real = (
         stacked(
             [

@@ -46,17 +46,14 @@ from .style import (
     Sheet,
     Table,
     angle_axis,
-    as_drawn,
     label,
     line_at,
     panels,
     runs,
     say,
-    shown,
     single,
     stacked,
     styled,
-    titled,
     write_along,
 )
 
@@ -226,9 +223,8 @@ def draw_branch(branch: CycleBranch, ax: Axes, quantity: str = "rms") -> None:
     require_kind("branch", branch, CycleBranch, "one of ss.cycle_branch(...)")
     one_of("quantity", quantity, ("rms", "period"))
     field, height_of = branch.cycles[0].field, attrgetter(quantity)
-    (along, unit), (first, size) = (
-        shown(field, name) for name in (branch.vary, field.coordinates[0])
-    )
+    varied, height = (field.column(name) for name in (branch.vary, field.coordinates[0]))
+    (along, unit), (first, size) = ((label(one), one.size) for one in (varied, height))
     heights, up = branch.rms, f"RMS of {first}"
     if quantity == "period":
         heights, up, size = branch.periods, "period", 1.0
@@ -341,7 +337,7 @@ def fate_map_figure(found: FateMap) -> Sheet:
         their multipliers or eigenvalues; chaos is told by the 95 % intervals of Lyapunov
         exponents, as far as the motion was followed; crosses are undecided, upright ones in colour
         with an exponent above its 95 % interval: irregular so far.""",
-        a={titled(found.model, name): values for name, values in every.items()}
+        a={found.model.column(name).heading: values for name, values in every.items()}
         | {"kind": found.kind.ravel(), "period": found.period.ravel()},
     )
 
@@ -360,7 +356,7 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
             "over two parameters"
         )
     every = {
-        name: as_drawn(model, name, np.broadcast_to(found.inputs[name], shape).ravel())
+        name: model.column(name).size * np.broadcast_to(found.inputs[name], shape).ravel()
         for name in varied
     }
     across, up = map(np.unique, every.values())
@@ -392,7 +388,7 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
     if (kind == Kind.CYCLE).any():
         ax.figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
     ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches))
-    ax.set(xlabel=label(model, varied[0]), ylabel=label(model, varied[1]))
+    ax.set(xlabel=label(model.column(varied[0])), ylabel=label(model.column(varied[1])))
     return every
 
 
@@ -429,7 +425,8 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
     require_kind("found", found, Diagram, "one of ss.diagram(...)")
     tables = dict[str, Table]()
     (title, height), units = zip(
-        *(shown(found.model, name) for name in (found.vary, found.name)), strict=True
+        *((label(one), one.size) for one in map(found.model.column, (found.vary, found.name))),
+        strict=True,
     )
     unit, one = units
     for i, rest in enumerate(found.equilibria):

@@ -48,7 +48,6 @@ from .style import (
     stacked,
     styled,
     symbol,
-    titled,
     write_along,
 )
 
@@ -348,5 +347,5 @@ def _both_ways(
 
 
 def table_of_path(path: Path) -> Table:
-    title = titled(path.parameters.model, path.vary)
+    title = path.parameters.model.column(path.vary).heading
     return stacked([{title: value, "x": state} for value, state in passages(path)], "piece")

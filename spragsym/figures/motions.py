@@ -37,11 +37,11 @@ from .style import (
     Sheet,
     Table,
     angle_axis,
-    axis_label,
     in_letters,
     label,
     line_at,
     own_axes,
+    own_unit,
     panels,
     plain_ticks,
     remark,
@@ -124,6 +124,12 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
     )
 
 
+def _said(motion: Trajectory, name: str) -> str:
+    """The label of an axis of a column, radians or the model's unit."""
+    column = motion.columns[name]
+    return label(column, "rad" if column.is_angle else own_unit(motion.model, column))
+
+
 def draw_motion(
     motion: Trajectory,
     of: str | None = None,
@@ -152,7 +158,7 @@ def draw_motion(
     place, t = row_of(of, names), np.linspace(motion.t[0], motion.t[-1], 4000)
     ax = own_axes(ax)
     (line,) = ax.plot(time * t, length * motion(t)[place], color=BLUE, linewidth=0.8)
-    across, up = labels or (axis_label(motion, motion._own("t")), axis_label(motion, names[place]))
+    across, up = labels or (_said(motion, motion._own("t")), _said(motion, names[place]))
     ax.set(xlabel=across, ylabel=up)
     return line
 
@@ -184,7 +190,7 @@ def draw_phase(
             linewidth=0.6,
             linestyle=":",
         )
-    across, up = labels or (axis_label(motion, name), axis_label(motion, rate))
+    across, up = labels or (_said(motion, name), _said(motion, rate))
     ax.set(xlabel=across, ylabel=up)
     return line
 
@@ -210,7 +216,7 @@ def draw_spectrum(
     unit = in_letters(motion.model.unit("s"))
     across, up = labels or (
         rf"frequency $\times\ {unit}$",
-        f"amplitude of {axis_label(motion, of)}",
+        f"amplitude of {_said(motion, of)}",
     )
     end = frequency * found.frequency[min(2 * last + 8, found.frequency.size - 1)]
     ax.set(xlim=(0, end), ylim=(0, None), xlabel=across, ylabel=up)
@@ -241,8 +247,8 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
         size, over_time, phase, spectrum = length, None, None, None
         if units is not None:
             size, unit = (180 / np.pi, "deg") if model.is_angle(name) else (length, "mm")
-            here = f"{label(model, name).partition(' (')[0]} ({unit})"
-            over_time, phase = ("$t$ (s)", here), (here, f"{label(model, rate)} ({unit}/s)")
+            here = label(model.column(name), unit)
+            over_time, phase = ("$t$ (s)", here), (here, label(model.column(rate), f"{unit}/s"))
             spectrum = "frequency (Hz)", f"amplitude of {here}"
         draw_motion(motion, name, axes[row, 0], length=size, time=time, labels=over_time)
         draw_phase(late, axes[row, 1], of=name, length=size, speed=size / time, labels=phase)

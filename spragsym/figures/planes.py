@@ -27,7 +27,6 @@ from .style import (
     VERMILION,
     Sheet,
     Table,
-    as_drawn,
     label,
     own_axes,
     runs,
@@ -49,7 +48,7 @@ def _table(found: BifurcationSet | OnsetCurves, *names: str) -> Table:
 
 def _places(model: Model, vary: Sequence[str], of: Any) -> list[Any]:
     """Columns of two parameters as axes show them."""
-    return [as_drawn(model, name, of[name]) for name in vary]
+    return [model.column(name).size * of[name] for name in vary]
 
 
 def draw_bifurcation_set(
@@ -104,7 +103,7 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
             artists += ax.plot(
                 across[part], up[part], styles[str(curve.criticality[part][0])], color=color
             )
-    changes = [as_drawn(model, name, found.changes[name]) for name in found.vary]
+    changes = [model.column(name).size * found.changes[name] for name in found.vary]
     for labels, places, marker, aside in (
         (["GH"] * len(changes[0]), changes, "o", (3, 3)),
         (found.points.kind.tolist(), _places(model, found.vary, found.points), "s", (3, -9)),
@@ -123,18 +122,18 @@ def _plane(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[
     what they hold.
     """
     across, up = found.vary
-    ax.set(xlabel=label(model, across), ylabel=label(model, up))
+    ax.set(xlabel=label(model.column(across)), ylabel=label(model.column(up)))
     ends = zip(
         found.vary, found.undecided.swapaxes(0, 1)[-2:], strict=False
     )  # closed forms have none
-    places = (as_drawn(model, name, of.T) for name, of in ends)
+    places = (model.column(name).size * of.T for name, of in ends)
     return ax.plot(*places, color=VERMILION, linewidth=3, alpha=0.4, solid_capstyle="round")
 
 
 def _span(ax: Axes, model: Model, vary: Sequence[str], between: Ranges) -> None:
     """Have the axes span what was asked, and not what was found; wide angles by 30 degrees."""
     for direction, name in zip("xy", vary, strict=True):
-        low, high = as_drawn(model, name, np.array(between[name]))
+        low, high = model.column(name).size * np.array(between[name])
         ax.set(**{f"{direction}lim": (low, high)})
         if model.is_angle(name) and high - low > 120:
             getattr(ax, f"{direction}axis").set_major_locator(MultipleLocator(30))
@@ -202,7 +201,7 @@ def draw_plane(
     except ModelError:
         return found, False
     if (count == 3).any():
-        places = (as_drawn(model, name, values.ravel()) for name, values in inside.items())
+        places = (model.column(name).size * values.ravel() for name, values in inside.items())
         ax.contourf(*places, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
     return found, True
 

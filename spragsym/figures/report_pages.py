@@ -38,13 +38,13 @@ from .style import (
     GREY,
     SKY,
     VERMILION,
-    as_drawn,
     house_style,
     in_units,
+    label,
     own_axes,
+    own_unit,
     single,
     symbol,
-    with_unit,
     write_along,
 )
 from .style import picture as content
@@ -151,7 +151,7 @@ def _planes(report: Facts) -> Rows:
     unit, size = unit_of(study)
     # Angles are drawn in degrees by the picture itself.
     options: dict[str, Any] = dict(
-        length=size if unit == "mm" else 1.0, label=f"{first['name']} in {unit}", n=_VALUES
+        length=size if unit == "mm" else 1.0, up=f"{first['name']} in {unit}", n=_VALUES
     )
     rises, vary = "the friction", "mu0"
     if not study.of_friction:
@@ -323,7 +323,7 @@ def draw_rising(
     between: Ranges,
     begin: float = 0.0,
     length: float = 1.0,
-    label: str | None = None,
+    up: str | None = None,
     size: float = 1.0,
     across: str = r"friction $\mu$",
     n: int = 200,
@@ -345,7 +345,7 @@ def draw_rising(
     length, size : float
         What one of the first coordinate, and of the loading parameter, is in the unit that the axis
         shows; of an angle, what a degree is.
-    label, across : str, optional
+    up, across : str, optional
         Of these axes.
     n : int
         Points of each piece.
@@ -383,10 +383,12 @@ def draw_rising(
         path = ss.quasi_static_path(p, vary, np.linspace(begin, top, 2 * n + 1))
         artists += draw_path(path, first, ax=ax, color=VERMILION)
     mark_folds(turns, first, ax=ax, between={vary: (begin, top)})
-    ax.axvspan(*as_drawn(model, vary, ends), color=SKY, alpha=0.25, linewidth=0, zorder=0)
-    ax.set_xlim(as_drawn(model, vary, (begin, top)))
+    varied, height = model.column(vary), model.column(first)
+    tolerance = np.multiply(varied.size, ends)
+    ax.axvspan(*tolerance, color=SKY, alpha=0.25, linewidth=0, zorder=0)
+    ax.set_xlim(varied.size * begin, varied.size * top)
     in_units(ax.xaxis, (across, size))
-    in_units(ax.yaxis, (label or with_unit(model, first), length))
+    in_units(ax.yaxis, (up or label(height, own_unit(model, height)), length))
     return artists
 
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 import csv
 import io
 import itertools
-import math
 import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -23,12 +22,11 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import AutoLocator, FixedLocator
 from numpy.typing import ArrayLike, NDArray
 
+from ..display import Column
 from ..files.storage import put
 from ..models import Model
-from ..models.field import Field
 from ..models.load import USUAL, load
 from ..models.parameters import ARTICLE, Ranges
-from ..motion import Trajectory
 from ..results import Points, Stability
 
 #: Widths of one column and of two, inches.
@@ -277,23 +275,6 @@ def symbol(name: str) -> str:
     return (rf"\{base}" if base in GREEK else base) + (rf"_{{\rm {index}}}" if index else "")
 
 
-def axis_label(motion: Trajectory, name: str) -> str:
-    """What an axis says of a coordinate, of its rate, or of the time ``t``: the symbol over its
-    unit.
-    """
-    model = motion.model
-    unit = model.unit(motion.columns[name].dimension)
-    written = (
-        rf"{symbol(model.coordinates[model.rates.index(name)])}'"
-        if name in model.rates
-        else symbol(name)
-    )
-    if unit in ("1", "rad"):
-        return f"${written}$" if unit == "1" else f"${written}$ (rad)"
-    letters = in_letters(unit)
-    return f"${written}$ / $({letters})$" if r"\," in letters else f"${written}$ / ${letters}$"
-
-
 def in_letters(scale: str) -> str:
     """The scale of a quantity, as ``L_0*sqrt(k_c)/sqrt(m)``, as mathematics writes it."""
     merged = re.sub(r"sqrt\((\w+)\)/sqrt\((\w+)\)", r"\\sqrt{\1/\2}", scale)
@@ -304,45 +285,19 @@ def in_letters(scale: str) -> str:
     )
 
 
-def label(model: Model, name: str) -> str:
-    """A parameter, a coordinate or its rate as an axis names it."""
-    if name in model.rates:
-        return rf"$\dot{{{symbol(model.coordinates[model.rates.index(name)])}}}$"
-    return shown(model, name)[0]
+def label(column: Column, unit: str = "") -> str:
+    """The symbol of a column and its unit, of an angle degrees unless told otherwise."""
+    written = rf"\dot{{{symbol(column.rate_of)}}}" if column.rate_of else symbol(column.name)
+    unit = unit or ("deg" if column.is_angle else "")
+    return f"${written}$ ({unit})" if unit else f"${written}$"
 
 
-def shown(known: Model | Field, name: str) -> Shown:
-    """What an axis calls a parameter or a coordinate of a motion, and what one of it is there:
-    angles are degrees.
-    """
-    return (
-        (f"${symbol(name)}$ (deg)", math.degrees(1.0))
-        if known.is_angle(name)
-        else (f"${symbol(name)}$", 1.0)
-    )
-
-
-def as_drawn(model: Model, name: str, values: Any) -> Any:
-    """Values of a parameter or a column in the unit of its axis: angles in degrees, all else as it
-    is.
-    """
-    return np.degrees(values) if model.is_angle(name) else values
-
-
-def titled(model: Model, name: str) -> str:
-    """What a table calls a parameter or a column in the unit of its axis."""
-    return f"{name}_deg" if model.is_angle(name) else name
-
-
-def with_unit(model: Model, name: str) -> str:
-    """Axis label with the unit of the model."""
-    if model.is_angle(name):
-        return label(model, name)
-    scale = "1" if name in model.parameters else model.unit(model.columns[name].dimension)
-    return (
-        f"{label(model, name)} "
-        f"({'dimensionless' if scale == '1' else f'units of ${in_letters(scale)}$'})"
-    )
+def own_unit(model: Model, column: Column) -> str:
+    """The unit of a column where it is shown as the model measures it."""
+    unit = "1" if column.name in model.parameters else model.unit(column.dimension)
+    if column.is_angle or not unit:
+        return ""
+    return "dimensionless" if unit == "1" else f"units of ${in_letters(unit)}$"
 
 
 #: What an axis says, and what one of what is drawn is there.

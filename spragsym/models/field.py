@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from ..core.errors import ParameterError
+from ..display import Column
 from . import forces
 from .parameters import FloatArray
 
@@ -230,9 +231,9 @@ class Field:
         """Names of the numbers in a state: the coordinates, then their rates as pages call them."""
         return (*self.coordinates, *(f"v{name}" for name in self.coordinates))
 
-    def is_angle(self, name: str) -> bool:
-        """Whether a parameter or a coordinate is an angle."""
-        return self.model is not None and bool(self.model.is_angle(name))
+    def column(self, name: str) -> Column:
+        """The column of a parameter or a coordinate; without a model a plain number."""
+        return Column(name) if self.model is None else self.model.column(name)
 
     @property
     def size(self) -> int:

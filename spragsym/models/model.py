@@ -105,9 +105,13 @@ class Model:
         """Names of the coordinates."""
         return tuple(entry["name"] for entry in self.about["coordinates"])
 
+    def column(self, name: str) -> Column:
+        """The column of a quantity of the model; of any other name a plain number."""
+        return self.columns.get(name) or Column(name)
+
     def is_angle(self, name: str) -> bool:
         """Whether a parameter, a component of a state, or the direction of a spring is an angle."""
-        return name in self.columns and self.columns[name].is_angle
+        return self.column(name).is_angle
 
     def any_of(self, name: str) -> Range:
         """Any finite number, of the unit of a parameter or of a component of a state."""
@@ -181,7 +185,7 @@ class Model:
             rate = "1/s" if entry["unit"] == "rad" else f"{entry['unit']}/s"
             found += [
                 Column(entry["name"], entry["unit"], entry["meaning"]),
-                Column(entry["rate"], rate, f"rate of {entry['name']}"),
+                Column(entry["rate"], rate, f"rate of {entry['name']}", rate_of=entry["name"]),
             ]
         return {column.name: column for column in found}
 
@@ -380,63 +384,8 @@ class Model:
         return (load, (self.where,)) if self.whole is self else (getattr, (self.whole, "search"))
 
 
-#: Options whose names are not those of their parameters.
-_OPTIONS = {"V": ("--speed", "-V"), "d": ("--creep", "-d")}
-
-#: What commands call their own options, and the values of these.
-OF_COMMANDS = frozenset(
-    (
-        "backend",
-        "data",
-        "diagram",
-        "digits",
-        "error",
-        "estimate_error",
-        "force",
-        "help",
-        "json",
-        "json_output",
-        "method",
-        "model",
-        "n",
-        "near",
-        "output",
-        "plot",
-        "points",
-        "prove",
-        "quiet",
-        "rtol",
-        "state",
-        "store",
-        "t_end",
-        "transient",
-        "undamped",
-        "vary",
-        "whole",
-        "within",
-        "workers",
-    )
-)
-
 #: What an angle without a base value is, as in the article's cases.
 _INCLINATION = math.radians(30.0)
-
-
-def options_of(about: Mapping[str, Any], name: str) -> tuple[str, ...]:
-    """What commands call a parameter: as for the article's model, unless another parameter has that
-    name.
-    """
-    known = _OPTIONS.get(name)
-    if known and known[0][2:] not in _names(about):
-        return known
-    return (f"--{option_name(name)}",)
-
-
-def option_name(name: str) -> str:
-    """A parameter among the options of a command: with an underscore behind it where commands have
-    an option of its name.
-    """
-    return f"{name}_" if name in OF_COMMANDS else name
 
 
 def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:

@@ -266,6 +266,8 @@ def common_shape(given: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
 class Values(Tabular):
     """Fields that are numbers, arrays that broadcast together, or None."""
 
+    in_a_line = True
+
     @property
     def _values(self) -> Mapping[str, Any]:
         """The fields by name."""

@@ -283,7 +283,7 @@ def cycle_branch(
     require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
     model = cycle.field
     index = model.parameters.index(one_of("vary", vary, model.parameters))
-    low, high = varied_range(vary, between, ANGLE if model.is_angle(vary) else FINITE)
+    low, high = varied_range(vary, between, ANGLE if model.column(vary).is_angle else FINITE)
     for bound in (low, high):
         model.check(vary, bound)
     points, longest = as_count("points", points), as_number("longest", longest, POSITIVE)
@@ -518,7 +518,7 @@ def _rests(loop: Loop) -> str:
         return ""
     names, place = loop.field.coordinates, np.round(states[int(np.argmin(sizes))], 6) + 0.0
     told = [
-        At(name, (float(value),), "g", " rad" * loop.field.is_angle(name))
+        At(name, (float(value),), "g", " rad" * loop.field.column(name).is_angle)
         for name, value in zip(names, place, strict=False)
     ]
     return Remark(f"it comes to rest near {', '.join(['{}'] * len(told))}", *told)
@@ -613,7 +613,7 @@ def cycle_events(
     if len(vary) != 2 or vary[0] == vary[1]:
         raise ParameterError(f"vary = {vary!r} is not two parameters")
     loop = event.found.loop
-    allowed = {name: ANGLE if model.is_angle(name) else FINITE for name in vary}
+    allowed = {name: ANGLE if model.column(name).is_angle else FINITE for name in vary}
     given = as_ranges("between", between, allowed)
     bounds = [given.get(name, (-np.inf, np.inf)) for name in vary]
     spans = [

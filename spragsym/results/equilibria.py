@@ -77,7 +77,8 @@ _LINEARIZED: Mapping[str, tuple[str, Any]] = {
 @cache
 def _names(model: Any, more: tuple[str, ...]) -> tuple[str, ...]:
     """Names of all columns: where states are, forces, and ours."""
-    ours = (own_name(model, name) for name in (*_KNOWN, *_LINEARIZED, *more))
+    made = (each.name for each in Equilibria.schema if each.of is not None)
+    ours = (own_name(model, name) for name in (*_KNOWN, *_LINEARIZED, *made, *more))
     return tuple(dict.fromkeys([*model.places, *told_of(model), *model.parameters, *ours]))
 
 
@@ -141,14 +142,14 @@ class Equilibria(OfStates):
 
     schema = (
         Column("count", "1", "number of equilibria that are proved"),
-        Column("stability", "1", "kind of state by (27)", Stability),
-        Column("damped", "1", "what small deviations do: decays, grows, neutral"),
-        Column("growth", "1/s", "largest real part of the damped eigenvalues"),
+        Column("stability", "1", "kind of state by (27)", Stability, row="before"),
+        Column("damped", "1", "what small deviations do: decays, grows, neutral", row="before"),
+        Column("eigenvalues", "1/s", "eigenvalues of (27), without damping", row="beside"),
+        Column("damped_eigenvalues", "1/s", "eigenvalues with all damping", row="beside"),
+        Column("growth", "1/s", "largest real part of the damped eigenvalues", row="behind"),
         Column("growth_sign", "1", "1 where growth is proved, -1 where that nothing grows is"),
-        Column("error", "1", "bound on |error| / max(1, |value|) of the state"),
-        Column("marginal", "1", "whether the stability is not proved"),
-        Column("eigenvalues", "1/s", "eigenvalues of (27), without damping"),
-        Column("damped_eigenvalues", "1/s", "eigenvalues with dampers and slope of friction"),
+        Column("error", "1", "bound on |error| / max(1, |value|) of the state", row="behind"),
+        Column("marginal", "1", "whether the stability is not proved", row="beside"),
         Column("region", "1", "ends of the box that was searched"),
         Column("whole", "1", "whether the box is proved to hold all equilibria"),
         Column("escalated", "1", "whether more digits than those of float64 were needed"),
@@ -239,19 +240,21 @@ class Equilibria(OfStates):
         coords = along_axes(inputs, axes, shape)
         return storage.dataset(variables, coords, {}, self._in_model_units)
 
+    def row_columns(self, *rows: str) -> tuple[str, ...]:
+        """Names of the columns of the schema that stand in these parts of a row of states."""
+        return tuple(self._own(each.name) for each in self.schema if each.row in rows)
+
     def _rows(self, states: tuple[IntArray, ...]) -> dict[str, NDArray[Any]]:
-        p, (damped, growth) = self.parameters, self.told(states)
+        p, found = self.parameters, self._source.linearized(self, states)
+        told = {self._own(name): of for name, (of, _) in _LINEARIZED.items()}
+
+        def column(name: str) -> Any:
+            return getattr(found, told[name]) if name in told else self[name][states]
+
         vary = [name for name in p.ranges if np.size(p[name]) > 1]
         given = {name: np.broadcast_to(p[name], p.shape)[states[:-1]] for name in vary}
-        where = {name: self[name][states] for name in self.state_columns}
-        return {
-            **given,
-            self._own("stability"): self.stability[states],
-            self._own("damped"): damped,
-            **where,
-            self._own("growth"): growth,
-            self._own("error"): self.error[states],
-        }
+        before, behind = self.row_columns("before"), self.row_columns("behind")
+        return given | {name: column(name) for name in (*before, *self.state_columns, *behind)}
 
     def _for_file(self) -> Self:
         known = {
@@ -296,6 +299,9 @@ class Equilibria(OfStates):
             return np.broadcast_to(np.True_, self.count.shape)
         if name in self.parameters.ranges:
             return self.parameters[name]
+        made = {self._own(each.name): each for each in self.schema if each.of is not None}
+        if name in made:
+            return made[name].value(self)
         linearized = {self._own(each): told for each, told in _LINEARIZED.items()}
         if name not in linearized:
             return self._made[name]

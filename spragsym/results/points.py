@@ -13,7 +13,7 @@ import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import NDArray
 
-from ..display import Column, Table, Tabular, counted, in_rows, not_all
+from ..display import Column, Table, Tabular, counted, following, in_rows, not_all
 from ..models.forces import told_of_states
 from ..models.parameters import FloatArray
 from ..numerics.columns import picked
@@ -101,9 +101,9 @@ class Points(OfStates, Rows):
     """
 
     schema: ClassVar[tuple[Column, ...]] = (
-        Column("kind", "1", "what happens as the parameter passes"),
-        Column("ends", "1", "which of two states is stable and ends there"),
-        Column("when", "1", "direction of the parameter in which it ends"),
+        Column("kind", "1", "what happens as the parameter passes", row="before"),
+        Column("ends", "1", "which of two states is stable and ends there", row="behind"),
+        Column("when", "1", "direction of the parameter in which it ends", row="behind"),
         Column("{p}_after", "{p}", "{p} of the state that is jumped to"),
         Column("error", "1", "bound on |error| / max(1, |value|)"),
     )
@@ -151,7 +151,8 @@ class Points(OfStates, Rows):
         name.
         """
         where = {name: self[name] for name in (*self.vary, *self.state_columns)}
-        return where | {self._own(name): getattr(self, name) for name in (*self._of_each, "error")}
+        ours = {self._own(name): getattr(self, name) for name in (*self._of_each, "error")}
+        return where | ours | following(self)
 
     def as_table(self) -> Table:
         """A row for each point: the parameters that vary, the state, what ends there or begins, and

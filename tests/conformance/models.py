@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import spragsym as ss
+from spragsym.command_line import options_of
 from spragsym.models.load import shipped
-from spragsym.models.model import options_of
 from tests.oracles.user_pages import derived
 
 TESTS = Path(__file__).resolve().parent.parent

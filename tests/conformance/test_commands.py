@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.command_line import options_of
 from spragsym.display import own_name
 from spragsym.files import storage
-from spragsym.models.model import options_of
 from tests.conformance import models
 from tests.conformance.models import ALIKE, MODELS, MOVING, load, moved
 from tests.conftest import Run

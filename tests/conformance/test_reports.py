@@ -34,7 +34,7 @@ def a_brake(name: str, folder: Path) -> tuple[Path, Any, float]:
     for entry in model.about["parameters"]:
         unit = entry["quantity_unit"]
         scale = 1.0 if unit in ("1", "rad") else kind.scale(unit, units)
-        value = float(getattr(p, entry["name"])) * scale
+        value = float(p[entry["name"]]) * scale
         lines.append(
             f"{entry['quantity']} = {value!r}"
             if unit == "1"

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.error_states import in_usual_state
 from ...core.errors import ConvergenceError, ParameterError
 from ...core.questions import model_of
-from ...display import Column, own_name
+from ...display import Column, following, own_name
 from ...files import storage
 from ...files.journal import Record
 from ...models.field import field_of
@@ -285,7 +285,8 @@ class Sweep(Named):
 
     def _told(self) -> dict[str, NDArray[Any]]:
         ours = {"regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}
-        return {**self.measured, **{self._own(name): one for name, one in ours.items()}}
+        told = {self._own(name): one for name, one in ours.items()}
+        return {**self.measured, **told, **following(self)}
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         columns = with_degrees(self.model, self.inputs) | self._told()

@@ -144,6 +144,8 @@ def sweep(
     Every option that takes numbers is an axis: a single number, a,b,c, or start:stop:count. The
     grid is all combinations. Killed or interrupted, the same command goes on where it stopped;
     finished, it reads the file. The file holds theta0 in radians, and in degrees as theta0_deg.
+    With --data it holds columns in the units of that file, as rms_mm, and beside it stands what it
+    is made from, in those of the model, as FILE.model.nc.
 
     \b
     Examples:
@@ -159,6 +161,9 @@ def sweep(
         case, t_end, transient, "each motion of a sweep is followed to its end"
     )
     p, start = _grid(case)
+    own = store if case.study is None else store.with_suffix(f".model{store.suffix}")
+    if own != store and not own.exists():
+        refuse([store], case.force)
     with resumed(case.force):
         options = {
             **start,
@@ -166,18 +171,15 @@ def sweep(
             "t_end": t_end,
             "transient": transient,
             "progress": not quiet,
-            "store": store,
+            "store": own,
         }
         result = ss.rms_sweep(p, **options)
+    if case.study is not None:
+        result.to_units(case.study).save(store)
     counts = {regime.name.lower(): np.count_nonzero(result.regime == regime) for regime in Regime}
     click.echo(
         f"{store}: " + ", ".join(f"{count} {name}" for name, count in counts.items() if count)
     )
-    if case.study is not None:
-        unit, size = case.study.unit_of("m")
-        click.echo(
-            f"{store}: lengths are in units of {size:.4g} {unit}, times in {case.time:.6g} s"
-        )
 
 
 def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:

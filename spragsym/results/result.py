@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -168,15 +168,20 @@ class Result(Tabular):
         >>> [name for name in found.columns if name[0] in "xL"], found["x_m"].round(5).tolist()
         (['L_m', 'x_m'], [0.00478, 0.02107, 0.05484])
         """
-        known, found, said = self.columns, {}, {}
+        known, found, meanings, names = self.columns, {}, {}, {}
         entries = [] if self._of_model is None else self._of_model.about["parameters"]
         quantities = {one["name"]: one.get("quantity", one["name"]) for one in entries}
-        for name, column in self.data().items():
-            called = quantities.get(name, name)
-            title, size = titled(called, known[name].dimension, units, called)
+        for name, column in self._of_points().items():
+            called, said = quantities.get(name, name), known[name]
+            unit, size = in_unit(said.dimension, units, called)
+            title = titled(called, said.dimension, units, called)[0]
             found[title] = size * column if column.dtype.kind == "f" else column
-            said[title] = known[name].meaning
-        return InUnits(found, said)
+            meanings[title], names[title] = said.meaning, unit or "1"
+        return InUnits(found, meanings, names)
+
+    def _of_points(self) -> Mapping[str, NDArray[Any]]:
+        """The columns of which each has a value of every row, in radians."""
+        return self.data()
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all of it to ``*.json``, which :func:`spragsym.open` reads, or its columns to
@@ -238,14 +243,17 @@ def titled(name: str, dimension: str, units: Units | None, of: str = "") -> tupl
     """The title of a column with its unit, and what one of the model's own unit is in it; ``of`` is
     the quantity of a file whose unit it has.
     """
+    unit, size = in_unit(dimension, units, of)
+    return f"{name}_{'per_s' if unit == '1/s' else unit}" if unit else name, size
+
+
+def in_unit(dimension: str, units: Units | None, of: str = "") -> tuple[str, float]:
+    """The unit of a dimension in data, empty of a number, and what one of the model's is in it."""
     if dimension == "rad":
-        return f"{name}_deg", math.degrees(1.0)
+        return "deg", math.degrees(1.0)
     if units is None or dimension in ("1", ""):
-        return name, 1.0
-    if dimension == "1/s":
-        return f"{name}_per_s", 1.0 / units.scales.time
-    unit, size = units.unit_of(dimension, of)
-    return f"{name}_{unit}", size
+        return "", 1.0
+    return ("1/s", 1.0 / units.scales.time) if dimension == "1/s" else units.unit_of(dimension, of)
 
 
 def axes_of(inputs: Mapping[str, FloatArray], shape: tuple[int, ...]) -> tuple[str, ...]:
@@ -363,19 +371,44 @@ class InUnits(Rows):
 
     values: Mapping[str, NDArray[Any]]
     meanings: Mapping[str, str]
+    units: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def _said(self) -> dict[str, Column]:
+        usual = super()._schema.columns
+        return {
+            name: replace(
+                usual.get(name, Column(name)),
+                dimension=self.units.get(name, "1"),
+                meaning=meaning,
+            )
+            for name, meaning in self.meanings.items()
+        }
 
     @property
     def _schema(self) -> Schema:
         usual = super()._schema
-        said = {
-            name: replace(usual.columns.get(name, Column(name)), meaning=meaning)
-            for name, meaning in self.meanings.items()
-        }
-        return replace(usual, columns={**usual.columns, **said})
+        return replace(usual, columns={**usual.columns, **self._said})
+
+    @property
+    def _in_model_units(self) -> dict[str, Column]:
+        return {_in_hdf5(name): column for name, column in self._said.items()}
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` with units; in names ``_per_`` stands for the stroke, which HDF5
+        does not take.
+        """
+        every = (self.values, self.meanings, self.units)
+        named = ({_in_hdf5(name): one for name, one in each.items()} for each in every)
+        return Result.to_xarray(InUnits(*named))
 
     def data(self) -> dict[str, NDArray[Any]]:
         """The columns by name."""
         return dict(self.values)
+
+
+def _in_hdf5(name: str) -> str:
+    return name.replace("/", "_per_")
 
 
 class OfStates(Named):

@@ -289,7 +289,10 @@ class Sweep(Named):
         return {**self.measured, **told, **following(self)}
 
     def _columns(self) -> dict[str, NDArray[Any]]:
-        columns = with_degrees(self.model, self.inputs) | self._told()
+        return {**with_degrees(self.model, self.inputs), **self._of_points()}
+
+    def _of_points(self) -> dict[str, NDArray[Any]]:
+        columns = {**self.inputs, **self._told()}
         return {name: np.broadcast_to(values, self.rms.shape) for name, values in columns.items()}
 
     def _attributes(self) -> dict[str, Any]:

@@ -7,10 +7,16 @@ basis: the remainder is zero exactly when the numerator vanishes on all of the u
 float takes part.
 """
 
+import itertools
 import math
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TypeAlias
 
 import sympy as sp
+from sympy.polys.orderings import lex
+from sympy.polys.rings import PolyElement, PolyRing
 
 #: Expressions in a row, as coefficients and results are, and two of them.
 Row: TypeAlias = tuple[sp.Expr, ...]
@@ -20,6 +26,8 @@ Symbols: TypeAlias = tuple[sp.Symbol, ...]
 Names: TypeAlias = dict[sp.Symbol, sp.Expr]
 #: Pairs of symbols, each for the cosine and the sine of one angle.
 Circles = tuple[tuple[sp.Symbol, sp.Symbol], ...]
+#: Factors of a denominator, and their powers.
+Factors: TypeAlias = Mapping[PolyElement, int]
 
 
 def expanded(expression: sp.Expr) -> sp.Expr:
@@ -72,9 +80,18 @@ def fewest_terms(polynomial: sp.Expr, cosine: sp.Symbol, sine: sp.Symbol) -> sp.
     return min(forms, key=lambda form: len(sp.Add.make_args(form)))
 
 
-def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
-    """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit
-    circles.
+@dataclass(frozen=True)
+class Gap:
+    """A difference in symbols: what stands for functions, and for roots with their bases."""
+
+    value: sp.Expr
+    unknowns: dict[sp.Expr, sp.Dummy]
+    roots: dict[sp.Expr, sp.Dummy]
+    order: int  #: the power of every root that is its base
+
+
+def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
+    """``left − right`` with a symbol for every function and every root.
 
     Every absolute value, sign or other function is treated as an independent unknown, and so is one
     root of every base, of which its powers are powers, and one exponential of all whose exponents
@@ -106,31 +123,114 @@ def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
         return unknowns.setdefault(node, sp.Dummy(f"u{len(unknowns)}"))
 
     unknowns: dict[sp.Expr, sp.Dummy] = {}
-    gap = (sp.sympify(left) - sp.sympify(right)).replace(
+    value = (sp.sympify(left) - sp.sympify(right)).replace(
         lambda node: isinstance(node, sp.Function | sp.Piecewise),
         unknown,
     )
-    order = math.lcm(*(node.exp.q for node in gap.atoms(sp.Pow) if node.exp.is_Rational))
+    order = math.lcm(*(node.exp.q for node in value.atoms(sp.Pow) if node.exp.is_Rational))
     roots: dict[sp.Expr, sp.Dummy] = {}
-    gap = gap.replace(
+    value = value.replace(
         lambda node: isinstance(node, sp.Pow) and not node.exp.is_Integer,
         lambda node: (
             roots.setdefault(normal(node.base), sp.Dummy(f"r{len(roots)}")) ** (order * node.exp)
         ),
     )
-    numerator, denominator = sp.fraction(sp.together(gap))
+    return Gap(value, unknowns, roots, order)
+
+
+def equal(left: sp.Expr, right: sp.Expr, circles: Circles) -> bool:
+    """Whether :func:`difference` is 0, without its form."""
+    return _vanishes(gap(left, right, circles), circles)
+
+
+def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
+    """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit
+    circles, with the unknowns of :func:`gap`.
+    """
+    found = gap(left, right, circles)
+    if _vanishes(found, circles):
+        return sp.S.Zero
+    order, roots = found.order, found.roots
+    numerator, denominator = sp.fraction(sp.together(found.value))
     for base, root in reversed(roots.items()):
         numerator, further = sp.fraction(sp.together(_without_powers(numerator, root, base, order)))
         denominator *= further
     numerator = reduce_circles(numerator, circles)
-    if numerator == 0:
-        return sp.S.Zero
     known = {root: sp.Pow(base, sp.Rational(1, order)) for base, root in reversed(roots.items())}
     shown = numerator / sp.factor(denominator)
     for root, value in known.items():
         shown = shown.subs(root, value)
     # The outermost first, for its arguments hold the others.
-    return shown.subs([(dummy, node) for node, dummy in reversed(unknowns.items())])
+    return shown.subs([(dummy, node) for node, dummy in reversed(found.unknowns.items())])
+
+
+def _vanishes(found: Gap, circles: Circles) -> bool:
+    """Whether a difference is 0, in polynomials with whole coefficients."""
+    values = (found.value, *found.roots, *found.roots.values(), *itertools.chain(*circles))
+    atoms = set().union(*(value.atoms() for value in values))
+    powers = set().union(*(value.atoms(sp.Pow) for value in values))
+    names = {atom for atom in atoms if not atom.is_Rational}
+    names |= {power for power in powers if not power.exp.is_Integer}
+    ring = PolyRing(sorted(names, key=sp.default_sort_key), sp.ZZ, lex)
+    numerator, _ = _quotient(found.value, ring)
+    for base, root in reversed(found.roots.items()):
+        above, factors = _quotient(base, ring)
+        below = _multiplied(ring.one, factors)
+        numerator = _lowered(numerator, ring(root), found.order, above, below)
+    for cosine, sine in circles:
+        numerator = _lowered(numerator, ring(cosine), 2, 1 - ring(sine) ** 2, ring.one)
+    return not numerator
+
+
+def _quotient(value: sp.Expr, ring: PolyRing) -> tuple[PolyElement, Factors]:
+    """The numerator of a value, and the factors of its denominator with their powers."""
+    if value.is_Rational:
+        return ring(value.p), {} if value.q == 1 else {ring(value.q): 1}
+    if value in ring.symbols:
+        return ring(value), {}
+    if isinstance(value, sp.Pow) and value.exp.is_Integer:
+        above, below = _quotient(value.base, ring)
+        power = abs(int(value.exp))
+        if value.exp > 0:
+            return above**power, {factor: power * times for factor, times in below.items()}
+        return _multiplied(ring.one, below) ** power, {above: power}
+    parts = [_quotient(part, ring) for part in value.args]
+    shared: Counter[PolyElement] = Counter()
+    if isinstance(value, sp.Mul):
+        for _, below in parts:
+            shared.update(below)
+        return math.prod((above for above, _ in parts), start=ring.one), shared
+    if not isinstance(value, sp.Add):
+        raise TypeError(f"{value} is no quotient of polynomials")
+    for _, below in parts:
+        shared |= Counter(below)
+    terms = (_multiplied(above, shared - Counter(below)) for above, below in parts)
+    return sum(terms, ring.zero), shared
+
+
+def _multiplied(polynomial: PolyElement, factors: Factors) -> PolyElement:
+    for factor, power in factors.items():
+        polynomial = polynomial * factor**power
+    return polynomial
+
+
+def _lowered(
+    polynomial: PolyElement, name: PolyElement, order: int, above: PolyElement, below: PolyElement
+) -> PolyElement:
+    """A polynomial times a power of ``below``, modulo name^order = above/below."""
+    ring = polynomial.ring
+    place = ring.gens.index(name)
+    parts: dict[int, dict[tuple[int, ...], int]] = {}
+    for powers, value in polynomial.terms():
+        times, rest = divmod(powers[place], order)
+        part = parts.setdefault(times, {})
+        part[(*powers[:place], rest, *powers[place + 1 :])] = value
+    most = max(parts, default=0)
+    terms = (
+        ring.from_dict(part) * above**times * below ** (most - times)
+        for times, part in parts.items()
+    )
+    return sum(terms, ring.zero)
 
 
 def _without_powers(polynomial: sp.Expr, root: sp.Symbol, base: sp.Expr, order: int) -> sp.Expr:

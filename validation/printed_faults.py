@@ -60,7 +60,11 @@ def sources() -> list[Case]:
             if row.status != "confirmed" or not isinstance(item, Item):
                 continue
             trees = [side for one in item.equations for side in (one.left, one.right)]
-            if not any(part.value == "Piecewise" for tree in trees for part in nodes(tree)):
+            parts = [part for tree in trees for part in nodes(tree) if not part.args]
+            places = {(part.at, part.value) for part in parts}
+            multiplied = item.statement.is_latex and len(places) < len(parts)
+            chosen = any(part.value == "Piecewise" for tree in trees for part in nodes(tree))
+            if not chosen and not multiplied:
                 found.append(Case(model, paper, item))
     return found
 
@@ -68,12 +72,12 @@ def sources() -> list[Case]:
 def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """One equation with a fault, or with two."""
     known = sources()
-    case = known[int(rng.integers(len(known)))]
-    item = case.item
-    place = int(rng.integers(len(item.equations)))
-    equation = item.equations[place]
     double = number % 3 == 2
     for _ in range(100):
+        case = known[int(rng.integers(len(known)))]
+        item = case.item
+        place = int(rng.integers(len(item.equations)))
+        equation = item.equations[place]
         side, other = _side(equation, item, rng)
         for _ in range(2 if double else 1):
             side = planted(side, item.it, rng)
@@ -84,13 +88,12 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
             break
     verdict, seconds = row
     kind = "pair" if double else "single"
-    found: dict[str, Any] = {"kind": kind, "wrong": [], "seconds": seconds, "true": 0, "first": 0}
+    true, first = f"{kind}_true", f"{kind}_first"
+    found: dict[str, Any] = {"kind": kind, "wrong": [], "slowest": seconds, true: 0, first: 0}
     if verdict.status == "misprint":
-        found["true"] = 1
-        first = verdict.repaired.removesuffix(" = 0").rpartition(" = ")[2]
-        found["first"] = int(_form(first, item) in _right_forms(equation, item))
-    elif not double:
-        found["missed"] = 1
+        found[true] = 1
+        form = verdict.repaired.removesuffix(" = 0").rpartition(" = ")[2]
+        found[first] = int(_form(form, item) in _right_forms(equation, item))
     if verdict.status not in ("misprint", "failed"):
         found["wrong"].append(f"{wrong_text}: {verdict.status}")
     if seconds > SLOWEST:

@@ -1,12 +1,16 @@
 """The smallest edits of a printed tree that give it the values it ought to have.
 
-Every part of a tree has a value at each sample, and, by inverting the tree from its root, the value
-that it would need for the whole to be right: an edit is right where it gives a part what it needs.
-Numbers propose only; what is proposed is proved elsewhere.
+An edit either takes one of a few parts in the place of another, and then the values of the whole
+with each of them are found from the leaves up, all at once; or what it brings in is open, a number,
+a factor, a term: then each part has the value that it would need for the whole to be right, by
+inverting the tree from its root, and what is missing is a product of powers whose logarithms fit.
+Values of equal parts of trees are found once. Numbers propose only; what is proposed is proved
+elsewhere.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -16,7 +20,18 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from .tree import FUNCTIONS, ONE, ZERO, Node, nodes, number_of, with_part
+from .tree import (
+    FUNCTIONS,
+    ONE,
+    RELATIONS,
+    ZERO,
+    Node,
+    nodes,
+    number_of,
+    renamed,
+    symbols,
+    with_part,
+)
 
 Values: TypeAlias = npt.NDArray[np.float64]
 Path: TypeAlias = tuple[int, ...]
@@ -38,8 +53,22 @@ COST = {
 }
 #: Added for every symbol beyond the first that an edit brings in, and for every level of brackets.
 PER_SYMBOL, PER_LEVEL = {"missing term": 0.1, "missing factor": 0.3, "number": 0.0}, 0.001
+#: Added where a power is lost, and where a term makes a bracket.
+LOST_POWER, NEW_BRACKET = 0.1, 0.3
 #: Of pairs, so many first edits are followed.
-MOST_FIRST = 400
+MOST_FIRST = 600
+#: Samples at which edits are tried before all.
+SCREEN = slice(0, 8, 2)
+#: Numbers and powers that an edit tries before what it brings in is open.
+FEW_NUMBERS, POWERS = ("1", "2", "3", "4"), (*map(Fraction, ("2", "3", "-1", "1/2")),)
+#: Of a product: distance of a power from a half, its size, and how many factors there may be.
+NEAR_HALF, LARGEST_POWER, MOST_ATOMS = 1e-6, 4, 7
+#: Symbols in a bracket that may be a factor.
+LARGEST_BRACKET = 3
+#: Least share of its squares that is new in a row of logarithms; samples that are no factors.
+DEPENDENT, SPARE = 1e-12, 4
+#: Functions that are no factors of a product.
+_NOT_FACTORS = ("Abs", "Tuple", "Piecewise", "And", *RELATIONS)
 _SWAPS = {"sin": ("cos",), "cos": ("sin",), "sinh": ("cosh",), "cosh": ("sinh",)}
 
 
@@ -76,28 +105,6 @@ class Pool:
     kinds: Mapping[str, object]  #: equal where two names have the same dimension
     angles: Sequence[str] = ()
 
-    @cached_property
-    def alone(self) -> tuple[list[Node], Values]:
-        """Every name, its opposite, and one over both, with their values."""
-        ways: list[tuple[Node, Values]] = []
-        with np.errstate(all="ignore"):
-            for name, value in self.values.items():
-                one = Node("symbol", value=name)
-                ways += [(one, value), (Node("div", (ONE, one)), 1 / value)]
-        ways += [(Node("neg", (part,)), -value) for part, value in ways]
-        return [part for part, _ in ways], np.array([value for _, value in ways])
-
-    @cached_property
-    def logarithms(self) -> tuple[list[tuple[Node, Values]], Values]:
-        """Names that are 0 nowhere, and the logarithms of their sizes."""
-        parts = [(Node("symbol", value=name), value) for name, value in self.values.items()]
-        for name in self.angles:
-            angle = (Node("symbol", value=name),)
-            for way, function in (("sin", np.sin), ("cos", np.cos)):
-                parts.append((Node("call", angle, way), function(self.values[name])))
-        parts = [(atom, it) for atom, it in parts if np.isfinite(it).all() and it.all()]
-        return parts, np.array([np.log(np.abs(it)) for _, it in parts])
-
     def renaming(self, old: str, new: str) -> str:
         """The kind of edit that puts one name in the place of another."""
         if stem(old) == stem(new):
@@ -119,42 +126,7 @@ def same(one: Values, other: Values) -> bool:
     return bool(np.isfinite(size).all() and (np.abs(one - other) <= CLOSE * size).all())
 
 
-def evaluated(tree: Node, known: Mapping[str, Values]) -> Values:
-    """The value of a tree at every sample."""
-    return _values(tree, known, (), {})
-
-
-def _values(
-    tree: Node, known: Mapping[str, Values], path: Path, found: dict[Path, Values]
-) -> Values:
-    parts = [_values(part, known, (*path, place), found) for place, part in enumerate(tree.args)]
-    with np.errstate(all="ignore"):
-        match tree.kind:
-            case "number":
-                value = np.full_like(next(iter(known.values())), number_of(tree))
-            case "symbol":
-                value = known[tree.value]
-            case "add":
-                value = sum(parts[1:], parts[0])
-            case "neg":
-                value = -parts[0]
-            case "mul":
-                value = np.prod(parts, axis=0)
-            case "div":
-                value = parts[0] / parts[1]
-            case "pow":
-                value = parts[0] ** parts[1]
-            case _ if tree.value == "Tuple":
-                value = np.array(parts)
-            case _ if tree.value == "Piecewise":
-                held = [pair[1] != 0 for pair in parts]
-                value = np.select(held, [pair[0] for pair in parts], np.nan)
-            case _ if tree.value in _RELATIONS:
-                value = 1.0 * _RELATIONS[tree.value](*parts)
-            case _:
-                value = _NUMERIC[tree.value](parts[0])
-    found[path] = value
-    return value
+# ---------------------------------------------------------------------------------------- values
 
 
 _RELATIONS = {
@@ -173,248 +145,311 @@ _NUMERIC = {
 }
 
 
-def _needs(tree: Node, values: Mapping[Path, Values], target: Values) -> dict[Path, Values]:
-    """What each part would have to be, where the tree can be inverted down to it."""
-    found: dict[Path, Values] = {}
-
-    def down(part: Node, path: Path, need: Values) -> None:
-        found[path] = need
-        own = [values[(*path, place)] for place in range(len(part.args))]
-        with np.errstate(all="ignore"):
-            match part.kind:
-                case "neg":
-                    needs: list[Values | None] = [-need]
-                case "add":
-                    whole = values[path]
-                    needs = [need - (whole - value) for value in own]
-                case "mul":
-                    needs = [
-                        need / np.prod(own[:place] + own[place + 1 :], axis=0)
-                        for place in range(len(own))
-                    ]
-                case "div":
-                    needs = [need * own[1], own[0] / need]
-                case "pow":
-                    root = np.abs(need) ** (1 / own[1])
-                    needs = [np.copysign(root, own[0]), np.log(need) / np.log(own[0])]
-                case "call" if part.value == "sqrt":
-                    needs = [need**2]
-                case "call" if part.value == "exp":
-                    needs = [np.log(need)]
-                case _:
-                    needs = [None] * len(own)
-        for place, below in enumerate(needs):
-            if below is not None and np.isfinite(below).all():
-                down(part.args[place], (*path, place), below)
-
-    down(tree, (), target)
-    return found
+def _applied(tree: Node, parts: Sequence[Values]) -> Values:
+    """The values of a tree that is no leaf from those of its parts, any of which may be many."""
+    match tree.kind:
+        case "add":
+            return sum(parts[1:], parts[0])
+        case "neg":
+            return -parts[0]
+        case "mul":
+            return math.prod(parts[1:], start=parts[0])
+        case "div":
+            return parts[0] / parts[1]
+        case "pow":
+            return parts[0] ** parts[1]
+        case _ if tree.value == "Tuple":
+            return np.array(np.broadcast_arrays(*parts))
+        case _ if tree.value == "Piecewise":
+            return np.select([it[1] != 0 for it in parts], [it[0] for it in parts], np.nan)
+        case _ if tree.value in _RELATIONS:
+            return 1.0 * _RELATIONS[tree.value](*parts)
+        case _:
+            return _NUMERIC[tree.value](parts[0])
 
 
-def repairs(tree: Node, target: Values, pool: Pool, pairs: bool = False) -> list[Repair]:
-    """Repairs by one edit, or by ``pairs`` of them, the most likely first."""
-    found = [] if pairs else _singles(tree, target, pool)
-    for first in _firsts(tree, pool) if pairs else ():
-        found += [
-            Repair(second.tree, (*first.edits, *second.edits))
-            for second in _singles(first.tree, target, pool, deep=False)
-        ]
-    trees: dict[Node, Repair] = {}
-    for repair in sorted(found, key=lambda it: it.cost):
-        trees.setdefault(_bare(repair.tree), repair)
-    return list(trees.values())
+class Numbers:
+    """Values of trees at samples, those of a part that trees share once."""
+
+    def __init__(self, known: Mapping[str, Values]) -> None:
+        self.known = known
+        self.size = len(next(iter(known.values())))
+        self.found: dict[int, tuple[Node, Values]] = {}
+
+    def of(self, tree: Node) -> Values:
+        """The values of a tree."""
+        if tree.kind == "symbol":
+            return self.known[tree.value]
+        kept = self.found.get(id(tree))
+        if kept is None:
+            if tree.kind == "number":
+                value = np.full(self.size, number_of(tree))
+            else:
+                value = _applied(tree, [self.of(part) for part in tree.args])
+            kept = self.found[id(tree)] = tree, value
+        return kept[1]
 
 
-def _bare(tree: Node) -> Node:
-    """A tree without places, by which repairs are compared."""
-    return Node(tree.kind, tuple(map(_bare, tree.args)), tree.value)
-
-
-def _parts(tree: Node, path: Path = ()) -> Iterator[tuple[Path, Node, Node | None]]:
-    yield path, tree, None
-    for place, part in enumerate(tree.args):
-        for below, inner, above in _parts(part, (*path, place)):
-            yield below, inner, tree if above is None else above
-
-
-def _firsts(tree: Node, pool: Pool) -> list[Repair]:
-    """First ones of two edits: those whose new part is among few."""
-    found = []
-    for path, part, above in _parts(tree):
-        found += [Repair(with_part(tree, path, it.new), (it,)) for it in _local(part, above, pool)]
-        if above is not None and above.kind == "add" and len(above.args) > 1:
-            gone = Edit("extra term", part.at, part, ZERO, COST["extra term"])
-            found.append(Repair(with_part(tree, path, ZERO), (gone,)))
-    return sorted(found, key=lambda it: it.cost)[:MOST_FIRST]
-
-
-def _is_unsure(tree: Node, path: Path) -> bool:
-    """Whether a part stands in a power, of which the inverse has two signs or none."""
-    for place in path:
-        if tree.kind == "pow":
-            return True
-        tree = tree.args[place]
-    return False
-
-
-def _local(part: Node, above: Node | None, pool: Pool, every: bool = False) -> list[Edit]:
-    """Edits of one part whatever it would need; names of another dimension if ``every``."""
-
-    def edit(kind: str, new: Node) -> Edit:
-        return Edit(kind, part.at, part, new, COST[kind])
-
-    found = []
-    if above is None or above.kind in ("add", "call") or part.kind == "add":
-        new = part.args[0] if part.kind == "neg" else Node("neg", (part,), at=part.at)
-        found.append(edit("sign", new))
-    if part.kind == "symbol":
-        found += [
-            edit(pool.renaming(part.value, name), Node("symbol", value=name, at=part.at))
-            for name in pool.values
-            if name != part.value and (every or pool.renaming(part.value, name) != "symbol")
-        ]
-    if part.kind == "number" and part.value != "pi" and above is not None:
-        kind = "exponent" if above.kind == "pow" and above.args[1] is part else "number"
-        found += [
-            edit(kind, Node("number", value=value, at=part.at))
-            for value in ("1", "2", "3", "4")
-            if value != part.value
-        ]
-    if part.kind == "call":
-        found += [
-            edit("function", Node("call", part.args, name, part.at))
-            for name in _SWAPS.get(part.value, ())
-        ]
-    return found
-
-
-def _singles(tree: Node, target: Values, pool: Pool, deep: bool = True) -> list[Repair]:
-    values: dict[Path, Values] = {}
-    _values(tree, pool.values, (), values)
-    needs = _needs(tree, values, target)
-    found: list[Repair] = []
-    table = np.array(list(pool.values.values()))
-    names = list(pool.values)
+def evaluated(tree: Node, known: Mapping[str, Values]) -> Values:
+    """The value of a tree at every sample."""
     with np.errstate(all="ignore"):
-        for path, part, above in _parts(tree):
-            if path in needs:
-                edits = _fitting(part, above, values[path], needs[path], pool, (names, table), deep)
-                found += [Repair(with_part(tree, path, it.new), (it,)) for it in edits]
-            if path not in needs or _is_unsure(tree, path):  # each edit is tried
-                for it in _local(part, above, pool, every=True):
-                    other = with_part(tree, path, it.new)
-                    if same(evaluated(other, pool.values), target):
-                        found.append(Repair(other, (it,)))
-        if deep:
-            found += _everywhere(tree, target, pool)
-    return [
-        Repair(it.tree, (_dearer(it.edits[0], tree),))
-        for it in found
-        if not same(evaluated(it.tree, pool.values), values[()])
-    ]
+        return Numbers(known).of(tree)
 
 
-def _dearer(edit: Edit, tree: Node) -> Edit:
-    """The cost of an edit with the depth at which it stands."""
-    depth = next((len(p) for p, part, _ in _parts(tree) if part is edit.old), 0)
-    return replace(edit, cost=edit.cost + PER_LEVEL * depth)
+# ------------------------------------------------------------------------------ one part of a few
 
 
-def _everywhere(tree: Node, target: Values, pool: Pool) -> list[Repair]:
-    """One name in the place of another wherever it stands."""
-    counted: dict[str, int] = {}
-    for part in nodes(tree):
-        if part.kind == "symbol":
-            counted[part.value] = counted.get(part.value, 0) + 1
-    found = []
-    for old, count in counted.items():
-        for new in pool.values if count > 1 else ():
-            kind = pool.renaming(old, new)
-            if new != old and kind != "symbol":
-                swapped = {**pool.values, old: pool.values[new]}
-                if same(evaluated(tree, swapped), target):
-                    one = Node("symbol", value=new)
-                    first, *others = (part for part in nodes(tree) if part.value == old)
-                    also = tuple(part.at for part in others)
-                    edit = Edit("renaming", first.at, first, one, COST["renaming"], also)
-                    found.append(Repair(_renamed(tree, old, new), (edit,)))
-    return found
-
-
-def _renamed(tree: Node, old: str, new: str) -> Node:
-    if tree.kind == "symbol":
-        return Node("symbol", value=new, at=tree.at) if tree.value == old else tree
-    return Node(tree.kind, tuple(_renamed(it, old, new) for it in tree.args), tree.value, tree.at)
-
-
-def _fitting(
-    part: Node,
-    above: Node | None,
-    value: Values,
-    need: Values,
-    pool: Pool,
-    known: tuple[list[str], Values],
-    deep: bool,
-) -> list[Edit]:
-    """Edits that give a part what it needs."""
+def _others(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
+    """Edits of a part that put one of a few others in its place."""
     found: list[Edit] = []
 
     def edit(kind: str, new: Node, further: float = 0.0) -> None:
         found.append(Edit(kind, part.at, part, new, COST[kind] + further))
 
-    names, table = known
-    if same(need, -value):
+    outer = "" if above is None else above.kind
+    if outer in ("", "add", "call") or part.kind == "add":
         edit("sign", part.args[0] if part.kind == "neg" else Node("neg", (part,), at=part.at))
     if part.kind == "symbol":
-        for place in np.flatnonzero(np.abs(table[:, 0] - need[0]) <= CLOSE * abs(need[0])):
-            if not same(table[place], need):
-                continue
-            kind = pool.renaming(part.value, names[place])
-            edit(kind, Node("symbol", value=names[place], at=part.at))
-    plain = part.kind == "number" and part.value != "pi"
-    if plain and (number := _rational(need)) is not None:
-        is_power = above is not None and above.kind == "pow" and above.args[1] is part
-        edit("exponent" if is_power else "number", _number(number))
-    if part.kind == "call":
-        for name in _SWAPS.get(part.value, ()):
-            swapped = Node("call", part.args, name, part.at)
-            if same(evaluated(swapped, pool.values), need):
-                edit("function", swapped)
-    if part.kind in ("symbol", "call") and (value > 0).all() and (need > 0).all():
-        power = _rational(np.log(need) / np.log(value))
-        if power is not None and power not in (0, 1) and power.denominator <= 2:
+        for name in pool.values:
+            if name != part.value:
+                edit(pool.renaming(part.value, name), Node("symbol", value=name, at=part.at))
+    if part.kind == "number" and part.value != "pi" and above is not None:
+        for value in FEW_NUMBERS:
+            if value != part.value:
+                edit(_number_kind(part, above), Node("number", value=value, at=part.at))
+    for name in _SWAPS.get(part.value, ()) if part.kind == "call" else ():
+        edit("function", Node("call", part.args, name, part.at))
+    if part.kind in ("symbol", "call"):
+        for power in POWERS:
             edit("exponent", Node("pow", (part, _number(power)), at=part.at))
-    if part.kind == "pow" and same(need, evaluated(part.args[0], pool.values)):
-        edit("exponent", part.args[0])
-    if above is not None and above.kind == "add":
-        scale = np.abs(value) + np.abs(need)
-        if (np.abs(need) <= CLOSE * scale).all():
-            edit("extra term", ZERO)
-    if above is not None and above.kind in ("mul", "div") and same(need, np.ones_like(need)):
+    if part.kind == "pow":
+        edit("exponent", part.args[0], LOST_POWER)
+    if outer == "add":
+        edit("extra term", ZERO)
+    if outer in ("mul", "div"):
         edit("extra factor", ONE)
-    if above is None or above.kind not in ("mul", "neg", "div"):
-        ratio = need / value
-        if not same(need, -value) and (fit := monomial(ratio, part, pool, deep)) is not None:
-            size = len([it for it in nodes(fit) if it.kind == "symbol"])
-            simple = fit.kind == "number"
-            new = _times(part, fit)
-            kind = "number" if simple else "missing factor"
-            edit(kind, new, PER_SYMBOL[kind] * max(size - 1, 0))
-    if part.kind == "add" or above is None or above.kind not in ("add", "neg"):
-        lost = need - value
-        if (fit := monomial(lost, part, pool, deep)) is not None:
-            size = len([it for it in nodes(fit) if it.kind == "symbol"])
-            args = part.args if part.kind == "add" else (part,)
-            new = Node("add", (*args, fit), at=part.at)
-            edit("missing term", new, PER_SYMBOL["missing term"] * max(size - 1, 0))
     return found
 
 
+def _number_kind(part: Node, above: Node | None) -> str:
+    is_power = above is not None and above.kind == "pow" and above.args[1] is part
+    return "exponent" if is_power else "number"
+
+
+class _Alternatives:
+    """Values of a tree with each edit of one of its parts, at a few samples."""
+
+    def __init__(self, pool: Pool) -> None:
+        self.pool = pool
+        self.numbers = Numbers({name: value[SCREEN] for name, value in pool.values.items()})
+        self.kept: dict[tuple[int, str, str], tuple[Node, list[Edit], Values]] = {}
+        self.lifted: dict[int, tuple[Node, Values]] = {}
+
+    def own(self, part: Node, above: Node | None) -> tuple[list[Edit], Values]:
+        """Edits of a part itself, and its values with each."""
+        key = id(part), "" if above is None else above.kind, _number_kind(part, above)
+        if key not in self.kept:
+            edits = _others(part, above, self.pool)
+            values = [self.numbers.of(it.new) for it in edits]
+            whole = np.stack(values, axis=-2) if edits else self.numbers.of(part)[..., None, :][:0]
+            self.kept[key] = part, edits, whole
+        return self.kept[key][1:]
+
+    def inside(self, tree: Node) -> Values:
+        """Values with each edit of a part inside a tree, the parts in order, each with its own."""
+        if id(tree) not in self.lifted:
+            parts = [self.numbers.of(part) for part in tree.args]
+            rows = [np.empty((0, self.numbers.size))] if not parts else []
+            for place, part in enumerate(tree.args):
+                below = np.concatenate([self.own(part, tree)[1], self.inside(part)], axis=-2)
+                if tree.kind == "add":
+                    rows.append(below + (self.numbers.of(tree) - parts[place]))
+                else:
+                    rows.append(_applied(tree, [*parts[:place], below, *parts[place + 1 :]]))
+            self.lifted[id(tree)] = tree, np.concatenate(rows, axis=-2)
+        return self.lifted[id(tree)][1]
+
+    def edit(self, tree: Node, number: int) -> tuple[Path, Edit]:
+        """An edit inside a tree by its number, and its place."""
+        for place, part in enumerate(tree.args):
+            edits, _ = self.own(part, tree)
+            if number < len(edits):
+                return (place,), edits[number]
+            number -= len(edits)
+            below = self.inside(part).shape[-2]
+            if number < below:
+                path, edit = self.edit(part, number)
+                return (place, *path), edit
+            number -= below
+        raise IndexError(number)
+
+    def right(self, tree: Node, target: Values) -> Iterator[tuple[Path, Edit]]:
+        """Edits after which a tree has its target, at the few samples."""
+        edits, values = self.own(tree, None)
+        rows = np.concatenate([values, self.inside(tree)], axis=-2)
+        size = np.maximum(np.abs(rows), np.abs(target[SCREEN]))
+        for number in np.flatnonzero((np.abs(rows - target[SCREEN]) <= CLOSE * size).all(axis=-1)):
+            if number < len(edits):
+                yield (), edits[number]
+            else:
+                yield self.edit(tree, int(number) - len(edits))
+
+
+# ------------------------------------------------------------------------------- what is missing
+
+
+def _inverted(tree: Node, parts: Sequence[Values], whole: Values, need: Values) -> Iterator[Values]:
+    """What each part would have to be for the tree to be what it needs, where that is known."""
+    match tree.kind:
+        case "neg":
+            yield -need
+        case "add":
+            rest = need - whole
+            yield from (rest + value for value in parts)
+        case "mul":
+            for place in range(len(parts)):
+                yield need / math.prod([*parts[:place], *parts[place + 1 :]])
+        case "div":
+            yield need * parts[1]
+            yield parts[0] / need
+        case "pow":
+            yield np.copysign(np.abs(need) ** (1 / parts[1]), parts[0])
+            yield np.log(need) / np.log(parts[0])
+        case "call" if tree.value == "sqrt":
+            yield need**2
+        case "call" if tree.value == "exp":
+            yield np.log(need)
+
+
+#: A part, where it stands, what is above it, its values and what it needs.
+Place: TypeAlias = tuple[Path, Node, Node | None, Values, Values]
+
+
+def _places(
+    tree: Node, need: Values, numbers: Numbers, path: Path = (), above: Node | None = None
+) -> Iterator[Place]:
+    value = numbers.of(tree)
+    yield path, tree, above, value, need
+    if (tree.args and tree.kind != "call") or tree.value in ("sqrt", "exp"):
+        parts = [numbers.of(part) for part in tree.args]
+        for place, below in enumerate(_inverted(tree, parts, value, need)):
+            yield from _places(tree.args[place], below, numbers, (*path, place), tree)
+
+
+class _Products:
+    """Products of powers of names and functions, by their values."""
+
+    def __init__(self, tree: Node, pool: Pool, numbers: Numbers) -> None:
+        ways: list[tuple[Node, Values]] = []
+        for name, value in pool.values.items():
+            one = Node("symbol", value=name)
+            ways += [(one, value), (Node("div", (ONE, one)), 1 / value)]
+        ways += [(Node("neg", (part,)), -value) for part, value in ways]
+        ways.sort(key=lambda it: float(it[1][0]))
+        self.alone = [part for part, _ in ways]
+        self.table = np.array([value for _, value in ways])
+        inside = dict.fromkeys(map(_bare, nodes(tree)))
+        atoms = [it for it in inside if it.kind == "symbol" and it.value in pool.values]
+        atoms += [Node("symbol", value=name) for name in pool.values]
+        angles = [(Node("symbol", value=name),) for name in pool.angles if name in pool.values]
+        atoms += [Node("call", angle, way) for angle in angles for way in ("cos", "sin")]
+        atoms += [it for it in inside if it.kind == "call" and it.value not in _NOT_FACTORS]
+        atoms += [it for it in inside if it.kind == "add" and len(symbols(it)) <= LARGEST_BRACKET]
+        self.atoms: list[tuple[Node, Values]] = []
+        rows = [np.ones(numbers.size)]
+        for atom in dict.fromkeys(atoms):
+            value = numbers.of(atom)
+            row = np.log(np.abs(value))
+            rest = row - sum((row @ it) / (it @ it) * it for it in rows)
+            is_new = np.isfinite(row).all() and rest @ rest > DEPENDENT * (row @ row)
+            if is_new and len(rows) < numbers.size - SPARE:
+                rows.append(rest)
+                self.atoms.append((atom, value))
+        plain = np.array([np.log(np.abs(it)) for _, it in self.atoms] + rows[:1])
+        self.inverse = np.linalg.pinv(plain)
+
+    def of(self, wanted: Values) -> dict[int, Node]:
+        """Products that have the values of a row, by the row."""
+        found: dict[int, Node] = {}
+        usable = np.isfinite(wanted).all(axis=1) & wanted.all(axis=1)
+        wanted = np.where(usable[:, None], wanted, np.nan)
+        first = wanted[:, 0]
+        near = CLOSE * np.abs(first)
+        for row in np.flatnonzero(np.abs(wanted - first[:, None]).max(axis=1) <= near):
+            if (number := _rational(wanted[row])) is not None:
+                found[int(row)] = _number(number)
+        low = np.searchsorted(self.table[:, 0], first - near)
+        high = np.searchsorted(self.table[:, 0], first + near, "right")
+        for row in np.flatnonzero((high > low) & usable):
+            for place in range(low[row], high[row]):
+                if same(wanted[row], self.table[place]):
+                    found.setdefault(int(row), self.alone[place])
+        powers = np.log(np.abs(wanted)) @ self.inverse
+        halves = np.round(2 * powers[:, :-1]) / 2
+        gap = np.abs(powers[:, :-1] - halves).max(axis=1, initial=0.0)
+        few = np.count_nonzero(halves, axis=1) <= MOST_ATOMS
+        small = np.abs(halves).max(axis=1, initial=0.0) <= LARGEST_POWER
+        for row in np.flatnonzero((gap < NEAR_HALF) & few & small):
+            if int(row) not in found and (one := self._product(wanted[row], halves[row])):
+                found[int(row)] = one
+        return found
+
+    def _product(self, wanted: Values, powers: Values) -> Node | None:
+        product = np.ones_like(wanted)
+        for (_, value), power in zip(self.atoms, powers, strict=True):
+            if power:
+                base = value if power == int(power) else np.abs(value)
+                product = product * base**power
+        factor = _rational(wanted / product)
+        if factor is None:
+            return None
+        used = [(it[0], power) for it, power in zip(self.atoms, powers, strict=True) if power]
+        above = [_powered(atom, power) for atom, power in used if power > 0]
+        below = [_powered(atom, -power) for atom, power in used if power < 0]
+        if abs(factor) != 1 or not above:
+            above = [_number(abs(factor)), *above]
+        whole = above[0] if len(above) == 1 else Node("mul", tuple(above))
+        if below:
+            whole = Node("div", (whole, below[0] if len(below) == 1 else Node("mul", tuple(below))))
+        return Node("neg", (whole,)) if factor < 0 else whole
+
+
+def _missing(places: Sequence[Place], products: _Products) -> Iterator[tuple[Path, Edit]]:
+    """Numbers, factors and terms that give a part what it needs."""
+    factors, terms = [], []
+    for place in places:
+        _, part, above, _, need = place
+        outer = "" if above is None else above.kind
+        if part.kind == "number" and part.value != "pi" and (number := _rational(need)):
+            kind = _number_kind(part, above)
+            yield place[0], Edit(kind, part.at, part, _number(number), COST[kind])
+        if outer not in ("mul", "neg", "div"):
+            factors.append(place)
+        if part.kind == "add" or outer not in ("add", "neg"):
+            terms.append(place)
+    wanted = [need / value for *_, value, need in factors]
+    wanted += [need - value for *_, value, need in terms]
+    for row, fit in products.of(np.array(wanted)).items():
+        path, part, *_ = (*factors, *terms)[row]
+        count = sum(it.kind in ("symbol", "div") for it in nodes(fit))
+        further = 0.0
+        if row < len(factors):
+            kind, new = "missing factor" if symbols(fit) else "number", _times(part, fit)
+        else:
+            kind = "missing term"
+            args = part.args if part.kind == "add" else (part,)
+            further = 0.0 if part.kind == "add" or above is None else NEW_BRACKET
+            new = Node("add", (*args, fit), at=part.at)
+        cost = COST[kind] + PER_SYMBOL[kind] * max(count - 1, 0) + further
+        yield path, Edit(kind, part.at, part, new, cost)
+
+
 def _rational(values: Values) -> Fraction | None:
-    """The small fraction that values are at every sample."""
-    if not np.isfinite(values).all() or not same(values, np.full_like(values, values[0])):
+    """The small fraction that values are at every sample, and not 0."""
+    first = float(values[0])
+    if not np.isfinite(first) or not same(values, np.full_like(values, first)):
         return None
-    near = Fraction(float(values[0])).limit_denominator(48)
+    near = Fraction(first).limit_denominator(48)
     return near if near and abs(near) <= 200 and same(values, np.full_like(values, near)) else None
 
 
@@ -423,49 +458,6 @@ def _number(value: Fraction) -> Node:
     if value.denominator != 1:
         size = Node("div", (size, Node("number", value=str(value.denominator))))
     return Node("neg", (size,)) if value < 0 else size
-
-
-def monomial(values: Values, near: Node, pool: Pool, deep: bool = True) -> Node | None:
-    """The product of powers of names and functions that has these values, by logarithms."""
-    if not np.isfinite(values).all() or not values.all():
-        return None
-    if (number := _rational(values)) is not None:
-        return _number(number)
-    parts, table = pool.alone
-    near_first = np.abs(table[:, 0] - values[0]) <= CLOSE * abs(values[0])
-    for place in np.flatnonzero(near_first):
-        if same(values, table[place]):
-            return parts[place]
-    if not deep:
-        return None
-    calls = [it for it in dict.fromkeys(map(_bare, nodes(near))) if it.kind == "call"]
-    known, logarithms = pool.logarithms
-    calls = [it for it in calls if it.value != "Abs" and it not in [atom for atom, _ in known]]
-    more = [(atom, evaluated(atom, pool.values)) for atom in calls]
-    more = [(atom, it) for atom, it in more if np.isfinite(it).all() and it.all()]
-    atoms = known + more
-    if len(atoms) + 1 >= len(values):
-        return None
-    rows = np.array([*logarithms, *(np.log(np.abs(it)) for _, it in more), np.ones_like(values)]).T
-    powers, *_ = np.linalg.lstsq(rows, np.log(np.abs(values)), rcond=None)
-    halves = np.round(2 * powers[:-1]) / 2
-    if np.abs(halves).max(initial=0) > 4 or np.count_nonzero(halves) > 7:
-        return None
-    product = np.ones_like(values)
-    for (_, value), power in zip(atoms, halves, strict=True):
-        if power:
-            product = product * (value**power if power == int(power) else np.abs(value) ** power)
-    factor = _rational(values / product)
-    if factor is None:
-        return None
-    above = [_powered(atom, p) for (atom, _), p in zip(atoms, halves, strict=True) if p > 0]
-    below = [_powered(atom, -p) for (atom, _), p in zip(atoms, halves, strict=True) if p < 0]
-    if abs(factor) != 1 or not above:
-        above = [_number(abs(factor)), *above]
-    whole = above[0] if len(above) == 1 else Node("mul", tuple(above))
-    if below:
-        whole = Node("div", (whole, below[0] if len(below) == 1 else Node("mul", tuple(below))))
-    return Node("neg", (whole,)) if factor < 0 else whole
 
 
 def _times(part: Node, factor: Node) -> Node:
@@ -479,3 +471,87 @@ def _times(part: Node, factor: Node) -> Node:
 
 def _powered(atom: Node, power: float) -> Node:
     return atom if power == 1 else Node("pow", (atom, _number(Fraction(power))))
+
+
+# --------------------------------------------------------------------------------------- repairs
+
+
+class Search:
+    """Repairs of a tree with what a pool has."""
+
+    def __init__(self, tree: Node, pool: Pool) -> None:
+        self.tree, self.pool = tree, pool
+        with np.errstate(all="ignore"):
+            self.numbers = Numbers(pool.values)
+            self.alternatives = _Alternatives(pool)
+            self.products = _Products(tree, pool, self.numbers)
+
+    def repairs(self, target: Values, pairs: bool = False) -> list[Repair]:
+        """Repairs by one edit, or by ``pairs`` of them, the most likely first."""
+        found: list[Repair] = []
+        with np.errstate(all="ignore"):
+            if pairs:
+                for first in self.firsts:
+                    singles = self._singles(first.tree, target)
+                    found += [Repair(it.tree, (*first.edits, *it.edits)) for it in singles]
+            else:
+                found += [*self._singles(self.tree, target), *self._everywhere(target)]
+        trees: dict[Node, Repair] = {}
+        for repair in sorted(found, key=lambda it: it.cost):
+            trees.setdefault(_bare(repair.tree), repair)
+        return list(trees.values())
+
+    @cached_property
+    def firsts(self) -> list[Repair]:
+        """First ones of two edits: those whose new part is among few."""
+        found = []
+        for path, part, above in _parts(self.tree):
+            for it in _others(part, above, self.pool):
+                if it.new.kind != "pow":
+                    found.append(_repair(self.tree, path, it))
+        return sorted(found, key=lambda it: it.cost)[:MOST_FIRST]
+
+    def _singles(self, tree: Node, target: Values) -> list[Repair]:
+        places = _places(tree, target, self.numbers)
+        edits = [*self.alternatives.right(tree, target), *_missing([*places], self.products)]
+        found = [_repair(tree, path, edit) for path, edit in edits]
+        return [it for it in found if same(self.numbers.of(it.tree), target)]
+
+    def _everywhere(self, target: Values) -> Iterator[Repair]:
+        """One name in the place of another wherever it stands."""
+        named: dict[str, list[Node]] = {}
+        for part in nodes(self.tree):
+            if part.kind == "symbol":
+                named.setdefault(part.value, []).append(part)
+        for old, (first, *others) in named.items():
+            for new in self.pool.values if others else ():
+                if new == old or self.pool.renaming(old, new) == "symbol":
+                    continue
+                swapped = {name: it[SCREEN] for name, it in self.pool.values.items()}
+                swapped[old] = swapped[new]
+                if same(evaluated(self.tree, swapped), target[SCREEN]):
+                    also = tuple(part.at for part in others)
+                    one = Node("symbol", value=new)
+                    edit = Edit("renaming", first.at, first, one, COST["renaming"], also)
+                    tree = renamed(self.tree, {old: one})
+                    if same(self.numbers.of(tree), target):
+                        yield Repair(tree, (edit,))
+
+
+def _repair(tree: Node, path: Path, edit: Edit) -> Repair:
+    """A tree after one edit, which costs the more the deeper it stands."""
+    dearer = replace(edit, cost=edit.cost + PER_LEVEL * len(path))
+    return Repair(with_part(tree, path, edit.new), (dearer,))
+
+
+def _bare(tree: Node) -> Node:
+    """A tree without places, by which repairs are compared."""
+    return Node(tree.kind, tuple(map(_bare, tree.args)), tree.value)
+
+
+def _parts(
+    tree: Node, path: Path = (), above: Node | None = None
+) -> Iterator[tuple[Path, Node, Node | None]]:
+    yield path, tree, above
+    for place, part in enumerate(tree.args):
+        yield from _parts(part, (*path, place), tree)

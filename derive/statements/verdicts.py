@@ -20,16 +20,20 @@ from .markup import repaired_print
 from .objects import BOTH, CONTACT, LAMBDA, LIFT_OFF, NORMAL, TIME, Derivation
 from .papers import Paper, Statement
 from .reading import Item, Verdict, opened
-from .repair import Edit, Pool, Repair, Values, evaluated, repairs, same, stem
+from .repair import COST, Edit, Pool, Repair, Search, Values, evaluated, same, stem
 from .samples import numeric
-from .tree import Node, printed, symbols, to_sympy
+from .tree import Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols, to_sympy
 
 #: Repairs of one statement that are tried for a proof.
 MOST_PROOFS = 12
 #: Terms of either side of a residual, by whose ratios its factor is found.
 MOST_TERMS = 40
 #: Factors of a residual that are tried with two edits.
-MOST_FACTORS = 2
+MOST_FACTORS = 4
+#: Single repairs that cost more are compared with pairs.
+CHEAPEST_PAIR = 2.0
+#: Symbols of a term with brackets that may be lost.
+LONGEST_TERM = 8
 Names: TypeAlias = Mapping[str, sp.Expr]
 
 
@@ -203,7 +207,7 @@ def _components(
         tried = [sp.S.One, sp.S.NegativeOne]
         plain = any(same(evaluated(tree, values), way * target) for way in (1, -1))
         if factors and not plain and item.held.factor in ("parameters", "monomial"):
-            tried = _factors(item, conventions, tree, item.held.entries[place]) + tried
+            tried += _factors(item, conventions, tree, item.held.entries[place])
         known = list(item.values)
         found.append(
             Component(
@@ -310,23 +314,31 @@ def _on_side(item: Item, value: sp.Expr, side: int) -> sp.Expr:
 
 def _zero(expression: sp.Expr) -> bool:
     """Whether an expression is 0 on all unit circles."""
-    return bool(normal_form(expression) == 0)
+    plain, names, circles = _on_circles(expression)
+    return not plain.has(sp.Piecewise) and algebra.equal(plain.xreplace(names), sp.S.Zero, circles)
 
 
 def normal_form(expression: sp.Expr) -> sp.Expr:
     """An expression modulo sin² + cos² = 1 of every angle: 0 exactly where it is 0."""
-    plain = expression
+    plain, names, circles = _on_circles(expression)
     if plain.has(sp.Piecewise):  # a choice that is not made is compared with nothing
         return plain
-    plain = plain.replace(sp.cot, lambda angle: sp.cos(angle) / sp.sin(angle))
-    plain = sp.expand_trig(plain.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle)))
+    gap = algebra.difference(plain.xreplace(names), sp.S.Zero, circles)
+    return gap.xreplace({dummy: node for node, dummy in names.items()})
+
+
+def _on_circles(plain: sp.Expr) -> tuple[sp.Expr, dict[sp.Expr, sp.Expr], algebra.Circles]:
+    """An expression in cosines and sines of angles, and what stands for these."""
+    if plain.has(sp.tan, sp.cot):
+        plain = plain.replace(sp.cot, lambda angle: sp.cos(angle) / sp.sin(angle))
+        plain = plain.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))
+    plain = sp.expand_trig(plain)
     angles = sorted({node.args[0] for node in plain.atoms(sp.cos, sp.sin)}, key=sp.default_sort_key)
     circles = tuple((sp.Dummy("c", real=True), sp.Dummy("s", real=True)) for _ in angles)
     names: dict[sp.Expr, sp.Expr] = {}
     for angle, (cosine, sine) in zip(angles, circles, strict=True):
         names |= {sp.cos(angle): cosine, sp.sin(angle): sine}
-    gap = algebra.difference(plain.xreplace(names), sp.S.Zero, circles)
-    return gap.xreplace({dummy: node for node, dummy in names.items()})
+    return plain, names, circles
 
 
 def agrees(item: Item, conventions: Conventions) -> bool:
@@ -442,18 +454,19 @@ def judged(item: Item, conventions: Conventions | None = None) -> Row:
                 return replace(row, evidence="equal at all samples, but not by exact algebra")
             row, counted = _as_meant(row, item, exact)
             continue
-        exact = part.exact[0]
-        row = _told(row, item, to_sympy(part.tree, _names(item, conventions)) - exact)
+        names = _names(item, conventions)
+        own = to_sympy(part.tree, names)
         if statement.limit and _in_limit(item, conventions, part, statement.limit):
+            row = _told(row, item, own - part.exact[0])
             return replace(row, status="approximation", evidence=statement.limit)
         found = _repaired(item, conventions, part, values)
         if found is None:
             said = "no edit, and no two, give what is derived"
+            row = _told(row, item, own - part.exact[0])
             return replace(row, evidence=f"{wrong}; {said}" if wrong else said)
         repair, exact, count = found
         row, counted = _as_meant(row, item, exact)
-        names = _names(item, conventions)
-        row = _told(row, item, to_sympy(part.tree, names) - to_sympy(repair.tree, names))
+        row = _told(row, item, own - to_sympy(repair.tree, names))
         repaired.append((part, repair, count))
         costly.append((part, exact))
     if not repaired:
@@ -529,9 +542,11 @@ def _repaired(
     """The most likely repair that is proved, what it is, and how many forms cost as little."""
     used = symbols(part.tree)
     known = {"lam", "N", "mu", str(PUSHING), str(TIME)} - _free(item)
-    known |= item.held.names if item.held.law != "scale" else set()
-    stems = {stem(name) for name in used}
-    known |= {name for name in item.bound if stem(name) not in stems} | {part.left}
+    known |= {*item.held.names, part.left} if item.held.law != "scale" else set()
+    stems = {
+        stem(name) for one in item.equations for name in symbols(one.left) | symbols(one.right)
+    }
+    known |= {name for name in item.bound if stem(name) not in stems}
     pool = Pool(
         {n: it for n, it in values.items() if n in used or n not in known},
         item.it.kinds,
@@ -541,24 +556,58 @@ def _repaired(
     for target, exact in zip(part.targets, part.exact, strict=True):
         if not any(same(target, it) for it, _ in ways):
             ways.append((target, exact))
+    search = Search(part.tree, pool)
     good: list[tuple[Repair, sp.Expr]] = []
     for pairs in (False, True):
+        if good and good[0][0].cost <= CHEAPEST_PAIR:
+            break
         found = [
             (repair, exact)
             for target, exact in (ways[:MOST_FACTORS] if pairs else ways)
-            for repair in repairs(part.tree, target, pool, pairs)
+            for repair in search.repairs(target, pairs)
         ]
-        forms: set[sp.Expr] = set()
-        for repair, exact in sorted(found, key=lambda it: (it[0].cost, len(printed(it[0].tree)))):
-            if (good and repair.cost > good[0][0].cost + 0.01) or len(good) > MOST_PROOFS:
-                break
-            form = to_sympy(repair.tree, {name: sp.Symbol(name) for name in symbols(repair.tree)})
-            if form not in forms and proved(item, conventions, repair.tree, exact):
-                good.append((repair, exact))
-                forms.add(form)
-        if good:
+        good = _proved_first(item, conventions, [*good, *found])
+    if good:
+        return *good[0], len(good)
+    for _, exact in ways[:MOST_FACTORS]:
+        repair = _with_lost_term(item, conventions, part, exact)
+        if repair is not None and proved(item, conventions, repair.tree, exact):
+            return repair, exact, 1
+    return None
+
+
+def _proved_first(
+    item: Item, conventions: Conventions, found: Iterable[tuple[Repair, sp.Expr]]
+) -> list[tuple[Repair, sp.Expr]]:
+    """The repairs of least cost among those that are proved, each form once."""
+    good: list[tuple[Repair, sp.Expr]] = []
+    forms: set[sp.Expr] = set()
+    for repair, exact in sorted(found, key=lambda it: (it[0].cost, len(printed(it[0].tree)))):
+        if (good and repair.cost > good[0][0].cost + 0.01) or len(good) > MOST_PROOFS:
             break
-    return (*good[0], len(good)) if good else None
+        form = to_sympy(repair.tree, {name: sp.Symbol(name) for name in symbols(repair.tree)})
+        if form not in forms and proved(item, conventions, repair.tree, exact):
+            good.append((repair, exact))
+            forms.add(form)
+    return good
+
+
+def _with_lost_term(
+    item: Item, conventions: Conventions, part: Component, exact: sp.Expr
+) -> Repair | None:
+    """A print with what it lacks, where that is one term, of brackets as well."""
+    term = sp.factor(normal_form(exact - to_sympy(part.tree, _names(item, conventions))))
+    vocabulary = Vocabulary(frozenset(item.values), (), {})
+    try:
+        tree = read_sympy(str(term), vocabulary)[0].left
+    except Unread:
+        return None
+    bare = tree.args[0] if tree.kind == "neg" else tree
+    if bare.kind == "add" or sum(it.kind == "symbol" for it in nodes(tree)) > LONGEST_TERM:
+        return None
+    args = part.tree.args if part.tree.kind == "add" else (part.tree,)
+    new = Node("add", (*args, tree), at=part.tree.at)
+    return Repair(new, (Edit("missing term", part.tree.at, part.tree, new, COST["missing term"]),))
 
 
 def _free(item: Item) -> set[str]:

@@ -55,8 +55,8 @@ COST = {
 PER_SYMBOL, PER_LEVEL = {"missing term": 0.1, "missing factor": 0.3, "number": 0.0}, 0.001
 #: Added where a power is lost, and where a term makes a bracket.
 LOST_POWER, NEW_BRACKET = 0.1, 0.3
-#: Of pairs, so many first edits are followed.
-MOST_FIRST = 600
+#: Of pairs, so many first edits are followed, and so many parts of the trees after them.
+MOST_FIRST, MOST_PARTS = 600, 20_000
 #: Samples at which edits are tried before all.
 SCREEN = slice(0, 8, 2)
 #: Numbers and powers that an edit tries before what it brings in is open.
@@ -196,6 +196,12 @@ def evaluated(tree: Node, known: Mapping[str, Values]) -> Values:
         return Numbers(known).of(tree)
 
 
+#: Number of a target, place of a part, and an edit of that part.
+Proposal: TypeAlias = tuple[int, Path, Edit]
+#: A part, where it stands, what is above it, its values and what it needs.
+Place: TypeAlias = tuple[Path, Node, Node | None, Values, Values]
+
+
 # ------------------------------------------------------------------------------ one part of a few
 
 
@@ -283,16 +289,19 @@ class _Alternatives:
             number -= below
         raise IndexError(number)
 
-    def right(self, tree: Node, target: Values) -> Iterator[tuple[Path, Edit]]:
-        """Edits after which a tree has its target, at the few samples."""
+    def right(self, tree: Node, targets: Values) -> Iterator[Proposal]:
+        """Edits after which a tree has one of its targets, at the few samples."""
         edits, values = self.own(tree, None)
         rows = np.concatenate([values, self.inside(tree)], axis=-2)
-        size = np.maximum(np.abs(rows), np.abs(target[SCREEN]))
-        for number in np.flatnonzero((np.abs(rows - target[SCREEN]) <= CLOSE * size).all(axis=-1)):
-            if number < len(edits):
-                yield (), edits[number]
-            else:
-                yield self.edit(tree, int(number) - len(edits))
+        for way, target in enumerate(targets[:, SCREEN]):
+            near = np.flatnonzero(np.abs(rows[:, 0] - target[0]) <= CLOSE * np.abs(target[0]))
+            for number in near:
+                if not same(rows[number], target):
+                    continue
+                if number < len(edits):
+                    yield way, (), edits[number]
+                else:
+                    yield way, *self.edit(tree, int(number) - len(edits))
 
 
 # ------------------------------------------------------------------------------- what is missing
@@ -321,13 +330,10 @@ def _inverted(tree: Node, parts: Sequence[Values], whole: Values, need: Values) 
             yield np.log(need)
 
 
-#: A part, where it stands, what is above it, its values and what it needs.
-Place: TypeAlias = tuple[Path, Node, Node | None, Values, Values]
-
-
 def _places(
     tree: Node, need: Values, numbers: Numbers, path: Path = (), above: Node | None = None
 ) -> Iterator[Place]:
+    """Parts with what they need, for each target of the whole."""
     value = numbers.of(tree)
     yield path, tree, above, value, need
     if (tree.args and tree.kind != "call") or tree.value in ("sqrt", "exp"):
@@ -371,7 +377,7 @@ class _Products:
     def of(self, wanted: Values) -> dict[int, Node]:
         """Products that have the values of a row, by the row."""
         found: dict[int, Node] = {}
-        usable = np.isfinite(wanted).all(axis=1) & wanted.all(axis=1)
+        usable = np.isfinite(wanted).all(axis=1) & (wanted != 0).all(axis=1)
         wanted = np.where(usable[:, None], wanted, np.nan)
         first = wanted[:, 0]
         near = CLOSE * np.abs(first)
@@ -414,26 +420,30 @@ class _Products:
         return Node("neg", (whole,)) if factor < 0 else whole
 
 
-def _missing(places: Sequence[Place], products: _Products) -> Iterator[tuple[Path, Edit]]:
+def _missing(places: Sequence[Place], products: _Products) -> Iterator[Proposal]:
     """Numbers, factors and terms that give a part what it needs."""
     factors, terms = [], []
     for place in places:
-        _, part, above, _, need = place
+        path, part, above, _, needs = place
         outer = "" if above is None else above.kind
-        if part.kind == "number" and part.value != "pi" and (number := _rational(need)):
+        if part.kind == "number" and part.value != "pi":
             kind = _number_kind(part, above)
-            yield place[0], Edit(kind, part.at, part, _number(number), COST[kind])
+            for way, need in enumerate(needs):
+                if near := _rational(need):
+                    yield way, path, Edit(kind, part.at, part, _number(near), COST[kind])
         if outer not in ("mul", "neg", "div"):
             factors.append(place)
         if part.kind == "add" or outer not in ("add", "neg"):
             terms.append(place)
     wanted = [need / value for *_, value, need in factors]
     wanted += [need - value for *_, value, need in terms]
-    for row, fit in products.of(np.array(wanted)).items():
-        path, part, *_ = (*factors, *terms)[row]
+    ways = len(wanted[0])
+    for row, fit in products.of(np.concatenate(wanted)).items():
+        number, way = divmod(row, ways)
+        path, part, above, *_ = (*factors, *terms)[number]
         count = sum(it.kind in ("symbol", "div") for it in nodes(fit))
         further = 0.0
-        if row < len(factors):
+        if number < len(factors):
             kind, new = "missing factor" if symbols(fit) else "number", _times(part, fit)
         else:
             kind = "missing term"
@@ -441,7 +451,7 @@ def _missing(places: Sequence[Place], products: _Products) -> Iterator[tuple[Pat
             further = 0.0 if part.kind == "add" or above is None else NEW_BRACKET
             new = Node("add", (*args, fit), at=part.at)
         cost = COST[kind] + PER_SYMBOL[kind] * max(count - 1, 0) + further
-        yield path, Edit(kind, part.at, part, new, cost)
+        yield way, path, Edit(kind, part.at, part, new, cost)
 
 
 def _rational(values: Values) -> Fraction | None:
@@ -486,38 +496,45 @@ class Search:
             self.alternatives = _Alternatives(pool)
             self.products = _Products(tree, pool, self.numbers)
 
-    def repairs(self, target: Values, pairs: bool = False) -> list[Repair]:
-        """Repairs by one edit, or by ``pairs`` of them, the most likely first."""
-        found: list[Repair] = []
+    def repairs(self, targets: Values, pairs: bool = False) -> list[tuple[Repair, int]]:
+        """Repairs by one edit, or by ``pairs`` of them, the most likely first.
+
+        Each with the number of its target.
+        """
+        found: list[tuple[Repair, int]] = []
         with np.errstate(all="ignore"):
             if pairs:
                 for first in self.firsts:
-                    singles = self._singles(first.tree, target)
-                    found += [Repair(it.tree, (*first.edits, *it.edits)) for it in singles]
+                    for it, way in self._singles(first.tree, targets):
+                        found.append((Repair(it.tree, (*first.edits, *it.edits)), way))
             else:
-                found += [*self._singles(self.tree, target), *self._everywhere(target)]
-        trees: dict[Node, Repair] = {}
-        for repair in sorted(found, key=lambda it: it.cost):
-            trees.setdefault(_bare(repair.tree), repair)
+                found += [*self._singles(self.tree, targets), *self._everywhere(targets)]
+        trees: dict[Node, tuple[Repair, int]] = {}
+        for repair, way in sorted(found, key=lambda it: it[0].cost):
+            trees.setdefault(_bare(repair.tree), (repair, way))
         return list(trees.values())
 
     @cached_property
     def firsts(self) -> list[Repair]:
         """First ones of two edits: those whose new part is among few."""
         found = []
-        for path, part, above in _parts(self.tree):
+        parts = [*_parts(self.tree)]
+        for path, part, above in parts:
             for it in _others(part, above, self.pool):
                 if it.new.kind != "pow":
                     found.append(_repair(self.tree, path, it))
-        return sorted(found, key=lambda it: it.cost)[:MOST_FIRST]
+        most = min(MOST_FIRST, MOST_PARTS // len(parts))
+        return sorted(found, key=lambda it: it.cost)[:most]
 
-    def _singles(self, tree: Node, target: Values) -> list[Repair]:
-        places = _places(tree, target, self.numbers)
-        edits = [*self.alternatives.right(tree, target), *_missing([*places], self.products)]
-        found = [_repair(tree, path, edit) for path, edit in edits]
-        return [it for it in found if same(self.numbers.of(it.tree), target)]
+    def _singles(self, tree: Node, targets: Values) -> Iterator[tuple[Repair, int]]:
+        places = [*_places(tree, targets, self.numbers)]
+        open_ones = _missing(places, self.products)
+        for way, path, edit in (*self.alternatives.right(tree, targets), *open_ones):
+            repair = _repair(tree, path, edit)
+            if same(self.numbers.of(repair.tree), targets[way]):
+                yield repair, way
 
-    def _everywhere(self, target: Values) -> Iterator[Repair]:
+    def _everywhere(self, targets: Values) -> Iterator[tuple[Repair, int]]:
         """One name in the place of another wherever it stands."""
         named: dict[str, list[Node]] = {}
         for part in nodes(self.tree):
@@ -529,13 +546,15 @@ class Search:
                     continue
                 swapped = {name: it[SCREEN] for name, it in self.pool.values.items()}
                 swapped[old] = swapped[new]
-                if same(evaluated(self.tree, swapped), target[SCREEN]):
-                    also = tuple(part.at for part in others)
-                    one = Node("symbol", value=new)
-                    edit = Edit("renaming", first.at, first, one, COST["renaming"], also)
-                    tree = renamed(self.tree, {old: one})
-                    if same(self.numbers.of(tree), target):
-                        yield Repair(tree, (edit,))
+                few = evaluated(self.tree, swapped)
+                one = Node("symbol", value=new)
+                also = tuple(part.at for part in others)
+                edit = Edit("renaming", first.at, first, one, COST["renaming"], also)
+                for way, target in enumerate(targets):
+                    if same(few, target[SCREEN]):
+                        tree = renamed(self.tree, {old: one})
+                        if same(self.numbers.of(tree), target):
+                            yield Repair(tree, (edit,)), way
 
 
 def _repair(tree: Node, path: Path, edit: Edit) -> Repair:

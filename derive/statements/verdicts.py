@@ -32,7 +32,7 @@ MOST_TERMS = 40
 MOST_FACTORS = 4
 #: Single repairs that cost more are compared with pairs.
 CHEAPEST_PAIR = 2.0
-#: Symbols of a term with brackets that may be lost.
+#: Symbols of a term with brackets that may be lost, and terms that it may have without them.
 LONGEST_TERM = 8
 Names: TypeAlias = Mapping[str, sp.Expr]
 
@@ -561,15 +561,13 @@ def _repaired(
     for pairs in (False, True):
         if good and good[0][0].cost <= CHEAPEST_PAIR:
             break
-        found = [
-            (repair, exact)
-            for target, exact in (ways[:MOST_FACTORS] if pairs else ways)
-            for repair in search.repairs(target, pairs)
-        ]
-        good = _proved_first(item, conventions, [*good, *found])
+        tried = ways[:MOST_FACTORS] if pairs else ways
+        found = search.repairs(np.array([target for target, _ in tried]), pairs)
+        good += [(repair, tried[way][1]) for repair, way in found]
+        good = _proved_first(item, conventions, good)
     if good:
         return *good[0], len(good)
-    for _, exact in ways[:MOST_FACTORS]:
+    for _, exact in ways[:2]:  # without a factor, and of the other sign
         repair = _with_lost_term(item, conventions, part, exact)
         if repair is not None and proved(item, conventions, repair.tree, exact):
             return repair, exact, 1
@@ -596,7 +594,10 @@ def _with_lost_term(
     item: Item, conventions: Conventions, part: Component, exact: sp.Expr
 ) -> Repair | None:
     """A print with what it lacks, where that is one term, of brackets as well."""
-    term = sp.factor(normal_form(exact - to_sympy(part.tree, _names(item, conventions))))
+    term = normal_form(exact - to_sympy(part.tree, _names(item, conventions)))
+    if len(sp.Add.make_args(sp.numer(term))) > LONGEST_TERM:
+        return None
+    term = sp.factor(term)
     vocabulary = Vocabulary(frozenset(item.values), (), {})
     try:
         tree = read_sympy(str(term), vocabulary)[0].left

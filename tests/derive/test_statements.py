@@ -279,3 +279,44 @@ def test_formulas_are_shown_as_mathml() -> None:
     assert "<mfrac>" in shown
     assert "θ" in shown
     assert rendered("atan2(y, x)", []) is None
+
+
+@pytest.mark.thorough
+def test_zero_is_decided_in_polynomials() -> None:
+    """Random quotients on a circle, with roots and functions, equal and not."""
+    import random
+
+    from spragsym.derive import algebra
+
+    c, s, x, y = sp.symbols("c s x y")
+    generator = random.Random(78)
+    parts = [c, s, x, y, sp.sqrt(x + 2), 1 / (x + y), sp.Abs(y), sp.exp(x), sp.Rational(2, 3)]
+
+    def drawn() -> sp.Expr:
+        one, other, third = generator.sample(parts, 3)
+        return (one + generator.randint(1, 3) * other) / (third + c**2)
+
+    for _ in range(6):
+        left = drawn() * drawn() + drawn()
+        same = sp.expand(left.subs(c**2, 1 - s**2), deep=False)
+        assert algebra.equal(left, same, ((c, s),)), left
+        assert not algebra.equal(left, same + x * s**3 / 7, ((c, s),)), left
+
+
+@pytest.mark.parametrize(
+    ("about", "text", "kinds"),
+    [
+        ("motion x", "m*ax - k_x*x + k/3*(x - y) = mu*N", ["sign", "number"]),
+        ("energy V", f"V = {SPRINGS.replace('k_x', 'k_y', 1)} - F_L*y", ["sign", "index"]),
+        ("energy V", "V = k_x*x**2/2 + k_y*y**2/2 + F_L*y", ["missing term"]),
+    ],
+)
+@pytest.mark.thorough
+def test_two_edits_and_a_lost_term_with_brackets_are_found(
+    about: str, text: str, kinds: list[str]
+) -> None:
+    """Pairs of edits; and a lost term that is a product of brackets."""
+    row = _judged(about, text, "units", COUPLING)
+    assert row.status == "misprint"
+    assert sorted(it["kind"] for it in row.edits) == sorted(kinds)
+    assert _judged(about, row.repaired, "units", COUPLING).status == "confirmed"

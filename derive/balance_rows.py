@@ -8,7 +8,7 @@ import sympy as sp
 
 from . import symmetry
 from .algebra import difference, expanded
-from .mechanics import MU, Mechanics
+from .mechanics import Mechanics
 
 
 def sums(model: Mechanics) -> sp.Matrix:
@@ -41,6 +41,6 @@ def symmetric(model: Mechanics, stiffness: sp.Matrix) -> bool:
     """Whether K is symmetric where the friction coefficient is 0: not with a force that follows a
     coordinate, for one.
     """
-    K = stiffness.subs(MU, 0)
+    K = stiffness.subs(dict.fromkeys(model.coefficients, 0))
     circles = tuple((line.c, line.s) for line in model.lines)
     return all(difference(K[i, j], K[j, i], circles) == 0 for i in range(K.rows) for j in range(i))

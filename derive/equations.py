@@ -3,7 +3,7 @@
 import sympy as sp
 
 from . import laws
-from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
+from .mechanics import SLIP, Mechanics, number
 from .motion import Motion
 
 
@@ -34,15 +34,14 @@ def equations(model: Mechanics) -> list[str]:
             rf"{phi} = {theta} - {rest if torsion.rest.is_Symbol else f'({rest})'}, \quad "
             rf"-\pi < {phi} \le \pi"
         )
-    if model.slide is not None:
-        speed = sp.Symbol("v", positive=True)
-        assert model.page.sliding is not None
-        law = model.scaled(sp.sympify(model.page.sliding.law(speed)))
-        lines.append(
-            rf"\mu(v) = {_latex(law, names)}, \quad v = {_latex(laws.slip(model), names)} > 0"
-        )
-    if not model.in_coordinates and model.gap is not None:
-        lines.append(rf"\delta = {_latex(-model.gap, names)}")
+    for friction in model.frictions:
+        if friction.along is not None:
+            law = friction.ahead.subs(SLIP, sp.Symbol("v", positive=True))
+            mu, slip = names[friction.mu], _latex(laws.slip(friction), names)
+            lines.append(rf"{mu}(v) = {_latex(law, names)}, \quad v = {slip} > 0")
+    for contact in model.contacts:
+        if not contact.in_coordinates and contact.gap is not None:
+            lines.append(f"{names[contact.depth]} = {_latex(-contact.gap, names)}")
     return lines
 
 
@@ -62,7 +61,17 @@ def _names(model: Mechanics) -> dict[sp.Symbol, str]:
         }
     for count, torsion in enumerate(model.torsions, 1):
         names[torsion.phi] = r"\varphi" if len(model.torsions) == 1 else rf"\varphi_{count}"
-    return names | {MU: r"\mu", PUSHING: r"\overline{n}", DEPTH: r"\delta"}
+    for friction in model.frictions:
+        names[friction.mu] = r"\mu" + _below(friction.name)
+    for contact in model.contacts:
+        below = _below(contact.name)
+        names |= {contact.pushing: r"\overline{n}" + below, contact.depth: r"\delta" + below}
+    return names
+
+
+def _below(name: str) -> str:
+    """The name of one of several contacts as an index."""
+    return rf"_{{\mathrm{{{name}}}}}" if name else ""
 
 
 def _latex(expression: sp.Expr, names: dict[sp.Symbol, str]) -> str:

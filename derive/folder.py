@@ -30,7 +30,7 @@ from .emit.function import Module
 from .emit.quantities import interval
 from .emit import python
 from .emit.python import algebra
-from .mechanics import MU, PUSHING, SIDE, Line, Mechanics
+from .mechanics import SIDE, Line, Mechanics, on
 from .model import Friction, Page, acceleration_of
 from .pages import Model
 
@@ -92,7 +92,8 @@ def _algebra(model: Model, header: str, shared: Shared | None) -> str:
     # where the place does not tell the regime (turnings of torsion springs; sticking; a root in the
     # contact law), and where it is short (no inclined springs).
     it = model.mechanics
-    told = not it.torsions and not it.holds and it.polynomial
+    polynomial = all(contact.polynomial for contact in it.contacts)
+    told = not it.torsions and not it.holds and polynomial
     by_regimes = bool(shared and it.lines and told)
     for part in parts:
         own = []
@@ -140,8 +141,8 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
         entries[str(torsion.phi)] = f"turning of torsion spring {count}, from −π to π"
         entries[str(torsion.way)] = f"{counted}; of torsion spring {count}"
     return entries | {
-        str(MU): "friction coefficient",
-        str(PUSHING): "1 in contact, 0 in lift-off",
+        **{str(it.mu): f"friction coefficient{on(it)}" for it in model.frictions},
+        **{str(it.pushing): f"1 in contact, 0 in lift-off{on(it)}" for it in model.contacts},
         str(
             SIDE
         ): f"1 where the belt is ahead, −1 where the mass is{', 0 where it sticks' * model.holds}",
@@ -161,7 +162,11 @@ def description(model: Model) -> dict[str, Any]:
     it = model.mechanics
     mirror = symmetry.mirror(it)
     of_statics = {
-        str(symbol) for symbol in (*statics.parameters(it), *laws.friction_at_rest(it).free_symbols)
+        str(symbol)
+        for symbol in (
+            *statics.parameters(it),
+            *(part for one in it.frictions for part in laws.friction_at_rest(one).free_symbols),
+        )
     }
     return {
         "name": model.name,
@@ -216,29 +221,34 @@ def description(model: Model) -> dict[str, Any]:
             "statics": [str(symbol) for symbol in statics.arguments(it)],
             "motion": [str(symbol) for symbol in it.arguments],
         },
-        "by_parameters": [*(str(symbol) for symbol in statics.parameters(it)), str(MU)],
-        "contact": {
-            "gap": None if it.gap is None else str(it.gap),
-            "unilateral": it.unilateral,
-            "polynomial": it.polynomial,
-            **({} if it.page.normal is None else {"line": it.page.normal.line}),
-        },
-        "friction": (
-            None
-            if it.slide is None or it.page.sliding is None
-            else {
-                "along": str(it.slide),
-                "belt": str(it.belt),
-                "line": it.page.sliding.line,
-                "quantities": _of_law(it.page.sliding),
-                "at_rest": _at_rest(it),
+        "by_parameters": list(map(str, (*statics.parameters(it), *it.coefficients))),
+        "contacts": [
+            {
+                "name": contact.name,
+                "gap": None if contact.gap is None else str(contact.gap),
+                "unilateral": contact.unilateral,
+                "polynomial": contact.polynomial,
+                "line": contact.line,
             }
-        ),
+            for contact in it.contacts
+        ],
+        "frictions": [
+            {
+                "name": friction.name,
+                "along": str(friction.along),
+                "belt": str(friction.belt),
+                "line": friction.line,
+                "quantities": _of_law(said),
+                "at_rest": _at_rest(it, said),
+                "holds": friction.holds is not None,
+            }
+            for said, friction in zip(it.page.frictions, it.frictions, strict=False)
+        ],
         **({"waves": True} if mechanics.waves(sp.Tuple(*it.residuals)) else {}),
         **({"curved": True} if motion.Motion(it).curved else {}),
         "dampers": bool(it.page.dampers),
         "equations": equations.equations(it),
-        "layers": len(laws.layers(it)),
+        "layers": sum(len(laws.layers(friction)) for friction in it.frictions),
         "mirror": {
             "turned": [str(symbol) for symbol in mirror.centres],
             "zero": mirror.zero,
@@ -274,13 +284,12 @@ def _of_law(sliding: Friction) -> list[str]:
     return sorted(map(str, sp.Tuple(at_belt, sliding.at_rest or at_belt).free_symbols))
 
 
-def _at_rest(it: Mechanics) -> str:
+def _at_rest(it: Mechanics, sliding: Friction) -> str:
     """What statics takes for a friction that is proportional to mu0: that itself, or the law at the
     belt's speed; or neither.
     """
     mu0 = next((datum.symbol for datum in it.parameters if datum.becomes == "mu0"), None)
-    sliding = it.page.sliding
-    if mu0 is None or sliding is None:
+    if mu0 is None:
         return "other"
     law = sp.sympify(sliding.law(sp.Dummy(positive=True)))
     times = sp.Dummy(positive=True)

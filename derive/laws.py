@@ -12,19 +12,17 @@ the layer.
 import sympy as sp
 
 from .algebra import Pair, Row, Symbols
-from .mechanics import SIDE, Mechanics
-from .model import PageError, expression_of
+from .mechanics import SIDE, SLIP, FrictionForce
+from .model import PageError
 
-#: A sliding speed, positive.
-SLIP = sp.Symbol("_slip", positive=True)
 #: The share of the static coefficient that is used where nothing slides, from −1, against the belt,
 #: to 1, with it.
 HELD = sp.Symbol("held", real=True)
 
 
-def slip(model: Mechanics) -> sp.Expr:
-    """The sliding speed: belt − d(slide)/dt."""
-    return model.belt - (sp.S.Zero if model.slide is None else model.page.rate(model.slide))
+def slip(friction: FrictionForce) -> sp.Expr:
+    """The sliding speed: belt − d(along)/dt."""
+    return friction.belt - friction.rate
 
 
 def near(count: int) -> Symbols:
@@ -32,28 +30,22 @@ def near(count: int) -> Symbols:
     return tuple(sp.Symbol(f"near{number}", real=True) for number in range(1, count + 1))
 
 
-def _sides(model: Mechanics) -> Pair:
-    """The law for the belt ahead and for the mass ahead, in the positive speed SLIP."""
-    if model.page.sliding is None:
-        return sp.S.Zero, sp.S.Zero
-    law = model.page.sliding.law
-    ahead, behind = (model.scaled(expression_of(law(sign * SLIP))) for sign in (1, -1))
-    return ahead, behind
-
-
-def _layers(model: Mechanics) -> list[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]]:
+def _layers(friction: FrictionForce) -> list[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]]:
     """Exponentials and hyperbolic tangents of the sliding speed, in a fixed order; the limit of
     each, what it lacks, its −exponent.
     """
     nodes = {
-        node for side in _sides(model) for node in side.atoms(sp.exp, sp.tanh) if node.has(SLIP)
+        node
+        for side in (friction.ahead, friction.behind)
+        for node in side.atoms(sp.exp, sp.tanh)
+        if node.has(SLIP)
     }
     found = []
     for node in sorted(nodes, key=sp.default_sort_key):
         argument = node.args[0]
         if isinstance(node, sp.exp):
             found.append((node, sp.S.Zero, node, -argument))
-        elif (end := _within_domains(limit(model, argument, SLIP, sp.oo))) in (sp.oo, -sp.oo):
+        elif (end := _within_domains(limit(friction, argument, SLIP, sp.oo))) in (sp.oo, -sp.oo):
             far, exponent = sp.sign(end), 2 * sp.sign(end) * argument
             found.append(
                 (node, far, -2 * far * sp.exp(-exponent) / (1 + sp.exp(-exponent)), exponent)
@@ -70,34 +62,33 @@ def _within_domains(value: sp.Expr) -> sp.Expr:
     )
 
 
-def limit(model: Mechanics, law: sp.Expr, speed: sp.Symbol, end: sp.Expr) -> sp.Expr:
+def limit(friction: FrictionForce, law: sp.Expr, speed: sp.Symbol, end: sp.Expr) -> sp.Expr:
     """The limit of the friction law, or of a part of it, at an end of the sliding speed."""
-    sliding = model.page.sliding
     try:
         return sp.limit(law, speed, end)
     except NotImplementedError as error:
         where = "at rest" if end == 0 else "at fast sliding"
         raise PageError(
-            sliding.line if sliding is not None else 0,
+            friction.line,
             f"what {law} comes to {where} can't be told: "
             f"{str(error)[:1].lower()}{str(error)[1:]}; give its parameters domains that "
             'decide it, as "> 0"',
         ) from error
 
 
-def layers(model: Mechanics) -> Row:
+def layers(friction: FrictionForce) -> Row:
     """Minus the exponent of every exponential of the sliding speed: large where it is not felt."""
     return tuple(
-        sp.expand(exponent).subs(SLIP, SIDE * slip(model)) for *_, exponent in _layers(model)
+        sp.expand(exponent).subs(SLIP, SIDE * slip(friction)) for *_, exponent in _layers(friction)
     )
 
 
-def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
+def smooth_friction(friction: FrictionForce, felt: bool = False) -> sp.Expr:
     """μ without the absolute value and the sign that kink it, for either SIDE; its exponentials
     with their NEAR unless all are felt.
     """
-    ahead, behind = _sides(model)
-    found = _layers(model)
+    ahead, behind = friction.ahead, friction.behind
+    found = _layers(friction)
     if not felt:
         factors = {
             node: far + factor * tail
@@ -105,22 +96,20 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
         }
         ahead, behind = (side.xreplace(factors) for side in (ahead, behind))
     if sp.expand(ahead + behind) == 0:
-        return SIDE * ahead.subs(SLIP, SIDE * slip(model))
-    forward, backward = ahead.subs(SLIP, slip(model)), behind.subs(SLIP, -slip(model))
+        return SIDE * ahead.subs(SLIP, SIDE * slip(friction))
+    forward, backward = ahead.subs(SLIP, slip(friction)), behind.subs(SLIP, -slip(friction))
     return ((1 + SIDE) * forward + (1 - SIDE) * backward) / 2
 
 
-def static_coefficients(model: Mechanics) -> Pair:
+def static_coefficients(friction: FrictionForce) -> Pair:
     """Static friction coefficients with the belt and against it: not less than the kinetic ones at
     sliding speed 0.
     """
-    sliding = model.page.sliding
-    assert sliding is not None
-    assert sliding.holds is not None
-    holds = model.scaled(sliding.holds)
+    holds = friction.holds
+    assert holds is not None
     found = []
-    for side, sign in zip(_sides(model), (1, -1), strict=True):
-        begins = sign * limit(model, side, SLIP, sp.S.Zero)
+    for side, sign in ((friction.ahead, 1), (friction.behind, -1)):
+        begins = sign * limit(friction, side, SLIP, sp.S.Zero)
         more = sp.simplify(holds - begins)
         found.append(
             holds
@@ -132,30 +121,30 @@ def static_coefficients(model: Mechanics) -> Pair:
     return found[0], found[1]
 
 
-def friction_held(model: Mechanics) -> sp.Expr:
+def friction_held(friction: FrictionForce) -> sp.Expr:
     """μ where a share of the static coefficient is used, in which it is linear."""
-    ahead, behind = static_coefficients(model)
+    ahead, behind = static_coefficients(friction)
     return (ahead + behind) / 2 * HELD + (ahead - behind) / 2
 
 
-def friction_at_speed(model: Mechanics) -> sp.Expr:
+def friction_at_speed(friction: FrictionForce) -> sp.Expr:
     """μ at the belt's speed: what holds a motion that has come to rest."""
-    return _sides(model)[0].subs(SLIP, model.belt)
+    return friction.ahead.subs(SLIP, friction.belt)
 
 
-def slope_at_rest(model: Mechanics) -> sp.Expr:
+def slope_at_rest(friction: FrictionForce) -> sp.Expr:
     """dμ/dv at steady sliding."""
-    return sp.factor_terms(sp.diff(_sides(model)[0], SLIP).subs(SLIP, model.belt))
+    return sp.factor_terms(sp.diff(friction.ahead, SLIP).subs(SLIP, friction.belt))
 
 
-def slope_by_sizes(model: Mechanics) -> tuple[tuple[Pair, ...], ...]:
+def slope_by_sizes(friction: FrictionForce) -> tuple[tuple[Pair, ...], ...]:
     """The slope as Σ c eᵃ, over each of its exponentials: c and a of all terms, once for each.
 
     Where exponentials are too small for floats the slope is, too, but its sign is not lost over the
     largest of them.
     """
     terms: dict[sp.Expr, sp.Expr] = {}
-    for term in sp.Add.make_args(sp.expand(slope_at_rest(model))):
+    for term in sp.Add.make_args(sp.expand(slope_at_rest(friction))):
         coefficient, power = term.as_independent(sp.exp)
         power = sp.powsimp(power)
         coefficient, exponent = (
@@ -168,19 +157,17 @@ def slope_by_sizes(model: Mechanics) -> tuple[tuple[Pair, ...], ...]:
     )
 
 
-def friction_at_rest(model: Mechanics) -> sp.Expr:
+def friction_at_rest(friction: FrictionForce) -> sp.Expr:
     """What μ is in the statics: the limit of the law that the page names, or the law at the belt's
     speed.
     """
-    sliding = model.page.sliding
-    if sliding is None:
-        return sp.S.Zero
-    if sliding.at_rest is None:
-        return friction_at_speed(model)
-    fast, named = limit(model, _sides(model)[0], SLIP, sp.oo), model.scaled(sliding.at_rest)
+    named = friction.at_rest
+    if named is None:
+        return friction_at_speed(friction)
+    fast = limit(friction, friction.ahead, SLIP, sp.oo)
     if sp.simplify(fast - named) != 0:
         raise PageError(
-            sliding.line,
+            friction.line,
             f"at_rest is {named}, and the friction law at fast sliding is {fast}; name that "
             "limit, or leave at_rest out for μ(V)",
         )

@@ -19,12 +19,6 @@ class Limit:
         return f"a page can't say {self.what}; {self.instead}"
 
 
-SECOND_CONTACT = Limit(
-    "a second contact or a second friction",
-    "keep the one that jams; a support that neither lifts off nor rubs is a spring, as "
-    "page.spring(k, along=y), and one that rubs "
-    "at a constant coefficient a force beside it, as page.force(mu0*k_2*y, along=x)",
-)
 CONTACT_DAMPING = Limit(
     "damping in the contact",
     "a damper beside it, page.damper(c, along=y), takes the same energy, in lift-off too, and "
@@ -78,7 +72,6 @@ FIFTH_COORDINATE = Limit(
 
 #: All of them, in the order of the guide.
 LIMITS = (
-    SECOND_CONTACT,
     CONTACT_DAMPING,
     NORMAL_SPEED,
     NONLINEAR_DAMPER,

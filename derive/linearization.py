@@ -3,8 +3,8 @@
 import sympy as sp
 
 from . import laws
-from .emit.function import Module, of_page, rows
-from .mechanics import DEPTH, PUSHING, SIDE, Mechanics
+from .emit.function import Function, Module, of_page, rows
+from .mechanics import SIDE, FrictionForce, Mechanics, named, on
 
 
 def damping(model: Mechanics) -> sp.Matrix:
@@ -13,10 +13,11 @@ def damping(model: Mechanics) -> sp.Matrix:
     """
     still = dict.fromkeys(model.rates, sp.S.Zero)
     C = sp.Matrix(model.resistance).jacobian(model.rates)
-    if model.slide is not None:
-        friction = laws.smooth_friction(model, felt=True).subs(SIDE, 1)
-        slopes = sp.Matrix([model.slide]).jacobian(model.coordinates).T
-        C -= model.normal * slopes * sp.Matrix([friction]).jacobian(model.rates)
+    for friction in model.frictions:
+        if friction.along is not None:
+            mu = laws.smooth_friction(friction, felt=True).subs(SIDE, 1)
+            slopes = sp.Matrix([friction.along]).jacobian(model.coordinates).T
+            C -= friction.normal.force * slopes * sp.Matrix([mu]).jacobian(model.rates)
     return C.subs(still).applyfunc(model.tidy)
 
 
@@ -38,24 +39,30 @@ def module(model: Mechanics) -> Module:
             of_page(
                 "damping",
                 "C: dampers, and the slope of the friction law at steady sliding.",
-                (*state, PUSHING),
+                (*state, *model.pushings),
                 rows(damping(model)),
                 "((C_11, …), …)",
-                {DEPTH: model.depth},
+                model.depths,
             ),
-            of_page(
-                "friction_slope",
-                "Slope of the friction law at steady sliding, by the sliding speed.",
-                model.arguments,
-                laws.slope_at_rest(model),
-                "dμ/dv",
-            ),
-            of_page(
-                "friction_slope_by_sizes",
-                "The slope as a sum of c exp(a), over each of its exponentials.",
-                model.arguments,
-                laws.slope_by_sizes(model),
-                "(((c, a), …), …)",
-            ),
+            *(function for friction in model.frictions for function in _slopes(model, friction)),
+        ),
+    )
+
+
+def _slopes(model: Mechanics, friction: FrictionForce) -> tuple[Function, ...]:
+    return (
+        of_page(
+            named("friction_slope", friction),
+            f"Slope of the friction law{on(friction)} at steady sliding, by the sliding speed.",
+            model.arguments,
+            laws.slope_at_rest(friction),
+            "dμ/dv",
+        ),
+        of_page(
+            named("friction_slope_by_sizes", friction),
+            "The slope as a sum of c exp(a), over each of its exponentials.",
+            model.arguments,
+            laws.slope_by_sizes(friction),
+            "(((c, a), …), …)",
         ),
     )

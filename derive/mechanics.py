@@ -23,7 +23,7 @@ from functools import cached_property
 import sympy as sp
 
 from .algebra import Names, Pair, Row, Symbols, expanded, fewest_terms, quotients
-from .model import Datum, Element, Page, PageError, Point, expression_of
+from .model import Contact, Datum, Element, Page, PageError, Point, expression_of
 
 #: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
 PUSHING = sp.Symbol("pushing", real=True)
@@ -36,6 +36,8 @@ MU = sp.Symbol("mu", real=True)
 TOUCH = sp.Rational(1, 2**40)
 #: Penetration, positive, of a law that is no polynomial.
 DEPTH = sp.Symbol("_depth", positive=True)
+#: A sliding speed, positive.
+SLIP = sp.Symbol("_slip", positive=True)
 
 
 @dataclass(frozen=True)
@@ -131,6 +133,109 @@ class Angle:
         return (self.symbol, self.c, self.s) if self.alone else (self.c, self.s)
 
 
+def _of(symbol: sp.Symbol, name: str) -> sp.Symbol:
+    """The symbol of the contact of that name, or of the only one, which has none."""
+    return sp.Symbol(f"{symbol}_{name}", **symbol.assumptions0) if name else symbol
+
+
+@dataclass(frozen=True)
+class NormalForce:
+    """The normal force of a contact: its law in :attr:`depth` behind a gap, or a given force."""
+
+    name: str  #: empty of the only contact
+    gap: sp.Expr | None
+    unilateral: bool
+    law: sp.Expr  #: in the penetration
+    #: Whether the law stands in coordinates, else in the penetration: see :func:`_in_coordinates`.
+    in_coordinates: bool
+    line: int
+
+    @property
+    def pushing(self) -> sp.Symbol:
+        """PUSHING of this contact."""
+        return _of(PUSHING, self.name)
+
+    @property
+    def depth(self) -> sp.Symbol:
+        """DEPTH of this contact."""
+        return _of(DEPTH, self.name)
+
+    @property
+    def polynomial(self) -> bool:
+        """Whether the law is a polynomial of the penetration."""
+        return bool(self.law.is_polynomial(self.depth))
+
+    @cached_property
+    def push(self) -> sp.Expr:
+        """The force on the contact's side, in coordinates or in the penetration."""
+        return (
+            expanded(self.law.subs(self.depth, -self.gap))
+            if self.gap is not None and self.in_coordinates
+            else self.law
+        )
+
+    @cached_property
+    def force(self) -> sp.Expr:
+        """The force, with PUSHING."""
+        return self.pushing * self.push if self.unilateral else self.push
+
+    @cached_property
+    def energy(self) -> sp.Expr:
+        """The integral of the law over the penetration, from 0, in the penetration."""
+        energy = sp.integrate(self.law, self.depth)
+        return energy - energy.subs(self.depth, 0)
+
+    @cached_property
+    def penetration(self) -> sp.Expr:
+        """What DEPTH stands for: the penetration, and in lift-off, where the law is multiplied by
+        0, a tiny one at which it is finite.
+
+        The square keeps 1 − PUSHING, a whole number, together: added apart, 1 would take the last
+        digits of a shallow penetration.
+        """
+        if self.gap is None:
+            return sp.S.Zero
+        if not self.unilateral:
+            return -self.gap
+        return self.pushing * (-self.gap) + (1 - self.pushing) ** 2 * TOUCH
+
+
+@dataclass(frozen=True)
+class FrictionForce:
+    """Friction on a contact: μ times its normal force along a displacement."""
+
+    normal: NormalForce
+    along: sp.Expr | None  #: the displacement that it opposes; None where there is no friction
+    rate: sp.Expr  #: d(along)/dt
+    belt: sp.Expr
+    #: The law for the belt ahead and for the mass ahead, in the positive sliding speed.
+    ahead: sp.Expr
+    behind: sp.Expr
+    holds: sp.Expr | None
+    at_rest: sp.Expr | None
+    line: int
+
+    @property
+    def name(self) -> str:
+        """That of its contact."""
+        return self.normal.name
+
+    @property
+    def mu(self) -> sp.Symbol:
+        """MU of this friction."""
+        return _of(MU, self.name and f"on_{self.name}")
+
+
+def named(function: str, of: NormalForce | FrictionForce) -> str:
+    """The generated function of one contact: that of the only one has no name behind it."""
+    return f"{function}_{of.name}" if of.name else function
+
+
+def on(of: NormalForce | FrictionForce) -> str:
+    """In words: the contact, of several."""
+    return f" of {of.name}" if of.name else ""
+
+
 @dataclass(frozen=True)
 class Mechanics:
     """What the equations of a dimensionless model are made of."""
@@ -151,18 +256,26 @@ class Mechanics:
     dissipation: (
         sp.Expr
     )  #: half of the power that the dampers take, in rates, directions and lengths
-    gap: sp.Expr | None
-    unilateral: bool
-    polynomial: bool  #: whether the contact law is a polynomial of the penetration
-    law: sp.Expr  #: the contact force in DEPTH
+    contacts: tuple[NormalForce, ...]  #: of a page without one a force that is 0
+    frictions: tuple[FrictionForce, ...]  #: of a page without one a friction along nothing
     scaled: Callable[[sp.Expr], sp.Expr]  #: makes an expression of the page dimensionless
-    slide: sp.Expr | None  #: the displacement that friction opposes
-    belt: sp.Expr
+
+    @property
+    def contact(self) -> NormalForce:
+        """The only contact."""
+        (contact,) = self.contacts
+        return contact
+
+    @property
+    def friction(self) -> FrictionForce:
+        """The only friction."""
+        (friction,) = self.frictions
+        return friction
 
     @property
     def holds(self) -> bool:
         """Whether friction holds the mass where nothing slides."""
-        return self.page.sliding is not None and self.page.sliding.holds is not None
+        return any(friction.holds is not None for friction in self.frictions)
 
     # ---------------------------------------------------------------------------------------------
     # names
@@ -215,8 +328,9 @@ class Mechanics:
                 line.c * self.partial(line.dy, symbol) - line.s * self.partial(line.dx, symbol)
             ) / line.l
             total += sp.diff(expression, torsion.phi) * (turn - sp.diff(torsion.rest, symbol))
-        if self.gap is not None and expression.has(DEPTH):
-            total -= sp.diff(expression, DEPTH) * self.partial(self.gap, symbol)
+        for contact in self.contacts:
+            if contact.gap is not None and expression.has(contact.depth):
+                total -= sp.diff(expression, contact.depth) * self.partial(contact.gap, symbol)
         return total
 
     def tidy(self, expression: sp.Expr) -> sp.Expr:
@@ -264,51 +378,20 @@ class Mechanics:
     # ---------------------------------------------------------------------------------------------
     # forces
 
-    @cached_property
-    def in_coordinates(self) -> bool:
-        """Whether the contact law stands in coordinates, else in DEPTH.
+    @property
+    def pushings(self) -> Symbols:
+        """PUSHING of every contact."""
+        return tuple(contact.pushing for contact in self.contacts)
 
-        In DEPTH stand laws that are no polynomials, and powers of a gap that bends or takes several
-        coordinates: in coordinates those would be large terms that cancel, and whose intervals tell
-        nothing.
-        """
-        if self.gap is None or not self.polynomial:
-            return False
-        slopes = [slope for one in self.coordinates if (slope := sp.diff(self.gap, one)) != 0]
-        alone = len(slopes) == 1 and not slopes[0].has(*self.coordinates)
-        return alone or sp.degree(self.law, DEPTH) <= 1
+    @property
+    def coefficients(self) -> Symbols:
+        """MU of every friction."""
+        return tuple(friction.mu for friction in self.frictions)
 
-    @cached_property
-    def push(self) -> sp.Expr:
-        """The contact force on the contact's side, in coordinates or in DEPTH."""
-        return (
-            expanded(self.law.subs(DEPTH, -self.gap))
-            if self.gap is not None and self.in_coordinates
-            else self.law
-        )
-
-    @cached_property
-    def normal(self) -> sp.Expr:
-        """The contact force, with PUSHING."""
-        return PUSHING * self.push if self.unilateral else self.push
-
-    @cached_property
-    def contact_energy(self) -> sp.Expr:
-        """The integral of the law over the penetration, from 0, in DEPTH."""
-        energy = sp.integrate(self.law, DEPTH)
-        return energy - energy.subs(DEPTH, 0)
-
-    @cached_property
-    def depth(self) -> sp.Expr:
-        """What DEPTH stands for: the penetration, and in lift-off, where the law is multiplied by
-        0, a tiny one at which it is finite.
-
-        The square keeps 1 − PUSHING, a whole number, together: added apart, 1 would take the last
-        digits of a shallow penetration.
-        """
-        if self.gap is None:
-            return sp.S.Zero
-        return PUSHING * (-self.gap) + (1 - PUSHING) ** 2 * TOUCH if self.unilateral else -self.gap
+    @property
+    def depths(self) -> Names:
+        """What DEPTH of every contact stands for."""
+        return {contact.depth: contact.penetration for contact in self.contacts}
 
     @cached_property
     def residuals(self) -> Row:
@@ -331,10 +414,12 @@ class Mechanics:
         rows = []
         for symbol, force in zip(self.coordinates, self.applied, strict=True):
             row = self.derivative(potential, symbol) - force
-            if self.gap is not None:
-                row -= self.normal * sp.diff(self.gap, symbol)
-            if self.slide is not None:
-                row -= MU * self.normal * sp.diff(self.slide, symbol)
+            for contact in self.contacts:
+                if contact.gap is not None:
+                    row -= contact.force * sp.diff(contact.gap, symbol)
+            for friction in self.frictions:
+                if friction.along is not None:
+                    row -= friction.mu * friction.normal.force * sp.diff(friction.along, symbol)
             rows.append(sp.collect(expanded(row), (*self.coordinates, *self.directions)))
         return tuple(rows)
 
@@ -381,7 +466,7 @@ def of(page: Page, units: bool = False) -> Mechanics:
     scaled = _Scaled(page, units)
     lines, stiffnesses, torsions, rest_energy, dissipation = _lines(page, scaled)
     potential = rest_energy + sum((scaled(energy) for energy, _ in page.energies), sp.S.Zero)
-    gap, law = _contact(page, scaled)
+    contacts = _contacts(page, scaled)
     return Mechanics(
         page=page,
         coordinates=page.places,
@@ -394,13 +479,9 @@ def of(page: Page, units: bool = False) -> Mechanics:
         stiffnesses=stiffnesses,
         applied=_applied(page, scaled),
         dissipation=expanded(dissipation),
-        gap=gap,
-        unilateral=page.normal is not None and page.normal.unilateral,
-        polynomial=bool(law.is_polynomial(DEPTH)),
-        law=law,
+        contacts=tuple(contacts.values()),
+        frictions=_frictions(page, scaled, contacts),
         scaled=scaled,
-        slide=None if page.sliding is None else scaled(page.sliding.along),
-        belt=sp.S.Zero if page.sliding is None else scaled(page.sliding.belt),
         # The last, since it is known only now which angles stand by themselves.
         angles=tuple(
             Angle(angle, *parts, angle in scaled.alone) for angle, parts in scaled.angles.items()
@@ -427,9 +508,9 @@ class _Scaled:
                 cosine, sine = (sp.Symbol(name, real=True) for name in datum.cosine_and_sine)
                 self.turned |= {sp.cos(datum.symbol): cosine, sp.sin(datum.symbol): sine}
                 self.angles[number(datum)] = cosine, sine
-        if page.sliding is not None:
+        for friction in page.frictions:
             for way in (1, -1):  # of laws, which are asked for later
-                self(expression_of(page.sliding.law(way * DEPTH)))
+                self(expression_of(friction.law(way * DEPTH)))
 
     def __call__(self, expression: sp.Expr) -> sp.Expr:
         value = sp.expand_trig(expression) if expression.has(sp.cos, sp.sin) else expression
@@ -527,9 +608,49 @@ def _applied(page: Page, scaled: _Scaled) -> Row:
     return tuple(map(expanded, forces))
 
 
-def _contact(page: Page, scaled: _Scaled) -> tuple[sp.Expr | None, sp.Expr]:
-    """The gap, and the law in DEPTH."""
-    if page.normal is None:
-        return None, sp.S.Zero
-    gap = None if page.normal.gap is None else scaled(page.normal.gap)
-    return gap, scaled(expression_of(page.normal.law(DEPTH)))
+def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
+    """The normal force of every contact of the page; of a page without one, of None, 0."""
+    if not page.contacts:
+        return {None: NormalForce("", None, False, sp.S.Zero, False, 0)}
+    found: dict[Contact | None, NormalForce] = {}
+    for contact in page.contacts:
+        name = contact.name if len(page.contacts) > 1 else ""
+        depth = _of(DEPTH, name)
+        gap = None if contact.gap is None else scaled(contact.gap)
+        law = scaled(expression_of(contact.law(depth)))
+        told = _in_coordinates(page, gap, law, depth)
+        found[contact] = NormalForce(name, gap, contact.unilateral, law, told, contact.line)
+    return found
+
+
+def _in_coordinates(page: Page, gap: sp.Expr | None, law: sp.Expr, depth: sp.Symbol) -> bool:
+    """Whether a contact law stands in coordinates, else in the penetration.
+
+    In the penetration stand laws that are no polynomials, and powers of a gap that bends or takes
+    several coordinates: in coordinates those would be large terms that cancel, and whose intervals
+    tell nothing.
+    """
+    if gap is None or not law.is_polynomial(depth):
+        return False
+    slopes = [slope for one in page.places if (slope := sp.diff(gap, one)) != 0]
+    alone = len(slopes) == 1 and not slopes[0].has(*page.places)
+    return alone or sp.degree(law, depth) <= 1
+
+
+def _frictions(
+    page: Page, scaled: _Scaled, contacts: Mapping[Contact | None, NormalForce]
+) -> tuple[FrictionForce, ...]:
+    """All friction of the page; of a page without one that along nothing."""
+    first, zero = next(iter(contacts.values())), sp.S.Zero
+    if not page.frictions:
+        return (FrictionForce(first, None, zero, zero, zero, zero, None, None, 0),)
+    found = []
+    for it in page.frictions:
+        ahead, behind = (scaled(expression_of(it.law(sign * SLIP))) for sign in (1, -1))
+        named = [None if part is None else scaled(part) for part in (it.holds, it.at_rest)]
+        along, belt = scaled(it.along), scaled(it.belt)
+        normal = first if it.on is None else contacts[it.on]
+        found.append(
+            FrictionForce(normal, along, page.rate(along), belt, ahead, behind, *named, it.line)
+        )
+    return tuple(found)

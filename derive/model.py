@@ -160,15 +160,16 @@ class Force:
 
 @dataclass(frozen=True)
 class Contact:
-    """The normal force: a law of the penetration −gap, or a given force where ``gap`` is None.
+    """A normal force: a law of the penetration −gap, or a given force where ``gap`` is None.
 
-    ``unilateral`` contact has no force where the gap is positive.
+    ``unilateral`` contact has no force where the gap is positive. Of several each has a ``name``.
     """
 
     gap: sp.Expr | None
     law: Law
     unilateral: bool
     line: int
+    name: str = ""
 
 
 @dataclass(frozen=True)
@@ -176,7 +177,8 @@ class Friction:
     """μ as a law of the sliding speed ``belt − d(along)/dt``; ``at_rest`` is its limit at fast
     sliding, where statics takes that.
 
-    With ``holds`` the mass sticks to the belt, by any force up to so many times the normal force.
+    With ``holds`` the mass sticks to the belt, by any force up to so many times the normal force,
+    that of the contact ``on``, or of the only one.
     """
 
     along: sp.Expr
@@ -185,6 +187,7 @@ class Friction:
     at_rest: sp.Expr | None
     line: int
     holds: sp.Expr | None = None
+    on: Contact | None = None
 
 
 def expression_of(value: object) -> sp.Expr:
@@ -236,8 +239,8 @@ class Page:
     forces: list[Force] = field(default_factory=list)
     energies: list[tuple[sp.Expr, int]] = field(default_factory=list)
     inertia: tuple[sp.Expr, int] | None = None
-    normal: Contact | None = None
-    sliding: Friction | None = None
+    contacts: list[Contact] = field(default_factory=list)
+    frictions: list[Friction] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         _check_texts(summary=self.summary)
@@ -256,6 +259,18 @@ class Page:
     def elements(self) -> tuple[Element, ...]:
         """Springs, torsion springs and dampers."""
         return (*self.springs, *self.torsions, *self.dampers)
+
+    @property
+    def normal(self) -> Contact | None:
+        """The contact of a page with at most one."""
+        (contact,) = self.contacts or (None,)
+        return contact
+
+    @property
+    def sliding(self) -> Friction | None:
+        """The friction of a page with at most one."""
+        (friction,) = self.frictions or (None,)
+        return friction
 
     # ---------------------------------------------------------------------------------------------
     # quantities
@@ -335,7 +350,11 @@ class Page:
 
     def kinetic(self, energy: sp.Expr) -> None:
         """Kinetic energy, a quadratic form of the rates."""
-        self._first(self.inertia, "kinetic energy", "add it there")
+        if self.inertia is not None:
+            raise refused(
+                f"line {self.inertia[1]} says the kinetic energy already, and this would replace "
+                "it; add it there"
+            )
         self.inertia = expression_of(energy), _line()
 
     def potential(self, energy: sp.Expr) -> None:
@@ -393,22 +412,29 @@ class Page:
     # ---------------------------------------------------------------------------------------------
     # laws
 
-    def contact(self, gap: sp.Expr, law: Law, unilateral: bool = True) -> None:
-        """The normal force as a ``law`` of the penetration −gap; where the gap is positive there is
+    def contact(
+        self, gap: sp.Expr, law: Law, unilateral: bool = True, *, name: str = ""
+    ) -> Contact:
+        """A normal force as a ``law`` of the penetration −gap; where the gap is positive there is
         none, if ``unilateral``.
+
+        A page with several contacts gives each a ``name``; without friction on it, one is a stop.
         """
-        self._first(self.normal, "contact", str(limits.SECOND_CONTACT))
         self._check_law(law, "contact", "penetration")
         distance = expression_of(gap)
         self._check_speeds(distance, "the gap")
-        self.normal = Contact(distance, law, unilateral, _line())
+        return self._pressed(Contact(distance, law, unilateral, _line(), name))
 
-    def normal_force(self, force: sp.Expr) -> None:
+    def normal_force(self, force: sp.Expr, *, name: str = "") -> Contact:
         """A given normal force, in the place of a contact law."""
         given = expression_of(force)
-        self._first(self.normal, "contact", str(limits.SECOND_CONTACT))
         self._check_speeds(given, "the normal force", limits.NORMAL_SPEED)
-        self.normal = Contact(None, lambda depth: given, False, _line())
+        return self._pressed(Contact(None, lambda depth: given, False, _line(), name))
+
+    def _pressed(self, contact: Contact) -> Contact:
+        _check_texts(name=contact.name)
+        self.contacts.append(contact)
+        return contact
 
     def friction(
         self,
@@ -419,9 +445,10 @@ class Page:
         *,
         slip: Law | None = None,
         holds: sp.Expr | None = None,
+        on: Contact | None = None,
     ) -> None:
         """The friction coefficient as a ``law`` of the sliding speed ``belt − rate(along)``, 0 at
-        speed 0; or dry friction.
+        speed 0; or dry friction. Of several contacts it is ``on`` one.
 
         ``at_rest`` is what statics takes for it: the limit of the law at fast sliding. Left out,
         statics takes the law at the belt's speed.
@@ -438,7 +465,11 @@ class Page:
           touch to within 1e-12 may be missed.
         - Where the belt stands, V = 0, every place at which F is within the limit is one of rest.
         """
-        self._first(self.sliding, "friction", str(limits.SECOND_CONTACT))
+        if on is not None and not any(on is contact for contact in self.contacts):
+            raise refused(
+                f"on = {on!r:.60} is no contact of this page; give what page.contact(…) or "
+                "page.normal_force(…) returned, as front = page.contact(…, name='front')"
+            )
         if (law is None) == (slip is None) or (slip is None) != (holds is None):
             raise refused(
                 "friction takes one law of the sliding speed, or both slip=… and holds=…, as "
@@ -452,8 +483,10 @@ class Page:
         given = cast(Law, slip if law is None else law)
         self._check_law(given, "friction", "sliding speed")
         limit = None if at_rest is None else expression_of(at_rest)
-        self.sliding = Friction(
-            expression_of(along), expression_of(belt), given, limit, _line(), coefficient
+        self.frictions.append(
+            Friction(
+                expression_of(along), expression_of(belt), given, limit, _line(), coefficient, on
+            )
         )
 
     def _check_law(self, law: Law, kind: str, of: str) -> None:
@@ -490,16 +523,6 @@ class Page:
         held = [str(rate) for rate in self.rates if expression.has(rate)]
         if held:
             raise refused(f"{what} {expression} holds the speed {', '.join(held)}: {limit}")
-
-    def _first(
-        self, said: Contact | Friction | tuple[sp.Expr, int] | None, what: str, remedy: str
-    ) -> None:
-        """A statement that a page has once."""
-        if said is not None:
-            line = said[1] if isinstance(said, tuple) else said.line
-            raise refused(
-                f"line {line} says the {what} already, and this would replace it; {remedy}"
-            )
 
     def _moving(self, expression: sp.Expr) -> str:
         """The coordinates and rates that an expression holds."""

@@ -10,7 +10,7 @@ import sympy as sp
 from . import laws
 from .algebra import Names, Row, Symbols, difference, expanded, reached
 from .emit.function import Function, Module, Results, of_page
-from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, elastic, number, waves
+from .mechanics import MU, PUSHING, SIDE, Mechanics, NormalForce, elastic, number, waves
 from .model import acceleration_of
 
 #: 1 while friction holds the mass to the belt, 0 while it slips; the force of a friction that
@@ -27,12 +27,14 @@ class Motion:
     @cached_property
     def friction(self) -> sp.Expr:
         """μ on either SIDE."""
-        return laws.smooth_friction(self.model)
+        return laws.smooth_friction(self.model.friction)
 
     @cached_property
     def along(self) -> Row:
         """Derivatives of the displacement that friction opposes."""
-        return tuple(sp.diff(self.model.slide, symbol) for symbol in self.model.coordinates)
+        return tuple(
+            sp.diff(self.model.friction.along, symbol) for symbol in self.model.coordinates
+        )
 
     @cached_property
     def mobility(self) -> sp.Expr:
@@ -60,7 +62,7 @@ class Motion:
         """
         if not self.model.holds:
             return {}
-        force = (1 - STUCK) * MU * self.model.normal + STUCK * self.holding
+        force = (1 - STUCK) * MU * self.model.contact.force + STUCK * self.holding
         return {**self.inverted, STUCK: 1 - SIDE**2, MU: self.friction, FRICTION: force}
 
     def margins(self, force: sp.Expr) -> Row:
@@ -68,7 +70,8 @@ class Motion:
         positive while friction holds.
         """
         ahead, behind = (
-            coefficient * self.model.normal for coefficient in laws.static_coefficients(self.model)
+            coefficient * self.model.contact.force
+            for coefficient in laws.static_coefficients(self.model.friction)
         )
         return ahead - force, behind + force
 
@@ -111,10 +114,10 @@ class Motion:
         for symbol, inertia, pull in zip(
             it.coordinates, it.mass * sp.Matrix(self.named), self.pull, strict=True
         ):
-            share = sp.S.Zero if it.gap is None else sp.diff(it.gap, symbol)
-            if it.slide is not None:
-                share += MU * sp.diff(it.slide, symbol)
-            rows.append(expanded(inertia - pull + (it.normal - contact) * share))
+            share = sp.S.Zero if it.contact.gap is None else sp.diff(it.contact.gap, symbol)
+            if it.friction.along is not None:
+                share += MU * sp.diff(it.friction.along, symbol)
+            rows.append(expanded(inertia - pull + (it.contact.force - contact) * share))
         return tuple(rows)
 
     @cached_property
@@ -202,7 +205,7 @@ class Motion:
         """
         if not self.model.holds:
             return self.model.derivative(self.friction, symbol)
-        slipping = self.model.derivative(self.friction * self.model.normal, symbol)
+        slipping = self.model.derivative(self.friction * self.model.contact.force, symbol)
         changes = zip(self.along, self.slopes(symbol, sp.S.Zero), strict=True)
         change = self.model.derivative(self.rate(self.borders[1], self.named), symbol) - sum(
             a * b for a, b in changes
@@ -251,14 +254,17 @@ class Motion:
     def _apart(self) -> sp.Expr:
         """Without the springs along lines."""
         it = self.model
-        contact = it.contact_energy
-        if it.gap is None:
-            contact = sp.S.Zero
-        elif it.in_coordinates:
-            contact = expanded(contact.subs(DEPTH, -it.gap))
+        contacts = sum((self._stored_in(contact) for contact in it.contacts), sp.S.Zero)
         springs = (elastic(line, k) for line, k in zip(it.lines, it.stiffnesses, strict=True))
         potential = expanded(it.potential - sum(springs, sp.S.Zero))
-        return it.kinetic + potential - self.work + (PUSHING if it.unilateral else 1) * contact
+        return it.kinetic + potential - self.work + contacts
+
+    def _stored_in(self, contact: NormalForce) -> sp.Expr:
+        """The energy of a contact on the contact's side, with PUSHING."""
+        energy = contact.energy if contact.gap is not None else sp.S.Zero
+        if contact.in_coordinates:
+            energy = expanded(energy.subs(contact.depth, -contact.gap))
+        return (contact.pushing if contact.unilateral else 1) * energy
 
     @cached_property
     def work(self) -> sp.Expr:
@@ -288,7 +294,7 @@ class Motion:
     @cached_property
     def friction_force(self) -> sp.Expr:
         """In MU."""
-        return sp.S.Zero if self.model.slide is None else MU * self.model.normal
+        return sp.S.Zero if self.model.friction.along is None else MU * self.model.contact.force
 
     @cached_property
     def damper_power(self) -> sp.Expr:
@@ -302,12 +308,16 @@ class Motion:
         """
         it = self.model
         force = FRICTION if it.holds else self.friction_force
-        sliding = sp.S.Zero if it.slide is None else it.page.rate(it.slide)
+        sliding = it.friction.rate
         powers = force * sliding + self.damper_power + self.applied_power
         springs = enumerate(zip(it.lines, it.stiffnesses, strict=True), 1)
         return {
-            **({} if it.gap is None and it.slide is None else {"force.normal": it.normal}),
-            **({} if it.slide is None else {"force.friction": force}),
+            **(
+                {}
+                if it.contact.gap is None and it.friction.along is None
+                else {"force.normal": it.contact.force}
+            ),
+            **({} if it.friction.along is None else {"force.friction": force}),
             **{f"force.spring{n}": k * (line.l - line.rest) for n, (line, k) in springs if k != 0},
             "energy": self.energy,
             "power": powers,
@@ -321,8 +331,8 @@ class Motion:
         change = sp.S.Zero
         for symbol, rate, pull in zip(it.coordinates, it.rates, self.pull, strict=True):
             change += it.derivative(self.stored, symbol) * rate + rate * pull  # vᵀ M q″
-        sliding = sp.S.Zero if it.slide is None else it.page.rate(it.slide)
-        powers = self.friction_force * sliding + self.damper_power + self.applied_power
+        rubbing = sum((one.mu * one.normal.force * one.rate for one in it.frictions), sp.S.Zero)
+        powers = rubbing + self.damper_power + self.applied_power
         turned = {
             node: sp.Dummy(real=True) for pair in waves(sp.Tuple(change, powers)) for node in pair
         }
@@ -336,11 +346,14 @@ class Motion:
 
     @cached_property
     def borders(self) -> Row:
-        """What is zero on a kink of the field: the gap, the sliding speed."""
+        """What is zero on a kink of the field: every gap, every sliding speed."""
         it = self.model
         return (
-            sp.S.One if it.gap is None or not it.unilateral else it.gap,
-            laws.slip(it) if it.slide is not None else sp.S.One,
+            *(contact.gap if contact.unilateral else sp.S.One for contact in it.contacts),
+            *(
+                laws.slip(friction) if friction.along is not None else sp.S.One
+                for friction in it.frictions
+            ),
         )
 
     @cached_property
@@ -391,11 +404,11 @@ def outputs(model: Mechanics) -> Module:
     """Forces, energy and power of a motion with their derivatives, for an export as a whole."""
     motion = Motion(model)
     place = (*model.coordinates, *model.rates)
-    regime = (*place, *model.arguments, PUSHING, SIDE, *laws.near(len(laws.layers(model))))
+    regime = (*place, *model.arguments, PUSHING, SIDE, *laws.near(len(laws.layers(model.friction))))
     taken = (*regime, *(torsion.way for torsion in model.torsions))
     shorthands = {
         **directions(model),
-        DEPTH: model.depth,
+        **model.depths,
         MU: motion.friction,
         **motion.dry_friction,
         **motion.solved,
@@ -444,17 +457,20 @@ def module(model: Mechanics) -> Module:
         )
     place = (*model.coordinates, *model.rates)
     moving = (*place, *model.arguments)
-    felt = laws.near(len(laws.layers(model)))
+    stored = _stored(motion, moving)
+    if len(model.contacts) > 1:
+        return Module("motion", "What a motion stores.", stored)
+    felt = laws.near(len(laws.layers(model.friction)))
     regime = (*moving, PUSHING, SIDE, *felt)
     ways = tuple(torsion.way for torsion in model.torsions)
     shorthands = {
         **directions(model),
-        DEPTH: model.depth,
+        **model.depths,
         MU: motion.friction,
         **motion.dry_friction,
         **motion.solved,
     }
-    accelerations, borders, layers = motion.named, motion.borders, laws.layers(model)
+    accelerations, borders, layers = motion.named, motion.borders, laws.layers(model.friction)
     accelerated = (*place, *accelerations, *model.arguments)
     function = partial(of_page, shorthands=shorthands)
 
@@ -465,8 +481,8 @@ def module(model: Mechanics) -> Module:
     below = sp.Symbol("_below", real=True)
     signs = {
         # A law with a root has no slope at its border, which is then lift-off's.
-        below: 1 + reached(-borders[0]) if model.polynomial else 1 - reached(borders[0]),
-        PUSHING: below / 2 if model.unilateral else sp.S.One,
+        below: 1 + reached(-borders[0]) if model.contact.polynomial else 1 - reached(borders[0]),
+        PUSHING: below / 2 if model.contact.unilateral else sp.S.One,
         SIDE: motion.side,
     }
     kinked = {**signs, **dict.fromkeys(felt, sp.S.One), **shorthands}
@@ -521,7 +537,7 @@ def module(model: Mechanics) -> Module:
             of_page(
                 "rhs",
                 "Accelerations, kinked where a border is zero: there those of "
-                f"{'contact' if model.polynomial else 'lift-off'}, and of the belt ahead.",
+                f"{'contact' if model.contact.polynomial else 'lift-off'}, and of the belt ahead.",
                 moving,
                 motion.accelerations,
                 "(q_1″, …)",
@@ -577,20 +593,7 @@ def module(model: Mechanics) -> Module:
             ),
             *turns,
             *grips,
-            function(
-                "energy",
-                "Kinetic and stored energy, applied forces and contact included.",
-                (*moving, PUSHING),
-                motion.energy,
-                "energy",
-            ),
-            function(
-                "strain_energy",
-                "Energy stored in springs, contact and potentials, without the applied forces.",
-                (*model.coordinates, *model.arguments, PUSHING),
-                motion.strain_energy,
-                "energy",
-            ),
+            *stored,
             function(
                 "friction_force",
                 "The force of friction, along what it opposes.",
@@ -605,5 +608,28 @@ def module(model: Mechanics) -> Module:
                 motion.damper_power + motion.applied_power,
                 "power",
             ),
+        ),
+    )
+
+
+def _stored(motion: Motion, moving: Symbols) -> tuple[Function, ...]:
+    model = motion.model
+    shorthands = {**directions(model), **model.depths}
+    return (
+        of_page(
+            "energy",
+            "Kinetic and stored energy, applied forces and contact included.",
+            (*moving, *model.pushings),
+            motion.energy,
+            "energy",
+            shorthands,
+        ),
+        of_page(
+            "strain_energy",
+            "Energy stored in springs, contact and potentials, without the applied forces.",
+            (*model.coordinates, *model.arguments, *model.pushings),
+            motion.strain_energy,
+            "energy",
+            shorthands,
         ),
     )

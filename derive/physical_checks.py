@@ -9,8 +9,8 @@ from collections.abc import Iterator
 import sympy as sp
 
 from . import laws, limits, units
-from .mechanics import DEPTH, Mechanics, number
-from .model import Datum, Page, PageError, expression_of
+from .mechanics import DEPTH, SLIP, FrictionForce, Mechanics, NormalForce, number
+from .model import Datum, Page, PageError
 from .statement_checks import Statement, statements
 from .units import Dimension, UnitsError, spelled
 
@@ -24,7 +24,7 @@ def check_units(page: Page) -> None:
     """Every sum of the page adds like to like, and every statement is what it says: an energy, a
     force, a length, a number.
     """
-    known = _dimensions(page) | {DEPTH: units.LENGTH, laws.SLIP: units.SPEED}
+    known = _dimensions(page) | {DEPTH: units.LENGTH, SLIP: units.SPEED}
     for it in statements(page):
         _check_dimension(it, known)
     angles = {datum.symbol for datum in page.parameters if datum.unit == "rad"}
@@ -134,9 +134,13 @@ def check_forces(model: Mechanics) -> None:
     """A contact that pushes, a friction that opposes, a force and an inertia for every
     coordinate.
     """
-    _check_contact(model)
-    _check_friction(model)
-    laws.friction_at_rest(model)
+    for contact in model.contacts:
+        _check_contact(model, contact)
+    for friction in model.frictions:
+        _check_friction(model, friction)
+    _check_independent(model)
+    for friction in model.frictions:
+        laws.friction_at_rest(friction)
     for row, entry in enumerate(model.page.coordinates):
         if model.mass.row(row).is_zero_matrix:
             raise PageError(
@@ -204,29 +208,28 @@ def _check_inertia(model: Mechanics) -> None:
         )
 
 
-def _check_contact(model: Mechanics) -> None:
-    contact = model.page.normal
-    if contact is None:
-        return
-    if model.law == 0:
+def _check_contact(model: Mechanics, contact: NormalForce) -> None:
+    if contact.line and contact.law == 0:
         raise PageError(
             contact.line,
             "the normal force is 0, so that nothing pushes and nothing rubs; give one that is "
             "positive",
         )
     pulling = (
-        _negative(model, model.law, DEPTH) if contact.gap is None or contact.unilateral else ""
+        _negative(model, contact.law, contact.depth)
+        if contact.gap is None or contact.unilateral
+        else ""
     )
     if pulling and contact.gap is None:
         raise PageError(
             contact.line,
-            f"the normal force {model.law} pulls: {pulling}; a mass is pressed by a positive one",
+            f"the normal force {contact.law} pulls: {pulling}; a mass is pressed by a positive one",
         )
-    if contact.unilateral and model.law.subs(DEPTH, 0) != 0:
+    if contact.unilateral and contact.law.subs(contact.depth, 0) != 0:
         raise PageError(
             contact.line,
-            f"the contact law gives {model.law.subs(DEPTH, 0)} where the mass just touches "
-            "the belt; a force that jumps there is not "
+            f"the contact law gives {contact.law.subs(contact.depth, 0)} where the mass just "
+            "touches the belt; a force that jumps there is not "
             "covered: let it begin at 0, or say unilateral=False for a mass that never leaves",
         )
     if pulling:
@@ -236,20 +239,16 @@ def _check_contact(model: Mechanics) -> None:
         )
 
 
-def _check_friction(model: Mechanics) -> None:
-    sliding = model.page.sliding
-    if sliding is None:
-        return
-    if sliding.holds is not None and _negative(model, model.scaled(sliding.holds), laws.SLIP):
+def _check_friction(model: Mechanics, sliding: FrictionForce) -> None:
+    if sliding.holds is not None and _negative(model, sliding.holds, SLIP):
         raise PageError(
             sliding.line,
             f"holds = {sliding.holds} is negative at the base values; give a coefficient that "
             "is >= 0",
         )
-    ahead, behind = (model.scaled(expression_of(sliding.law(sign * laws.SLIP))) for sign in (1, -1))
-    for side, value in (("ahead", ahead), ("behind", -behind)):
-        at_zero = laws.limit(model, value, laws.SLIP, sp.S.Zero)
-        if sliding.holds is not None and _negative(model, at_zero, laws.SLIP):
+    for side, value in (("ahead", sliding.ahead), ("behind", -sliding.behind)):
+        at_zero = laws.limit(sliding, value, SLIP, sp.S.Zero)
+        if sliding.holds is not None and _negative(model, at_zero, SLIP):
             law = at_zero if side == "ahead" else -at_zero
             raise PageError(
                 sliding.line,
@@ -262,12 +261,33 @@ def _check_friction(model: Mechanics) -> None:
                 f"the friction law drives at rest: where the belt is just {side} of the mass "
                 f"it is {at_zero}, not 0: {limits.STICKING}",
             )
-        witness = _negative(model, value, laws.SLIP)
+        witness = _negative(model, value, SLIP)
         if witness:
             raise PageError(
                 sliding.line,
                 f"the friction law drives where the belt is {side}: {witness}; friction "
                 "opposes sliding",
+            )
+
+
+def _check_independent(model: Mechanics) -> None:
+    """Frictions that can hold at once, along displacements of which none follows from others: else
+    what each of them holds is not told.
+    """
+    holding: list[FrictionForce] = []
+    for friction in model.frictions:
+        if friction.holds is None:
+            continue
+        holding.append(friction)
+        along = sp.Matrix([it.along for it in holding]).jacobian(model.coordinates)
+        if along.rank() < len(holding):
+            others = " and ".join(it.name for it in holding[:-1])
+            raise PageError(
+                friction.line,
+                f"the friction of {friction.name} holds along a displacement that follows from "
+                f"that of {others}: where all stick, what each of them holds is not told; write a "
+                "law that is steep at rest, as mu0*tanh(d*v), or leave all but one as slip=…, "
+                "holds=…",
             )
 
 

@@ -10,10 +10,9 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from . import laws
 from .emit.python.algebra import KNOWN
-from .mechanics import DEPTH, Mechanics
-from .model import FUNCTIONS, WRITTEN, PageError, expression_of
+from .mechanics import DEPTH, SLIP, Mechanics, NormalForce
+from .model import FUNCTIONS, WRITTEN, Contact, PageError, expression_of
 from .statement_checks import statements
 
 #: Functions with a kink or a step, of which a sum of smooth forces has none.
@@ -24,7 +23,7 @@ LARGEST_ROOT = 1000
 
 def check(model: Mechanics) -> None:
     """A :class:`~derive.model.PageError` for the first statement that generated code can't say."""
-    moving = {*model.coordinates, *model.rates, DEPTH, laws.SLIP}
+    moving = {*model.coordinates, *model.rates, DEPTH, SLIP}
     turning = moving | {angle.symbol for angle in model.angles}
     for it in statements(model.page):
         value = model.scaled(it.value)
@@ -32,7 +31,8 @@ def check(model: Mechanics) -> None:
             _angles(value, turning), _kinks(value, moving), _unknown(value), _domains(value, moving)
         ):
             raise PageError(it.line, f"{it.what} {fault}")
-    _check_contact(model)
+    for said, contact in zip(model.page.contacts, model.contacts, strict=False):
+        _check_contact(model, said, contact)
 
 
 def _angles(value: sp.Expr, turning: set[sp.Symbol]) -> Iterator[str]:
@@ -79,14 +79,14 @@ def _domains(value: sp.Expr, moving: set[sp.Symbol]) -> Iterator[str]:
     """Roots of what is not negative, and in friction of what is positive, for a step may end behind
     its border; logarithms of that.
     """
-    border = {symbol: sp.Symbol(symbol.name, nonnegative=True) for symbol in (DEPTH, laws.SLIP)}
+    border = {symbol: sp.Symbol(symbol.name, nonnegative=True) for symbol in (DEPTH, SLIP)}
     closed = value.xreplace(border)
     varying = moving | set(border.values())
     for node in sorted(closed.atoms(sp.Pow, sp.log), key=sp.default_sort_key):
         argument, is_log = node.args[0], isinstance(node, sp.log)
         if not argument.free_symbols & varying or not (is_log or not node.exp.is_Integer):
             continue
-        positive = is_log or argument.has(border[laws.SLIP])
+        positive = is_log or argument.has(border[SLIP])
         forms = (argument, sp.factor_terms(sp.expand(argument)))
         if not any(form.is_positive or (not positive and form.is_nonnegative) for form in forms):
             yield (
@@ -97,15 +97,13 @@ def _domains(value: sp.Expr, moving: set[sp.Symbol]) -> Iterator[str]:
             )
 
 
-def _check_contact(model: Mechanics) -> None:
-    contact, energy = model.page.normal, model.contact_energy
-    if contact is None:
-        return
+def _check_contact(model: Mechanics, said: Contact, contact: NormalForce) -> None:
+    energy = contact.energy
     if contact.gap is not None and not contact.unilateral:
         # The penetration is of either sign: what is smooth where it is positive may not be so
         # beyond.
         depth = sp.Dummy(real=True)
-        law = model.scaled(expression_of(contact.law(depth)))
+        law = model.scaled(expression_of(said.law(depth)))
         for fault in itertools.chain(_kinks(law, {depth}), _domains(law, {depth})):
             raise PageError(contact.line, f"the contact law, with unilateral=False, {fault}")
     unknown = [
@@ -116,6 +114,6 @@ def _check_contact(model: Mechanics) -> None:
     if unknown or energy.has(sp.nan, sp.zoo, sp.oo, sp.I):
         raise PageError(
             contact.line,
-            f"the contact law {model.law} has no energy in {', '.join(FUNCTIONS)} and powers; "
+            f"the contact law {contact.law} has no energy in {', '.join(FUNCTIONS)} and powers; "
             "give one whose integral SymPy finds in these",
         )

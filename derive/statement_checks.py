@@ -15,8 +15,8 @@ import sympy as sp
 
 from . import limits, reserved, units
 from .emit.quantities import interval
-from .laws import SLIP, near
-from .mechanics import DEPTH
+from .laws import near
+from .mechanics import DEPTH, SLIP
 from .model import Datum, Page, PageError, acceleration_of, expression_of
 from .units import Dimension
 
@@ -42,6 +42,7 @@ def check(page: Page, docstring: str) -> None:
             'the page has no docstring; begin it with r"""…""": what the model is, and its drawing',
         )
     _check_coordinates(page)
+    _check_contacts(page)
     _check_names(page)
     _check_elements(page)
     _check_places(page)
@@ -120,6 +121,10 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
             yield f"{part}{count}", f"the direction or length of spring {count}", 0
     for symbol in near(NEAR):
         yield str(symbol), "a switch of the friction law", 0
+    for contact in page.contacts if len(page.contacts) > 1 else ():
+        for part in (f"pushing_{contact.name}", f"mu_on_{contact.name}"):
+            yield part, f"an argument for the contact {contact.name}", contact.line
+        yield f"contact_force_{contact.name}", "a column of the contact's force", contact.line
     for count in range(1, len(page.torsions) + 1):
         for part in ("phi", "way"):
             yield f"{part}{count}", f"the turning of torsion spring {count}", 0
@@ -147,6 +152,52 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
 def _instead(name: str) -> str:
     tidy = "".join(letter if letter.isalnum() else "_" for letter in name).strip("_")
     return f"{tidy}_" if keyword.iskeyword(tidy) else tidy if tidy.isidentifier() else f"p_{tidy}"
+
+
+# ------------------------------------------------------------------------------------------------
+# contacts
+
+
+def _check_contacts(page: Page) -> None:
+    """Names that tell several contacts from each other, and one friction at most on each."""
+    several = len(page.contacts) > 1
+    named: dict[str, int] = {}
+    for contact in page.contacts if several else ():
+        name, example = contact.name, 'page.contact(…, name="front")'
+        if not name:
+            raise PageError(
+                contact.line,
+                f"of {len(page.contacts)} contacts each has a name; give this one its own, as "
+                f"{example}",
+            )
+        if not name.isidentifier() or not name.isascii() or len(name) > LONGEST // 2:
+            raise PageError(
+                contact.line,
+                f"this contact is named {name!r}; a name is of Latin letters, digits and _, begins "
+                f"with a letter, and has at most {LONGEST // 2}, as {example}",
+            )
+        if name in named:
+            raise PageError(
+                contact.line,
+                f"this contact is named {name!r}, as is that of line {named[name]}; give one of "
+                "them another name",
+            )
+        named[name] = contact.line
+    rubbed: dict[int, int] = {}
+    for friction in page.frictions:
+        if several and friction.on is None:
+            raise PageError(
+                friction.line,
+                f"the page has {len(page.contacts)} contacts; say on which of them this friction "
+                "acts, as page.friction(…, on=front) after front = page.contact(…)",
+            )
+        on = id(friction.on) if several else 0
+        if on in rubbed:
+            raise PageError(
+                friction.line,
+                f"line {rubbed[on]} says the friction on this contact already: {limits.PLANE}",
+            )
+        rubbed[on] = friction.line
 
 
 # ------------------------------------------------------------------------------------------------
@@ -284,14 +335,14 @@ def _check_places(page: Page) -> None:
                 "along=x), and friction is page.friction(…); of any "
                 f"other, {limits.NONLINEAR_DAMPER}",
             )
-    contact, sliding = page.normal, page.sliding
-    if contact is not None and contact.gap is not None and not contact.gap.free_symbols & moving:
-        raise PageError(
-            contact.line,
-            f"the gap {contact.gap} holds no coordinate, so it never closes; give the "
-            "distance of mass and belt",
-        )
-    if sliding is not None:
+    for contact in page.contacts:
+        if contact.gap is not None and not contact.gap.free_symbols & moving:
+            raise PageError(
+                contact.line,
+                f"the gap {contact.gap} holds no coordinate, so it never closes; give the "
+                "distance of mass and belt",
+            )
+    for sliding in page.frictions:
         _check_along(sliding.along, "what friction opposes", sliding.line, moving, rates)
         if sliding.belt.free_symbols & (moving | rates):
             held = ", ".join(sorted(map(str, sliding.belt.free_symbols & (moving | rates))))
@@ -314,7 +365,7 @@ def _check_places(page: Page) -> None:
                 sliding.line,
                 "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V",
             )
-        if contact is None:
+        if not page.contacts:
             raise PageError(
                 sliding.line,
                 "there is friction and no normal force; add page.contact(...) or "
@@ -388,11 +439,11 @@ def statements(page: Page) -> Iterator[Statement]:
             )
             work = (units.ENERGY, place) if alone else (units.FORCE, sp.S.One)
             yield Statement(component, "this force", force.line, *work)
-    if page.normal is not None:
-        yield Statement(page.normal.gap or sp.S.Zero, "the gap", page.normal.line, units.LENGTH)
-        what = "the normal force" if page.normal.gap is None else "the contact law"
-        yield Statement(expression_of(page.normal.law(DEPTH)), what, page.normal.line, units.FORCE)
-    if (it := page.sliding) is not None:
+    for contact in page.contacts:
+        yield Statement(contact.gap or sp.S.Zero, "the gap", contact.line, units.LENGTH)
+        what = "the normal force" if contact.gap is None else "the contact law"
+        yield Statement(expression_of(contact.law(DEPTH)), what, contact.line, units.FORCE)
+    for it in page.frictions:
         yield Statement(it.along, "the displacement that friction opposes", it.line, units.LENGTH)
         yield Statement(it.belt, "the belt's speed", it.line, units.SPEED)
         for sign in (1, -1):

@@ -8,14 +8,15 @@ import sympy as sp
 
 from .algebra import Row, Symbols, expanded
 from . import laws, balance_rows, symmetry
-from .emit.function import Module, of_page, rows
-from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
+from .emit.function import Function, Module, of_page, rows
+from .mechanics import FrictionForce, Mechanics, named, number, on
 
 
 def parameters(model: Mechanics) -> Symbols:
     """Parameters of the balance of forces, an angle as the angle."""
     used = {symbol for row in model.residuals for symbol in row.free_symbols}
-    parts = [part for line in model.lines for part in (line.dx, line.dy, line.rest)] + [model.depth]
+    parts = [part for line in model.lines for part in (line.dx, line.dy, line.rest)]
+    parts += model.depths.values()
     parts += [
         part
         for torsion in model.torsions
@@ -41,11 +42,11 @@ def jacobian(model: Mechanics) -> tuple[Row, ...]:
 
 
 def by_parameters(model: Mechanics) -> tuple[Row, ...]:
-    """Derivatives of the residuals by the parameters, and by μ as the last."""
+    """Derivatives of the residuals by the parameters, and by every μ as the last."""
     return tuple(
         tuple(
             _shortest(model, model.tidy(model.derivative(row, symbol)))
-            for symbol in (*parameters(model), MU)
+            for symbol in (*parameters(model), *model.coefficients)
         )
         for row in model.residuals
     )
@@ -65,9 +66,15 @@ def _shortest(model: Mechanics, expression: sp.Expr) -> sp.Expr:
 def module(model: Mechanics) -> Module:
     """The generated module."""
     place = (*model.coordinates, *arguments(model))
-    state = (*model.coordinates, *model.directions, *model.turned, *arguments(model), MU, PUSHING)
-    shorthands = {DEPTH: model.depth, **{line.l: line.length for line in model.lines}}
-    friction = laws.friction_at_rest(model)
+    state = (
+        *model.coordinates,
+        *model.directions,
+        *model.turned,
+        *arguments(model),
+        *model.coefficients,
+        *model.pushings,
+    )
+    shorthands = {**model.depths, **{line.l: line.length for line in model.lines}}
     mirror = symmetry.mirror(model)
     function = partial(of_page, shorthands=shorthands)
     T = balance_rows.sums(model)
@@ -112,20 +119,6 @@ def module(model: Mechanics) -> Module:
             ),
         )
     )
-    held = (
-        (
-            function(
-                "friction_held",
-                "The friction coefficient while it sticks, by the share of the static one "
-                "that is used.",
-                (*model.arguments, laws.HELD),
-                laws.friction_held(model),
-                "mu",
-            ),
-        )
-        if model.holds
-        else ()
-    )
     return Module(
         "statics",
         "The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).",
@@ -138,12 +131,15 @@ def module(model: Mechanics) -> Module:
                 tuple((line.dx, line.dy, line.rest) for line in model.lines),
                 "((dx, dy, rest), …)",
             ),
-            function(
-                "contact_gap",
-                "The gap: contact where it is not positive.",
-                place,
-                sp.S.Zero if model.gap is None else model.gap,
-                "gap",
+            *(
+                function(
+                    named("contact_gap", contact),
+                    f"The gap{on(contact)}: contact where it is not positive.",
+                    place,
+                    sp.S.Zero if contact.gap is None else contact.gap,
+                    "gap",
+                )
+                for contact in model.contacts
             ),
             function(
                 "mirror",
@@ -153,31 +149,7 @@ def module(model: Mechanics) -> Module:
                 tuple(map(mirror.image, model.coordinates)),
                 "image",
             ),
-            function(
-                "friction_at_rest",
-                "The friction coefficient at steady sliding.",
-                model.arguments,
-                friction,
-                "mu",
-            ),
-            function(
-                "friction_at_speed",
-                "The friction coefficient at the belt's speed: of a motion that has come to rest.",
-                model.arguments,
-                laws.friction_at_speed(model),
-                "mu",
-            ),
-            function(
-                "friction_by_parameters",
-                "Its derivatives by all parameters, an angle as the angle.",
-                model.arguments,
-                tuple(
-                    model.tidy(model.derivative(friction, symbol))
-                    for symbol in map(number, model.parameters)
-                ),
-                "(∂mu/∂p_1, …)",
-            ),
-            *held,
+            *(it for friction in model.frictions for it in _friction(model, friction)),
             *turnings,
             function(
                 "forces",
@@ -203,12 +175,15 @@ def module(model: Mechanics) -> Module:
                 ),
                 "(T_1, …)",
             ),
-            function(
-                "contact_force",
-                "The normal force of the contact.",
-                (*model.coordinates, *model.arguments, PUSHING),
-                model.normal,
-                "N",
+            *(
+                function(
+                    named("contact_force", contact),
+                    f"The normal force of the contact{contact.name and f' {contact.name}'}.",
+                    (*model.coordinates, *model.arguments, contact.pushing),
+                    contact.force,
+                    "N",
+                )
+                for contact in model.contacts
             ),
             function(
                 "forces_apart",
@@ -234,4 +209,51 @@ def module(model: Mechanics) -> Module:
             ),
             *apart,
         ),
+    )
+
+
+def _friction(model: Mechanics, friction: FrictionForce) -> tuple[Function, ...]:
+    """The friction coefficient of one contact."""
+    at_rest = laws.friction_at_rest(friction)
+    held = (
+        (
+            of_page(
+                named("friction_held", friction),
+                "The friction coefficient while it sticks, by the share of the static one "
+                "that is used.",
+                (*model.arguments, laws.HELD),
+                laws.friction_held(friction),
+                "mu",
+            ),
+        )
+        if friction.holds is not None
+        else ()
+    )
+    return (
+        of_page(
+            named("friction_at_rest", friction),
+            f"The friction coefficient{on(friction)} at steady sliding.",
+            model.arguments,
+            at_rest,
+            "mu",
+        ),
+        of_page(
+            named("friction_at_speed", friction),
+            f"The friction coefficient{on(friction)} at the belt's speed: of a motion that has "
+            "come to rest.",
+            model.arguments,
+            laws.friction_at_speed(friction),
+            "mu",
+        ),
+        of_page(
+            named("friction_by_parameters", friction),
+            "Its derivatives by all parameters, an angle as the angle.",
+            model.arguments,
+            tuple(
+                model.tidy(model.derivative(at_rest, symbol))
+                for symbol in map(number, model.parameters)
+            ),
+            "(∂mu/∂p_1, …)",
+        ),
+        *held,
     )

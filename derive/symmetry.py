@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .algebra import Symbols
-from .mechanics import DEPTH, MU, Line, Mechanics, number
+from .mechanics import Line, Mechanics, number
 
 #: Most parameters that have to be 0.
 MOST = 4
@@ -32,7 +32,7 @@ def comes_around(model: Mechanics, place: int) -> bool:
         *model.residuals,
         *(part for line in model.lines for part in (line.dx, line.dy)),
         model.kinetic,
-        model.depth,
+        *model.depths.values(),
     ]
     return all(sp.expand(part.subs(symbol, symbol + 2 * sp.pi) - part) == 0 for part in parts)
 
@@ -129,10 +129,8 @@ def _remainders(model: Mechanics, one: Mirror) -> list[sp.Expr]:
         changes[torsion.phi] = -torsion.phi if odd else image
         unknown += [] if odd else [image]
     rows = []
-    if (
-        model.gap is not None
-        and sp.expand(model.gap.subs(images, simultaneous=True) - model.gap) != 0
-    ):
+    gaps = [contact.gap for contact in model.contacts if contact.gap is not None]
+    if any(sp.expand(gap.subs(images, simultaneous=True) - gap) != 0 for gap in gaps):
         return [sp.S.One]
     for symbol, row in zip(model.coordinates, model.residuals, strict=True):
         image = row.subs(changes, simultaneous=True)
@@ -142,7 +140,7 @@ def _remainders(model: Mechanics, one: Mirror) -> list[sp.Expr]:
         *model.directions,
         *unknown,
         *(1 / line.l for line in model.lines),
-        DEPTH,
+        *model.depths,
     )
     generators = [symbol for symbol in symbols if any(row.has(symbol) for row in rows)]
     out = []
@@ -157,7 +155,7 @@ def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...],
     used = {part for term in remainders for part in term.free_symbols}
     allowed = [
         symbol
-        for symbol in (*map(number, model.parameters), MU)
+        for symbol in (*map(number, model.parameters), *model.coefficients)
         if not symbol.is_positive and used & set(model.parts(symbol))
     ]
     for size in range(min(MOST, len(allowed)) + 1):

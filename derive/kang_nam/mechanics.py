@@ -248,11 +248,12 @@ def groups() -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
 
 def _contact(model: Mechanics) -> sp.Expr:
     """The contact's force below the gap, and above it."""
-    assert model.gap is not None
+    contact = model.contact
+    assert contact.gap is not None
     pushing, gap = (
-        in_article(model, part) for part in (model.law.subs(DEPTH, -model.gap), model.gap)
+        in_article(model, part) for part in (contact.law.subs(DEPTH, -contact.gap), contact.gap)
     )
-    return sp.Piecewise((pushing, gap < 0), (sp.S.Zero if model.unilateral else pushing, True))
+    return sp.Piecewise((pushing, gap < 0), (sp.S.Zero if contact.unilateral else pushing, True))
 
 
 @cache
@@ -287,7 +288,9 @@ def smooth_friction(side: sp.Expr) -> sp.Expr:
     """(10) where sgn(V − x') = ``side``, without the absolute value and the sign that kink it at V
     = x'.
     """
-    return in_article(of_page(), laws.smooth_friction(of_page(), felt=True)).subs(nm.side, side)
+    return in_article(of_page(), laws.smooth_friction(of_page().friction, felt=True)).subs(
+        nm.side, side
+    )
 
 
 @cache
@@ -295,4 +298,4 @@ def steady_friction() -> sp.Expr:
     """μ at steady sliding, x' = 0 < V: μ₀ (1 − exp(−d V)) exactly, μ₀ in the limit that (12)
     takes.
     """
-    return in_article(of_page(), laws.friction_at_speed(of_page()))
+    return in_article(of_page(), laws.friction_at_speed(of_page().friction))

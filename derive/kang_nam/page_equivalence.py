@@ -62,7 +62,8 @@ def _equal(model: Mechanics, general: Row, special: Row) -> bool:
 
 def _linearization(model: Mechanics) -> bool:
     K = tuple(
-        entry.subs(MU, laws.friction_at_rest(model)) for entry in flat(statics.jacobian(model))
+        entry.subs(MU, laws.friction_at_rest(model.friction))
+        for entry in flat(statics.jacobian(model))
     )
     damped = tuple(linearization.damping(model))
     return _equal(model, K, tuple(stability.stiffness())) and _equal(

@@ -70,7 +70,9 @@ class _Compared:
         self.model = model
         self.places = {str(symbol): row for row, symbol in enumerate(model.coordinates)}
         #: Where the mass never leaves the belt there is no n̄ in what is compared.
-        self.always = {} if model.unilateral and model.gap is not None else {nm.nbar: 1}
+        self.always = (
+            {} if model.contact.unilateral and model.contact.gap is not None else {nm.nbar: 1}
+        )
 
     def row(self, name: str) -> int:
         """The number of a coordinate."""
@@ -125,7 +127,7 @@ class _Compared:
         """
         it = self.model
         force = it.residuals[self.row("xy"[row])].subs({PUSHING: pushing, MU: nm.mu0})
-        return self.named(force if it.gap is None else force.subs(DEPTH, -it.gap))
+        return self.named(force if it.contact.gap is None else force.subs(DEPTH, -it.contact.gap))
 
     # ---------------------------------------------------------------------------------------------
     # aspects
@@ -156,25 +158,27 @@ class _Compared:
     def contact(self) -> Gaps:
         """n(y) in contact, and that there is none in lift-off."""
         it = self.model
-        if it.gap is None:
+        if it.contact.gap is None:
             raise NoMeaning("the normal force is given: there is no contact law")
-        lift = sp.S.Zero if it.unilateral else it.law
+        lift = sp.S.Zero if it.contact.unilateral else it.contact.law
         return {
-            "n(δ)": sp.expand(it.law - DEPTH),
+            "n(δ)": sp.expand(it.contact.law - DEPTH),
             "n in lift-off": sp.expand(lift),
-            "gap": sp.expand(self.named(it.gap) - nm.y),
+            "gap": sp.expand(self.named(it.contact.gap) - nm.y),
         }
 
     def friction(self) -> Gaps:
         """μ at the sliding speed."""
-        if self.model.slide is None:
+        if self.model.friction.along is None:
             raise NoMeaning("there is no friction")
-        ours = self.named(laws.smooth_friction(self.model, felt=True))
+        ours = self.named(laws.smooth_friction(self.model.friction, felt=True))
         return {"μ": _law_gap(ours - mechanics.smooth_friction(nm.side))}
 
     def steady(self) -> Gaps:
         """μ at rest."""
-        return {"μ at rest": _law_gap(self.named(laws.friction_at_rest(self.model)) - nm.mu0)}
+        return {
+            "μ at rest": _law_gap(self.named(laws.friction_at_rest(self.model.friction)) - nm.mu0)
+        }
 
     def balance(self, row: int, pushing: int) -> Gaps:
         """F_x or F_y."""
@@ -188,7 +192,7 @@ class _Compared:
     def linear(self, pushing: int) -> Gaps:
         """That the balance is linear in cos θ and sin θ, without which there are no D and b."""
         it = self.model
-        if not pushing and not it.unilateral:
+        if not pushing and not it.contact.unilateral:
             raise NoMeaning("the mass never leaves the belt: there is no lift-off")
         if len(it.coordinates) != 2:
             raise NoMeaning(f"the balance has {len(it.coordinates)} unknowns: there are no D and b")

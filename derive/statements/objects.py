@@ -107,9 +107,9 @@ class Derivation:
 
     def spelled(self, expression: sp.Expr, side: str = CONTACT) -> sp.Expr:
         """In coordinates, parameters, lengths and inclinations, on a side of the contact."""
-        gap = sp.S.Zero if self.model.gap is None else self.model.gap
+        gap = sp.S.Zero if self.model.contact.gap is None else self.model.contact.gap
         pushing = {CONTACT: sp.S.One, LIFT_OFF: sp.S.Zero, BOTH: PUSHING}[side]
-        known = {DEPTH: -gap, PUSHING: pushing if self.model.unilateral else sp.S.One}
+        known = {DEPTH: -gap, PUSHING: pushing if self.model.contact.unilateral else sp.S.One}
         return sp.sympify(expression).subs(known).subs(self.plain)
 
     def expanded(self, expression: sp.Expr) -> sp.Expr:
@@ -157,7 +157,7 @@ class Derivation:
     @cached_property
     def normal(self) -> sp.Expr:
         """The normal force in contact."""
-        return self.spelled(self.model.normal)
+        return self.spelled(self.model.contact.force)
 
     @cached_property
     def friction(self) -> sp.Expr:
@@ -171,7 +171,7 @@ class Derivation:
     @cached_property
     def friction_at_rest(self) -> sp.Expr:
         """The friction coefficient at steady sliding, as the page's statics takes it."""
-        return self.spelled(laws.friction_at_rest(self.model))
+        return self.spelled(laws.friction_at_rest(self.model.friction))
 
     @cached_property
     def names(self) -> dict[str, sp.Expr]:
@@ -319,13 +319,13 @@ def _potentials_of_forces(it: Derivation) -> list[sp.Expr]:
 
 def _balance(it: Derivation, name: str, side: str) -> Object:
     """Forces of the motion at rest, with the friction at the belt's speed."""
-    mu = laws.friction_at_speed(it.model)
+    mu = laws.friction_at_speed(it.model.friction)
     rows = tuple(it.spelled(row, side).subs(MU, it.spelled(mu)) for row in it.model.residuals)
     return Object(rows, "mechanics.Mechanics.residuals", "covector", it.places(name), "parameters")
 
 
 def _equilibrium(it: Derivation, name: str, side: str) -> Object:
-    mu = it.spelled(laws.friction_at_rest(it.model))
+    mu = it.spelled(laws.friction_at_rest(it.model.friction))
     rows = tuple(it.spelled(row, side).subs(MU, mu) for row in it.model.residuals)
     return Object(
         rows,
@@ -342,7 +342,7 @@ def _entries(
     of: Callable[[Derivation], sp.Matrix], letter: str, by: str
 ) -> Callable[[Derivation, str, str], Object]:
     def derived(it: Derivation, name: str, side: str) -> Object:
-        mu = it.spelled(laws.friction_at_rest(it.model))
+        mu = it.spelled(laws.friction_at_rest(it.model.friction))
         matrix = of(it).applyfunc(lambda entry: it.spelled(entry, side).subs(MU, mu))
         n = len(it.model.coordinates)
         places = [int(part) - 1 for part in name.split() if part.isdigit()]
@@ -361,7 +361,7 @@ def _entries(
 def _characteristic(it: Derivation, name: str, side: str) -> Object:
     mass, C = it.model.mass, linearization.damping(it.model)
     K = sp.Matrix(statics.jacobian(it.model))
-    mu = it.spelled(laws.friction_at_rest(it.model))
+    mu = it.spelled(laws.friction_at_rest(it.model.friction))
     whole = (LAMBDA**2 * mass + LAMBDA * C + K).applyfunc(lambda entry: it.spelled(entry, side))
     polynomial = whole.subs(MU, mu).det()
     by = "linearization.damping, statics.jacobian"
@@ -369,7 +369,7 @@ def _characteristic(it: Derivation, name: str, side: str) -> Object:
 
 
 def _threshold(it: Derivation, name: str, side: str) -> Object:
-    mu = it.spelled(laws.friction_at_rest(it.model))
+    mu = it.spelled(laws.friction_at_rest(it.model.friction))
     K = sp.Matrix(statics.jacobian(it.model)).applyfunc(it.spelled).subs(MU, mu)
     if K.applyfunc(it.expanded).has(*it.model.coordinates):
         raise NoObject("the threshold depends on the state; only those of linear forces are judged")
@@ -401,8 +401,8 @@ def _scale(it: Derivation, name: str, side: str) -> Object:
 
 
 def _normal(it: Derivation, name: str, side: str) -> Object:
-    value = it.spelled(it.model.normal, side)
-    return Object((value,), "mechanics.Mechanics.normal", names=frozenset({"N"}), side=side)
+    value = it.spelled(it.model.contact.force, side)
+    return Object((value,), "mechanics.NormalForce.force", names=frozenset({"N"}), side=side)
 
 
 def _friction(it: Derivation, name: str, side: str) -> Object:
@@ -410,10 +410,10 @@ def _friction(it: Derivation, name: str, side: str) -> Object:
 
 
 def _pushing(it: Derivation, name: str, side: str) -> Object:
-    if not it.model.unilateral:
+    if not it.model.contact.unilateral:
         raise NoObject("the page has no contact that can open")
     own = frozenset({str(PUSHING)})
-    return Object((PUSHING,), "mechanics.Mechanics.normal", names=own, side=BOTH)
+    return Object((PUSHING,), "mechanics.NormalForce.force", names=own, side=BOTH)
 
 
 def _direction(it: Derivation, name: str, side: str) -> Object:

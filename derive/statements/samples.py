@@ -35,13 +35,13 @@ def drawn(it: Derivation, held: Object, is_base: bool = False) -> dict[str, Valu
         found[name] = value if symbol.is_nonnegative else value * _signs(rng, size, 2)
         if is_base:
             found[name] = np.full(size, 1.0 if base.get(name) is None else base[name])
-    gap = None if it.model.gap is None else it.expanded(it.spelled(it.model.gap))
+    gap = None if it.model.contact.gap is None else it.expanded(it.spelled(it.model.contact.gap))
     coordinates = [str(symbol) for symbol in it.model.coordinates]
     states = {name: _state(rng, size) for name in coordinates}
     pushing = np.ones(size)
     if gap is not None:
         measure = numeric(gap, [*found, *coordinates])
-        if held.side != CONTACT and it.model.unilateral:
+        if held.side != CONTACT and it.model.contact.unilateral:
             pushing = np.repeat(np.arange(PAIRS) % 2 if held.side == BOTH else [0] * PAIRS, 2)
         for _ in range(_TRIES):
             level = measure({**found, **states})

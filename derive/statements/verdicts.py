@@ -285,7 +285,7 @@ def _is_short(item: Item, tree: Node, names: Names, entry: sp.Expr) -> bool:
 
 def _vanishes(item: Item, gap: sp.Expr, side: str) -> bool:
     """Whether a difference is 0 on a side of the contact: as it stands, or by the page's laws."""
-    is_open = side == LIFT_OFF and item.it.model.unilateral
+    is_open = side == LIFT_OFF and item.it.model.contact.unilateral
     mu = item.it.friction_at_rest if item.held.steady else item.it.friction
     laws = {NORMAL: sp.S.Zero if is_open else item.it.normal, MU: mu}
     gap = gap.subs(PUSHING, 0 if is_open else 1)
@@ -298,9 +298,9 @@ def _vanishes(item: Item, gap: sp.Expr, side: str) -> bool:
 
 def _on_side(item: Item, value: sp.Expr, side: int) -> sp.Expr:
     """A value with the gap's size and sign, and relations to 0, as they are on a side."""
-    if item.it.model.gap is None or not item.it.model.unilateral:
+    if item.it.model.contact.gap is None or not item.it.model.contact.unilateral:
         return value
-    gap = item.it.expanded(item.it.spelled(item.it.model.gap))
+    gap = item.it.expanded(item.it.spelled(item.it.model.contact.gap))
     for node in value.atoms(sp.Abs, sp.sign, Relational):
         size = node.lhs - node.rhs if isinstance(node, Relational) else node.args[0]
         for way in (1, -1):

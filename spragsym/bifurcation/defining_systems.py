@@ -198,10 +198,10 @@ class Condition:
 #: det K = 0.
 FOLD = Condition(lambda at: (determinant(at.slopes),), singular=True)
 #: The gap of the contact is 0.
-TOUCH = Condition(lambda at: (at.gap(),), touching=True)
+TOUCH = Condition(lambda at: at.gaps(), touching=True)
 #: det K = 0 and the gap of the contact is 0: a curve of folds leaves the contact.
 FOLD_ON_BORDER = Condition(
-    lambda at: (determinant(at.slopes), at.gap()), touching=True, singular=True
+    lambda at: (determinant(at.slopes), *at.gaps()), touching=True, singular=True
 )
 
 
@@ -239,7 +239,7 @@ def _touch_turns(at: State) -> Sequence[Any]:
     """The gap, and the determinant of the slopes of forces and gap by the coordinates and the first
     parameter.
     """
-    gap = at.gap()
+    (gap,) = at.gaps()
     rows, n = [*at.forces(), gap], len(at.q)
     return gap, determinant([[slope(row, k) for k in range(n + 1)] for row in rows])
 
@@ -310,7 +310,7 @@ def no_damping(along: int, on_fold: bool = False) -> Condition:
 
 #: The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there.
 #: A slope with a sign, however small it is, has no root.
-NO_SLOPE = Condition(lambda at: (at.slope(),), hopeless=lambda at: at.slope_has_a_sign())
+NO_SLOPE = Condition(lambda at: at.slopes_of_friction(), hopeless=lambda at: at.slope_has_a_sign())
 #: Kinds of points in the plane, as MatCont calls them, with what vanishes there of the
 #: coefficients, the lowest first. BT: two roots λ are 0. ZH: one is, and two others have the sum 0.
 #: HH: all four of two coordinates come in pairs with the sum 0.

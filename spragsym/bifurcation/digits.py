@@ -251,6 +251,7 @@ def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> lis
 
 def _on_its_side(at: State) -> bool:
     """Whether a state is on the side of the contact's border that is asked for."""
-    if not at.balance.opens:
-        return True
-    return (balls.decided(at.gap(), "a gap that is zero") < 0) == at.balance.contact
+    return all(
+        (balls.decided(gap, "a gap that is zero") < 0) == touches
+        for gap, touches in zip(at.gaps(), at.balance.closed, strict=True)
+    )

@@ -212,7 +212,7 @@ class _Point:
 
     def reach(self, path: Sequence[Jet]) -> float:
         """Size of a and b, along a path in them, at which the sliding speed would come to 0."""
-        if self.model.about["friction"] is None:
+        if self.model.friction_law is None:
             return math.inf
         _, slip = undecorated(self.model.algebra.borders)(
             *path, *self._constants(self.values), xp=XP
@@ -232,20 +232,21 @@ class _Point:
         """:class:`Undecided` where the field has no third derivatives at the state, or is not shown
         to have them.
         """
-        constants, about = self._constants(self.values), self.model.about
+        constants = self._constants(self.values)
         gap, slip = undecorated(self.model.algebra.borders)(*self.state, *constants, xp=XP)
-        if (
-            about["contact"]["gap"] is not None
-            and about["contact"]["unilateral"]
-            and not balls.sign(gap) < 0
-        ):
-            line = about["contact"]["line"]
+        contact = self.model.contact
+        if contact["unilateral"] and not balls.sign(gap) < 0:
+            line = contact["line"]
             raise Undecided(
                 f"the state lies on the border of contact, where the law of line {line} of "
                 "the model page has a kink"
             )
-        if about["friction"] is not None and not balls.sign(slip) > 0 and self._asks_for_the_side():
-            line = about["friction"]["line"]
+        if (
+            self.model.friction_law is not None
+            and not balls.sign(slip) > 0
+            and self._asks_for_the_side()
+        ):
+            line = self.model.friction_law["line"]
             raise Undecided(
                 f"the sliding speed is 0, where the law of friction, line {line} of the model "
                 "page, has a kink"
@@ -285,12 +286,13 @@ class _Point:
         law at the belt's speed.
         """
         balance = self.balance
-        if self.model.about["friction"] is None or balance.law == "friction_at_speed":
+        if self.model.friction_law is None or balance.law == "friction_at_speed":
             return [0] * self.n
         at = balance.at(q, values, xp=XP)
-        more = at.friction - at.call("friction_at_speed", ())
+        (mu,) = at.frictions
+        more = mu - at.call("friction_at_speed", ())
         with_unit, without = (
-            at.call("forces", [*q, *at.directions], mu, balance.pushing, kind="statics")
+            at.call("forces", [*q, *at.directions], mu, *balance.pushing, kind="statics")
             for mu in (1, 0)
         )
         missing = [(b - a) * more for a, b in zip(with_unit, without, strict=True)]

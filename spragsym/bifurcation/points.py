@@ -422,8 +422,9 @@ class _AtInfinity(OfFamily):
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes of directions in which the contact opens."""
-        gap = _regular(self.state(list(unknowns), parameters).gap())
-        return self.balance.sides(as_intervals(constant(gap), unknowns.shape[1:]))[1]
+        gaps = map(_regular, self.state(list(unknowns), parameters).gaps() or [0])
+        shape = unknowns.shape[1:]
+        return self.balance.sides([as_intervals(constant(gap), shape) for gap in gaps])[1]
 
     def side(self, unknowns: Intervals, parameters: Intervals) -> IntArray:
         """On which side of the value of one parameter the state is, 1 or −1; 0 where that is not

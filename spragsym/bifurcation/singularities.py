@@ -227,11 +227,12 @@ def turned(balance: Balance, over: Intervals) -> list[int]:
     """
     about = balance.model.about["mirror"]
     with quiet():
-        mu = stacked([balance.at((), balance.over(over)).friction], (1,)).magnitude.max()
+        mus = stacked(balance.at((), balance.over(over)).frictions, (1,)).magnitude.max(axis=1)
     zero = {
         name for name, ends in zip(balance.parameters, over, strict=True) if not ends.ends.any()
     }
-    zero |= {"mu"} if mu <= NOTHING else set()
+    coefficients = balance.model.about["by_parameters"][-len(mus) :]
+    zero |= {name for name, mu in zip(coefficients, mus.tolist(), strict=True) if mu <= NOTHING}
     if not any(zero.issuperset(names) for names in about["zero"]):
         return []
     return [balance.coordinates.index(name) for name in about["turned"]]

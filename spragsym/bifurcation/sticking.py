@@ -93,7 +93,7 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
         *np.zeros(2 * len(model.coordinates)), *model.arguments(p, "motion")
     )[1]
     if np.any(speed):
-        belt = model.about["friction"]["belt"]
+        belt = model.frictions[0]["belt"]
         raise ParameterError(
             f"the belt moves at {belt} = {speed}, and what sticks rides with it; take "
             f"parameters with {belt} = 0"
@@ -170,14 +170,14 @@ def _pressed(way: Way, q: FloatArray, error: FloatArray) -> BoolArray:
     contact's.
     """
     shape = error.shape
-    if way.balance.model.about["contact"]["gap"] is not None or not error.size:
+    if way.balance.model.contact["gap"] is not None or not error.size:
         return np.ones(shape, dtype=np.bool_)
     room = error * scale_of(q)
     given = np.repeat(columns(way.p.replace(**{HELD: 0.0}), way.balance.parameters), len(error), 1)
     with quiet():
         values = way.balance.over(Intervals.point(given))
         at = way.balance.at(list(Intervals.between(q - room, q + room)), values, shape)
-        N = as_intervals(at.contact_force(1), shape)
+        N = as_intervals(at.contact_force(0, 1), shape)
     if (N.holds_zero() & (N.magnitude > NOTHING)).any():
         raise ConvergenceError("the sign of the normal force is not known in a state of sticking")
     return np.asarray(N.low > 0)

@@ -318,7 +318,7 @@ def cycles(
         },
         type(found),
     )
-    modes, slips = found.phases, SLIPS if case.model.about["friction"] else {1: "none"}
+    modes, slips = found.phases, SLIPS if case.model.friction_law else {1: "none"}
     phases = case.rows(
         {"t": modes.t, "duration": modes.duration},
         type(modes),

@@ -36,6 +36,10 @@ Method: TypeAlias = Literal["auto", "closed", "search"]
 WAYS = ("auto", "closed", "search")
 
 
+#: Questions that are answered for several contacts.
+SEVERAL = ("count", "equilibria")
+
+
 class NotInClosedForm(Exception):
     """Raised by a closed form for arguments that it does not know."""
 
@@ -51,6 +55,8 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
     def ask(*args: P.args, **options: P.kwargs) -> R:
         method = options.pop("method", "auto")
         model = model_of(*args, *options.values())
+        if name not in SEVERAL:
+            model.require_one_contact(name)
         asked = model
         if method != "auto":
             asked = model.whole if one_of("method", method, WAYS) == "closed" else model.search

@@ -245,7 +245,7 @@ def _derived(model: Model) -> tuple[str, str]:
 
 def described(model: Model, points: Sequence[Mapping[str, float]]) -> dict[str, Any]:
     """Names, ranges, sliders that reach some points, and what its functions take."""
-    about, contact = model.about, model.about["contact"]
+    about, contact, friction = model.about, model.contact, model.friction_law
     return {
         "name": model.name,
         "quoted": shlex.quote(model.where),
@@ -275,7 +275,7 @@ def described(model: Model, points: Sequence[Mapping[str, float]]) -> dict[str, 
         **{key: about[key] for key in ("angles", "arguments", "layers", "ties", "drawn")},
         **{key: contact[key] for key in ("gap", "unilateral", "polynomial")},
         "torsions": len(about["torsions"]),
-        "belt": about["friction"] and about["friction"]["belt"],
+        "belt": friction and friction["belt"],
     }
 
 

@@ -182,7 +182,7 @@ def draw_phase(
     (line,) = ax.plot(
         length * states[place], speed * states[len(names) + place], color=BLUE, linewidth=0.8
     )
-    friction = motion.model.about["friction"]
+    friction = motion.model.friction_law
     if friction is not None and friction["along"] == name and friction["belt"] is not None:
         ax.axhline(
             speed * float(motion.p[friction["belt"]]),
@@ -261,7 +261,7 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
         )
         figure.tables |= dict(zip("abcdefghijkl"[3 * row : 3 * row + 3], columns, strict=False))
     after = f"{transient:g}" if units is None else f"{transient * time:.4g} s"
-    friction = model.about["friction"]
+    friction = model.friction_law
     if units is not None and friction is not None and friction["belt"] is not None:
         moved = f"belt speed {float(motion.p[friction['belt']]) * length / time:.4g} mm/s"
     else:

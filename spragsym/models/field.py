@@ -311,7 +311,7 @@ def exact_field(where: str) -> Field:
     from .load import load
 
     model = load(where)
-    if not model.about["contact"]["polynomial"]:
+    if not model.contact["polynomial"]:
         raise ParameterError(
             "the contact law is no polynomial: it has no continuation beyond its border, "
             "which proofs need"
@@ -344,8 +344,9 @@ class _Motion:
     """
 
     def __init__(self, model: Model, reach: float, levels: tuple[float, ...] = ()) -> None:
+        model.require_one_contact("motion")
         about = model.about
-        self.model, self.reach, self.contact = model, reach, about["contact"]
+        self.model, self.reach, self.contact = model, reach, model.contact
         self.layers, self.torsions = about["layers"], len(about["torsions"])
         self.holds = hasattr(model.algebra, "grip")
         self.sides = (1, -1, 0) if self.holds else (1, -1)
@@ -454,7 +455,7 @@ class _Motion:
 
     def borders(self) -> Iterator[Border]:
         """All borders between modes."""
-        of_gap, of_slip, reach = self.contact["gap"], self.model.about["friction"], self.reach
+        of_gap, of_slip, reach = self.contact["gap"], self.model.friction_law, self.reach
         if of_gap is not None and self.contact["unilateral"]:
             levels = self._generated("borders", "border_rates", 0, shift=lambda _: self.shift)
             sign, opened = _side(0, 1)

@@ -35,6 +35,11 @@ def _ends(model: Any) -> list[str]:
     return [""] if count == 1 else [f"_{place + 1}" for place in range(count)]
 
 
+def named(function: str, contact: str) -> str:
+    """What is generated or told of one contact; of the only one, which has no name."""
+    return f"{function}_{contact}" if contact else function
+
+
 def columns(model: Any) -> list[Column]:
     """Columns of springs and contact: directions, lengths, tensions, and the normal force."""
     found = []
@@ -44,7 +49,10 @@ def columns(model: Any) -> list[Column]:
             Column(f"L{end}", "m", f"length of {entry['name']}"),
             Column(f"spring_force{end}", "N", f"tension of {entry['name']}"),
         ]
-    return [*found, Column("contact_force", "N", "normal force of the contact")]
+    for name in (entry["name"] for entry in model.contacts):
+        of = f"normal force of the contact{name and ' '}{name}"
+        found.append(Column(named("contact_force", name), "N", of))
+    return found
 
 
 def told_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatArray]:
@@ -67,16 +75,18 @@ def told_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatA
     return {**dict(zip(columns_of(model), places, strict=False)), **forces}
 
 
-def contact_force(model: Any, states: Any, constants: Sequence[Any]) -> FloatArray:
-    """The normal force of the contact: 0 where the gap is open; ``states`` begin with the
-    coordinates.
+def contact_force(model: Any, states: Any, constants: Sequence[Any], place: int = 0) -> FloatArray:
+    """The normal force of a contact, by its number: 0 where the gap is open; ``states`` begin with
+    the coordinates.
     """
-    q = states[: len(model.coordinates)]
-    gap = model.algebra.contact_gap(*q, *of_statics(model, constants))
-    closed = np.less_equal(gap, 0).astype(int) if model.about["contact"]["unilateral"] else 1
-    return np.add(
-        model.algebra.contact_force(*q, *constants, closed), 0.0
-    )  # without the sign of a zero
+    q, contact = states[: len(model.coordinates)], model.contacts[place]
+    gap, force = (
+        getattr(model.algebra, named(function, contact["name"]))
+        for function in ("contact_gap", "contact_force")
+    )
+    at = gap(*q, *of_statics(model, constants))
+    closed = np.less_equal(at, 0).astype(int) if contact["unilateral"] else 1
+    return np.add(force(*q, *constants, closed), 0.0)  # without the sign of a zero
 
 
 def told_of(model: Any) -> dict[str, partial[FloatArray]]:
@@ -93,11 +103,11 @@ def told_of(model: Any) -> dict[str, partial[FloatArray]]:
     found = {
         f"spring_force{end}": partial(tension, place) for place, end in enumerate(_ends(model))
     }
-    return found | (
-        {"contact_force": partial(contact_force, model)}
-        if model.about["contact"]["gap"] is not None
-        else {}
-    )
+    return found | {
+        named("contact_force", entry["name"]): partial(contact_force, model, place=place)
+        for place, entry in enumerate(model.contacts)
+        if entry["gap"] is not None
+    }
 
 
 def spring_named(model: Any, spring: str | None) -> str:

@@ -4,6 +4,7 @@ page says in words.
 
 from __future__ import annotations
 
+import itertools
 import math
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
@@ -11,15 +12,19 @@ from functools import cache, cached_property
 from importlib import import_module
 from inspect import Parameter, Signature
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..core.errors import ParameterError
+from ..core.errors import ModelError, ParameterError
+from ..core.questions import SEVERAL
 from ..display import Column, aligned
 from . import forces
 from .field import REACH, Field, field_of
 from .parameters import ANGLE, FINITE, FloatArray, ParameterSet, Range, as_numbers
+
+#: Which contacts touch: all, none of those that can open, or those of these names.
+Touching: TypeAlias = bool | tuple[str, ...]
 
 
 class Model:
@@ -133,12 +138,52 @@ class Model:
         return _names(self.about)
 
     @property
-    def regimes(self) -> dict[bool, str]:
-        """What ``contact`` may be for equilibria, and what each is called."""
-        contact, friction = self.about["contact"], self.about["friction"]
-        if contact["gap"] is None:
-            return {True: "sliding" if friction else "rest"}
-        return {True: "contact", False: "lift-off"} if contact["unilateral"] else {True: "contact"}
+    def contacts(self) -> Sequence[Mapping[str, Any]]:
+        """Every contact, as the page says it; one without a name or a gap stands for none."""
+        return self.about["contacts"]
+
+    @property
+    def frictions(self) -> Sequence[Mapping[str, Any]]:
+        """Every friction, each with the name of its contact."""
+        return self.about["frictions"]
+
+    @property
+    def contact(self) -> Mapping[str, Any]:
+        """The only contact; an error of a model with several."""
+        self.require_one_contact("this")
+        return self.contacts[0]
+
+    @property
+    def friction_law(self) -> Mapping[str, Any] | None:
+        """The only friction, None without any; an error of a model with several contacts."""
+        self.require_one_contact("this")
+        return self.frictions[0] if self.frictions else None
+
+    def require_one_contact(self, what: str) -> None:
+        """An error for what is not answered of several contacts."""
+        if len(self.contacts) > 1:
+            names = ", ".join(entry["name"] for entry in self.contacts)
+            raise ModelError(
+                f"{what} is not answered yet of {self.name}, whose page has {len(self.contacts)} "
+                f"contacts ({names}); ask {', '.join(sorted(SEVERAL))}, or say all but one of "
+                "them by springs and forces"
+            )
+
+    @cached_property
+    def regimes(self) -> dict[Touching, str]:
+        """What ``contact`` may be for equilibria, and what each is called.
+
+        True where all contacts touch, False where none of those that can open does, else the names
+        of those of them that do.
+        """
+        if all(entry["gap"] is None for entry in self.contacts):
+            return {True: "sliding" if self.frictions else "rest"}
+        opening = [entry["name"] for entry in self.contacts if entry["unilateral"]]
+        found: dict[Touching, str] = {True: "contact"}
+        for count in reversed(range(1, len(opening))):
+            for some in itertools.combinations(opening, count):
+                found[some] = f"contact of {', '.join(some)} alone"
+        return found | ({False: "lift-off"} if opening else {})
 
     @property
     def base(self) -> dict[str, float]:
@@ -308,12 +353,12 @@ class Model:
         Of the shape of ``p``, of which angles that the law does not depend on may be missing;
         source: the law of the page.
         """
-        if law not in ("friction_at_speed", "friction_at_rest") or not self.about["friction"]:
+        if law not in ("friction_at_speed", "friction_at_rest") or not self.friction_law:
             raise ParameterError(
                 f"law = {law!r} of {self.name}: give friction_at_speed or friction_at_rest, "
                 "where there is friction"
             )
-        of_law = self.about["friction"]["quantities"]
+        of_law = self.friction_law["quantities"]
         missing = {
             name: 1.0 for name in self.about["angles"] if name not in of_law and p[name] is None
         }

@@ -42,11 +42,9 @@ class Quantities:
         self.parameters = by("quantity", "parameters", "name")
         self.units = self.bases | by("quantity", "parameters", "quantity_unit")
         self.meanings = by("name", "units", "meaning") | by("quantity", "parameters", "meaning")
-        self.law: Mapping[str, Any] = self.about["friction"] or {
-            "quantities": (),
-            "at_rest": "",
-            "belt": "0",
-        }
+        self.law: Mapping[str, Any] = next(
+            iter(self.about["frictions"]), {"quantities": (), "at_rest": "", "belt": "0"}
+        )
 
     @property
     def of_mu0(self) -> bool:

@@ -495,7 +495,7 @@ class Trajectory(Named):
         pushes.
         """
         gap, slip = self.model.algebra.borders(*self.state, *self._arguments())
-        return gap if self.model.about["contact"]["unilateral"] else np.full_like(slip, -1.0), slip
+        return gap if self.model.contact["unilateral"] else np.full_like(slip, -1.0), slip
 
     def _sides(self) -> IndexArray:
         """The sign of the sliding speed at the samples, 0 where the mass sticks."""

@@ -103,7 +103,7 @@ class _Law:
     def over(self, low: FloatArray, high: FloatArray, sign: int = 1) -> Intervals:
         """Bounds over boxes of the law, or with ``sign=-1`` of its negative."""
         arguments = self.balance.over(Intervals.between(low, high))
-        found = as_intervals(self.balance.at((), arguments).friction, low.shape[1:])
+        found = as_intervals(self.balance.at((), arguments).frictions[0], low.shape[1:])
         return found if sign > 0 else -found
 
     def largest(self, sign: int = 1, most: int = MOST) -> float:

@@ -155,9 +155,9 @@ def _apart(study: Brake, jump: float, ends: Sequence[float]) -> int:
 
 
 def _unknown(report: Facts) -> str:
-    states, kind = report.states, report.study.kind.about
+    states, contact = report.states, report.study.kind.contact
     where = (" of sliding" if report.study.slides else "") + (
-        " in contact" if kind["contact"]["gap"] is not None else ""
+        " in contact" if contact["gap"] is not None else ""
     )
     there = f"are {len(states)} states{where}, {sum(state.stable for state in states)} stable"
     if len(states) == 1:
@@ -167,7 +167,7 @@ def _unknown(report: Facts) -> str:
         if report.study.load is None
         else "whether it sprags is not known"
     )
-    return f"With the model {kind['name']} there {there}; {why}."
+    return f"With the model {report.study.kind.name} there {there}; {why}."
 
 
 def _on_the_tolerances(report: Facts) -> str:
@@ -431,9 +431,7 @@ def _warnings(report: Facts) -> Rows:
 def _folds(report: Facts) -> Rows:
     study = report.study
     nothing = (
-        "nothing is left in contact"
-        if study.kind.about["contact"]["unilateral"]
-        else "nothing is left"
+        "nothing is left in contact" if study.kind.contact["unilateral"] else "nothing is left"
     )
     for row in report.fold_rows:
         if row.inclination_deg is None:
@@ -545,7 +543,7 @@ def _oscillation(report: Facts) -> Rows:
         f"{found.amplitude:.4g} {found.unit}",
     )
     yield from _forces(found)
-    if report.study.kind.about["contact"]["unilateral"]:
+    if report.study.kind.contact["unilateral"]:
         yield "lifts off the belt", "yes" if found.lifts_off else "no"
     beside = {True: "yes", False: "no", None: "up to the damping of the real brake"}[found.coexists]
     yield f"coexists with stable {'sliding' if sliding else 'rest'}", beside

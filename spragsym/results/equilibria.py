@@ -78,7 +78,8 @@ _LINEARIZED: Mapping[str, tuple[str, Any]] = {
 def _names(model: Any, more: tuple[str, ...]) -> tuple[str, ...]:
     """Names of all columns: where states are, forces, and ours."""
     made = (each.name for each in Equilibria.schema if each.of is not None)
-    ours = (own_name(model, name) for name in (*_KNOWN, *_LINEARIZED, *made, *more))
+    several = ["touching"] if len(model.contacts) > 1 else []
+    ours = (own_name(model, name) for name in (*several, *_KNOWN, *_LINEARIZED, *made, *more))
     return tuple(dict.fromkeys([*model.places, *told_of(model), *model.parameters, *ours]))
 
 
@@ -106,6 +107,8 @@ class Equilibria(OfStates):
     remarks : tuple of str
         Why the result is not complete: what is known of these boxes, and what was searched where
         that is not everything.
+    touching : ndarray of str
+        Of a model with several contacts: those that touch, as ``"front, rear"``.
     stability : ndarray of int8
         Codes of :class:`Stability` by det(λ² M + K) = 0, as (27): without dampers and slope of the
         friction law.
@@ -142,6 +145,7 @@ class Equilibria(OfStates):
 
     schema = (
         Column("count", "1", "number of equilibria that are proved"),
+        Column("touching", "1", "contacts that touch, of several", row="before"),
         Column("stability", "1", "kind of state by (27)", Stability, row="before"),
         Column("damped", "1", "what small deviations do: decays, grows, neutral", row="before"),
         Column("eigenvalues", "1/s", "eigenvalues of (27), without damping", row="beside"),
@@ -157,7 +161,7 @@ class Equilibria(OfStates):
     )
 
     parameters: Any
-    contact: bool
+    contact: bool | tuple[str, ...] | None
     count: NDArray[Any]
     decided: BoolArray
     undecided: tuple[Undecided, ...]
@@ -173,10 +177,10 @@ class Equilibria(OfStates):
 
     @property
     def regime(self) -> str:
-        """``"contact"`` or ``"lift-off"``; of a model without a contact ``"sliding"``, or
-        ``"rest"`` without friction too.
+        """``"contact"`` or ``"lift-off"``, of several contacts perhaps ``"contact of front
+        alone"``; of a model without a contact ``"sliding"``, or ``"rest"`` without friction too.
         """
-        return self.parameters.model.regimes[self.contact]
+        return self.parameters.model.regimes[True if self.contact is None else self.contact]
 
     @property
     def states(self) -> tuple[IntArray, ...]:
@@ -242,7 +246,9 @@ class Equilibria(OfStates):
 
     def row_columns(self, *rows: str) -> tuple[str, ...]:
         """Names of the columns of the schema that stand in these parts of a row of states."""
-        return tuple(self._own(each.name) for each in self.schema if each.row in rows)
+        known = _names(self.parameters.model, self._source.more)
+        names = (self._own(each.name) for each in self.schema if each.row in rows)
+        return tuple(name for name in names if name in known)
 
     def _rows(self, states: tuple[IntArray, ...]) -> dict[str, NDArray[Any]]:
         p, found = self.parameters, self._source.linearized(self, states)

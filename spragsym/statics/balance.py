@@ -51,7 +51,7 @@ class Balance(Forces, StateSystem):
 
     def identity(self) -> Hashable:
         """Contact, the law of friction, and how far beyond the border states count."""
-        return self.contact, self.law, self.room
+        return *self.pushing, self.law, self.room
 
     def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
         """The forces."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ..core.errors import ConvergenceError
 from ..core.questions import Method, question
 from ..models.parameters import ParameterSet, Ranges
@@ -11,7 +13,11 @@ from ..results import Equilibria
 
 @question
 def equilibria(
-    p: ParameterSet, contact: bool = True, within: Ranges | None = None, *, method: Method = "auto"
+    p: ParameterSet,
+    contact: bool | Sequence[str] | None = None,
+    within: Ranges | None = None,
+    *,
+    method: Method = "auto",
 ) -> Equilibria:
     """All equilibria: steady sliding in contact, or at rest in lift-off, each proved, with its
     stability.
@@ -20,9 +26,12 @@ def equilibria(
     ----------
     p : Parameters
         Of any model, of any shape; θ₀ and μ₀ of the article's model are needed.
-    contact : bool
+    contact : bool or sequence of str, optional
         True for states with a gap ≤ 0, False for states with a gap ≥ 0 without the contact's force:
-        n̄ = 1 and n̄ = 0 of the article.
+        n̄ = 1 and n̄ = 0 of the article. Of several contacts, that open, True is for all of them,
+        False for none, and names are for these and no others, as ``("front",)``. Left out, states
+        in which at least one touches: each combination is searched and proved on its own, and the
+        column ``touching`` says which it is.
     within : mapping, optional
         Ranges of coordinates that are searched, as ``{"x": (-5.0, 5.0)}``. Without it a box that is
         proved to hold all of them; where there is no such proof, ten times the largest length that

@@ -12,7 +12,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..models.field import undecorated
-from ..models.model import Model
+from ..models.forces import named
+from ..models.model import Model, Touching
 from ..numerics import jets
 from ..numerics.arithmetic import Matrix, is_zero
 from ..numerics.interval_arrays import (
@@ -31,6 +32,8 @@ from .namespaces import XP
 
 #: Arguments of generated functions by name, of any number type.
 Values: TypeAlias = Mapping[str, Any]
+#: 1 for a contact that touches, else 0, or any number beside: of every contact.
+Pushing: TypeAlias = Sequence[Any]
 #: Where an angle is searched that comes around after a turn: beyond π to either side, so that no
 #: state is near the border.
 TURN = np.pi + 0.02
@@ -44,7 +47,11 @@ class Forces:
     """
 
     def __init__(
-        self, model: Model, contact: bool = True, law: str = "friction_at_rest", room: float = 0.0
+        self,
+        model: Model,
+        contact: Touching = True,
+        law: str = "friction_at_rest",
+        room: float = 0.0,
     ) -> None:
         about = model.about
         #: How far beyond the contact's border states count, too: 0 but where those on it are looked
@@ -78,14 +85,28 @@ class Forces:
         self.springs = len(about["springs"])
         #: Of each torsion spring the number of the spring that it turns with.
         self.torsions: list[int] = [entry["spring"] for entry in about["torsions"]]
-        self.pushing = int(contact)
-        #: −low and high of each coordinate: on which side of the border the contact's gap is, where
+        #: Names of contacts, and of those that rub.
+        self.contacts = [entry["name"] for entry in model.contacts]
+        self.rubbing = [entry["name"] for entry in model.frictions] or self.contacts[:1]
+        #: Of every contact whether it touches; one that does not open always does.
+        self.pushing = [
+            int(
+                not entry["unilateral"]
+                or (entry["name"] in contact if isinstance(contact, tuple) else contact)
+            )
+            for entry in model.contacts
+        ]
+        #: Numbers of the contacts that open, and which of them touch.
+        self.opens = [k for k, entry in enumerate(model.contacts) if entry["unilateral"]]
+        self.closed = [bool(self.pushing[k]) for k in self.opens]
+        #: Whether a state on a border does not count where that contact is open.
+        self.apart = False
+        #: −low and high of each coordinate: on which side of the border a contact's gap is, where
         #: that is a coordinate.
         self.border = np.full((2, self.n), np.inf)
-        gap = about["contact"]["gap"]
-        self.opens = bool(gap and about["contact"]["unilateral"])
-        if self.opens and gap in self.coordinates:
-            self.border[self.pushing, self.coordinates.index(gap)] = 0.0
+        for k in self.opens:
+            if (gap := model.contacts[k]["gap"]) in self.coordinates:
+                self.border[self.pushing[k], self.coordinates.index(gap)] = 0.0
         #: Numbers of coordinates that are angles after a turn of which all is as before: one turn
         #: of each is searched.
         self.around = [
@@ -94,7 +115,9 @@ class Forces:
         self.border[:, self.around] = TURN
         #: Beyond them the forces are not asked for.
         self.limits = (
-            np.full((2, self.n), np.inf) if about["contact"]["polynomial"] else self.border.copy()
+            np.full((2, self.n), np.inf)
+            if all(entry["polynomial"] for entry in model.contacts)
+            else self.border.copy()
         )
         self.border += room
         #: Sums of rows without forces between coordinates, where there are such: they vanish
@@ -148,29 +171,35 @@ class Forces:
         """The evaluation at coordinates, which functions of parameters alone do not need."""
         return State(self, q if len(q) else [0] * self.n, values, shape, xp)
 
-    def sides(self, gap: Intervals) -> tuple[BoolArray, BoolArray]:
-        """Gaps on this side of the contact's border or on it, and gaps beyond it; all on this side
-        where it never opens.
+    def sides(self, gaps: Sequence[Intervals]) -> tuple[BoolArray, BoolArray]:
+        """Where gaps are on this side of their contacts' borders or on them, and where one is
+        beyond; all on this side where none opens.
         """
-        if not self.opens:
-            return np.ones(gap.shape, dtype=np.bool_), np.zeros(gap.shape, dtype=np.bool_)
-        if self.contact:
-            return gap.high <= self.room, gap.low > self.room
-        return gap.low >= -self.room, gap.high < -self.room
+        inside = np.ones(gaps[0].shape, dtype=np.bool_)
+        beyond = ~inside
+        for gap, closed in zip(gaps, self.closed, strict=False):
+            if closed:
+                here, there = gap.high <= self.room, gap.low > self.room
+            elif self.apart:
+                here, there = gap.low > 0, gap.high <= 0
+            else:
+                here, there = gap.low >= -self.room, gap.high < -self.room
+            inside, beyond = inside & here, beyond | there
+        return inside, beyond
 
     def by_parameters(self, at: State, names: Sequence[str]) -> list[list[Any]]:
         """Derivatives of the forces along each coordinate by parameters, through the friction law
         too; an angle as the angle.
         """
-        law, own = at.call("friction_by_parameters", ()), self.model.about["by_parameters"]
-        return [
-            [
-                (row[own.index(name)] if name in own else 0)
-                + row[-1] * law[self.parameters.index(name)]
-                for name in names
-            ]
-            for row in at.rows("forces_by_parameters")
-        ]
+        laws, own = at.of_frictions("friction_by_parameters"), self.model.about["by_parameters"]
+
+        def slope(row: Sequence[Any], name: str) -> Any:
+            place, found = self.parameters.index(name), row[own.index(name)] if name in own else 0
+            for by_mu, law in zip(row[-len(laws) :], laws, strict=True):
+                found = found + by_mu * law[place]
+            return found
+
+        return [[slope(row, name) for name in names] for row in at.rows("forces_by_parameters")]
 
 
 @dataclass
@@ -284,12 +313,13 @@ class State:
     # ---------------------------------------------------------------------------------------------
     # forces
 
-    def rows(self, name: str = "forces", pushing: Any = None) -> Sequence[Any]:
+    def rows(self, name: str = "forces", pushing: Pushing | None = None) -> Sequence[Any]:
         """Rows by coordinate of a function that has the arguments of ``forces``; with ``pushing`` 0
-        as in lift-off.
+        as where a contact is open.
         """
         pushing = self.balance.pushing if pushing is None else pushing
-        return self.call(name, [*self.q, *self.directions], self.friction, pushing, kind="statics")
+        first = [*self.q, *self.directions]
+        return self.call(name, first, *self.frictions, *pushing, kind="statics")
 
     def forces(self) -> Sequence[Any]:
         """Rows of the balance."""
@@ -306,36 +336,51 @@ class State:
         """The stiffness matrix K."""
         return self.rows("forces_jacobian") if self.balance.sums else self.slopes
 
-    def contact_force(self, pushing: Any) -> Any:
-        """The normal force of the contact."""
-        return self.call("contact_force", self.q, pushing)
+    def contact_force(self, contact: int, pushing: Any) -> Any:
+        """The normal force of a contact, by its number."""
+        return self.call(named("contact_force", self.balance.contacts[contact]), self.q, pushing)
+
+    def of_frictions(self, name: str) -> list[Any]:
+        """A function of parameters alone, of every friction."""
+        return [self.call(named(name, one), ()) for one in self.balance.rubbing]
 
     @cached_property
-    def friction(self) -> Any:
-        """The friction coefficient at steady sliding."""
-        return self.call(self.balance.law, ())
+    def frictions(self) -> list[Any]:
+        """The friction coefficients at steady sliding."""
+        return self.of_frictions(self.balance.law)
+
+    @property
+    def felt_frictions(self) -> list[Any]:
+        """Those of them whose contact touches."""
+        names, pushing = self.balance.contacts, self.balance.pushing
+        return [
+            mu
+            for mu, name in zip(self.frictions, self.balance.rubbing, strict=True)
+            if pushing[names.index(name)]
+        ]
 
     def mass(self) -> Matrix:
         """M of the kinetic energy."""
         return self.call("mass_matrix", self.q)
 
-    def damping(self, pushing: int | None = None) -> Matrix:
-        """C of dampers and of the slope of the friction law."""
+    def damping(self, pushing: Pushing | None = None) -> Matrix:
+        """C of dampers and of the slopes of the friction laws."""
         pushing = self.balance.pushing if pushing is None else pushing
         return self.call(
-            "damping", [*self.q, *self.directions[: 3 * self.balance.springs]], pushing
+            "damping", [*self.q, *self.directions[: 3 * self.balance.springs]], *pushing
         )
 
-    def slope(self) -> Any:
-        """Slope of the friction law at steady sliding."""
-        return self.call("friction_slope", ())
+    def slopes_of_friction(self) -> list[Any]:
+        """Slopes of the friction laws at steady sliding."""
+        return self.of_frictions("friction_slope")
 
     def slope_has_a_sign(self) -> BoolArray:
-        """Whether the slope is shown not to be 0, over one of its exponentials: also where that is
-        too small for floats.
+        """Whether the slope of one friction law is shown not to be 0, over one of its exponentials:
+        also where that is too small for floats.
         """
         out = np.zeros(self.shape, dtype=np.bool_)
-        for terms in self.call("friction_slope_by_sizes", ()):
+        sizes = self.of_frictions("friction_slope_by_sizes")
+        for terms in itertools.chain(*sizes):
             kept = [
                 (factor, power)
                 for factor, power in terms
@@ -348,13 +393,18 @@ class State:
             out |= ~total.holds_zero()
         return out
 
-    def gap(self) -> Any:
-        """The gap of the contact."""
-        return self.call("contact_gap", self.q, kind="statics")
+    def gap(self, contact: int) -> Any:
+        """The gap of a contact, by its number."""
+        name = named("contact_gap", self.balance.contacts[contact])
+        return self.call(name, self.q, kind="statics")
+
+    def gaps(self) -> list[Any]:
+        """The gaps of the contacts that open."""
+        return [self.gap(contact) for contact in self.balance.opens]
 
     def beside_border(self) -> tuple[BoolArray, BoolArray]:
-        """Boxes on this side of the contact's border or on it, and boxes beyond it."""
-        return self.balance.sides(as_intervals(self.gap(), self.shape))
+        """Boxes on this side of the contacts' borders or on them, and boxes beyond one."""
+        return self.balance.sides([as_intervals(gap, self.shape) for gap in self.gaps() or [0]])
 
     def mirrored(self) -> Sequence[Any]:
         """The image of the state in the model's mirror."""

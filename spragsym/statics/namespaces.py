@@ -230,7 +230,7 @@ def follows(balance: Balance, values: Values, odd: Collection[int]) -> bool:
     at = balance.at(q, given, xp=xp)
     wanted = [
         *((row, i in odd) for i, row in enumerate(at.rows("forces"))),
-        (at.gap() if balance.opens else 0, False),
+        *((gap, False) for gap in at.gaps()),
     ]
     return all(
         (row.odd is side) if isinstance(row, Parity) else (row == 0 or not side)

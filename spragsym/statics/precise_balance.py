@@ -196,10 +196,10 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
         digits = PreciseBalance(system, given[:, found.point[row]], ROOT_BITS)
         with suppress(Undecided, ZeroDivisionError):
             root = narrowed(digits, found.ends[:, :, row], found.alone[:, :, row])
-            gap = None if root is None else digits.state(root).gap()
-            if isinstance(gap, Ball):
+            gaps = [] if root is None else digits.state(root).gaps()
+            if gaps and all(isinstance(gap, Ball) for gap in gaps):
                 inside[row : row + 1], beyond[row : row + 1] = digits.balance.sides(
-                    as_intervals([gap])[0]
+                    list(as_intervals(gaps))
                 )
     found = found.opened(inside, ~(inside | beyond))
     return found.kept(left=~beside_border(found.left, found.left_point)[1])

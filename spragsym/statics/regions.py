@@ -18,6 +18,7 @@ is needed of what is cut off, which has none at the border.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -216,7 +217,8 @@ def _squeezed(
         if balance.model.about.get("waves")
         else []
     )
-    steps += [_closed, _by_contact_force] if _presses(balance) else []
+    if pressed := _presses(balance):
+        steps += [partial(_closed, contact=contact) for contact in pressed] + [_by_contact_force]
     for _ in range(rounds):
         before = ends
         for step in steps:
@@ -381,16 +383,18 @@ def _cut_off(value: Intervals) -> Intervals:
     return Intervals(np.stack([np.minimum(value.ends[0], 0.0), np.maximum(value.ends[1], 0.0)]))
 
 
-def _presses(balance: Balance) -> bool:
-    """Whether the contact opens, its gap is an expression, and no state beyond the border
-    counts.
+def _presses(balance: Balance) -> list[int]:
+    """Contacts that open and touch, whose gaps are expressions; none where states beyond the border
+    count.
     """
-    return (
-        balance.contact
-        and balance.opens
+    closed = zip(balance.opens, balance.closed, strict=True)
+    return [
+        k
+        for k, touches in closed
+        if touches
         and not balance.room
-        and balance.model.about["contact"]["gap"] not in balance.coordinates
-    )
+        and balance.model.contacts[k]["gap"] not in balance.coordinates
+    ]
 
 
 def _by_contact_force(at: State) -> FloatArray:
@@ -398,28 +402,35 @@ def _by_contact_force(at: State) -> FloatArray:
     sines left free.
     """
     at = replace(at, xp=FREE)
-    shape = at.shape
-    force = _cut_off(as_intervals(at.contact_force(_Pressed()), shape))
+    shape, pressed = at.shape, _presses(at.balance)
+    lifted = [0 if k in pressed else one for k, one in enumerate(at.balance.pushing)]
     # Slopes by pushing, where that is 0: the force of a touch, and what of it goes along each
     # coordinate.
     pushing = jets.Jet.variable(Intervals(np.zeros((2, *shape))), 0, 1)
-    touch = jets.gradient(at.contact_force(pushing), 1)[0]
-    along = stacked([jets.gradient(row, 1)[0] / touch for row in at.rows("forces", pushing)], shape)
-    force = _balancing(force, stacked(at.rows("forces", 0), shape), along)
+    along, forces = dict[int, Intervals](), dict[int, Intervals]()
+    for k in pressed:
+        touch = jets.gradient(at.contact_force(k, pushing), 1)[0]
+        rows = at.rows("forces", [*lifted[:k], pushing, *lifted[k + 1 :]])
+        along[k] = stacked([jets.gradient(row, 1)[0] / touch for row in rows], shape)
+        forces[k] = _cut_off(as_intervals(at.contact_force(k, _Pressed()), shape))
+    apart = stacked(at.rows("forces", lifted), shape)
+    for k in pressed:
+        others = sum((along[j] * forces[j] for j in pressed if j != k), apart)
+        forces[k] = _balancing(forces[k], others, along[k])
     at_near, slopes, near, reach = linear(
-        at, at.box.nearest_to_zero, lambda at: at.rows("forces", 0)
+        at, at.box.nearest_to_zero, lambda at: at.rows("forces", lifted)
     )
-    given = at_near + along * force, slopes, near, reach
+    given = sum((along[k] * forces[k] for k in pressed), at_near), slopes, near, reach
     found: FloatArray = np.fmin(contractors.by_rows(*given), contractors.newton(*given).ends)
     return np.fmin(found, at.box.ends)
 
 
-def _closed(at: State) -> FloatArray:
+def _closed(at: State, contact: int) -> FloatArray:
     """Smaller boxes with all points of a gap ≤ 0: each coordinate from the gap's slopes by it and
     the others.
     """
     near, ends = at.box.nearest_to_zero, at.box.ends
-    at_near, slopes, *_ = linear(replace(at, xp=FREE), near, lambda at: [at.gap()])
+    at_near, slopes, *_ = linear(replace(at, xp=FREE), near, lambda at: [at.gap(contact)])
     shift = at.box - Intervals.point(near)
     found = ends.copy()
     for place in range(len(at.q)):

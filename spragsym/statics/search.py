@@ -4,7 +4,7 @@ undecided, in plain words.
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,12 +15,14 @@ from ..core.remarks import At, Remark
 from ..display import own_name
 from ..models import Model
 from ..models.field import SETTLED
+from ..models.model import Touching
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
+    IndexArray,
     Int8Array,
     IntArray,
     Intervals,
@@ -41,6 +43,10 @@ from .reference_state import in_order
 from .regions import by_hand, region
 from .states import Held
 
+#: What is asked of contacts: a combination of those that touch, all of them that touch somewhere
+#: where nothing is said, or a list of names.
+Asked: TypeAlias = Touching | Sequence[str] | None
+
 #: Relative width of boxes down to which a point is searched; what is left is looked at with many
 #: digits.
 NARROW = 2.0**-19
@@ -54,32 +60,64 @@ SMALL = 1e-3
 UNBOUNDED = 1e12
 
 
-def searched(p: ParameterSet, contact: bool, within: Ranges | None) -> Equilibria:
-    """The equilibria of :func:`spragsym.equilibria`, by the search."""
-    balance = balance_of(p.model, contact)
-    given = columns(p, balance.parameters)
-    found, around, whole = solved(balance, given, by_hand(p.model, within))
-    return _arranged(balance, p, found, around, whole)
+def searched(p: ParameterSet, contact: Asked, within: Ranges | None) -> Equilibria:
+    """The equilibria of :func:`spragsym.equilibria`, by a search for each combination of contacts
+    that touch.
+    """
+    balances, asked = balances_of(p.model, contact), by_hand(p.model, within)
+    given = columns(p, balances[0].parameters)
+    parts = [(balance, *solved(balance, given, asked)) for balance in balances]
+    return _arranged(p, parts)
 
 
-def balance_of(model: Model, contact: bool) -> Balance:
-    """The balance in contact or in lift-off, if there is one."""
+def balances_of(model: Model, contact: Asked) -> list[Balance]:
+    """The balances of the combinations of contacts that touch that are asked for."""
+    if contact is None:
+        combinations = [key for key in model.regimes if key is not False]
+    else:
+        combinations = [_combination(model, contact)]
+    balances = [Balance(model, key) for key in combinations]
+    for balance in balances:
+        balance.apart = len(balances) > 1
+    return balances
+
+
+def balance_of(model: Model, contact: Asked) -> Balance:
+    """The balance of one combination; of a model with one contact that where it touches, if nothing
+    is said.
+    """
+    balance, *others = balances_of(model, contact)
+    if others:
+        raise ParameterError(
+            f"contact is left out: this model has the contacts {', '.join(balance.contacts)}; say "
+            "which of them touch, as contact=True for all"
+        )
+    return balance
+
+
+def _combination(model: Model, contact: Asked) -> Touching:
+    """A combination of contacts that touch as :attr:`spragsym.models.Model.regimes` has it."""
+    names = [entry["name"] for entry in model.contacts]
+    if isinstance(contact, list | tuple) and len(names) > 1 and {*contact} <= {*names}:
+        opening = [entry["name"] for entry in model.contacts if entry["unilateral"]]
+        some = tuple(name for name in opening if name in contact)
+        return some if 0 < len(some) < len(opening) else bool(some) or not opening
     if not isinstance(contact, int | np.bool_) or contact not in (0, 1):
+        some = f", nor some of {', '.join(names)}, as ({names[0]!r},)" if len(names) > 1 else ""
         raise ParameterTypeError(
             f"contact = {contact!r:.60} is neither True, for states in contact, nor False, "
-            "for lift-off"
+            f"for lift-off{some}"
         )
-    balance = Balance(model, bool(contact))
-    if not contact and not balance.opens:
+    if not contact and False not in model.regimes:
         why = (
             "has no contact that could open"
-            if model.about["contact"]["gap"] is None
+            if all(entry["gap"] is None for entry in model.contacts)
             else "has a contact that never opens"
         )
         raise ParameterError(
             f"contact = False: this model {why}, so it has no lift-off; leave contact out"
         )
-    return balance
+    return bool(contact)
 
 
 @question
@@ -101,7 +139,8 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     given = np.array([np.broadcast_to(p[name], rows.shape)[rows] for name in balance.parameters])
     states = places[:, rows]
     found, _, _ = solved(balance, given.reshape(len(balance.parameters), states.shape[1]))
-    found, slot = _in_slots(found)
+    order, slot = _in_slots(found)
+    found = found.kept(order)
     point = found.point
     off = apart(found.middle.T, states[:, point].T, balance.around)
     away = np.linalg.norm(off, axis=1) / (1 + np.linalg.norm(states[:, point], axis=0))
@@ -143,10 +182,11 @@ def solved(
     return once_around(balance.around, on_its_side(balance, given, found)), around, whole
 
 
-def _in_slots(found: Roots) -> tuple[Roots, IntArray]:
-    """Roots in their order, and the slot of each at its point."""
-    found = found.kept(in_order(found.middle, found.error, found.point))
-    return found, np.arange(found.point.size) - np.searchsorted(found.point, found.point)
+def _in_slots(found: Roots) -> tuple[IndexArray, IntArray]:
+    """The order of roots, and then the slot of each at its point."""
+    order = in_order(found.middle, found.error, found.point)
+    point = found.point[order]
+    return order, np.arange(point.size) - np.searchsorted(point, point)
 
 
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
@@ -160,18 +200,27 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     return around_anchors(balance, given, around, told)
 
 
-def _arranged(
-    balance: Balance, p: Any, found: Roots, around: FloatArray, whole: BoolArray
-) -> Equilibria:
-    """Roots in slots by point."""
+def _arranged(p: Any, parts: Sequence[tuple[Balance, Roots, FloatArray, BoolArray]]) -> Equilibria:
+    """Roots of all combinations of contacts that touch, in slots by point."""
     shape = p.shape
     size = int(np.prod(shape))
-    found, slot = _in_slots(found)
+    balance, around = parts[0][0], np.max([region for *_, region, _ in parts], axis=0)
+    whole: BoolArray = np.logical_and.reduce([whole for *_, whole in parts])
+    given, every = columns(p, balance.parameters), list[tuple[Any, ...]]()
+    reasons, touching = list[str](), list[str]()
+    for own, roots, _, _ in parts:
+        ends, at = roots.ends, given[:, roots.point]
+        every.append(stability.classified(own, roots.middle, at, ends))
+        reasons += kinds_of(own, given[:, roots.left_point], roots.left)
+        names = zip(own.contacts, own.pushing, strict=True)
+        touching += [", ".join(name for name, one in names if one)] * roots.point.size
+    found = parts[0][1].then(*(roots for _, roots, *_ in parts[1:]))
+    order, slot = _in_slots(found)
+    found = found.kept(order)
+    codes, proved, eigenvalues = (np.concatenate(part)[order] for part in zip(*every, strict=True))
     point, states = found.point, found.middle
     count = np.bincount(point, minlength=size)
     slots = max(1, int(count.max(initial=0)))
-    given = columns(p, balance.parameters)
-    codes, proved, eigenvalues = stability.classified(balance, states, given[:, point], found.ends)
 
     def placed(values: NDArray[Any], empty: Any) -> NDArray[Any]:
         out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)
@@ -180,7 +229,6 @@ def _arranged(
 
     decided = np.ones(size, dtype=np.bool_)
     decided[found.left_point] = False
-    reasons = kinds_of(balance, given[:, found.left_point], found.left)
     undecided = tuple(
         Undecided(tuple(map(int, np.unravel_index(number, shape))), tuple(low), tuple(high), reason)
         for number, low, high, reason in zip(
@@ -200,13 +248,16 @@ def _arranged(
         "region": searched.reshape(*shape, balance.n, 2),
         "whole": whole.reshape(shape),
     }
+    if len(balance.contacts) > 1:
+        ours["touching"] = placed(np.array(touching, dtype=np.str_)[order], "")
     made = {
         **{own_name(p.model, name): column for name, column in ours.items()},
         **{name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
     }
     remarks = (*summed(reasons), *of_region(balance, around, whole))
     counts, known = count.reshape(shape), decided.reshape(shape)
-    return Equilibria(p, balance.contact, counts, known, undecided, remarks, Held(made, found.ends))
+    which = balance.contact if len(parts) == 1 else None
+    return Equilibria(p, which, counts, known, undecided, remarks, Held(made, found.ends))
 
 
 ANCHOR = (
@@ -267,7 +318,9 @@ def kinds_of(
         pole, anchor = balance.at_poles(at, np.inf), np.zeros(count, dtype=np.bool_)
         for dx, dy in at.anchors:
             anchor |= dx.holds_zero() & dy.holds_zero()
-        border = as_intervals(at.gap(), at.shape).holds_zero() & balance.opens
+        border = np.zeros(count, dtype=np.bool_)
+        for gap in at.gaps():
+            border |= as_intervals(gap, at.shape).holds_zero()
         width = (width_of(left) / scale_of(left).max(axis=0)).max(axis=0)
         free: BoolArray = np.zeros(count, dtype=np.bool_)
         if varied is None:

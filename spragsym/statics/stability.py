@@ -17,6 +17,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ..models.model import Touching
 from ..numerics import balls
 from ..numerics.arithmetic import Matrix, characteristic, determinant, hurwitz, is_zero
 from ..numerics.balls import Undecided, ball
@@ -36,7 +37,7 @@ from ..numerics.interval_arrays import (
 from ..numerics.precise_roots import as_balls, narrowed
 from ..results import Equilibria, Stability
 from .balance import NOTHING, Balance, PreciseBalance
-from .forces import State, as_intervals, filled
+from .forces import Pushing, State, as_intervals, filled
 
 #: Imaginary part of a λ that is real to floats, over its size.
 REAL = 1e-9
@@ -91,7 +92,10 @@ def linearized(
     Source: det(λ² M + λ C + K) = 0; whether something grows by Hurwitz's determinants, see
     :func:`decay`.
     """
-    balance = Balance(eq.parameters.model, eq.contact)
+    model = eq.parameters.model
+    keys, which = _combinations(eq, states)
+    balances = [Balance(model, key) for key in keys]
+    balance = balances[0]
     columns = (
         np.broadcast_to(value[..., None], eq.stability.shape)
         for value in eq.parameters.broadcast(*balance.parameters)
@@ -110,13 +114,22 @@ def linearized(
         ends = around[:, :, place[states]]
     sign = np.where(eq.stability[states] == Stability.STABLE, 1, -1)
     undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
+    groups = [np.flatnonzero(which == k) for k in range(len(keys))]
     parts = [
-        _linearized(
-            balance, *(part[..., begin : begin + TOGETHER] for part in (q, given, ends, undamped))
-        )
-        for begin in range(0, max(1, undamped.size), TOGETHER)
+        _linearized(one, *(part[..., some] for part in (q, given, ends, undamped)))
+        for one, group in zip(balances, groups, strict=True)
+        for some in np.split(group, range(TOGETHER, group.size, TOGETHER))
     ]
-    return Linearized(*map(np.concatenate, zip(*parts, strict=True)))
+    back = np.argsort(np.concatenate(groups), kind="stable")
+    return Linearized(*(np.concatenate(part)[back] for part in zip(*parts, strict=True)))
+
+
+def _combinations(eq: Equilibria, states: tuple[IntArray, ...]) -> tuple[list[Touching], IntArray]:
+    """Combinations of contacts that touch in some states, and the number of that of each state."""
+    if eq.contact is not None:
+        return [eq.contact], np.zeros(states[-1].size, dtype=np.int64)
+    names, which = np.unique(eq["touching"][states], return_inverse=True)
+    return [tuple(name.split(", ")) for name in names.tolist()] or [True], which
 
 
 def _linearized(
@@ -226,16 +239,16 @@ def without_flutter(balance: Balance, parameters: Intervals) -> BoolArray:
     or one number.
     """
     shape = parameters.shape[1:]
-    friction = as_intervals(balance.at((), balance.arguments(parameters), shape).friction, shape)
-    return _all_real(balance, friction.magnitude <= NOTHING)
+    mus = balance.at((), balance.arguments(parameters), shape).felt_frictions
+    none = [as_intervals(mu, shape).magnitude <= NOTHING for mu in mus]
+    return _all_real(balance, np.logical_and.reduce(none or [np.ones(shape, dtype=np.bool_)]))
 
 
 def _all_real(balance: Balance, frictionless: BoolArray) -> BoolArray:
     """:func:`without_flutter`: without friction K is symmetric if the page's other forces have a
     potential.
     """
-    lifted_off = balance.opens and not balance.contact
-    return (balance.model.about["symmetric"] & (frictionless | lifted_off)) | (balance.n == 1)
+    return (balance.model.about["symmetric"] & frictionless) | (balance.n == 1)
 
 
 def decay(
@@ -366,8 +379,9 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> Stability:
     decided.
     """
     balance, (elementary, minors) = precise.balance, _signs_at(precise, q, _types)
-    low, high = balls.ends(as_balls([[precise.state(q).friction]], precise.bits)[0][0])
-    code, proved = _told(elementary, minors, _all_real(balance, np.array([low == 0 == high])))
+    mus = as_balls([[*precise.state(q).felt_frictions]], precise.bits)[0]
+    none = all(low == 0 == high for low, high in map(balls.ends, mus))
+    code, proved = _told(elementary, minors, _all_real(balance, np.array([none])))
     if not proved[0]:
         raise Undecided("a state on the border of its type")
     return Stability(int(code[0]))
@@ -392,7 +406,7 @@ def only_damped(balance: Balance, over: Intervals) -> int | None:
     return entries[0][0] if len(entries) == 1 and entries[0][0] == entries[0][1] else None
 
 
-def _damping(balance: Balance, over: Intervals, pushing: int | None = None) -> Matrix:
+def _damping(balance: Balance, over: Intervals, pushing: Pushing | None = None) -> Matrix:
     """C at states of all kinds."""
     at = balance.at([Intervals(np.full((2, 1), FAR))] * balance.n, balance.over(over), (1,))
     with quiet():
@@ -415,21 +429,22 @@ def damped_by_friction_alone(balance: Balance, over: Intervals) -> int | None:
     """The coordinate that friction opposes, if nothing else damps for any parameter of the range;
     None if that is not known.
     """
-    friction = balance.model.about["friction"]
-    if friction is None or friction["along"] not in balance.coordinates:
+    frictions = balance.model.frictions
+    if len(frictions) != 1 or frictions[0]["along"] not in balance.coordinates:
         return None
     if balance.model.about["dampers"]:
-        C = matrix(_damping(balance, over, pushing=0), (1,))
+        C = matrix(_damping(balance, over, [0] * len(balance.pushing)), (1,))
         # They are known on their own in lift-off.
         if not balance.opens or not C.magnitude.max() <= NOTHING:
             return None
-    return balance.coordinates.index(friction["along"])
+    return balance.coordinates.index(frictions[0]["along"])
 
 
 def slope_over(balance: Balance, over: Intervals) -> Intervals:
     """The slope of the friction law over the ranges."""
     with quiet():
-        return as_intervals(balance.at((), balance.over(over)).slope(), over.shape[1:])
+        (slope,) = balance.at((), balance.over(over)).slopes_of_friction()
+        return as_intervals(slope, over.shape[1:])
 
 
 def is_conservative(balance: Balance, over: Intervals) -> bool:

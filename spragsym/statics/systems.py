@@ -175,8 +175,8 @@ class StateSystem(System):
 
     def nothing_at(self, boxes: Boxes) -> BoolArray:
         """Boxes beyond the contact's border."""
-        gap = boxes.taped("gap", lambda at: [at.gap()] if self.balance.opens else [0])
-        return self.balance.sides(gap[0])[1]
+        gaps = boxes.taped("gap", lambda at: at.gaps() or [0])
+        return self.balance.sides(list(gaps))[1]
 
 
 @dataclass

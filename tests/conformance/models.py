@@ -68,7 +68,7 @@ def load(name: str) -> ss.Model:
 
 
 #: Those that rub: all that are asked for motions.
-MOVING = tuple(name for name in MODELS if load(name).about["friction"] is not None)
+MOVING = tuple(name for name in MODELS if load(name).frictions)
 
 
 def without_base(name: str, degrees: float) -> dict[str, float]:
@@ -112,7 +112,7 @@ def starts(p: Any, usual: list[float]) -> list[list[float]]:
         usual,
         [0.05]
         + [-0.1] * across
-        + [float(getattr(p, p.model.about["friction"]["belt"]))]
+        + [float(getattr(p, p.model.frictions[0]["belt"]))]
         + [0.0] * across,
     ]
 

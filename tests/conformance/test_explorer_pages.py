@@ -123,10 +123,10 @@ def test_every_page_has_the_same_parts_and_the_states_of_python(
         [float(row[k].replace("\u2212", "-")) for row in rows if row[1] != "lift-off"]
         for k in (-2, -1)
     ]
-    if model.about["contact"]["gap"] is not None:
+    if model.about["contacts"][0]["gap"] is not None:
         normal = sorted(float(value) for value in eq.contact_force[: int(eq.count)])
         assert sorted(read[0]) == pytest.approx(normal, rel=1e-4)
-    mu = float(model.friction(p, "friction_at_rest")) if model.about["friction"] else 0.0
+    mu = float(model.friction(p, "friction_at_rest")) if model.frictions else 0.0
     assert read[1] == pytest.approx([mu * value for value in read[0]], rel=1e-4)
     command = page.inner_text("#proof").split()
     assert command[:4] == ["spragsym", "equilibria", "--model", place(name)]
@@ -143,7 +143,7 @@ def test_every_motion_is_pythons(name: str, browser: Any, tmp_path: Path) -> Non
     errors of order h^4.
     """
     model = load(name)
-    if model.about["friction"] is None:
+    if not model.frictions:
         pytest.skip(f"{name} has no belt")
     explorer = opened(browser, model, tmp_path)
     (point,) = points(model, 1)

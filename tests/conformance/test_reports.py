@@ -67,7 +67,7 @@ def test_reports_have_the_same_keys_and_say_what_python_says(name: str, tmp_path
         works = float(p.model.friction(p))
         assert told["mu_effective"] == pytest.approx(works, rel=1e-12)
         if (
-            p.model.about["friction"]["at_rest"] == "mu0"
+            p.model.frictions[0]["at_rest"] == "mu0"
         ):  # else equilibria take the law at the belt's speed by themselves
             p = p.replace(mu0=works)
     eq = ss.equilibria(p)

@@ -29,13 +29,13 @@ def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None
             assert (
                 tension[there] * longer >= 0
             ).all()  # it pulls where it is longer than undeformed
-        if about["contact"]["gap"] is None:
+        if about["contacts"][0]["gap"] is None:
             with pytest.raises(AttributeError, match="has no attribute 'contact_force'"):
                 eq.contact_force  # noqa: B018  # an attribute that is made when asked for
             continue
         force = eq.contact_force
         assert np.isnan(force[np.arange(force.shape[-1]) >= eq.count[..., None]]).all()
-        if contact or not about["contact"]["unilateral"]:
+        if contact or not about["contacts"][0]["unilateral"]:
             assert (force[there] > 0).all()
         else:
             assert (force[there] == 0).all()

@@ -78,9 +78,9 @@ def outputs(tr: ss.results.Trajectory) -> dict[str, float]:
     """Forces, energy and power at the end of a motion, by the names that they have in an FMU."""
     model = tr.model
     told = {"energy": tr.energy()[-1], "power": tr.power()[-1]}
-    if model.about["contact"]["gap"] or model.about["friction"]:
+    if model.about["contacts"][0]["gap"] or model.frictions:
         told["force.normal"] = tr.contact_force()[-1]
-    if model.about["friction"]:
+    if model.frictions:
         told["force.friction"] = tr.friction[-1]
     turned = [torsion["spring"] + 1 for torsion in model.about["torsions"]]
     for count, spring in enumerate(model.about["springs"], 1):

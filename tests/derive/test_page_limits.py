@@ -71,15 +71,8 @@ def accelerations(model: ss.models.Model, state: tuple[float, ...], **changes: f
 DAMPER, CONTACT = "page.damper(c, along=y)", "page.contact(y, lambda depth: k_c * depth)"
 LAW = "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0"
 BEYOND: dict[str, tuple[limits.Limit, str, str, str]] = {
-    "two contacts": (
-        limits.SECOND_CONTACT,
-        DAMPER,
-        "page.contact(x, lambda depth: k_c * depth)",
-        CONTACT,
-    ),
-    "a contact and a force": (limits.SECOND_CONTACT, DAMPER, "page.normal_force(F_L)", CONTACT),
     "two frictions": (
-        limits.SECOND_CONTACT,
+        limits.PLANE,
         DAMPER,
         "page.friction(y, V, lambda v: mu0 * tanh(d * v))",
         "page.friction(x",

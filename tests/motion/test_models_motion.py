@@ -44,7 +44,7 @@ def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
     energy = tr.energy()
     scale = np.abs(energy).max() + tr.integral(np.abs(tr.power()))
     assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 3e-9 * scale
-    if model.about["contact"]["unilateral"]:
+    if model.about["contacts"][0]["unilateral"]:
         assert len(tr.events.of(Event.CONTACT_REGAINED)) >= 1
         gap = model.algebra.borders(
             *tr.events.of(Event.CONTACT_LOST, Event.CONTACT_REGAINED).state.T, *tr._arguments()

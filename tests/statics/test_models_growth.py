@@ -59,7 +59,7 @@ def test_the_sign_of_the_growth_is_right(name: str, method: str) -> None:
             key: float(rng.uniform(0.1, 3.0)) for key in model.parameters if key.startswith("theta")
         }
         p = model.Parameters(**values)
-        for contact in (True, False) if model.about["contact"]["unilateral"] else (True,):
+        for contact in (True, False) if model.about["contacts"][0]["unilateral"] else (True,):
             eq = ss.equilibria(p, contact=contact, method=method)
             for slot in range(int(eq.count)):
                 most = float(max(value.real for value in eigenvalues(model, eq, slot, p)))

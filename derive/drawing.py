@@ -70,7 +70,7 @@ def is_drawn(page: Page) -> bool:
     """Whether every statement of the page is one of a mass on a belt, which is what can be
     drawn.
     """
-    if any(it.unit == "rad" for it in page.coordinates):
+    if any(it.unit == "rad" for it in page.coordinates) or len(page.contacts) > 1:
         return False
     symbols = page.places
     x, mass = symbols[0], symbols[:2]

@@ -262,15 +262,21 @@ class Mechanics:
 
     @property
     def contact(self) -> NormalForce:
-        """The only contact."""
-        (contact,) = self.contacts
+        """The only contact; an error of a page with several."""
+        contact, *others = self.contacts
+        if others:
+            raise PageError(
+                others[0].line,
+                "several contacts are not answered yet here: equilibria are, of the folder that "
+                "spragsym derive writes; for the rest say all but one contact by springs and "
+                "forces",
+            )
         return contact
 
     @property
     def friction(self) -> FrictionForce:
-        """The only friction."""
-        (friction,) = self.frictions
-        return friction
+        """The friction of the only contact."""
+        return next(it for it in self.frictions if it.normal is self.contact)
 
     @property
     def holds(self) -> bool:
@@ -647,10 +653,11 @@ def _frictions(
     found = []
     for it in page.frictions:
         ahead, behind = (scaled(expression_of(it.law(sign * SLIP))) for sign in (1, -1))
-        named = [None if part is None else scaled(part) for part in (it.holds, it.at_rest)]
+        holds, at_rest = (None if part is None else scaled(part) for part in (it.holds, it.at_rest))
         along, belt = scaled(it.along), scaled(it.belt)
         normal = first if it.on is None else contacts[it.on]
+        rate = page.rate(along)
         found.append(
-            FrictionForce(normal, along, page.rate(along), belt, ahead, behind, *named, it.line)
+            FrictionForce(normal, along, rate, belt, ahead, behind, holds, at_rest, it.line)
         )
     return tuple(found)

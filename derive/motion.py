@@ -261,7 +261,9 @@ class Motion:
 
     def _stored_in(self, contact: NormalForce) -> sp.Expr:
         """The energy of a contact on the contact's side, with PUSHING."""
-        energy = contact.energy if contact.gap is not None else sp.S.Zero
+        if contact.gap is None:
+            return sp.S.Zero
+        energy = contact.energy
         if contact.in_coordinates:
             energy = expanded(energy.subs(contact.depth, -contact.gap))
         return (contact.pushing if contact.unilateral else 1) * energy

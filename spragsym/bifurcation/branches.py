@@ -24,7 +24,7 @@ from ..numerics.vectors import apart
 from ..results import Equilibria, Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.search import columns
+from ..statics.search import balance_of, columns
 from ..statics.stability import linearization
 from .defining_systems import given_column
 from .points import INFINITY
@@ -116,7 +116,7 @@ def linked(
             turns.kind,
             np.array([turns[name] for name in p.model.coordinates]),
         )
-    along = Along(Balance(p.model, eq.contact), p, vary, at, kinds, q)
+    along = Along(balance_of(p.model, eq.contact), p, vary, at, kinds, q)
     stops = np.asarray(eq.parameters[vary]).tolist()
     steps = list(itertools.pairwise(stops))[slice(only, None if only is None else only + 1)]
     given = columns(eq.parameters, along.balance.parameters)

@@ -47,6 +47,11 @@ class Quantities:
         )
 
     @property
+    def contact(self) -> Mapping[str, Any]:
+        """The only contact."""
+        return self.about["contacts"][0]
+
+    @property
     def of_mu0(self) -> bool:
         """Whether mu0 is the friction's, not only a name in forces of the page."""
         return self.law["at_rest"] == "mu0" or "mu0" in self.law["quantities"]

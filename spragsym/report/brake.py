@@ -255,7 +255,7 @@ class Brake:
     @property
     def slides(self) -> bool:
         """Whether there is friction."""
-        return bool(self.kind.friction_law)
+        return bool(self.kind.about["frictions"])
 
     @cached_property
     def friction(self) -> Spread:

@@ -167,7 +167,7 @@ def _unknown(report: Facts) -> str:
         if report.study.load is None
         else "whether it sprags is not known"
     )
-    return f"With the model {report.study.kind.name} there {there}; {why}."
+    return f"With the model {report.study.kind.about['name']} there {there}; {why}."
 
 
 def _on_the_tolerances(report: Facts) -> str:

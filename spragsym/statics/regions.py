@@ -39,7 +39,7 @@ from ..numerics.interval_arrays import (
     width_of,
 )
 from .balance import Balance, linear
-from .forces import State, as_intervals
+from .forces import Forces, State, as_intervals
 from .namespaces import FREE
 
 #: The plane, as far as it is looked at.
@@ -383,7 +383,7 @@ def _cut_off(value: Intervals) -> Intervals:
     return Intervals(np.stack([np.minimum(value.ends[0], 0.0), np.maximum(value.ends[1], 0.0)]))
 
 
-def _presses(balance: Balance) -> list[int]:
+def _presses(balance: Forces) -> list[int]:
     """Contacts that open and touch, whose gaps are expressions; none where states beyond the border
     count.
     """

@@ -73,7 +73,7 @@ def searched(p: ParameterSet, contact: Asked, within: Ranges | None) -> Equilibr
 def balances_of(model: Model, contact: Asked) -> list[Balance]:
     """The balances of the combinations of contacts that touch that are asked for."""
     if contact is None:
-        combinations = [key for key in model.regimes if key is not False]
+        combinations: list[Touching] = [key for key in model.regimes if key is not False]
     else:
         combinations = [_combination(model, contact)]
     balances = [Balance(model, key) for key in combinations]
@@ -103,10 +103,10 @@ def _combination(model: Model, contact: Asked) -> Touching:
         some = tuple(name for name in opening if name in contact)
         return some if 0 < len(some) < len(opening) else bool(some) or not opening
     if not isinstance(contact, int | np.bool_) or contact not in (0, 1):
-        some = f", nor some of {', '.join(names)}, as ({names[0]!r},)" if len(names) > 1 else ""
+        besides = f", nor some of {', '.join(names)}, as ({names[0]!r},)" if len(names) > 1 else ""
         raise ParameterTypeError(
             f"contact = {contact!r:.60} is neither True, for states in contact, nor False, "
-            f"for lift-off{some}"
+            f"for lift-off{besides}"
         )
     if not contact and False not in model.regimes:
         why = (

@@ -1,0 +1,144 @@
+"""Pages with several contacts, and their equilibria by hand.
+
+Where all forces are linear between the borders of the contacts, each combination of contacts that
+touch is one linear system: its solution counts where the gaps of these are ≤ 0 and those of the
+others are > 0.
+"""
+
+import itertools
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+HEAD = '''r"""A page of the tests."""
+from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin, tanh
+page = Page("A page of the tests.")
+m = page.unit("m", "kg", "mass")
+k_c = page.unit("k_c", "N/m", "contact stiffness")
+a = page.unit("a", "m", "length")
+mu0 = page.parameter("mu0", "1", "friction coefficient", ">= 0", 0.3)
+V = page.parameter("V", "m/s", "belt speed", "> 0", 0.5)
+def law(v):
+    return mu0 * tanh(20 * v / V)
+'''
+
+#: A body on legs, which a load presses onto a belt and friction turns.
+PAD = (
+    HEAD
+    + """
+F = page.parameter("F", "N", "load", ">= 0", 0.05)
+k_x = page.parameter("k_x", "N/m", "stiffness along", "> 0", 0.5)
+k_t = page.parameter("k_t", "N m", "stiffness of turning", ">= 0", 0.3)
+h = page.parameter("h", "m", "height of the centre", "> 0", 0.8)
+x = page.coordinate("x", "m", "along the belt")
+y = page.coordinate("y", "m", "across it")
+phi = page.coordinate("phi", "rad", "turning")
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2) / 2 + 0.3 * m * a**2 * page.rate(phi)**2 / 2)
+page.spring(k_x, along=x)
+page.potential(k_t * phi**2 / 2 + F * y)
+front = page.contact(y - a * phi, lambda depth: k_c * depth, name="front")
+rear = page.contact(y + a * phi, lambda depth: k_c * depth, name="rear")
+page.friction(x + h * phi, V, law, at_rest=mu0, on=front)
+page.friction(x + h * phi, V, law, at_rest=mu0, on=rear)
+"""
+)
+#: The same with a third leg in the middle, which is shorter.
+THREE = (
+    PAD
+    + """
+s = page.parameter("s", "m", "what the third leg is shorter by", ">= 0", 0.01)
+middle = page.contact(y + s, lambda depth: 2 * k_c * depth, name="middle")
+page.friction(x + h * phi, V, law, at_rest=mu0, on=middle)
+"""
+)
+#: And with a stop without friction in front.
+FOUR = (
+    THREE
+    + """
+g = page.parameter("g", "m", "play before the stop", ">= 0", 0.02)
+page.contact(g - x, lambda depth: k_c * depth, name="stop")
+"""
+)
+
+#: Shoes of a drum brake on their pivots: one whose friction presses it on, one that it lifts off.
+SHOES = (
+    HEAD
+    + """
+F = page.parameter("F", "N", "actuating force", "> 0", 0.05)
+l = page.parameter("l", "m", "its arm", "> 0", 1.5)
+b = page.parameter("b", "m", "arm of the normal force", "> 0", 0.7)
+c = page.parameter("c", "m", "arm of friction", "> 0", 0.9)
+phi = page.coordinate("phi", "rad", "turning of the leading shoe")
+psi = page.coordinate("psi", "rad", "turning of the trailing shoe")
+page.kinetic(m * a**2 * (page.rate(phi)**2 + page.rate(psi)**2) / 2)
+page.force(F * l, along=phi)
+page.force(F * l, along=psi)
+leading = page.contact(-b * phi, lambda depth: k_c * depth, name="leading")
+trailing = page.contact(-b * psi, lambda depth: k_c * depth, name="trailing")
+page.friction(c * phi, V, law, at_rest=mu0, on=leading)
+page.friction(-c * psi, V, law, at_rest=mu0, on=trailing)
+"""
+)
+
+#: A ladder of length 2 a whose floor runs towards the wall and whose wall runs up.
+LADDER = (
+    HEAD
+    + """
+W = page.parameter("W", "N", "weight", "> 0", 0.05)
+nu = page.parameter("nu", "1", "friction coefficient of the wall", ">= 0", 0.2)
+x = page.coordinate("x", "m", "of the centre, from the wall")
+y = page.coordinate("y", "m", "of the centre, from the floor")
+alpha = page.coordinate("alpha", "rad", "inclination")
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2) / 2 + m * a**2 * page.rate(alpha)**2 / 6)
+page.potential(W * y)
+floor = page.contact(y - a * sin(alpha), lambda depth: k_c * depth, name="floor")
+wall = page.contact(x - a * cos(alpha), lambda depth: k_c * depth, name="wall")
+page.friction(-x - a * cos(alpha), V, law, at_rest=mu0, on=floor)
+page.friction(y + a * sin(alpha), V, lambda v: nu * tanh(20 * v / V), at_rest=nu, on=wall)
+"""
+)
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A contact: gap g·q + c, force k times the depth, friction μ along s·q."""
+
+    name: str
+    g: tuple[float, ...]
+    c: float
+    k: float
+    mu: float
+    s: tuple[float, ...]
+
+
+def pad(p: Mapping[str, float], names: tuple[str, ...]) -> tuple[Any, Any, list[Leg]]:
+    """K without contacts, loads and contacts of the pad: q = (x, y, φ), in units m, k_c and a."""
+    slide = 1.0, 0.0, p["h"]
+    legs = {
+        "front": Leg("front", (0, 1, -1), 0.0, 1.0, p["mu0"], slide),
+        "rear": Leg("rear", (0, 1, 1), 0.0, 1.0, p["mu0"], slide),
+        "middle": Leg("middle", (0, 1, 0), p.get("s", 0.0), 2.0, p["mu0"], slide),
+        "stop": Leg("stop", (-1, 0, 0), p.get("g", 0.0), 1.0, 0.0, slide),
+    }
+    loads = np.array([0.0, -p["F"], 0.0])
+    return np.diag([p["k_x"], 0.0, p["k_t"]]), loads, [legs[name] for name in names]
+
+
+def balanced(K: Any, loads: Any, legs: list[Leg]) -> Iterator[tuple[tuple[str, ...], Any]]:
+    """Every equilibrium with its contacts that touch, one linear system for each combination."""
+    for some in itertools.product((True, False), repeat=len(legs)):
+        whole, right = K.copy(), loads.copy()
+        for leg, touches in zip(legs, some, strict=True):
+            if touches:  # the force −k (g·q + c) along g and μ s
+                along = leg.k * (np.array(leg.g) + leg.mu * np.array(leg.s))
+                whole += np.outer(along, leg.g)
+                right -= along * leg.c
+        if np.linalg.matrix_rank(whole) < len(loads):
+            continue
+        q = np.linalg.solve(whole, right)
+        q += np.linalg.solve(whole, right - whole @ q)
+        gaps = [np.dot(leg.g, q) + leg.c for leg in legs]
+        if all((gap <= 0) == touches for gap, touches in zip(gaps, some, strict=True)):
+            yield tuple(leg.name for leg, touches in zip(legs, some, strict=True) if touches), q

@@ -1,0 +1,138 @@
+"""Equilibria of several contacts: every combination of those that touch, against linear systems by
+hand and closed forms.
+"""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from tests.oracles.contact_pages import FOUR, LADDER, PAD, SHOES, THREE, balanced, pad
+from tests.oracles.user_pages import model_of
+
+pytest.importorskip("sympy")
+
+#: Ranges of the parameters of a pad that are drawn: no combination of touches is rare.
+RANGES = {
+    "mu0": (0.0, 3.0),
+    "F": (0.01, 0.1),
+    "k_x": (0.2, 1.0),
+    "k_t": (0.05, 1.0),
+    "h": (0.2, 1.5),
+    "s": (0.0, 0.05),
+    "g": (0.0, 0.2),
+}
+
+
+def drawn(model: Any, number: int, seed: int) -> tuple[Any, list[dict[str, float]]]:
+    rng = np.random.default_rng(seed)
+    names = [name for name in model.parameters if name in RANGES]
+    values = {name: rng.uniform(*RANGES[name], number) for name in names}
+    rows = [{name: float(values[name][row]) for name in names} for row in range(number)]
+    return model.Parameters(**values), rows
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize(
+    ("page", "names", "number"),
+    [
+        (PAD, ("front", "rear"), 20),
+        (THREE, ("front", "rear", "middle"), 20),
+        (FOUR, ("front", "rear", "middle", "stop"), 6),
+    ],
+    ids=["two", "three", "four"],
+)
+def test_all_combinations_of_touches_are_found(
+    page: str, names: tuple[str, ...], number: int
+) -> None:
+    model = model_of(page, f"pad_on_{len(names)}")
+    p, rows = drawn(model, number, len(names))
+    eq = ss.equilibria(p)
+    assert eq.complete
+    seen = set[str]()
+    for row, values in enumerate(rows):
+        expected = [
+            (", ".join(touching), q)
+            for touching, q in balanced(*pad(values, names))
+            if touching  # states in lift-off are asked for by contact=False
+        ]
+        assert eq.count[row] == len(expected)
+        found = {eq["touching"][row, slot]: slot for slot in range(eq.count[row])}
+        for touching, q in expected:
+            got = [eq[name][row, found[touching]] for name in model.coordinates]
+            np.testing.assert_allclose(got, q, rtol=0, atol=1e-12)
+            seen.add(touching)
+    assert len(seen) >= len(names)
+
+
+def test_one_combination_is_asked_for_by_name() -> None:
+    model = model_of(PAD, "pad_on_2")
+    p, _ = drawn(model, 20, 2)
+    every = ss.equilibria(p)
+    for contact, touching in ((True, "front, rear"), (("front",), "front"), (["rear"], "rear")):
+        one = ss.equilibria(p, contact=contact)
+        assert one.complete
+        wanted = (every["touching"] == touching).sum(axis=-1)
+        assert one.count.tolist() == wanted.tolist()
+    assert ss.equilibria(p, contact=("front", "rear")).contact is True
+    assert ss.equilibria(p, contact=False).count.tolist() == [0] * 20
+    assert ss.count(p).tolist() == every.count.tolist()
+
+
+def test_the_rear_leg_lifts_at_the_friction_of_the_closed_form() -> None:
+    model = model_of(PAD, "pad_on_2")
+    rng = np.random.default_rng(5)
+    k_t, h = rng.uniform(0.05, 1.0, 20), rng.uniform(0.2, 1.5, 20)
+    lifts = (2 + k_t) / (2 * h)
+    for side, touching in ((1 - 1e-12, "front, rear"), (1 + 1e-12, "front")):
+        eq = ss.equilibria(model.Parameters(mu0=side * lifts, k_t=k_t, h=h))
+        assert eq.complete
+        assert eq["touching"][:, 0].tolist() == [touching] * 20
+
+
+def test_the_normal_forces_of_a_leading_and_a_trailing_shoe() -> None:
+    model = model_of(SHOES, "shoes")
+    rng = np.random.default_rng(6)
+    F, l, b, c = (rng.uniform(*ends, 20) for ends in ((0.01, 0.1), (1, 2), (0.5, 1), (0.5, 1)))
+    mu = rng.uniform(0.1, 0.95, 20) * b / c
+    shoes = {"F": F, "l": l, "b": b, "c": c}
+    eq = ss.equilibria(model.Parameters(mu0=mu, **shoes))
+    assert eq.complete
+    assert eq.count.tolist() == [1] * 20
+    leading, trailing = eq["contact_force_leading"][:, 0], eq["contact_force_trailing"][:, 0]
+    np.testing.assert_allclose(leading, F * l / (b - mu * c), rtol=1e-12)
+    np.testing.assert_allclose(trailing, F * l / (b + mu * c), rtol=1e-12)
+    locked = ss.equilibria(model.Parameters(mu0=1.01 * b / c, **shoes))
+    assert locked.complete
+    assert not locked.count.any()
+
+
+@pytest.mark.thorough
+def test_a_ladder_slides_at_the_inclination_of_the_closed_form() -> None:
+    model = model_of(LADDER, "ladder")
+    rng = np.random.default_rng(7)
+    mu, nu = rng.uniform(0.1, 1.0, 4), rng.uniform(0.0, 0.9, 4)
+    within = {"alpha": (0.01, 1.56), "x": (-3.0, 3.0), "y": (-3.0, 3.0)}
+    eq = ss.equilibria(model.Parameters(mu0=mu, nu=nu), within=within)
+    assert eq.decided.all()
+    assert eq.count.tolist() == [1] * 4
+    assert set(eq["touching"][:, 0].tolist()) == {"floor, wall"}
+    np.testing.assert_allclose(np.tan(eq["alpha"][:, 0]), (1 - mu * nu) / (2 * mu), rtol=1e-11)
+
+
+def test_what_is_not_answered_of_several_contacts_says_so() -> None:
+    model = model_of(PAD, "pad_on_2")
+    p = model.Parameters()
+    start = dict.fromkeys(("x0", "y0", "phi0", "vx0", "vy0", "vphi0"), 0.0)
+    for ask in (
+        lambda: ss.folds(p, vary="mu0"),
+        lambda: ss.simulate(p, t_end=1.0, **start),
+        lambda: ss.cycle(p, near=[0.0] * 6),
+        lambda: ss.quasi_static_path(p, "mu0", [0.1, 0.2]),
+        lambda: ss.jump_value(p, vary="mu0"),
+    ):
+        with pytest.raises(ss.errors.ModelError, match=r"not answered yet of pad_on_2.*2 contacts"):
+            ask()
+    with pytest.raises(ss.errors.ParameterTypeError, match="nor some of front, rear"):
+        ss.equilibria(p, contact=("left",))

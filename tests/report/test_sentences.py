@@ -387,7 +387,7 @@ def otherwise(study: ss.Study, **said: Any) -> ss.Study:
 
 
 #: A brake on whose page is no friction, and one whose law is not proportional to mu0.
-RESTS = otherwise(EXACT, about={**EXACT.kind.about, "friction": None})
+RESTS = otherwise(EXACT, about={**EXACT.kind.about, "frictions": []})
 OTHER = otherwise(EXACT, law={**EXACT.kind.law, "at_rest": "other"})
 #: Of quantities with tolerances that are not cut off.
 BOTH = brake({"k": "sd 5 %", "k_x": "sd 5 %"})

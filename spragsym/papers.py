@@ -220,8 +220,11 @@ def _page(chosen: Path) -> Page:
 
     if chosen.suffix == ".py":
         try:
-            return pages.read(chosen)
+            page = pages.read(chosen)
+            _ = page.mechanics.contact  # an error of a page with several
+            return page
         except PageError as error:
             raise ParameterError(str(error)) from error
     loaded = load(chosen if chosen.exists() else chosen.name)
+    loaded.require_one_contact("a check")
     return pages.read(page_of(loaded, pages.SHIPPED), loaded.name)

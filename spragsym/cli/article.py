@@ -248,6 +248,7 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     from ..derive.kang_nam import variant_models
 
     model = load(name)
+    model.require_one_contact("a check")
     with show_progress(f"deriving the equations of {model.name}"):
         every = variant_models.judge(
             pages.read(page_of(model, pages.SHIPPED), model.name).mechanics

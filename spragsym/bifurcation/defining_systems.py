@@ -22,6 +22,7 @@ import numpy as np
 
 from ..core.errors import ParameterError
 from ..models import Model
+from ..models.model import Touching
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors
 from ..numerics.arithmetic import (
@@ -95,13 +96,15 @@ class Family:
         between: Ranges | None = None,
         within: Ranges | None = None,
         *,
+        contact: Touching = True,
         room: float = 0.0,
+        beyond: int | None = None,
         given: FloatArray | None = None,
     ) -> Self:
-        """Of a set of parameters, or a column ``given``; ``room`` is how far beyond the border of
-        contact states count, too.
+        """Of a set of parameters, or a column ``given``; ``room`` is how far beyond the borders of
+        contacts, or that of number ``beyond``, states count, too.
         """
-        balance, between = Balance(p.model, room=room), between or {}
+        balance, between = Balance(p.model, contact, room=room, beyond=beyond), between or {}
         spans, asked = ranges(p.model, vary, between), by_hand(p.model, within)
         given = given_column(p, balance.parameters, vary) if given is None else given
         # Of these nobody has said how far they are searched.
@@ -183,25 +186,33 @@ class Condition:
 
     ``equations`` are the values that must vanish, one for each unknown parameter; jets carry
     ``order`` more derivatives. ``singular`` and ``touching``: one of them is det K = 0, or that the
-    gap of the contact is 0. ``hopeless`` are boxes in which an inequality that is asked for can't
-    hold, ``given_up`` those that halving would never decide.
+    gap of the contact of that number is 0. ``hopeless`` are boxes in which an inequality that is
+    asked for can't hold, ``given_up`` those that halving would never decide.
     """
 
     equations: Callable[[State], Sequence[Any]]
     order: int = 0
     singular: bool = False
-    touching: bool = False
+    touching: int | None = None
     hopeless: Callable[[State], BoolArray] | None = None
     given_up: Callable[[State], BoolArray] | None = None
 
 
 #: det K = 0.
 FOLD = Condition(lambda at: (determinant(at.slopes),), singular=True)
-#: The gap of the contact is 0.
-TOUCH = Condition(lambda at: at.gaps(), touching=True)
-#: det K = 0 and the gap of the contact is 0: a curve of folds leaves the contact.
+
+
+@cache
+def touch(contact: int) -> Condition:
+    """The gap of a contact is 0."""
+    return Condition(lambda at: (at.gap(contact),), touching=contact)
+
+
+#: The gap of the only contact is 0.
+TOUCH = touch(0)
+#: det K = 0 and the gap of the only contact is 0: a curve of folds leaves the contact.
 FOLD_ON_BORDER = Condition(
-    lambda at: (determinant(at.slopes), *at.gaps()), touching=True, singular=True
+    lambda at: (determinant(at.slopes), *at.gaps()), touching=0, singular=True
 )
 
 
@@ -245,7 +256,7 @@ def _touch_turns(at: State) -> Sequence[Any]:
 
 
 #: The gap is 0, and the curve on which it is turns back in the second parameter.
-TOUCH_TURN = Condition(_touch_turns, order=1, touching=True)
+TOUCH_TURN = Condition(_touch_turns, order=1, touching=0)
 
 
 def _discriminant(at: State) -> Sequence[Any]:

@@ -42,7 +42,9 @@ def folds(
     -------
     Points
         Of the kind ``"fold"``: two equilibria meet and vanish there; or ``"pitchfork"``: three
-        become one, all of them in one point, in a model that is its own mirror image. Other
+        become one, all of them in one point, in a model that is its own mirror image. Of several
+        contacts these of every combination of touches, and where one combination meets another:
+        ``"passes"`` or ``"border_fold"``, see :mod:`spragsym.bifurcation.borders`. Other
         degenerate points are no regular roots and stay among the undecided boxes. Closed forms of
         the article's model know all folds with L > 0, y < 0 and the parameter in its range, to
         1e-12.

@@ -105,9 +105,9 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     if condition.singular and is_affine(family):
         return _of_affine_forces(family)
     around, whole = _region(family, balance)
-    if condition.touching and not whole.all():
-        # On the border the contact's force is 0: these are states in lift-off, too.
-        around, whole = _region(family, Balance(balance.model, contact=False, room=balance.room))
+    if condition.touching is not None and not whole.all():
+        # On the border the contact's force is 0: these are states where it is open, too.
+        around, whole = _region(family, balance.without(condition.touching))
     system, fixed = Augmented(family, condition), family.begin
     if budget is None:
         budget = BUDGET if system.n <= 3 else LARGE_BUDGET if system.n == 4 else COSTLY_BUDGET

@@ -58,7 +58,9 @@ from ..statics.forces import State, Values
 from ..statics.namespaces import XP, follows
 from ..statics.precise_balance import clusters, on_side
 from ..statics.reference_state import nearest_state
+from ..statics.search import balances_of
 from ..statics.stability import with_a_zero
+from .borders import at_borders, borders, combination, joined, which
 from .defining_systems import FOLD, Augmented, Condition, Family, OfFamily, change, cusp
 from .points import Found, arranged, of_ends, search, vanishes
 
@@ -76,8 +78,20 @@ BEYOND = 4.0
 
 
 def folds_of(p: Any, vary: str, between: Ranges | None, within: Ranges | None) -> Points:
-    """All folds and pitchforks along one parameter; arguments as of :func:`spragsym.folds`."""
-    family = Family.of(p, (vary,), between, within)
+    """All folds and pitchforks along one parameter, and border points between combinations of
+    contacts that touch; arguments as of :func:`spragsym.folds`.
+    """
+    balances = balances_of(p.model, None)
+    parts = [_folds_in(balance, p, vary, between, within) for balance in balances]
+    parts += borders(balances, p, vary, between, within)
+    return replace(joined(parts), _ended=ended)
+
+
+def _folds_in(
+    balance: Balance, p: Any, vary: str, between: Ranges | None, within: Ranges | None
+) -> Points:
+    """Those of one combination of contacts that touch."""
+    family = Family.of(p, (vary,), between, within, contact=balance.contact)
     found, pitchforks = with_pitchforks(family, search(family, FOLD))
     kind = np.repeat(["fold", "pitchfork"], [found.roots.point.size - pitchforks, pitchforks])
 
@@ -90,7 +104,7 @@ def folds_of(p: Any, vary: str, between: Ranges | None, within: Ranges | None) -
     moves = vary in family.balance.balanced
     remarks = of_ends(family, found, singular) if moves else (f"{vary} moves no equilibrium",)
     family = family if moves else replace(family, endless=())
-    return replace(arranged(family, found, kind, remarks=remarks), _ended=ended)
+    return arranged(family, found, kind, which(balance, kind.size), remarks)
 
 
 def cusps_of(p: Any, vary: Sequence[str], between: Ranges | None, within: Ranges | None) -> Points:
@@ -322,6 +336,7 @@ def ended(points: Points) -> Ended:
     parameter.
     """
     found = replace(nothing_ends(points), after=_afterwards)
+    at_borders(points, found)
     for row in np.flatnonzero(points.kind == "fold") if len(points.vary) == 1 else ():
         try:
             found.ends[row], found.when[row] = _at(points, int(row))
@@ -334,7 +349,8 @@ def _at(points: Points, row: int) -> tuple[str, str]:
     """Outcome of one fold: which of the two states is stable, and in which direction they
     vanish.
     """
-    family = Family.of(points.parameters.of(points.parameters.model.search), points.vary)
+    p = points.parameters.of(points.parameters.model.search)
+    family = Family.of(p, points.vary, contact=combination(points, row))
     z = np.array([float(points[name][row]) for name in (*family.balance.coordinates, *family.vary)])
     size = points.error[row] * scale_of(z)
     side, lower = _normal_form(family, Intervals(ends_around(z, size)[:, :, None]))

@@ -37,7 +37,7 @@ WAYS = ("auto", "closed", "search")
 
 
 #: Questions that are answered for several contacts.
-SEVERAL = ("count", "equilibria")
+SEVERAL = ("count", "equilibria", "folds")
 
 
 class NotInClosedForm(Exception):

@@ -46,6 +46,10 @@ def nowhere(points: Points) -> dict[str, FloatArray]:
     return {name: np.full(len(points), np.nan) for name in points.state_columns}
 
 
+#: Columns of a model with several contacts.
+_OF_SEVERAL = ("touching", "at_border")
+
+
 @dataclass(frozen=True, eq=False)
 class Points(OfStates, Rows):
     """Points at which equilibria change, sorted by the first parameter that varies.
@@ -66,8 +70,13 @@ class Points(OfStates, Rows):
         ``"pitchfork"``: one becomes three, or three become one, all of them in one point, in a
         system that is its own mirror image. ``"cusp"``: two folds meet; along one parameter three
         equilibria meet, and one is left on both sides. ``"touch"``: two meet, and there are as many
-        on both sides. ``"hopf"``, ``"flutter"`` and ``"detected"`` are onsets, see
+        on both sides. Of several contacts ``"passes"``: one of them loses or regains contact, and
+        the state goes on; ``"border_fold"``: there two states, or one, end; ``"border"``: which of
+        these is not known. ``"hopf"``, ``"flutter"`` and ``"detected"`` are onsets, see
         :class:`spragsym.results.Onsets`.
+    touching, at_border : ndarray of str
+        Of a model with several contacts: those that touch, as ``"front, rear"``, and the one of
+        them whose gap is 0 at a border point, empty at others.
     error : ndarray
         Bound on |error| / max(1, |value|) of coordinates and of the parameters that vary, in closed
         forms of theta and L too.
@@ -101,6 +110,8 @@ class Points(OfStates, Rows):
     """
 
     schema: ClassVar[tuple[Column, ...]] = (
+        Column("touching", "1", "contacts that touch, of several"),
+        Column("at_border", "1", "of them the one whose gap is 0 at a border point"),
         Column("kind", "1", "what happens as the parameter passes", row="before"),
         Column("ends", "1", "which of two states is stable and ends there", row="behind"),
         Column("when", "1", "direction of the parameter in which it ends", row="behind"),
@@ -150,7 +161,8 @@ class Points(OfStates, Rows):
         """The parameters that vary, the state, what happens there and the bound on the errors, by
         name.
         """
-        where = {name: self[name] for name in (*self.vary, *self.state_columns)}
+        several = [name for name in map(self._own, _OF_SEVERAL) if name in self._values]
+        where = {name: self[name] for name in (*self.vary, *self.state_columns, *several)}
         ours = {self._own(name): getattr(self, name) for name in (*self._of_each, "error")}
         return where | ours | following(self)
 
@@ -161,7 +173,7 @@ class Points(OfStates, Rows):
         said = self._schema
         columns = self.data()
         error = columns.pop(self._own("error"))
-        if "fold" in self.kind:
+        if np.isin(self.kind, ("fold", "border_fold")).any():
             columns |= {self._own("ends"): self.ends, self._own("when"): self.when}
             columns |= {f"{name}_after": column for name, column in after_if_known(self).items()}
         columns[self._own("error")] = error

@@ -51,7 +51,19 @@ class Balance(Forces, StateSystem):
 
     def identity(self) -> Hashable:
         """Contact, the law of friction, and how far beyond the border states count."""
-        return *self.pushing, self.law, self.room
+        return *self.pushing, self.law, *self.rooms
+
+    def without(self, contact: int) -> Balance:
+        """The balance where that contact is open and the others are as here."""
+        names = zip(self.contacts, self.pushing, strict=True)
+        touching = tuple(name for k, (name, one) in enumerate(names) if one and k != contact)
+        return Balance(self.model, touching, room=self.room, beyond=self.beyond)
+
+    @property
+    def touching(self) -> str:
+        """Names of the contacts that touch."""
+        names = zip(self.contacts, self.pushing, strict=True)
+        return ", ".join(name for name, one in names if one)
 
     def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
         """The forces."""

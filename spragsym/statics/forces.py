@@ -52,11 +52,12 @@ class Forces:
         contact: Touching = True,
         law: str = "friction_at_rest",
         room: float = 0.0,
+        beyond: int | None = None,
     ) -> None:
         about = model.about
-        #: How far beyond the contact's border states count, too: 0 but where those on it are looked
-        #: for.
-        self.room = room
+        #: How far beyond the contacts' borders states count, too, or beyond that of one of them,
+        #: ``beyond``: 0 but where those on it are looked for.
+        self.room, self.beyond = room, beyond
         #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has
         #: come to rest.
         self.law = law
@@ -99,6 +100,7 @@ class Forces:
         #: Numbers of the contacts that open, and which of them touch.
         self.opens = [k for k, entry in enumerate(model.contacts) if entry["unilateral"]]
         self.closed = [bool(self.pushing[k]) for k in self.opens]
+        self.rooms = [room if beyond in (None, k) else 0.0 for k in self.opens]
         #: Whether a state on a border does not count where that contact is open.
         self.apart = False
         #: −low and high of each coordinate: on which side of the border a contact's gap is, where
@@ -177,13 +179,13 @@ class Forces:
         """
         inside = np.ones(gaps[0].shape, dtype=np.bool_)
         beyond = ~inside
-        for gap, closed in zip(gaps, self.closed, strict=False):
+        for gap, closed, room in zip(gaps, self.closed, self.rooms, strict=False):
             if closed:
-                here, there = gap.high <= self.room, gap.low > self.room
+                here, there = gap.high <= room, gap.low > room
             elif self.apart:
                 here, there = gap.low > 0, gap.high <= 0
             else:
-                here, there = gap.low >= -self.room, gap.high < -self.room
+                here, there = gap.low >= -room, gap.high < -room
             inside, beyond = inside & here, beyond | there
         return inside, beyond
 

@@ -387,13 +387,11 @@ def _presses(balance: Forces) -> list[int]:
     """Contacts that open and touch, whose gaps are expressions; none where states beyond the border
     count.
     """
-    closed = zip(balance.opens, balance.closed, strict=True)
+    closed = zip(balance.opens, balance.closed, balance.rooms, strict=True)
     return [
         k
-        for k, touches in closed
-        if touches
-        and not balance.room
-        and balance.model.contacts[k]["gap"] not in balance.coordinates
+        for k, touches, room in closed
+        if touches and not room and balance.model.contacts[k]["gap"] not in balance.coordinates
     ]
 
 

@@ -73,7 +73,9 @@ def searched(p: ParameterSet, contact: Asked, within: Ranges | None) -> Equilibr
 def balances_of(model: Model, contact: Asked) -> list[Balance]:
     """The balances of the combinations of contacts that touch that are asked for."""
     if contact is None:
-        combinations: list[Touching] = [key for key in model.regimes if key is not False]
+        # Where all contacts are open nothing touches, unless some never open.
+        always = not all(entry["unilateral"] for entry in model.contacts)
+        combinations: list[Touching] = [key for key in model.regimes if key or always]
     else:
         combinations = [_combination(model, contact)]
     balances = [Balance(model, key) for key in combinations]
@@ -212,8 +214,7 @@ def _arranged(p: Any, parts: Sequence[tuple[Balance, Roots, FloatArray, BoolArra
         ends, at = roots.ends, given[:, roots.point]
         every.append(stability.classified(own, roots.middle, at, ends))
         reasons += kinds_of(own, given[:, roots.left_point], roots.left)
-        names = zip(own.contacts, own.pushing, strict=True)
-        touching += [", ".join(name for name, one in names if one)] * roots.point.size
+        touching += [own.touching] * roots.point.size
     found = parts[0][1].then(*(roots for _, roots, *_ in parts[1:]))
     order, slot = _in_slots(found)
     found = found.kept(order)

@@ -82,6 +82,21 @@ page.friction(-c * psi, V, law, at_rest=mu0, on=trailing)
 """
 )
 
+#: The same where the leading shoe is loaded by P against a spring of its own.
+SPRUNG = (
+    SHOES.replace("page.force(F * l, along=phi)", "page.force(P * l, along=phi)")
+    .replace(
+        "page.force(F * l, along=psi)", "page.force(F * l, along=psi)\npage.spring(k, along=phi)"
+    )
+    .replace(
+        "F = page",
+        """k = page.parameter("k", "N m", "its spring", "> 0", 0.3)
+P = page.parameter("P", "N", "load of the leading shoe", "real", 0.0)
+F = page""",
+        1,
+    )
+)
+
 #: A ladder of length 2 a whose floor runs towards the wall and whose wall runs up.
 LADDER = (
     HEAD

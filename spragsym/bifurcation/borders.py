@@ -1,0 +1,227 @@
+"""Border points along one parameter: states in which one of several contacts only just touches.
+
+There a branch of states with that contact closed meets one with it open. With the stiffness K of
+the one and K₀ of the other, and g the slope of the gap, F_K − F_K₀ is u φ(gap) with φ(0) = 0, so
+that K = K₀ + u gᵀ, and by the formula of Sherman and Morrison the gap changes along the first
+branch at 1/(1 + gᵀ K₀⁻¹ u) = det K₀/det K times its rate along the second. The first has gap ≤ 0,
+the second gap ≥ 0. So where both determinants have one sign the state passes from one combination
+of contacts into the other; where they have not, both branches lie on one side of the parameter and
+end: a border fold. It is one, too, where det K₀ is 0 for all states and parameters, as of a body
+that nothing but this contact supports: no branch goes on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from ..core.errors import ConvergenceError
+from ..display import own_name
+from ..models.model import Touching
+from ..models.parameters import Ranges
+from ..numerics.arithmetic import determinant
+from ..numerics.interval_arrays import (
+    FloatArray,
+    Int8Array,
+    Intervals,
+    ends_around,
+    quiet,
+    scale_of,
+)
+from ..results import Stability
+from ..results.points import Ended, Points
+from ..statics import stability
+from ..statics.balance import Balance
+from ..statics.forces import as_intervals, filled
+from ..statics.reference_state import in_order
+from .defining_systems import Augmented, Family, touch
+from .points import OVER_BORDER, Found, arranged, search
+
+#: A state passes from one combination of contacts into another; two branches end; neither is known.
+PASSES, BORDER_FOLD, BORDER = "passes", "border_fold", "border"
+#: Places with rational numbers at which a determinant that is 0 everywhere is 0, and up to which
+#: numerator and denominator they are drawn.
+PLACES, LARGEST = 12, 1 << 30
+#: Condition number of a stiffness beyond which no branch goes on on that side.
+ONE_BRANCH = 1e12
+#: Rates at which two states go apart that are no more apart than this, relatively, are alike.
+ALIKE = 1e-9
+
+
+def borders(
+    balances: Sequence[Balance], p: Any, vary: str, between: Ranges | None, within: Ranges | None
+) -> list[Points]:
+    """Border points of each contact between two of these combinations of contacts that touch."""
+    found, known = [], {tuple(balance.pushing) for balance in balances}
+    for balance in balances:
+        for contact in balance.opens:
+            other = balance.without(contact)
+            if balance.pushing[contact] and tuple(other.pushing) in known:
+                family = Family.of(
+                    p,
+                    (vary,),
+                    between,
+                    within,
+                    contact=balance.contact,
+                    room=OVER_BORDER,
+                    beyond=contact,
+                )
+                there = search(family, touch(contact))
+                kind = _kinds(family, there, other)
+                at = own_name(p.model, "at_border")
+                more = which(balance, kind.size) | {
+                    at: np.full(kind.size, balance.contacts[contact])
+                }
+                found.append(arranged(family, there, kind, more))
+    return found
+
+
+def which(balance: Balance, size: int) -> dict[str, Any]:
+    """Columns that say which contacts touch, of a model with several."""
+    if len(balance.contacts) == 1:
+        return {}
+    touching, at = (own_name(balance.model, name) for name in ("touching", "at_border"))
+    return {touching: np.full(size, balance.touching), at: np.full(size, "")}
+
+
+def combination(points: Points, row: int) -> Touching:
+    """The contacts that touch at a point."""
+    model = points.parameters.model
+    if len(model.contacts) == 1:
+        return True
+    return tuple(str(points[own_name(model, "touching")][row]).split(", "))
+
+
+def joined(parts: Sequence[Points]) -> Points:
+    """Points of several combinations of contacts as one result, sorted by the parameters that
+    vary.
+    """
+    first, *others = parts
+    if not others:
+        return first
+    names = (*first.vary, *first.parameters.model.coordinates)
+    values = {
+        name: np.concatenate([part._values[name] for part in parts]) for name in first._values
+    }
+    error = np.concatenate([part.error for part in parts])
+    order = in_order(
+        np.array([values[name] for name in names]), error, np.zeros(error.size, dtype=np.int64)
+    )
+    region = np.stack([part.region for part in parts])
+    return replace(
+        first,
+        kind=np.concatenate([part.kind for part in parts])[order],
+        error=error[order],
+        region=np.stack([region[:, :, 0].min(axis=0), region[:, :, 1].max(axis=0)], axis=-1),
+        whole=all(part.whole for part in parts),
+        undecided=np.concatenate([part.undecided for part in parts]),
+        remarks=tuple(dict.fromkeys(remark for part in parts for remark in part.remarks)),
+        _values={name: column[order] for name, column in values.items()},
+    )
+
+
+def _kinds(family: Family, found: Found, other: Balance) -> Any:
+    """What happens at each border point: by the signs of det K on both sides."""
+    ends = found.roots.ends
+    closed, open_ = (_signs(balance, family, ends) for balance in (family.balance, other))
+    alone = bool((open_ == 0).any()) and _is_singular(other, family)
+    return np.select(
+        [closed * open_ > 0, (closed * open_ < 0) | ((closed != 0) & alone)],
+        [PASSES, BORDER_FOLD],
+        BORDER,
+    )
+
+
+def _signs(balance: Balance, family: Family, ends: FloatArray) -> Int8Array:
+    """Signs of det K over boxes of coordinates and the parameter, 0 where they are not known."""
+    n, shape = balance.n, ends.shape[2:]
+    with quiet():
+        over = Intervals.between(family.at(-ends[0, n:]), family.at(ends[1, n:]))
+        at = balance.state(Intervals(ends[:, :n]), balance.prepared(over))
+        return as_intervals(determinant(at.slopes), shape).signs.astype(np.int8)
+
+
+def _is_singular(balance: Balance, family: Family) -> bool:
+    """Whether det K is 0 for all states and all parameters but those that are 0 here.
+
+    Exactly, at rational places that are drawn, of directions and friction coefficients too: a
+    polynomial of which the random places of so many digits are all roots is 0 everywhere.
+    """
+    rng = np.random.default_rng(0)
+    still = zip(balance.parameters, family.given[:, 0].tolist(), strict=True)
+    zero = {name for name, value in still if value == 0 and name not in balance.angles}
+
+    def drawn() -> Fraction:
+        return Fraction(*map(int, rng.integers(1, LARGEST, 2)))
+
+    def circle() -> list[Fraction]:
+        t = drawn()
+        return [(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)]
+
+    for _ in range(PLACES):
+        values: dict[str, Any] = {name: 0 if name in zero else drawn() for name in balance.codes}
+        for pair in balance.angles.values():
+            values |= dict(zip(pair, circle(), strict=True))
+        q, mus = [drawn() for _ in balance.coordinates], [drawn() for _ in balance.rubbing]
+        lines = [part for _ in range(balance.springs) for part in (*circle(), drawn())]
+        first = [*q, *lines, *(drawn() for _ in balance.torsions)]
+        at = balance.at(q, values, xp=None)
+        try:
+            K = at.call("forces_jacobian", first, *mus, *balance.pushing, kind="statics")
+        except AttributeError:  # of a law that is no algebra
+            return False
+        if determinant(K) != 0:
+            return False
+    return True
+
+
+def at_borders(points: Points, found: Ended) -> None:
+    """Enter which state ends at border folds, and in which direction of the parameter."""
+    for row in np.flatnonzero(points.kind == BORDER_FOLD).tolist():
+        try:
+            found.ends[row], found.when[row] = _at_border(points, row)
+        except ConvergenceError:
+            found.ends[row] = found.when[row] = "undecided"
+
+
+def _at_border(points: Points, row: int) -> tuple[str, str]:
+    """Outcome of one border fold: which of its states is stable, and in which direction both
+    vanish.
+    """
+    model = points.parameters.model
+    p, contact = points.parameters.of(model.search), combination(points, row)
+    family = Family.of(p, points.vary, contact=contact)
+    closed = family.balance
+    number = closed.contacts.index(points[own_name(model, "at_border")][row])
+    z = np.array([float(points[name][row]) for name in (*closed.coordinates, *points.vary)])
+    ends = ends_around(z, points.error[row] * scale_of(z))[:, :, None]
+    with quiet():
+        system = Augmented(family, touch(number))
+        slopes = system.jacobian(Intervals(ends), system.fixed(1))
+        rows = [[slopes[i, j] for j in range(len(z))] for i in range(len(z))]
+        opens = int(as_intervals(determinant(rows), (1,)).signs[0])
+    opens *= int(_signs(closed, family, ends)[0])
+    if not opens:
+        raise ConvergenceError("whether the gap opens with the parameter is not known")
+    given, moved, stable = family.at(z[-1:, None]), list[float](), list[bool]()
+    for balance in (closed, closed.without(number)):
+        values = balance.floats(given)
+        at = balance.at(list(z[:-1, None]), values, xp=np)
+        K = filled(at.stiffness(), (1,))[:, :, 0]
+        pushed = filled(balance.by_parameters(at, points.vary), (1,))[:, 0, 0]
+        if np.linalg.cond(K) > ONE_BRANCH:
+            return "", "up" if opens > 0 else "down"
+        moved.append(-opens * float(-np.linalg.solve(K, pushed)[0]))
+        code, proved, _ = stability.classified(balance, z[:-1, None], given, ends[:, :-1])
+        stable.append(bool(proved[0]) and code[0] == Stability.STABLE)
+    when = "up" if opens > 0 else "down"
+    if not any(stable):
+        return "", when
+    first, second = moved if stable[0] else moved[::-1]
+    if abs(first - second) <= ALIKE * max(abs(first), abs(second)):
+        raise ConvergenceError("which state is the lower one is not known")
+    return "lower" if first < second else "upper", when

@@ -31,7 +31,7 @@ from .emit.quantities import interval
 from .emit import python
 from .emit.python import algebra
 from .mechanics import SIDE, Line, Mechanics, on
-from .model import Friction, Page, acceleration_of
+from .model import Datum, Friction, Page, acceleration_of
 from .pages import Model
 
 #: What a folder is, and the list of its files.
@@ -216,6 +216,7 @@ def description(model: Model) -> dict[str, Any]:
                 ("rate", units.times(units.NONE, units.TIME, -1)),
             )
         },
+        "roles": _roles(it),
         "angles": {str(angle.symbol): [str(angle.c), str(angle.s)] for angle in it.angles},
         "arguments": {
             "statics": [str(symbol) for symbol in statics.arguments(it)],
@@ -284,18 +285,44 @@ def _of_law(sliding: Friction) -> list[str]:
     return sorted(map(str, sp.Tuple(at_belt, sliding.at_rest or at_belt).free_symbols))
 
 
-def _at_rest(it: Mechanics, sliding: Friction) -> str:
-    """What statics takes for a friction that is proportional to mu0: that itself, or the law at the
-    belt's speed; or neither.
+def _roles(it: Mechanics) -> dict[str, str | None]:
+    """The parameters that are the friction and the inclination: as the page says, else the number
+    to which every friction law and what it holds are proportional, and the first angle.
     """
-    mu0 = next((datum.symbol for datum in it.parameters if datum.becomes == "mu0"), None)
-    if mu0 is None:
-        return "other"
-    law = sp.sympify(sliding.law(sp.Dummy(positive=True)))
+    said = {datum.role: datum.becomes for datum in it.parameters if datum.role}
+    laws_of = it.page.frictions
+    numbers = (
+        datum
+        for datum in it.parameters
+        if datum.unit == "1" and laws_of and all(_is_proportional(law, datum) for law in laws_of)
+    )
+    angles = (datum for datum in it.parameters if datum.unit == "rad")
+    found = {"friction": next(numbers, None), "inclination": next(angles, None)}
+    named = {role: datum.becomes for role, datum in found.items() if datum is not None}
+    return {role: said.get(role, named.get(role)) for role in found}
+
+
+def _is_proportional(sliding: Friction, datum: Datum) -> bool:
+    """Whether a friction law and what it holds are proportional to a parameter."""
     times = sp.Dummy(positive=True)
-    if sp.simplify(law.subs(mu0, times * mu0) - times * law) != 0:
+    laws_of = (sp.sympify(sliding.law(sp.Dummy(positive=True))), sliding.holds or sp.S.Zero)
+    return laws_of[0].has(datum.symbol) and all(
+        sp.simplify(law.subs(datum.symbol, times * datum.symbol) - times * law) == 0
+        for law in laws_of
+    )
+
+
+def _at_rest(it: Mechanics, sliding: Friction) -> str:
+    """What statics takes for a friction to which the law is proportional: ``"full"``, that itself,
+    or ``"speed"``, the law at the belt's speed; ``"other"`` for neither.
+    """
+    name = _roles(it)["friction"]
+    friction = next((datum for datum in it.parameters if datum.becomes == name), None)
+    if friction is None or not _is_proportional(sliding, friction):
         return "other"
-    return "speed" if sliding.at_rest is None else "mu0" if sliding.at_rest == mu0 else "other"
+    if sliding.at_rest is None:
+        return "speed"
+    return "full" if sliding.at_rest == friction.symbol else "other"
 
 
 def _scale(page: Page, dimension: units.Dimension) -> str:

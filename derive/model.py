@@ -85,6 +85,10 @@ class PageError(ArithmeticError):
         return PageError(self.line, self.message, page)
 
 
+#: What a parameter may be to those who ask without naming one.
+ROLES = ("friction", "inclination")
+
+
 @dataclass(frozen=True)
 class Datum:
     """A quantity of the page: a unit of measure, which becomes 1, or a parameter, which becomes a
@@ -99,6 +103,7 @@ class Datum:
     line: int
     becomes: str = ""  #: empty for a unit of measure
     base: float | None = None
+    role: str = ""
 
     @property
     def cosine_and_sine(self) -> tuple[str, str]:
@@ -292,13 +297,22 @@ class Page:
         base: float | None = None,
         becomes: str = "",
         latex: str = "",
+        role: str = "",
     ) -> sp.Symbol:
         """A quantity that stays: ``becomes`` is its dimensionless name, ``base`` its dimensionless
         value unless changed.
+
+        ``role`` says that it is ``"friction"``, which is the loading parameter unless told
+        otherwise, or ``"inclination"``. Without it the friction is the coefficient to which the
+        friction law is proportional, and the inclination the first angle.
         """
         _check_texts(
             name=name, unit=unit, meaning=meaning, domain=domain, becomes=becomes, latex=latex
         )
+        if role not in ("", *ROLES):
+            raise refused(f"the role {role!r} of {name} is not one of {', '.join(ROLES)}")
+        if role and (other := next((it for it in self.parameters if it.role == role), None)):
+            raise refused(f"{other.symbol} and {name} are both the {role}; give it to one of them")
         symbol = sp.Symbol(name, **_assumptions(domain))
         if base is not None and (
             isinstance(base, bool)
@@ -329,7 +343,7 @@ class Page:
         letter = latex or sp.latex(symbol)
         return self._entered(
             self.parameters,
-            Datum(symbol, unit, meaning, domain, letter, _line(), becomes or name, number),
+            Datum(symbol, unit, meaning, domain, letter, _line(), becomes or name, number, role),
         )
 
     def coordinate(self, name: str, unit: str, meaning: str, latex: str = "") -> sp.Symbol:

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ConvergenceError, ParameterError
-from ..core.former import former
 from ..core.progress import doing
 from ..core.questions import Method, question
 from ..core.remarks import At, Remark
@@ -217,7 +216,6 @@ def _least_left(found: Points, vary: str) -> float:
 
 
 @question
-@former(bracket='between={"kappa": (0, 1)}')
 def critical_value(
     p: ParameterSet,
     vary: str,

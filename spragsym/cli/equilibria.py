@@ -267,8 +267,9 @@ def critical(case: Case, near: tuple[str, ...]) -> Any:
     p = case.following(case.set(*([along.name] if from_end else [])), near)
     with show_progress(f"following the state along {along.name}"):
         frictions, remarks = _frictions(case, p)
-        of_mu0 = not from_end and "mu0" in case.model.parameters
-        jumped = of_mu0 and bool((frictions["mu0_jump"] or math.inf) <= float(case.values["mu0"]))
+        own = None if from_end else case.model.coefficient
+        jump = frictions["mu0_jump"] or math.inf
+        jumped = own is not None and bool(jump <= float(case.values[own]))
         ways = ["range"] if along.ends else ["up"] if from_end else ["up", "down"]
         jumps = [{"way": way, **_first(case, p, along, way, jumped)} for way in ways]
 
@@ -354,10 +355,12 @@ def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> Row:
 def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
     """The frictions that decide; None for what can't be told, with the reason."""
     model, remarks = case.model, list[str]()
+    own, angle = model.coefficient, model.inclination
+    known = {"inclination": angle, "friction coefficient": own}
 
     def answer(name: str, question: Callable[[], Any], *needed: str) -> Any:
         try:
-            if missing := [one for one in needed if one not in model.parameters]:
+            if missing := [one for one in needed if known[one] is None]:
                 raise ParameterError(f"{model.name} has no {' and no '.join(missing)}")
             return question()
         except SpragsymError as reason:
@@ -365,9 +368,9 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
             return None
 
     def jump() -> float:
-        found = told(first_ends(p, "mu0"))
+        found = told(first_ends(p, str(own)))
         if math.isnan(found.value) and math.isfinite(found.until):
-            end = At("mu0", (float(found.until),), "g")
+            end = At(str(own), (float(found.until),), "g")
             remarks.append(Remark("mu0_jump: followed up to {}; beyond that it is not known", end))
         return float(found.value)
 
@@ -375,44 +378,42 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
         found = ss.critical_friction(p, **case.ask)
         remarks.extend(Remark("mu0_lowest: {}", text) for text in found.remarks)
         return (
-            (float(found), math.degrees(found.theta0), found.kind or None)
+            (float(found), math.degrees(found.where), found.kind or None)
             if found.complete
             else None
         )
 
-    lowest, at_deg, kind = answer("mu0_lowest", fold, "theta0", "mu0") or (None, None, None)
+    lowest, at_deg, kind = answer("mu0_lowest", fold, *known) or (None, None, None)
     varies = None in case.values.values()
     return {
-        "mu0_jump": None if varies else answer("mu0_jump", jump, "mu0"),
+        "mu0_jump": None if varies else answer("mu0_jump", jump, "friction coefficient"),
         "mu0_lowest": lowest,
         "theta0_lowest_deg": at_deg,
         "kind_lowest": kind,
-        "mu0_cusp": answer(
-            "mu0_cusp", lambda: float(ss.cusp_friction(p, **case.ask)), "theta0", "mu0"
-        ),
+        "mu0_cusp": answer("mu0_cusp", lambda: float(ss.cusp_friction(p, **case.ask)), *known),
         "mu_cr": answer("mu_cr", lambda: float(ss.kang_nam.linear_critical_friction(p))),
     }, case.said(remarks)
 
 
 def _meanings(case: Case, frictions: Row, vary: str) -> dict[str, str]:
     """What each friction is, of those that the model has."""
-    kind, known = frictions["kind_lowest"], {"theta0", "mu0"} & set(case.model.parameters)
+    kind, own, angle = frictions["kind_lowest"], case.model.coefficient, case.model.inclination
     place = (
         f" ({'to' if kind == 'infinity' else 'a'} {kind}, at "
         f"{frictions['theta0_lowest_deg']:.6g} deg)"
         if kind
         else ""
     )
-    if len(known) < 2:
-        return {"mu0_jump": "mu0_jump: mu0 of the jump"} if "mu0" in known and vary != "mu0" else {}
-    jump = {} if vary == "theta0" else {"mu0_jump": "mu0_jump: mu0 of the jump at this angle"}
+    if own is None or angle is None:
+        return {} if vary == own or own is None else {"mu0_jump": f"mu0_jump: {own} of the jump"}
+    jump = {} if vary == angle else {"mu0_jump": f"mu0_jump: {own} of the jump at this angle"}
     linear = (
         {"mu_cr": "mu_cr, linear sprag model: poles above it"}
         if frictions["mu_cr"] is not None
         else {}
     )
     lowest = {
-        "mu0_lowest": f"mu0_lowest: no jump below this mu0{place}",
-        "mu0_cusp": "mu0_cusp: mu0 of the lowest cusp",
+        "mu0_lowest": f"mu0_lowest: no jump below this {own}{place}",
+        "mu0_cusp": f"mu0_cusp: {own} of the lowest cusp",
     }
     return jump | lowest | linear

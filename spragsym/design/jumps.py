@@ -240,7 +240,7 @@ class Followed:
         self.model, self.vary, self.forward = model, vary, 1 if direction == "up" else -1
         self.near = p.followed
         allowed = model.Parameters.ranges[vary]
-        if begin is None and vary in FROM_LOWER_END:
+        if begin is None and vary in (model.inclination, model.coefficient):
             if self.forward < 0:
                 raise ParameterError(
                     f"direction = 'down': {vary} rises from its lower end; give begin, or "
@@ -410,12 +410,6 @@ class JumpGradient(Named):
         return Table(
             f"JumpGradient, vary = {self.vary}, radians", ("", "smallest", "largest"), tuple(rows)
         )
-
-
-#: Where θ₀ begins to rise; folds below it are looked for exactly.
-FIRST_ANGLE = 2.0**-40
-#: Parameters that rise from their lower end; the others move from the value that they have.
-FROM_LOWER_END = {"theta0": FIRST_ANGLE, "mu0": 0.0}
 
 
 @dataclass(frozen=True)

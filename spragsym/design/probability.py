@@ -504,5 +504,5 @@ def _ended(
         **(values if kind is None else kind.groups({**dict.fromkeys(kind.bases, 1.0), **values}))
     )
     if kind is not None and {*kind.of_the_law} & {*values}:
-        p = p.replace(mu0=model.friction(p))
+        p = p.replace(**{str(model.coefficient): model.friction(p)})
     return have_jumped(p, vary, begin, method=method)

@@ -20,7 +20,6 @@ import spragsym as ss
 from ..bifurcation.branches import joined, linked, undecided_parts, undecided_points
 from ..bifurcation.defining_systems import ranges
 from ..core.errors import ConvergenceError, SpragsymError, one_of, require_kind
-from ..core.former import former
 from ..core.questions import model_of
 from ..models import Model
 from ..models.forces import columns_of
@@ -106,11 +105,6 @@ def name_axes(ax: Axes, model: Model, vary: str, quantity: str) -> None:
             axis.set_label_text(label(model.column(name), own_unit(model, model.column(name))))
 
 
-#: What is written for the former ends of the parameter that varies.
-_NOW = 'between={"mu0": (0, 1)}'
-
-
-@former(low=_NOW, high=_NOW)
 def branches(
     p: ParameterSet,
     vary: str | None = None,
@@ -293,7 +287,6 @@ def shade(ax: Axes, model: Model, vary: str, spans: FloatArray) -> None:
 
 
 @styled
-@former(low=_NOW, high=_NOW)
 def mark_folds(
     turns: Points,
     quantity: str = "x",
@@ -324,7 +317,6 @@ def mark_folds(
     return own_axes(ax).plot(x, y, **style)
 
 
-@former(low=_NOW, high=_NOW)
 def plot_equilibria(
     p: ParameterSet,
     vary: str | None = None,
@@ -477,7 +469,6 @@ def _head(ax: Axes, x: FloatArray, y: FloatArray, share: float, color: str) -> A
     return ax.annotate("", (x[i], y[i]), near, arrowprops=props)
 
 
-@former(low=_NOW, high=_NOW)
 def plot_eigenvalues(
     p: ParameterSet,
     vary: str | None = None,
@@ -532,7 +523,6 @@ def plot_eigenvalues(
 
 
 @styled
-@former(low=_NOW, high=_NOW)
 def eigenvalue_figure(
     p: ParameterSet,
     vary: str | None = None,

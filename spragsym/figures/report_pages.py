@@ -127,8 +127,10 @@ def _planes(report: Facts) -> Rows:
         study.operating_point,
         study.kind.about["coordinates"][0],
     )
-    if "theta0" in p.model.parameters and study.of_friction:
-        angles, jump = study.quantities["theta0"], math.nan if jump is None else jump
+    angle, friction = p.model.inclination, p.model.coefficient
+    if angle is not None and friction is not None and study.of_friction:
+        angles = study.quantities[str(study.kind.inclination)]
+        jump = math.nan if jump is None else jump
         caption = "On the lines two states of sliding meet; where it is shaded there are three."
         caption += (
             " Cross: the friction at which the reference state jumps at this angle."
@@ -141,7 +143,7 @@ def _planes(report: Facts) -> Rows:
                     partial(
                         draw_operating_point,
                         p,
-                        {"theta0": (angles.low, angles.high), "mu0": (low, high)},
+                        {angle: (angles.low, angles.high), friction: (low, high)},
                         jump,
                         n=_LINES,
                     )
@@ -153,12 +155,12 @@ def _planes(report: Facts) -> Rows:
     options: dict[str, Any] = dict(
         length=size if unit == "mm" else 1.0, up=f"{first['name']} in {unit}", n=_VALUES
     )
-    rises, vary = "the friction", "mu0"
+    rises, vary = "the friction", study.loading.name
     if not study.of_friction:
         rises, scale = study.loading.quantity, study.load_scale
         low, high, one = low / scale, high / scale, study.quantities[rises]
         drawn = math.radians(1.0) if study.kind.units[rises] == "rad" else 1.0
-        vary, options["begin"] = study.loading.name, study.start()
+        options["begin"] = study.start()
         options["size"] = study.in_file(rises, drawn * scale)
         options["across"] = f"{rises} in {one.unit}" if one.unit else rises
     meaning = first["meaning"].partition(",")[0]
@@ -175,17 +177,18 @@ def _stability_map(report: Facts) -> Rows:
     known.
     """
     study, p = report.study, report.study.operating_point
-    if "theta0" not in p.model.parameters or not study.moves:
+    angle, friction = p.model.inclination, p.model.coefficient
+    if angle is None or friction is None or not study.moves:
         return
-    (low, _, high), angles = study.friction, study.quantities["theta0"]
+    (low, _, high), angles = study.friction, study.quantities[str(study.kind.inclination)]
     known = (
-        (value for value in report.folds["mu0"].mu0.tolist() if value < 3)
-        if "mu0" in report.folds
+        (value for value in report.folds[friction][friction].tolist() if value < 3)
+        if friction in report.folds
         else ()
     )
     top = max(1.0, 1.15 * high, *(1.15 * value for value in known))
     with suppress(SpragsymError):
-        onsets = ss.onset_curves(p, ("theta0", "mu0"), _ONSETS, between={"mu0": (0.0, top)})
+        onsets = ss.onset_curves(p, (angle, friction), _ONSETS, between={friction: (0.0, top)})
         if not onsets.curves and not len(onsets.undecided):  # an empty plane shows nothing
             return
 
@@ -276,29 +279,29 @@ def draw_operating_point(
     -------
     matplotlib line of the point
     """
-    model_of(p)
-    p.scalars("theta0", "mu0")  # a set with units is refused before anything is drawn
+    vary = model_of(p).two(None)
+    p.scalars(*vary)  # a set with units is refused before anything is drawn
     ax = own_axes(ax)
-    angles, friction = (between[name] for name in ("theta0", "mu0"))
+    angles, friction = (between[name] for name in vary)
     top = max(_TOP, 1.15 * friction[1], 1.15 * jump if jump < _FAR else 0.0)
-    draw_plane(ax, p, {"mu0": (0.0, top)}, n=n)
+    draw_plane(ax, p, {vary[1]: (0.0, top)}, n=n)
     return mark_brake(ax, p, angles, friction, jump)
 
 
 def mark_brake(
-    ax: Axes, p: ParameterSet, theta0: Span, mu0: Span, jump: float = float("nan")
+    ax: Axes, p: ParameterSet, angles: Span, frictions: Span, jump: float = float("nan")
 ) -> Any:
-    """A brake in the plane of θ₀ in degrees and μ₀: its point, the box of its tolerances, and where
-    it jumps, if it does.
+    """A brake in the plane of inclination in degrees and friction: its point, the box of its
+    tolerances, and where it jumps, if it does.
     """
-    radians, friction = p.scalars("theta0", "mu0")
+    radians, friction = p.scalars(*p.model.axes)
     angle = np.degrees(radians)
-    low, high = np.degrees(theta0)
+    low, high = np.degrees(angles)
     ax.add_patch(
         Rectangle(
-            (low, mu0[0]),
+            (low, frictions[0]),
             high - low,
-            mu0[1] - mu0[0],
+            frictions[1] - frictions[0],
             facecolor=SKY,
             edgecolor=BLUE,
             linewidth=0.8,
@@ -362,7 +365,7 @@ def draw_rising(
     high, further = allowed.reached(allowed.high), ends[1] + _MORE * abs(ends[1])
     least, far = (
         (_TOP, _FAR)
-        if vary == "mu0"
+        if vary == model.coefficient
         else (further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end)
     )
     turns = ss.folds(p, vary, between={vary: (begin, min(max(far, further), high))})

@@ -22,7 +22,7 @@ import numpy as np
 from ..bifurcation.paths import first_end
 from ..core.errors import ConvergenceError
 from ..core.questions import NotInClosedForm
-from ..design.jumps import FROM_LOWER_END, Ends
+from ..design.jumps import Ends
 from ..models.parameters import NAMES, RANGES, FloatArray, Parameters
 from ..numerics import bernstein
 from ..numerics.affine import UNIT
@@ -34,6 +34,10 @@ from . import fold_arrays, kernel
 from .fold_arrays import friction_sextic
 from .folds import folds
 from .quartic.solver import equilibria
+
+#: Parameters that rise from their lower end; the others move from the value that they have. Folds
+#: below that of θ₀ are looked for exactly.
+FROM_LOWER_END = {"theta0": 2.0**-40, "mu0": 0.0}
 
 #: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to
 #: stay in cache.

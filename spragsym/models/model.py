@@ -195,15 +195,24 @@ class Model:
         }
 
     @property
+    def coefficient(self) -> str | None:
+        """The parameter that is the friction coefficient, the usual loading parameter, if any."""
+        name: str | None = self.about["roles"]["friction"]
+        return name
+
+    @property
+    def inclination(self) -> str | None:
+        """The parameter that is the inclination of the mechanism, if any."""
+        name: str | None = self.about["roles"]["inclination"]
+        return name
+
+    @property
     def axes(self) -> tuple[str, ...]:
-        """What varies unless told otherwise: θ₀ and μ₀ where the model has them, else its first
-        parameter of the balance.
+        """What varies unless told otherwise: inclination and friction where the model has them,
+        else its first parameter of the balance.
         """
-        return (
-            tuple(name for name in self.plane if name in ("theta0", "mu0"))
-            or self.plane[:1]
-            or self.parameters[:1]
-        )
+        known = (name for name in (self.inclination, self.coefficient) if name is not None)
+        return tuple(known) or self.plane[:1] or self.parameters[:1]
 
     @property
     def plane(self) -> tuple[str, ...]:
@@ -211,7 +220,7 @@ class Model:
         the balance stands first.
         """
         balanced = [entry["name"] for entry in self.about["parameters"] if entry["role"] == "both"]
-        known = [name for name in ("theta0", "mu0") if name in self.parameters]
+        known = [name for name in (self.inclination, self.coefficient) if name is not None]
         return tuple(dict.fromkeys([*known, *balanced]))[:2]
 
     @cached_property
@@ -375,12 +384,12 @@ class Model:
         """The loading parameter unless told otherwise, the friction at full slip, and from
         where.
         """
-        if vary is None and "mu0" not in self.parameters:
+        name = vary or self.coefficient
+        if name is None:
             raise ParameterError(
-                f"{self.name} has no mu0; give vary, the parameter that rises, one of "
-                f"{', '.join(self.parameters)}"
+                f"{self.name} has no friction that rises; give vary, the parameter that does, one "
+                f"of {', '.join(self.parameters)}"
             )
-        name = vary or "mu0"
         self.require_parameter(name)
         allowed = self.Parameters.ranges[name]
         if begin is None and not allowed.contains(allowed.low):
@@ -401,10 +410,10 @@ class Model:
             )
 
     def two(self, vary: Sequence[str] | None, called: str = "vary") -> Sequence[str]:
-        """The two parameters that vary: theta0 and mu0 unless told otherwise."""
+        """The two parameters that vary: inclination and friction unless told otherwise."""
         if vary is None and len(self.axes) < 2:
             raise ParameterError(
-                f"{self.name} has not both theta0 and mu0; give {called}, two of "
+                f"{self.name} has not both an inclination and a friction; give {called}, two of "
                 f"{', '.join(self.parameters)}"
             )
         if vary is None:
@@ -451,7 +460,7 @@ def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
                     for name in names
                 ]
             ),
-            "ranges": {entry["name"]: _range(entry) for entry in about["parameters"]},
+            "ranges": {entry["name"]: _range(about, entry) for entry in about["parameters"]},
             "spanned": frozenset(names),
             "origin": "model.Parameters(...)",
             "where": where,
@@ -473,15 +482,16 @@ def _names(about: Mapping[str, Any]) -> tuple[str, ...]:
     return tuple(entry["name"] for entry in about["parameters"])
 
 
-def _range(entry: Mapping[str, Any]) -> Range:
+def _range(about: Mapping[str, Any], entry: Mapping[str, Any]) -> Range:
     low, high = (
         default if entry[end] is None else entry[end]
         for end, default in (("low", -math.inf), ("high", math.inf))
     )
     # Of the article's remedies only what is true of any page: which mirror image a belt has is not.
+    belts = [one["belt"] for one in about["frictions"]]
     if entry["unit"] == "rad":
         remedy = "angles are radians; use numpy.radians for degrees"
-    elif entry["name"] in ("mu0", "V"):
+    elif entry["name"] in (about["roles"]["friction"], *belts):
         remedy = "a belt that runs the other way is the mirror image of the mechanism"
     else:
         remedy = f"it is the {entry['meaning']}"

@@ -51,10 +51,24 @@ class Quantities:
         """The only contact."""
         return self.about["contacts"][0]
 
+    def _quantity(self, name: str | None) -> str | None:
+        """The quantity of a file that is a parameter."""
+        return next((quantity for quantity, one in self.parameters.items() if one == name), None)
+
     @property
-    def of_mu0(self) -> bool:
-        """Whether mu0 is the friction's, not only a name in forces of the page."""
-        return self.law["at_rest"] == "mu0" or "mu0" in self.law["quantities"]
+    def friction(self) -> str | None:
+        """The quantity that is the friction coefficient, if any."""
+        return self._quantity(self.model.coefficient)
+
+    @property
+    def inclination(self) -> str | None:
+        """The quantity that is the inclination, if any."""
+        return self._quantity(self.model.inclination)
+
+    @property
+    def has_friction(self) -> bool:
+        """Whether the friction law depends on the friction coefficient."""
+        return self.law["at_rest"] == "full" or self.friction in self.law["quantities"]
 
     def powers(self, unit: str) -> dict[str, float]:
         """Powers of the model's units whose product has the dimension of an SI unit."""
@@ -134,18 +148,19 @@ class Quantities:
         """Quantities on which the states depend: those of the balance and of the friction that
         works at rest.
         """
-        friction = ("mu0",) if self.law["at_rest"] == "mu0" else self.law["quantities"]
+        full = self.law["at_rest"] == "full"
+        friction = (self.friction,) if full else self.law["quantities"]
         return self._ordered({*self.balanced, *friction})
 
     @cached_property
     def of_the_law(self) -> tuple[str, ...]:
         """Quantities that a brake may be given without: those of the friction law alone; then
-        friction is μ₀, at full slip.
+        friction is the coefficient, at full slip.
 
-        Of a law that is not proportional to mu0, or not mu0 at full slip, there are none.
+        Of a law that is not proportional to that, or not that at full slip, there are none.
         """
-        mine = self.law["quantities"] if self.law["at_rest"] == "mu0" else ()
-        return tuple(quantity for quantity in mine if quantity not in (*self.balanced, "mu0"))
+        mine = self.law["quantities"] if self.law["at_rest"] == "full" else ()
+        return tuple(name for name in mine if name not in (*self.balanced, self.friction))
 
     @property
     def may_rise(self) -> tuple[str, ...]:
@@ -161,10 +176,10 @@ class Quantities:
 
     @property
     def rises(self) -> str | None:
-        """The quantity to choose for the loading parameter of a model without mu0: no one of the
-        friction law, which may fall.
+        """The quantity to choose for the loading parameter of a model without a friction
+        coefficient: no one of the friction law, which may fall.
         """
-        choice = () if "mu0" in self.parameters else self.may_rise
+        choice = () if self.friction else self.may_rise
         return min(choice, key=lambda name: name in self.law["quantities"], default=None)
 
     def _ordered(self, names: set[str]) -> tuple[str, ...]:

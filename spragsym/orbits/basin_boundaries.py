@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
-from ..core.former import former
 from ..core.progress import doing
 from ..models.parameters import (
     POSITIVE,
@@ -103,7 +102,6 @@ class BasinBoundary(Result):
 
 
 @in_usual_state
-@former(to='between={"x": (-1, 1)}')
 def basin_boundary(
     p: ParameterSet,
     *,

@@ -14,7 +14,6 @@ import numpy as np
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, one_of, require_kind
-from ..core.former import former
 from ..core.progress import doing
 from ..core.remarks import At, Remark
 from ..display import Column
@@ -234,7 +233,6 @@ class CycleBranch(Result):
 
 
 @in_usual_state
-@former(to='between={"V": (0.1, 0.3)}')
 def cycle_branch(
     cycle: Cycle, vary: str, *, between: Ranges, points: int = 400, longest: float = LONGEST
 ) -> CycleBranch:
@@ -552,7 +550,6 @@ class EventCurve(Result):
 
 
 @in_usual_state
-@former(to='between={"V": (0.1, 0.3)}')
 def cycle_events(
     event: CycleEvent,
     vary: tuple[str, str],

@@ -23,7 +23,6 @@ from ..bifurcation.branches import joined, undecided_parts, undecided_points
 from ..bifurcation.flutter import flutter_onsets
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, SpragsymError
-from ..core.former import former
 from ..core.questions import model_of
 from ..core.remarks import At, Remark
 from ..display import Column
@@ -175,7 +174,6 @@ class Diagram(Result):
 
 
 @in_usual_state
-@former(to='between={"V": (0.1, 0.3)}')
 def diagram(
     p: ParameterSet,
     vary: str,

@@ -17,7 +17,6 @@ import numpy as np
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
-from ..core.former import former
 from ..core.progress import doing
 from ..core.questions import model_of
 from ..models.field import Field
@@ -135,7 +134,6 @@ class FateBoundary(Result):
 
 
 @in_usual_state
-@former(bracket='between={"V": (0.1, 0.3)}')
 def fate_boundary(
     p: ParameterSet,
     vary: str,

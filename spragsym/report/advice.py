@@ -96,16 +96,17 @@ def _friction_caution(study: Brake) -> Iterator[str]:
             f"without {' and '.join(missing)} friction is taken at full slip, and no oscillation "
             "is looked for"
         )
-    elif study.kind.law["at_rest"] == "other" and "mu0" in study.values:
+    elif study.kind.law["at_rest"] == "other" and study.kind.friction in study.values:
         yield (
-            "the friction law is not proportional to mu0: friction is taken at rest, not at the "
-            "belt's speed"
+            f"the friction law is not proportional to {study.kind.friction}: friction is taken at "
+            "rest, not at the belt's speed"
         )
     yield from _fit(study)
-    full = study.values.get("mu0", 0.0)
-    works = float(study.operating_point.mu0) if full else 0.0
+    name, own = study.kind.friction, study.kind.model.coefficient
+    full = study.values.get(name, 0.0) if name else 0.0
+    works = float(study.operating_point[own]) if full and own else 0.0
     if works < FULL * full:
-        share = f"{works / full:.3g} of mu0, {study.friction[1]:.3g} in place of {full:.3g}"
+        share = f"{works / full:.3g} of {name}, {study.friction[1]:.3g} in place of {full:.3g}"
         cause = "d and V" if {"d", "V"} <= set(study.values) else study.belt
         yield f"the belt is so slow that friction is {share}: check {cause}"
 
@@ -141,9 +142,10 @@ def of_data(study: Brake) -> Iterator[str]:
     """What the numbers alone say, whatever is asked of them: a unit that was probably meant
     otherwise.
     """
-    friction, angle, belt = study.quantities.get("mu0"), study.quantities.get("theta0"), study.belt
+    name, inclination, belt = study.kind.friction, study.kind.inclination, study.belt
+    friction, angle = (study.quantities.get(str(one)) for one in (name, inclination))
     if friction is not None and friction.high > FRICTION:
-        yield f"mu0 = {friction.high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
+        yield f"{name} = {friction.high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
     if belt in study.values and abs(speed := study.values[belt]) > FAST:
         yield f"{study.shown_speed(speed)} looks like mm/s; write {speed:g} mm/s if that is meant"
     if (
@@ -151,10 +153,10 @@ def of_data(study: Brake) -> Iterator[str]:
         and angle.unit in ("deg", "°", "degree", "degrees")
         and math.degrees(angle.value) < FLAT
     ):
-        number = f"{study.in_file('theta0', angle.value):g}"
+        number = f"{study.in_file(str(inclination), angle.value):g}"
         yield (
-            f"theta0 = {study.shown('theta0')} looks like radians; write {number} rad if that is "
-            "meant"
+            f"{inclination} = {study.shown(str(inclination))} looks like radians; write {number} "
+            "rad if that is meant"
         )
     length = study.values.get("L_0", 1.0)
     if not 1e-4 < length < 10:

@@ -70,7 +70,8 @@ def load_parameter_of(
             raise ParameterError(
                 f"begin = {begin!r} says from where a quantity rises; give vary, its name, too"
             )
-        return LoadParameter("mu0", "mu0", 0.0, kind.of_mu0) if "mu0" in kind.parameters else None
+        quantity, name = kind.friction, kind.model.coefficient
+        return LoadParameter(quantity, name, 0.0, kind.has_friction) if quantity and name else None
     if vary not in kind.may_rise:
         cure = hint(vary, kind.may_rise) or f"; choose one of {', '.join(kind.may_rise)}"
         raise ParameterError(
@@ -82,7 +83,7 @@ def load_parameter_of(
             f"vary = {vary!r} has no least value in {allowed}; give begin, from where it rises"
         )
     start = allowed.low if begin is None else as_number("begin", begin, allowed)
-    of_friction = kind.of_mu0 and kind.parameters[vary] == "mu0"
+    of_friction = kind.has_friction and vary == kind.friction
     if of_friction and start != allowed.low:
         raise ParameterError(
             f"begin = {start:g}: friction rises from {allowed.low:g}; leave begin out"
@@ -279,7 +280,7 @@ class Brake:
         """The friction that statics takes with a value of μ₀."""
         p = self.dimensionless
         return (
-            float(p.model.friction(p.replace(mu0=mu0), "friction_at_rest"))
+            float(p.model.friction(p.replace(**{self.loading.name: mu0}), "friction_at_rest"))
             if mu0 < math.inf
             else mu0
         )
@@ -309,7 +310,7 @@ class Brake:
         """The friction at full slip."""
         if not self.of_friction:
             return self.in_use
-        one = self.quantities["mu0"]
+        one = self.quantities[self.loading.quantity]
         return self.of_statics(one.low), self.of_statics(one.value), self.of_statics(one.high)
 
     @property
@@ -352,13 +353,10 @@ class Brake:
         if target is not None and not self.of_friction:
             values = {**values, self.loading.quantity: target}
         p = self.placed(self.kind.parameter_set(values))
-        if "mu0" in p.model.parameters:
-            works = p.mu0 * (share(p.model, p) if self.law == "friction_at_speed" else 1.0)
-            p = p.replace(
-                mu0=np.broadcast_to(
-                    works if target is None or not self.of_friction else target, p.shape
-                )
-            )
+        if (name := p.model.coefficient) is not None:
+            works = p[name] * (share(p.model, p) if self.law == "friction_at_speed" else 1.0)
+            loaded = works if target is None or not self.of_friction else target
+            p = p.replace(**{name: np.broadcast_to(loaded, p.shape)})
         return p
 
     @property

@@ -172,14 +172,14 @@ class _Reader:
         """
         if not isinstance(given, str) or not given.strip():
             raise ParameterError('it is no file name; write friction = "measured.csv"')
-        if not kind.of_mu0:
+        if not kind.has_friction or kind.friction is None:
             raise ParameterError("this model has another friction law; give its quantities instead")
-        for key in ("mu0", "d"):
+        for key in (kind.friction, "d"):
             if key in found:
                 raise ParameterError(f"{key} is given too; leave out one of the two")
         fit = fit_friction(*read_friction(Path(self.path).parent / given))
         found |= {
-            "mu0": _fitted(fit.mu0, fit.mu0_error, ""),
+            kind.friction: _fitted(fit.mu0, fit.mu0_error, ""),
             "d": _fitted(fit.d, fit.d_error, "s/m"),
         }
         return fit
@@ -209,8 +209,8 @@ def _correlation(given: Any, study: Brake) -> Correlation:
     """Which quantities vary together: those of the file, and μ₀ and d of one fit."""
     fit, rows = study.fit, given if isinstance(given, list) else [] if given is None else [given]
     rows = (
-        [*rows, ["mu0", "d", fit.correlation]]
-        if fit is not None and {"mu0", "d"} <= set(study.tolerances)
+        [*rows, [study.kind.friction, "d", fit.correlation]]
+        if fit is not None and {study.kind.friction, "d"} <= set(study.tolerances)
         else rows
     )
     for row in rows:

@@ -337,9 +337,14 @@ def facts(study: Brake, options: ReportOptions) -> Facts:
     )
 
 
+def _rubs(study: Brake) -> bool:
+    """Whether the friction coefficient is not 0 alone."""
+    return study.quantities[str(study.kind.friction)].high > 0
+
+
 def _slides(study: Brake) -> None:
     """An error for a belt that stands still, against which nothing slides."""
-    if study.friction[2] == 0 and study.kind.of_mu0 and study.quantities["mu0"].high > 0:
+    if study.friction[2] == 0 and study.kind.has_friction and _rubs(study):
         law = " and ".join(study.kind.of_the_law)
         without = f", or leave {law} out for friction at full slip" if law else ""
         speed = study.shown_speed(study.values[study.belt or "V"])
@@ -353,9 +358,8 @@ def _jump(answers: _Answers) -> float | None:
     if study.load is None:
         name = study.kind.rises
         cure = f'say which quantity rises until the state jumps, as vary = "{name}"'
-        answers.remarks.append(
-            f"the model has no mu0: {cure if name else 'no quantity moves its states'}"
-        )
+        cure = cure if name else "no quantity moves its states"
+        answers.remarks.append(f"the model has no friction coefficient: {cure}")
         return None
     along = f"the jump along {study.load.quantity} is"
     found = answers.known(along, study.jump)
@@ -409,7 +413,7 @@ def _probability(
 def _folds(answers: _Answers) -> dict[str, Points]:
     study = answers.study
     load, p, found = study.loading, study.operating_point, dict[str, Points]()
-    for vary in dict.fromkeys((load.name, "theta0")):
+    for vary in dict.fromkeys((load.name, p.model.inclination)):
         if vary in p.model.parameters:
             known = answers.known(f"folds along {vary} are", partial(folds, p, vary))
             found |= {} if known is None else {vary: known}
@@ -429,7 +433,7 @@ def _rows(study: Brake, found: dict[str, Points]) -> tuple[FoldRow, ...]:
     rows = []
     for vary, points in found.items():
         for i, value in enumerate(points[vary].tolist()):
-            angle = math.degrees(value) if vary == "theta0" else None
+            angle = math.degrees(value) if vary == study.kind.model.inclination else None
             told = None if angle is not None else study.told(value)
             friction, other = (told, None) if study.of_friction else (None, told)
             places = (points.coordinates, points.after)
@@ -442,17 +446,18 @@ def _rows(study: Brake, found: dict[str, Points]) -> tuple[FoldRow, ...]:
 
 def _jump_along_the_inclination(answers: _Answers) -> float | None:
     study, at = answers.study, answers.study.operating_point
-    if "theta0" not in at.model.parameters or study.loading.name == "theta0":
+    vary = at.model.inclination
+    if vary is None or study.loading.name == vary:
         return None
-    question = partial(jump_value, at, "theta0")
-    found = answers.known("the jump along theta0 is", lambda: float(question()))
+    question = partial(jump_value, at, vary)
+    found = answers.known(f"the jump along {vary} is", lambda: float(question()))
     return None if found is None else math.degrees(found)
 
 
 def _lowest(answers: _Answers) -> tuple[LowestEnd | None, float | None]:
     """The lowest end at any angle, and the friction of the lowest cusp, where there is an angle."""
     study, p = answers.study, answers.study.dimensionless
-    if not (study.of_friction and "theta0" in p.model.parameters):
+    if not (study.of_friction and p.model.inclination):
         return None, None
     what = "the friction below which it jumps at no angle is"
     found = answers.known(what, partial(critical_friction, p))
@@ -475,11 +480,11 @@ def _changes_are_searched(
     study = answers.study
     if jump is None or not (jump < target or fails):
         return False
-    plain = not study.of_friction or study.kind.law["at_rest"] == "mu0"
+    plain = not study.of_friction or study.kind.law["at_rest"] == "full"
     if not plain:
         answers.remarks.append(
-            "changes are not looked for: statics of this model does not take mu0 itself "
-            "for the friction"
+            "changes are not looked for: statics of this model does not take "
+            f"{study.kind.friction} itself for the friction"
         )
     if not target > 0:
         times = f"{safety:g} times {study.named(study.in_use[2])}"

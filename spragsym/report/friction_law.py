@@ -32,12 +32,9 @@ OCTAVES, SHARP, SPANS = 30, 2.0**-44, 1 << 12
 
 def friction_depends_on(study: Brake) -> tuple[str, ...]:
     """Quantities on which the friction that works depends."""
-    law = study.kind.law
-    return (
-        ("mu0",)
-        if law["at_rest"] == "mu0" and study.law == "friction_at_rest"
-        else tuple(law["quantities"])
-    )
+    law, own = study.kind.law, study.kind.friction
+    full = law["at_rest"] == "full" and study.law == "friction_at_rest"
+    return (own,) if full and own is not None else tuple(law["quantities"])
 
 
 def friction_bounds(study: Brake) -> Span:
@@ -45,7 +42,7 @@ def friction_bounds(study: Brake) -> Span:
     law = _Law(study)
     least, most = -law.largest(-1), law.largest()
     # A law that is proportional to μ₀ does not drive.
-    return max(0.0, least) if study.kind.law["at_rest"] == "mu0" else least, most
+    return max(0.0, least) if study.kind.law["at_rest"] == "full" else least, most
 
 
 def speed_for(study: Brake, friction: float) -> float:

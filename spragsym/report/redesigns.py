@@ -114,7 +114,8 @@ def design(study: Brake) -> Design:
     SI.
     """
     kind = study.kind
-    works = {"mu0": float(study.operating_point.mu0)} if "mu0" in kind.model.parameters else {}
+    name, own = kind.friction, kind.model.coefficient
+    works = {} if name is None or own is None else {name: float(study.operating_point[own])}
     return Design(
         study.values | works,
         kind.ranges(study.values),

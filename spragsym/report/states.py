@@ -371,12 +371,14 @@ def _moving(study: Brake, value: float, speed: float) -> Any:
         return None
     if not study.of_friction:
         return p.replace(**{study.loading.name: value})
-    at, jump = p.replace(mu0=1.0), study.told(value)
+    name, jump = study.loading.name, study.told(value)
+    at = p.replace(**{name: 1.0})
     if jump > study.friction[2]:
         if math.isnan(speed):
             return None
         at = at.replace(**{law["belt"]: speed * study.scales.time / study.scales.length})
-    return at.replace(mu0=jump / float(p.model.friction(at)))  # to which the law is proportional
+    # The law is proportional to it.
+    return at.replace(**{name: jump / float(p.model.friction(at))})
 
 
 def _balanced(p: Any, place: FloatArray, held: int) -> FloatArray:

@@ -99,8 +99,9 @@ def _on_the_jump(report: Facts) -> str:
     (low, _, high), full = study.in_use, study.full_slip[2]
     model = "" if study.model == USUAL else f" with the model {study.kind.about['name']}"
     state = followed_state(study)
-    if "theta0" in study.quantities and load.name != "theta0":
-        state = f"at {study.shown('theta0')} {state}"
+    angle = study.kind.inclination
+    if angle is not None and angle in study.quantities and load.quantity != angle:
+        state = f"at {study.shown(angle)} {state}"
     digits = _apart(study, jump, (low, high, full))
     jumps = f"jumps at {study.named(jump, digits)}"
     if report.reach in ("never", "beyond"):
@@ -277,7 +278,7 @@ def _jump(report: Facts) -> Rows:
             f"{full[1]:.4g}" + (f", up to {full[2]:.4g}" if full[2] > full[1] else ""),
         )
     never = "never" if math.isinf(study.upper_limit) else f"at no {study.search_range}"
-    own = "" if report.mu0_jump == report.mu_jump else f", mu0 = {report.mu0_jump:.6g}"
+    own = "" if report.mu0_jump == report.mu_jump else f", {load.quantity} = {report.mu0_jump:.6g}"
     at = "at this angle" if load.is_friction else f"as {load.word} rises"
     yield (
         f"jump {at}",
@@ -297,12 +298,13 @@ def _jump(report: Facts) -> Rows:
             else f"{study.shown(str(study.belt), speed)}, with the largest friction"
         )
         yield "speed at which it begins to jump", begins
-    if "theta0" in study.quantities and load.name != "theta0":
+    angle = study.kind.inclination
+    if angle in study.quantities and load.quantity != angle:
         yield (
             "jump at this friction",
             _or_unknown(report.theta0_jump_deg, "at {:.6g} deg".format, "never"),
         )
-    if "theta0" in study.quantities and load.is_friction:
+    if angle in study.quantities and load.is_friction:
         lowest = _or_unknown(report.mu_lowest, "friction {:.6g}".format, "there is none")
         if report.kind_lowest:
             what = "to infinity" if report.kind_lowest == "infinity" else f"a {report.kind_lowest}"

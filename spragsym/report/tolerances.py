@@ -140,7 +140,8 @@ def box(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
     low = low.replace(**{name: max(study.start(), float(low[name]))})
     if not _all_works(study):
         ends = zip((low, high), friction_bounds(study), strict=True)
-        low, high = (p.replace(mu0=max(0.0, value)) for p, value in ends)
+        own = str(study.kind.model.coefficient)
+        low, high = (p.replace(**{own: max(0.0, value)}) for p, value in ends)
     return low, high, units
 
 
@@ -152,7 +153,7 @@ def splitting(study: Brake) -> Splitting:
 
 def _all_works(study: Brake) -> bool:
     """Whether statics takes the friction as the parameters have it, and not a share of μ₀."""
-    return study.kind.law["at_rest"] != "mu0" or study.law == "friction_at_rest"
+    return study.kind.law["at_rest"] != "full" or study.law == "friction_at_rest"
 
 
 def certificate(study: Brake, *, hasty: bool = False) -> Certificate:
@@ -264,7 +265,9 @@ def _shares_that_work(study: Brake) -> Span:
     if _all_works(study):
         return 1.0, 1.0
     least, most = friction_bounds(
-        study.with_quantities({**study.quantities, "mu0": Measured(1.0, 1.0, 1.0, "")})
+        study.with_quantities(
+            {**study.quantities, str(study.kind.friction): Measured(1.0, 1.0, 1.0, "")}
+        )
     )
     return max(_NOTHING, least), max(_NOTHING, most)
 

@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,8 @@ from ..display import (
 from ..files import storage
 from ..models.load import USUAL, load
 from ..models.parameters import FloatArray
+
+T = TypeVar("T")
 
 #: Longer arrays and tuples stand in ``repr`` by their shapes.
 WHOLE = 6
@@ -392,23 +394,23 @@ class InUnits(Rows):
 
     @property
     def _in_model_units(self) -> dict[str, Column]:
-        return {_in_hdf5(name): column for name, column in self._said.items()}
+        return _in_hdf5(self._said)
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` with units; in names ``_per_`` stands for the stroke, which HDF5
         does not take.
         """
-        every = (self.values, self.meanings, self.units)
-        named = ({_in_hdf5(name): one for name, one in each.items()} for each in every)
-        return Result.to_xarray(InUnits(*named))
+        meanings, units = _in_hdf5(self.meanings), _in_hdf5(self.units)
+        return Result.to_xarray(InUnits(_in_hdf5(self.values), meanings, units))
 
     def data(self) -> dict[str, NDArray[Any]]:
         """The columns by name."""
         return dict(self.values)
 
 
-def _in_hdf5(name: str) -> str:
-    return name.replace("/", "_per_")
+def _in_hdf5(columns: Mapping[str, T]) -> dict[str, T]:
+    """Columns by names that HDF5 takes."""
+    return {name.replace("/", "_per_"): column for name, column in columns.items()}
 
 
 class OfStates(Named):

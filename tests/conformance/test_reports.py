@@ -63,13 +63,13 @@ def test_reports_have_the_same_keys_and_say_what_python_says(name: str, tmp_path
     file, p, length = a_brake(name, tmp_path)
     told = ss.Study.from_file(file, trust=True).report(**LESS).to_dict()
     assert list(told) == keys_of_the_article()
-    if "mu0" in p.model.parameters:
+    if p.model.coefficient is not None:
         works = float(p.model.friction(p))
         assert told["mu_effective"] == pytest.approx(works, rel=1e-12)
         if (
-            p.model.frictions[0]["at_rest"] == "mu0"
+            p.model.frictions[0]["at_rest"] == "full"
         ):  # else equilibria take the law at the belt's speed by themselves
-            p = p.replace(mu0=works)
+            p = p.replace(**{p.model.coefficient: works})
     eq = ss.equilibria(p)
     assert [state["stable"] for state in told["states"]] == (
         eq.growth_sign[: int(eq.count)] < 0

@@ -1,6 +1,7 @@
 """A column that follows from others is one line of the schema of its class."""
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -8,8 +9,19 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.display import Column
+from spragsym.display import Column, columns_of_class
+from spragsym.results import equilibria
 from tests.conftest import Run
+
+
+@pytest.fixture(autouse=True)
+def forgotten() -> Iterator[None]:
+    """Names and columns of classes are looked up again, before and after."""
+    for each in (columns_of_class, equilibria._names):
+        each.cache_clear()
+    yield
+    for each in (columns_of_class, equilibria._names):
+        each.cache_clear()
 
 
 def test_a_new_column_of_equilibria_is_a_line(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:

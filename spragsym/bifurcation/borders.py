@@ -25,6 +25,7 @@ from ..models.model import Touching
 from ..models.parameters import Ranges
 from ..numerics.arithmetic import determinant
 from ..numerics.interval_arrays import (
+    BoolArray,
     FloatArray,
     Int8Array,
     Intervals,
@@ -73,19 +74,9 @@ def borders(
                 there = search(family, touch(contact))
                 kind = _kinds(family, there, other)
                 at = own_name(p.model, "at_border")
-                more = which(balance, kind.size) | {
-                    at: np.full(kind.size, balance.contacts[contact])
-                }
+                more = {at: np.full(kind.size, balance.contacts[contact])}
                 found.append(arranged(family, there, kind, more))
     return found
-
-
-def which(balance: Balance, size: int) -> dict[str, Any]:
-    """Columns that say which contacts touch, of a model with several."""
-    if len(balance.contacts) == 1:
-        return {}
-    touching, at = (own_name(balance.model, name) for name in ("touching", "at_border"))
-    return {touching: np.full(size, balance.touching), at: np.full(size, "")}
 
 
 def combination(points: Points, row: int) -> Touching:
@@ -94,6 +85,19 @@ def combination(points: Points, row: int) -> Touching:
     if len(model.contacts) == 1:
         return True
     return tuple(str(points[own_name(model, "touching")][row]).split(", "))
+
+
+def met_by(points: Points, balance: Balance) -> BoolArray:
+    """Points that a state of one combination of contacts may come to: those of its own, and borders
+    at which one more contact is regained.
+    """
+    if len(balance.contacts) == 1:
+        return np.ones(len(points), dtype=np.bool_)
+    at_border = points[own_name(balance.model, "at_border")]
+    every = zip(points[own_name(balance.model, "touching")], at_border, strict=True)
+    own = set(balance.touching.split(", "))
+    names = [(set(touching.split(", ")), {at}) for touching, at in every]
+    return np.array([own in (names, names - at) for names, at in names], dtype=np.bool_)
 
 
 def joined(parts: Sequence[Points]) -> Points:

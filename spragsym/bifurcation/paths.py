@@ -18,19 +18,22 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.errors import ConvergenceError, ParameterError
 from ..core.questions import Method, question
+from ..display import own_name
 from ..models.parameters import ParameterSet, Span, as_numbers
 from ..numerics.interval_arrays import FloatArray, IntArray, scale_of
 from ..results import Equilibria, Jump, Path, Points, Result, Stability
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.reference_state import chosen_state, least_slot, nearest_state
-from ..statics.search import columns
+from ..statics.search import balances_of, columns
 from ..statics.stability import with_a_zero
-from ..statics.states import as_decided, one_each, with_state
+from ..statics.states import as_decided, combination_of, one_each, with_state
+from .borders import BORDER, BORDER_FOLD, PASSES, combination, met_by
+from .borders import joined as together
 from .branches import HALVINGS, clearly_nearest, linked
-from .defining_systems import TOUCH, Family, given_column
+from .defining_systems import Family, given_column, touch
 from .folds import folds
-from .points import INFINITY, OVER_BORDER, escapes, isolated
+from .points import INFINITY, OVER_BORDER, escapes, isolated, which
 from .singularities import ended
 from .tubes import Place, Tubes
 from .turning_points import turned
@@ -146,7 +149,7 @@ def quasi_static_path(
         )
     way = Way(p, vary, along)
     place = way.begin(start)
-    out = [way.state(0, place)]
+    out, touching = [way.state(0, place)], [way.touching(0, place)]
     jumps = []
     for stop in range(1, way.stops.size):
         place = way.followed(stop, place)
@@ -159,11 +162,14 @@ def quasi_static_path(
             jumps.append(jump)
         if way.stops[stop] in along:
             out.append(way.state(stop, place))
+            touching.append(way.touching(stop, place))
     *q, stability, error = np.array(out).T
     along = along[: len(out)]
-    coordinates = dict(zip(way.balance.coordinates, q, strict=True))
+    coordinates: dict[str, Any] = dict(zip(way.balance.coordinates, q, strict=True))
+    coordinates |= {name: np.array(touching) for name in [*which(way.balance, 0)][:1]}
     states = one_each(p.replace(**{vary: along}), coordinates, stability.astype(np.int8), error)
-    places = {name: states[name][:, 0] for name in states.state_columns}
+    named = (*states.state_columns, *[*which(way.balance, 0)][:1])
+    places = {name: states[name][:, 0] for name in named}
     return Path(p, vary, along, states.stability[:, 0], tuple(jumps), places, states)
 
 
@@ -190,18 +196,27 @@ def open_ends(
     """Where states leave the contact or come into it, and where they run to infinity, if they do,
     beside the folds ``turns``.
     """
-    family, found = Family.of(p, (vary,), {vary: span}), list[Points]()
-    if family.balance.opens:
-        found = [isolated(Family.of(p, (vary,), {vary: span}, room=OVER_BORDER), TOUCH, "border")]
-        if not found[0].decided:
-            raise ConvergenceError(
-                f"whether equilibria leave the contact along {vary} is not decided; shorten "
-                "the range"
-            )
+    balances, found = balances_of(p.model, None), list[Points]()
+    known = {tuple(balance.pushing) for balance in balances}
+    for balance in balances:
+        of = functools.partial(Family.of, p, (vary,), {vary: span}, contact=balance.contact)
+        for contact in balance.opens:
+            other = tuple(balance.without(contact).pushing)
+            if balance.pushing[contact] and other not in known:
+                near = of(room=OVER_BORDER, beyond=contact)
+                found.append(isolated(near, touch(contact), "border"))
+                if not found[-1].decided:
+                    raise ConvergenceError(
+                        f"whether equilibria leave the contact along {vary} is not decided; "
+                        "shorten the range"
+                    )
     if not (
         turns.whole and np.isfinite(turns.region).all()
     ):  # states run to infinity only where nothing bounds them
-        found.append(escapes(family))
+        found += [
+            escapes(Family.of(p, (vary,), {vary: span}, contact=balance.contact))
+            for balance in balances
+        ]
     return found
 
 
@@ -215,13 +230,21 @@ class Way:
     """
 
     def __init__(self, p: Any, vary: str, along: FloatArray) -> None:
-        self.p, self.vary, self.balance = p, vary, Balance(p.model)
+        #: Of every combination of contacts that touch, by the names of these, its balance.
+        self.balances = {one.touching: one for one in balances_of(p.model, None)}
+        self.p, self.vary, self.balance = p, vary, next(iter(self.balances.values()))
         p.model.require_parameter(vary)
         try:
             ends = self._ends(along, BESIDE)
         except ConvergenceError:  # of what lies beyond the values nothing is asked
             ends = self._ends(along, AROUND)
-        self.turns = self._turns_within(along, ends)
+        every = self._turns_within(along, ends)
+        #: Points at which states vanish, and those at which they pass from one combination of
+        #: contacts that touch into another.
+        self.turns, self.passes = (
+            every.select(every.kind != PASSES),
+            every.select(every.kind == PASSES),
+        )
         self.at, self.kinds = self.turns[vary], self.turns.kind
         #: Coordinates of the points at which states vanish, shape (n, numbers).
         self.q = np.array([self.turns[name] for name in self.balance.coordinates])
@@ -235,10 +258,51 @@ class Way:
                 f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out"
             )
         #: All pairs of slots of a step on one branch, not only those that tubes join at once.
-        self._links = functools.cache(
-            lambda step: linked(p, vary, self.eq, self.turns, most=HALVINGS, only=step)[0]
+        self._links = functools.cache(self._linked)
+        self.joined = self._in_combinations(most=0)
+
+    def _in_combinations(self, **how: Any) -> list[dict[int, int]]:
+        """Pairs of slots on one branch for each step, or for the one that is asked for, in which no
+        contact is lost or regained.
+        """
+        found = list[dict[int, int]]()
+        for touching, balance in self.balances.items():
+            eq, slots = combination_of(self.eq, touching, balance.contact)
+            turns = together([self.turns, self.passes]) if len(self.balances) > 1 else self.turns
+            turns = turns.select(met_by(turns, balance))
+            pairs = linked(self.p, self.vary, eq, turns, **how)
+            found = found or [{} for _ in pairs]
+            first = how.get("only") or 0
+            for step, (every, part) in enumerate(zip(found, pairs, strict=True), first):
+                every |= {slots[step][a]: slots[step + 1][b] for a, b in part.items()}
+        return found
+
+    def _linked(self, step: int) -> dict[int, int]:
+        """All pairs of slots of a step on one branch, those that pass from one combination of
+        contacts into another included.
+        """
+        (found,) = self._in_combinations(most=HALVINGS, only=step)
+        low, high = sorted(self.stops[step : step + 2])
+        passed = self.passes.select(
+            (self.passes[self.vary] >= low) & (self.passes[self.vary] <= high)
         )
-        self.joined = linked(p, vary, self.eq, self.turns, most=0)
+        if not len(passed):
+            return found
+        ends = self.turns.select((self.at >= low) & (self.at <= high))
+        gone = [slot for slot in range(int(self.eq.count[step])) if slot not in found]
+        begun = [slot for slot in range(int(self.eq.count[step + 1])) if slot not in found.values()]
+        if len(passed) > 1 or len(ends) or len(gone) != 1 or len(begun) != 1:
+            raise ConvergenceError(
+                f"which states pass between {self.vary} = {low:.17g} and {high:.17g}, where a "
+                "contact is lost or regained, is not told apart"
+            )
+        return found | {gone[0]: begun[0]}
+
+    def _balance(self, stop: int, slot: int) -> Balance:
+        """The balance of the combination of contacts that touch in a state."""
+        if len(self.balances) == 1:
+            return self.balance
+        return self.balances[str(self.eq["touching"][stop, slot])]
 
     def _with_meetings(self, eq: Equilibria) -> Equilibria:
         """States along the path with those at values where states meet and the digits do not
@@ -312,6 +376,7 @@ class Way:
         )
         first, *others = ends
         names = self.balance.coordinates if others else first.state_columns
+        names = [*names, *which(self.balance, 0)]
         values = {name: every(name) for name in names} | {self.vary: at}
         found = replace(
             first,
@@ -324,15 +389,16 @@ class Way:
 
     def _stops(self, along: FloatArray) -> FloatArray:
         """The values in their order, with a stop on each side of each fold."""
-        known, size = np.concatenate([along, self.at]), scale_of(self.at)
-        apart = np.abs(known - self.at[:, None])
+        at = np.concatenate([self.at, self.passes[self.vary]])
+        known, size = np.concatenate([along, at]), scale_of(at)
+        apart = np.abs(known - at[:, None])
         # Between a fold and what is nearer than that no stop has room: those beside the fold are
         # farther off than both.
         nearest = np.where(apart > 4 * ROUNDED * size[:, None], apart, np.inf).min(
             axis=1, initial=np.inf
         )
         room = np.minimum(BESIDE * size, 0.25 * nearest)
-        beside = np.concatenate([self.at - room, self.at + room])
+        beside = np.concatenate([at - room, at + room])
         # Between floats next to each other there is no other.
         new = (along.min() < beside) & (beside < along.max()) & ~np.isin(beside, known)
         stops = np.sort(np.concatenate([along, beside[new]]))
@@ -395,7 +461,8 @@ class Way:
         given = columns(
             self.p.replace(**{self.vary: self.at[number : number + 1]}), self.balance.parameters
         )
-        return with_a_zero(self.balance, self.q[:, [number]], given)
+        contact = combination(self.turns, number)
+        return with_a_zero(Balance(self.p.model, contact), self.q[:, [number]], given)
 
     def followed(self, stop: int, place: int) -> int:
         """The place at a stop of the state that was in one at the stop before."""
@@ -417,7 +484,7 @@ class Way:
 
     def moved(self, stop: int, slot: int, goal: int) -> FloatArray:
         """By how much a state moves on its way to another stop, angles as they go on."""
-        tubes, start = self._standing(self.balance, stop, slot)
+        tubes, start = self._standing(self._balance(stop, slot), stop, slot)
         there = tubes.followed(start, self.stops[[goal]])
         if not there.sure[0] or there.v[0] != self.stops[goal]:
             raise ConvergenceError(
@@ -458,7 +525,7 @@ class Way:
         here = points[self.kinds[points] == "fold"]
         if points.size < 2 or not here.size:
             return None
-        tubes, start = self._standing(self.balance, stop, slot)
+        tubes, start = self._standing(self._balance(stop, slot), stop, slot)
         if here.size > 1 and (self.at[here] == self.stops[stop]).all():
             # The float of the folds is one at which two states are left, too near to each other for
             # a tube.
@@ -492,8 +559,9 @@ class Way:
         here = self._candidates(stop, goal)
         if here.size == 1:
             return int(here[0])
-        for number in here[self.kinds[here] == "border"].tolist():
-            tubes, start = self._standing(Balance(self.p.model, room=OVER_BORDER), stop, place)
+        own = Balance(self.p.model, self._balance(stop, place).contact, room=OVER_BORDER)
+        for number in here[np.char.startswith(self.kinds[here].astype(str), BORDER)].tolist():
+            tubes, start = self._standing(own, stop, place)
             there = tubes.followed(start, self.at[[number]])
             away = np.abs(self.q[:, [number]] - there.z[: tubes.n])
             if (
@@ -529,15 +597,25 @@ class Way:
         columns = (*self.eq.coordinates.values(), self.eq.stability, self.eq.error)
         return [float(column[stop, slot]) for column in columns]
 
+    def touching(self, stop: int, slot: int) -> str:
+        """Names of the contacts that touch in a state."""
+        if len(self.balances) == 1:
+            return ""
+        if slot < 0:
+            return str(self.turns[own_name(self.p.model, "touching")][~slot])
+        return str(self.eq["touching"][stop, slot])
+
     def jump(self, stop: int, number: int, choose: Choice | None) -> tuple[int, Jump]:
         """The slot behind the fold that ends the branch."""
         end = self.end(number)
         before = end.before
         eq = equilibria(self.p.replace(**{self.vary: float(self.stops[stop])}))
         count = int(eq.count)
-        how = {"border": "leaves the contact", INFINITY: "runs to infinity"}.get(
-            end.kind, f"ends in a {end.kind}"
-        )
+        how = {
+            BORDER: "leaves the contact",
+            BORDER_FOLD: "ends where a contact is lost or regained",
+            INFINITY: "runs to infinity",
+        }.get(end.kind, f"ends in a {end.kind}")
         ends = f"the state {how} at {self.vary} = {end.value!r}"
         if not count:
             raise ConvergenceError(

@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 
 from ..core.progress import doing
 from ..core.remarks import At, Remark
+from ..display import own_name
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import determinant
 from ..numerics.certified_roots import Roots, distinct, stepped
@@ -183,7 +184,8 @@ def arranged(
     balance, vary = family.balance, family.vary
     n, middle, left = balance.n, found.roots.middle, found.roots.left
     order = in_order(np.concatenate([middle[n:], middle[:n]]), found.roots.error, found.roots.point)
-    values = family.named(middle[:, order]) | picked(more or {}, order)
+    more = which(balance, order.size) | dict(more or {})
+    values = family.named(middle[:, order]) | picked(more, order)
     box = spans_of(found.region[:, :, 0])
     boxes_left, kinds = listed(family, left, found.why)
     remarks += (*kinds, *of_region(balance, found.region[:, :n], found.whole))
@@ -200,6 +202,14 @@ def arranged(
         remarks,
         values,
     )
+
+
+def which(balance: Balance, size: int) -> dict[str, Any]:
+    """Columns that say which contacts touch, and which only just, of a model with several."""
+    if len(balance.contacts) == 1:
+        return {}
+    touching, at_border = (own_name(balance.model, name) for name in ("touching", "at_border"))
+    return {touching: np.full(size, balance.touching), at_border: np.full(size, "")}
 
 
 def listed(
@@ -371,7 +381,7 @@ def escapes(family: Family) -> Points:
     away = np.where(np.abs(z[:n]) < FINITE, np.nan, np.copysign(np.inf, z[:n]))
     away[balance.around] = np.nan
     kind = np.select([side > 0, side < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
-    columns = family.named(np.concatenate([away, z[n:]]))
+    columns = family.named(np.concatenate([away, z[n:]])) | which(balance, kind.size)
     return Points(
         family.p,
         family.vary,

@@ -60,7 +60,7 @@ from ..statics.precise_balance import clusters, on_side
 from ..statics.reference_state import nearest_state
 from ..statics.search import balances_of
 from ..statics.stability import with_a_zero
-from .borders import at_borders, borders, combination, joined, which
+from .borders import at_borders, borders, combination, joined
 from .defining_systems import FOLD, Augmented, Condition, Family, OfFamily, change, cusp
 from .points import Found, arranged, of_ends, search, vanishes
 
@@ -104,7 +104,7 @@ def _folds_in(
     moves = vary in family.balance.balanced
     remarks = of_ends(family, found, singular) if moves else (f"{vary} moves no equilibrium",)
     family = family if moves else replace(family, endless=())
-    return arranged(family, found, kind, which(balance, kind.size), remarks)
+    return arranged(family, found, kind, remarks=remarks)
 
 
 def cusps_of(p: Any, vary: Sequence[str], between: Ranges | None, within: Ranges | None) -> Points:

@@ -37,7 +37,16 @@ WAYS = ("auto", "closed", "search")
 
 
 #: Questions that are answered for several contacts.
-SEVERAL = ("count", "equilibria", "folds")
+SEVERAL = (
+    "count",
+    "equilibria",
+    "first_ends",
+    "folds",
+    "jump_value",
+    "linked",
+    "open_ends",
+    "quasi_static_path",
+)
 
 
 class NotInClosedForm(Exception):

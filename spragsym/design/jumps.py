@@ -342,7 +342,9 @@ class Followed:
             eq.coordinates[name][np.arange(rows.size), slot] for name in self.balance.coordinates
         ]
         z = np.array([*states, self.begin[rows]])
-        known = eq.decided & np.isfinite(z).all(axis=0)
+        # Tubes are of one combination of contacts that touch.
+        alone = len(self.model.contacts) == 1
+        known = eq.decided & np.isfinite(z).all(axis=0) & alone
         z[:, ~known] = 0.0
         tubes = Tubes.of_points(self.balance, self.vary, self.fixed[:, rows])
         start = tubes.place(z)

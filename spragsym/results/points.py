@@ -411,6 +411,7 @@ class Path(OfStates, Rows):
 
     schema = (
         Column("stability", "1", "kind of state by (27)", Stability),
+        Column("touching", "1", "contacts that touch, of several"),
         Column("growth", "1/s", "largest real part of the damped eigenvalues"),
         Column("growth_sign", "1", "1 where growth is proved, -1 where that nothing grows is"),
         Column("damped", "1", "what small deviations do: decays, grows, neutral"),

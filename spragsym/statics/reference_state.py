@@ -12,6 +12,8 @@ import numpy as np
 
 from ..core.errors import ConvergenceError
 from ..models.field import undecorated
+from ..models.forces import named
+from ..models.model import Model
 from ..models.parameters import ParameterSet
 from ..numerics.interval_arrays import (
     BoolArray,
@@ -119,9 +121,10 @@ def chosen_state(
     given = [value[..., None] for value in model.arguments(p.replace(**missing), "motion")]
     energy, every, shape = undecorated(model.algebra.strain_energy), range(len(q)), (*p.shape, 1)
     with quiet():  # beyond ``count`` there are no numbers
-        strain, place = energy(*q, *given, 1, xp=np), np.array(q)
+        strain = energy(*q, *given, *_pushing(model, p, q), xp=np)
+        place = np.array(q)
         origin = variables([Intervals.point(np.zeros(shape))] * len(q), 2)
-        series = energy(*origin, *map(Intervals.point, given), 1, xp=XP)
+        series = energy(*origin, *map(Intervals.point, given), *[1] * len(model.contacts), xp=XP)
         at_origin = np.nan_to_num(np.abs(stacked([series.value], shape).middle[0]))
         slope = stacked(gradient(series, len(q)), shape).middle
         stiffness = matrix([[series.derivative(i, j) for j in every] for i in every], shape).middle
@@ -137,6 +140,19 @@ def chosen_state(
     largest = np.maximum(sizes, at_origin)  # two states may both be relaxed, but for rounding
     least = strain <= strain.min(axis=-1, keepdims=True, initial=np.inf) + EQUAL_ENERGIES * largest
     return least_slot(np.where(least & among, np.abs(q[0]), np.inf), np.array(q), error)
+
+
+def _pushing(model: Model, p: Any, q: Sequence[FloatArray]) -> list[Any]:
+    """Of every contact whether it touches in states: the only one does in all of them."""
+    if len(model.contacts) == 1:
+        return [1]
+    statics = [value[..., None] for value in model.arguments(p)]
+    return [
+        np.less_equal(getattr(model.algebra, named("contact_gap", entry["name"]))(*q, *statics), 0)
+        if entry["unilateral"]
+        else 1
+        for entry in model.contacts
+    ]
 
 
 def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> IndexArray:

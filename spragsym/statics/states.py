@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import own_name
+from ..models.model import Touching
 from ..models.parameters import FloatArray
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import Int8Array, IntArray
@@ -73,7 +74,37 @@ def one_each(
         own_name(p.model, "error"): np.broadcast_to(error, p.shape),
         own_name(p.model, "marginal"): ~known,
     }
-    return Equilibria(p, True, ones, known, (), (), Held(picked(columns, (..., None))))
+    contact = None if len(p.model.contacts) > 1 else True
+    return Equilibria(p, contact, ones, known, (), (), Held(picked(columns, (..., None))))
+
+
+def combination_of(
+    eq: Equilibria, touching: str, contact: Touching
+) -> tuple[Equilibria, list[list[int]]]:
+    """The equilibria along a line of parameters in which just these contacts touch, and their slots
+    among all.
+    """
+    if eq.contact is not None:
+        return eq, [list(range(count)) for count in eq.count.tolist()]
+    model = eq.parameters.model
+    mine = eq[own_name(model, "touching")] == touching
+    count = mine.sum(axis=-1)
+    there = np.arange(max(1, int(count.max(initial=0)))) < count[:, None]
+
+    def taken(name: str, empty: Any) -> NDArray[Any]:
+        column = eq[name if name in model.coordinates else own_name(model, name)]
+        out = np.full(there.shape, empty, dtype=column.dtype)
+        out[there] = column[mine]
+        return out
+
+    ours = {"stability": 0, "error": np.nan, "marginal": False}
+    columns = {name: taken(name, np.nan) for name in model.coordinates}
+    columns |= {own_name(model, name): taken(name, empty) for name, empty in ours.items()}
+    columns[own_name(model, "whole")] = eq.whole
+    slots = [np.flatnonzero(row).tolist() for row in mine]
+    return Equilibria(
+        eq.parameters, contact, count, eq.decided, (), eq.remarks, Held(columns)
+    ), slots
 
 
 def as_decided(eq: Equilibria, point: int) -> Equilibria:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.oracles.contact_pages import PAD, SPRUNG
+from tests.oracles.contact_pages import JAMMING, PAD, SPRUNG, balanced, pad
 from tests.oracles.user_pages import model_of
 
 pytest.importorskip("sympy")
@@ -14,7 +14,7 @@ pytest.importorskip("sympy")
 def test_the_rear_leg_lifts_where_the_closed_form_says_and_the_state_passes() -> None:
     model = model_of(PAD, "pad_on_2")
     rng = np.random.default_rng(11)
-    for k_t, h in zip(rng.uniform(0.05, 1.0, 5), rng.uniform(0.2, 1.5, 5), strict=True):
+    for k_t, h in zip(rng.uniform(0.05, 1.0, 3), rng.uniform(0.2, 1.5, 3), strict=True):
         lifts = (2 + k_t) / (2 * h)
         p = model.Parameters(k_t=k_t, h=h)
         found = ss.folds(p, vary="mu0", between={"mu0": (0.0, 2 * lifts)})
@@ -38,7 +38,7 @@ def test_without_the_torsion_spring_nothing_goes_on_where_the_rear_leg_lifts() -
 def test_a_shoe_that_locks_has_a_border_fold_and_one_that_does_not_passes() -> None:
     model = model_of(SPRUNG, "sprung_shoes")
     rng = np.random.default_rng(12)
-    for b, c, k in rng.uniform(0.4, 1.0, (3, 3)).tolist():
+    for b, c, k in rng.uniform(0.4, 1.0, (2, 3)).tolist():
         locks = (k + b * b) / (b * c)
         for mu, kind in ((0.9 * locks, "passes"), (1.1 * locks, "border_fold")):
             p = model.Parameters(b=b, c=c, k=k, mu0=mu)
@@ -50,3 +50,43 @@ def test_a_shoe_that_locks_has_a_border_fold_and_one_that_does_not_passes() -> N
                 assert (found.ends[here], found.when[here]) == ("lower", "up")
                 count = [ss.count(p.replace(P=P)).item() for P in (-0.01, 0.01)]
                 assert count == [2, 0]
+
+
+@pytest.mark.thorough
+def test_a_path_passes_where_contacts_are_lost_and_regained() -> None:
+    names = "front", "rear"
+    p = model_of(PAD, "pad_on_2").Parameters()
+    values = np.array([0.5, 1.2, 2.5])
+    path = ss.quasi_static_path(p, "mu0", values)
+    assert not path.jumps
+    base = {name: float(p[name]) for name in p.model.parameters}
+    touched = set[str]()
+    for row, mu0 in enumerate(values.tolist()):
+        ((touching, q),) = balanced(*pad(base | {"mu0": mu0}, names))
+        np.testing.assert_allclose([path[name][row] for name in "xy"], q[:2], rtol=0, atol=1e-12)
+        assert path["touching"][row] == ", ".join(touching)
+        touched.add(path["touching"][row])
+    assert touched == {"front", "front, rear"}
+
+
+@pytest.mark.thorough
+def test_a_shoe_jams_and_comes_free_at_border_folds() -> None:
+    p = model_of(JAMMING, "jamming_shoe").Parameters(b=0.7, c=0.9, k=0.3, l=1.5, g=0.1, mu0=1.5)
+    K = float(p.k + p.b**2 - p.mu0 * p.b * p.c)  # of the shoe on the drum: it locks
+    free = K * float(p.g / p.l)
+    assert K < 0
+    up = ss.quasi_static_path(p, "P", [-0.04, -0.02, -0.005, 0.02, 0.04])
+    down = ss.quasi_static_path(p, "P", [0.04, 0.02, -0.005, -0.02, -0.04])
+    for path, value in ((up, 0.0), (down, free)):
+        (jump,) = path.jumps
+        assert jump.kind == "border_fold"
+        assert abs(jump.value - value) <= 1e-12
+    on_stop = (up.values * p.l + p.g) / (K + 1)
+    off_drum = up.values * p.l / p.k
+    np.testing.assert_allclose(up.phi, np.where(up.values > 0, on_stop, off_drum), atol=1e-12)
+    jams = down.values > free
+    on_stop, off_drum = on_stop[::-1], off_drum[::-1]
+    np.testing.assert_allclose(down.phi, np.where(jams, on_stop, off_drum), atol=1e-12)
+    assert abs(ss.jump_value(p, "P", begin=-0.04, until=0.04)) <= 1e-12
+    there = ss.jump_value(p, "P", direction="down", begin=0.04, until=-0.04)
+    assert abs(there - free) <= 1e-12

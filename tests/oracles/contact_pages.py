@@ -97,6 +97,15 @@ F = page""",
     )
 )
 
+#: And with a stop: where the shoe locks, it is off the drum, or jammed on the stop.
+JAMMING = (
+    SPRUNG
+    + """
+g = page.parameter("g", "m", "play before the stop", "> 0", 0.1)
+page.contact(g - a * phi, lambda depth: k_c * depth, name="stop")
+"""
+)
+
 #: A ladder of length 2 a whose floor runs towards the wall and whose wall runs up.
 LADDER = (
     HEAD

@@ -56,8 +56,8 @@ class ModelEnd(Result):
     """Where a state vanishes at a fold, leaves the contact or runs to infinity."""
 
     value: float  #: of the parameter, at the fold, on the border or in the limit
-    # ``"fold"``, ``"pitchfork"``, ``"border"`` where it leaves the contact, or ``"infinity"`` where
-    # it runs there
+    # ``"fold"``, ``"pitchfork"``, ``"border"`` where it leaves the contact, ``"border_fold"`` where
+    # one of several contacts is lost or regained, or ``"infinity"`` where it runs there
     kind: str
     before: Mapping[str, float]  #: coordinates there
     error: float  #: bound on the error of ``value``
@@ -129,8 +129,10 @@ def quasi_static_path(
     path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria
     become one that is stable each goes on as that one, and where one becomes three, two of them
     stable, the path goes on with the one of larger x, or of whatever the mirror turns. Where it is
-    the middle one of three that is stable it ends there, and the path jumps. Of states that are
-    equally small, or equally near, the one of larger coordinates is taken.
+    the middle one of three that is stable it ends there, and the path jumps. Of several contacts a
+    state goes on where it passes from one combination of touches into another, and jumps at a
+    border fold, see :mod:`spragsym.bifurcation.borders`; a value on a border is an error. Of states
+    that are equally small, or equally near, the one of larger coordinates is taken.
 
     Examples
     --------

@@ -384,8 +384,8 @@ class Jump(Result):
     )
 
     value: float  #: of the parameter, at the fold, on the border or in the limit
-    # ``"fold"``, ``"pitchfork"``, ``"border"`` where the state leaves the contact, or
-    # ``"infinity"``
+    # ``"fold"``, ``"pitchfork"``, ``"border"`` where the state leaves the contact,
+    # ``"border_fold"``, or ``"infinity"``
     kind: str
     before: Mapping[str, float]
     after: Mapping[str, float]

@@ -461,7 +461,7 @@ def module(model: Mechanics) -> Module:
     moving = (*place, *model.arguments)
     stored = _stored(motion, moving)
     if len(model.contacts) > 1:
-        return Module("motion", "What a motion stores.", stored)
+        return Module("motion", "Borders of a motion, and what it stores.", _kinks(motion) + stored)
     felt = laws.near(len(laws.layers(model.friction)))
     regime = (*moving, PUSHING, SIDE, *felt)
     ways = tuple(torsion.way for torsion in model.torsions)
@@ -563,21 +563,7 @@ def module(model: Mechanics) -> Module:
                 by_parameters,
                 "((∂q_1″/∂p_1, …), …)",
             ),
-            function(
-                "borders",
-                "The gap and the sliding speed, each zero on a kink of the field; 1 where "
-                "there is none.",
-                moving,
-                borders,
-                "gap, slip",
-            ),
-            function(
-                "border_rates",
-                "How the borders change along a motion with the given accelerations.",
-                accelerated,
-                tuple(motion.rate(border, accelerations) for border in borders),
-                "rates of gap, slip",
-            ),
+            *_kinks(motion),
             function(
                 "layers",
                 "Minus the exponents of the sliding speed in the friction law: large where "
@@ -632,6 +618,34 @@ def _stored(motion: Motion, moving: Symbols) -> tuple[Function, ...]:
             (*model.coordinates, *model.arguments, *model.pushings),
             motion.strain_energy,
             "energy",
+            shorthands,
+        ),
+    )
+
+
+def _kinks(motion: Motion) -> tuple[Function, ...]:
+    """Every gap and every sliding speed."""
+    model, accelerations = motion.model, motion.named
+    place = (*model.coordinates, *model.rates)
+    gaps, slips = ("gap, slip", "gap and the sliding speed")
+    if len(model.contacts) > 1:
+        gaps, slips = "gap_1, …, slip_1, …", "gaps and the sliding speeds"
+    shorthands = directions(model)
+    return (
+        of_page(
+            "borders",
+            f"The {slips}, each zero on a kink of the field; 1 where there is none.",
+            (*place, *model.arguments),
+            motion.borders,
+            gaps,
+            shorthands,
+        ),
+        of_page(
+            "border_rates",
+            "How the borders change along a motion with the given accelerations.",
+            (*place, *accelerations, *model.arguments),
+            tuple(motion.rate(border, accelerations) for border in motion.borders),
+            f"rates of {gaps}",
             shorthands,
         ),
     )

@@ -35,6 +35,7 @@ from ..statics.search import columns
 from .defining_systems import Augmented, Condition, Family, slope
 from .paths import Way
 from .points import arranged, isolated, nothing
+from .sticking_regions import region
 
 #: The share of the static friction coefficient that is used, a parameter of its own.
 HELD = "held"
@@ -58,7 +59,9 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     -------
     StickingStates
         A row for each connected set of states, with the least and the largest value of each
-        coordinate in it.
+        coordinate in it. Where several frictions hold, of forces that are linear, the set is a
+        parallelepiped: ``measure`` is its length, area or volume in the displacements that friction
+        opposes.
 
     Raises
     ------
@@ -84,20 +87,25 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     (array([-0.6]), array([0.6]))
     """
     model = p.model
-    if not hasattr(model.algebra, "friction_held"):
+    holding = [entry for entry in model.frictions if entry["holds"]]
+    if not holding:
         raise ModelError(
             f"in {model.name} friction holds nothing; a page says what it holds by "
             "page.friction(…, holds=…)"
         )
-    speed = model.algebra.borders(
+    speeds = model.algebra.borders(
         *np.zeros(2 * len(model.coordinates)), *model.arguments(p, "motion")
-    )[1]
-    if np.any(speed):
-        belt = model.frictions[0]["belt"]
-        raise ParameterError(
-            f"the belt moves at {belt} = {speed}, and what sticks rides with it; take "
-            f"parameters with {belt} = 0"
-        )
+    )[len(model.contacts) :]
+    for speed, entry in zip(speeds, model.frictions, strict=False):
+        if np.any(speed):
+            belt = entry["belt"]
+            raise ParameterError(
+                f"the belt moves at {belt} = {speed}, and what sticks rides with it; take "
+                f"parameters with {belt} = 0"
+            )
+    if len(holding) > 1:
+        return region(p)
+    model.require_one_contact("sticking_states with one friction that holds")
     own = _held(model)(**{name: p[name] for name in p.ranges})
     turns = [_turns(own, place) for place in range(len(model.coordinates))]
     try:

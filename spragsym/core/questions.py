@@ -46,6 +46,7 @@ SEVERAL = (
     "linked",
     "open_ends",
     "quasi_static_path",
+    "sticking_states",
 )
 
 

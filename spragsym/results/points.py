@@ -273,6 +273,7 @@ class StickingStates(Named, Rows):
     schema = (
         Column("{q}_low", "{q}", "least {q} of the set"),
         Column("{q}_high", "{q}", "largest {q} of the set"),
+        Column("measure", "", "length, area or volume of a set of several frictions"),
         Column("error", "1", "bound on |error| / max(1, |value|)"),
     )
     _held = "ends"

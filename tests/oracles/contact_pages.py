@@ -106,6 +106,32 @@ page.contact(g - a * phi, lambda depth: k_c * depth, name="stop")
 """
 )
 
+#: Two blocks on a belt, tied to the ground and to each other.
+BLOCKS = """r\"\"\"A page of the tests.\"\"\"
+from spragsym.derive.model import Page, sgn
+page = Page("A page of the tests.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness of the first block's spring")
+a = page.unit("a", "m", "length")
+beta = page.parameter("beta", "1", "stiffness of the second block's spring over k", "> 0", 1.2)
+kappa = page.parameter("kappa", "1", "stiffness between the blocks over k", ">= 0", 0.8)
+mu_s = page.parameter("mu_s", "1", "static friction coefficient", ">= 0", 0.6)
+mu_k = page.parameter("mu_k", "1", "kinetic friction coefficient", ">= 0", 0.4)
+N_1 = page.parameter("N_1", "N", "normal force of the first block", "real", 1.0)
+N_2 = page.parameter("N_2", "N", "normal force of the second block", "real", 1.3)
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.2)
+x_1 = page.coordinate("x_1", "m", "of the first block")
+x_2 = page.coordinate("x_2", "m", "of the second block")
+page.kinetic(m * (page.rate(x_1)**2 + page.rate(x_2)**2) / 2)
+page.spring(k, along=x_1)
+page.spring(beta * k, along=x_2)
+page.spring(kappa * k, along=x_1 - x_2)
+first = page.normal_force(N_1, name="first")
+second = page.normal_force(N_2, name="second")
+page.friction(x_1, V, slip=lambda v: mu_k * sgn(v), holds=mu_s, on=first)
+page.friction(x_2, V, slip=lambda v: mu_k * sgn(v), holds=mu_s, on=second)
+"""
+
 #: A ladder of length 2 a whose floor runs towards the wall and whose wall runs up.
 LADDER = (
     HEAD

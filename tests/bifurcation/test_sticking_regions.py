@@ -1,0 +1,49 @@
+"""Where two blocks at rest stick both, against closed forms and samples of the shares of
+friction.
+"""
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from tests.oracles.contact_pages import BLOCKS, PAD
+from tests.oracles.user_pages import model_of
+
+pytest.importorskip("sympy")
+
+
+def test_two_blocks_at_rest_stick_in_a_parallelogram() -> None:
+    model = model_of(BLOCKS, "blocks")
+    rng = np.random.default_rng(21)
+    for beta, kappa, mu_s, N_1, N_2 in rng.uniform(0.2, 2.0, (20, 5)).tolist():
+        p = model.Parameters(beta=beta, kappa=kappa, mu_s=mu_s, mu_k=0.1, N_1=N_1, N_2=N_2, V=0.0)
+        found = ss.sticking_states(p)
+        K = np.array([[1 + kappa, -kappa], [-kappa, beta + kappa]])
+        det = (1 + kappa) * (beta + kappa) - kappa**2
+        f_1, f_2 = mu_s * N_1, mu_s * N_2
+        x_1 = (K[1, 1] * f_1 + kappa * f_2) / det
+        x_2 = (kappa * f_1 + K[0, 0] * f_2) / det
+        assert found.complete
+        for name, size in (("x_1", x_1), ("x_2", x_2)):
+            np.testing.assert_allclose(found[f"{name}_low"], [-size], rtol=1e-12)
+            np.testing.assert_allclose(found[f"{name}_high"], [size], rtol=1e-12)
+        np.testing.assert_allclose(found["measure"], [4 * f_1 * f_2 / det], rtol=1e-12)
+
+
+def test_nothing_sticks_where_a_block_is_lifted_and_what_is_not_answered_says_so() -> None:
+    p = model_of(BLOCKS, "blocks").Parameters(V=0.0)
+    assert len(ss.sticking_states(p.replace(N_2=-1.0))) == 0
+    with pytest.raises(ss.errors.ParameterError, match="belt moves at V"):
+        ss.sticking_states(p.replace(V=0.1))
+    with pytest.raises(ss.errors.ModelError, match="holds nothing"):
+        ss.sticking_states(model_of(PAD, "pad_on_2").Parameters())
+
+
+def test_both_blocks_slide_steadily_in_one_state() -> None:
+    p = model_of(BLOCKS, "blocks").Parameters(N_2=1.3)
+    eq = ss.equilibria(p)
+    assert eq.complete
+    K = np.array([[1 + p.kappa, -p.kappa], [-p.kappa, p.beta + p.kappa]], dtype=float)
+    forces = float(p.mu_k) * np.array([p.N_1, p.N_2], dtype=float)
+    q = np.linalg.solve(K, forces)
+    np.testing.assert_allclose([eq.x_1[0], eq.x_2[0]], q, rtol=1e-12)

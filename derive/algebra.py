@@ -28,6 +28,8 @@ Names: TypeAlias = dict[sp.Symbol, sp.Expr]
 Circles = tuple[tuple[sp.Symbol, sp.Symbol], ...]
 #: Factors of a denominator, and their powers.
 Factors: TypeAlias = Mapping[PolyElement, int]
+#: Functions that change their sign with their argument, and those that do not change.
+ODD, EVEN = sp.sign | sp.tan | sp.sinh | sp.tanh | sp.atan | sp.asin, sp.Abs | sp.cosh
 
 
 def expanded(expression: sp.Expr) -> sp.Expr:
@@ -97,7 +99,7 @@ def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
     root of every base, of which its powers are powers, and one exponential of all whose exponents
     are rational multiples of each other. An equality that holds only because of a relation between
     two of them is not recognised; arguments and bases that are equal as polynomials on the circles
-    are the same.
+    are the same, and arguments of odd and even functions that are opposite.
     """
 
     def normal(argument: sp.Expr) -> sp.Expr:
@@ -112,6 +114,8 @@ def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
         if not isinstance(node, sp.Function):
             return named(node)
         arguments = [normal(argument) for argument in node.args]
+        if isinstance(node, ODD | EVEN) and arguments[0].could_extract_minus_sign():
+            return named(node.func(-arguments[0])) * (-1 if isinstance(node, ODD) else 1)
         if not isinstance(node, sp.exp):
             return named(node.func(*arguments))
         times, exponent = arguments[0].as_content_primitive()

@@ -48,13 +48,22 @@ class Case:
 
 
 @cache
-def sources() -> list[Case]:
-    """Every right statement of the files."""
+def files() -> list[tuple[Path, papers.Paper, pages.Model]]:
+    """Every file with its page."""
     found = []
     for path in (*sorted(FOLDER.rglob("*.toml")), ARTICLE):
         paper = papers.read(path)
         own = path.parent / paper.model
         model = pages.read(own if own.is_file() else pages.SHIPPED / f"{paper.model}.py")
+        found.append((path, paper, model))
+    return found
+
+
+@cache
+def sources() -> list[Case]:
+    """Every right statement of the files."""
+    found = []
+    for _, paper, model in files():
         _, items = opened(paper, model)
         for item, row in zip(items, verdicts.check(paper, model).rows, strict=True):
             if row.status != "confirmed" or not isinstance(item, Item):

@@ -73,6 +73,35 @@ def run(paper: Paper | None = None) -> list[Row]:
     return [_explained(row, _exact(item)) for item, row in pairs]
 
 
+#: What becomes of a statement of the article, misprints repaired, with another page.
+HOLDS, FAILS, NO_MEANING = "holds", "fails", "no meaning"
+_BECOMES = dict.fromkeys(("confirmed", "definition", "approximation"), HOLDS) | {FAILED: FAILS}
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """What becomes of one printed row: what is printed less what is derived, or why there is no
+    such thing.
+    """
+
+    id: str
+    where: str
+    status: str
+    remark: str = ""
+
+
+def judge(model: pages.Model) -> list[Judgement]:
+    """Every row of the article for another page, in its order."""
+    article_page = pages.read(pages.SHIPPED / "kang_nam.py")
+    paper = verdicts.repaired(article.printed(), article_page)
+    found = []
+    for row in verdicts.check(paper, model, repair=False).rows:
+        status = _BECOMES.get(row.status, NO_MEANING)
+        remark = {HOLDS: row.difference and row.evidence, FAILS: row.difference}
+        found.append(Judgement(row.id, row.where, status, remark.get(status, row.evidence)))
+    return found
+
+
 def _exact(item: Item | Verdict) -> str:
     """LaTeX of the difference between an approximation and its exact form, if that is derived."""
     approximation = explanations.APPROXIMATIONS.get(item.statement.id)

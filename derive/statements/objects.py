@@ -363,7 +363,7 @@ def _characteristic(it: Derivation, name: str, side: str) -> Object:
     K = sp.Matrix(statics.jacobian(it.model))
     mu = it.spelled(laws.friction_at_rest(it.model.friction))
     whole = (LAMBDA**2 * mass + LAMBDA * C + K).applyfunc(lambda entry: it.spelled(entry, side))
-    polynomial = whole.subs(MU, mu).det()
+    polynomial = whole.subs(MU, mu).det(method="laplace")
     by = "linearization.damping, statics.jacobian"
     return Object((polynomial,), by, factor="parameters", steady=True, side=side)
 

@@ -90,11 +90,12 @@ class Repair:
 
     tree: Node
     edits: tuple[Edit, ...]
+    further: float = 0.0  #: where it asks for more than its edits
 
     @property
     def cost(self) -> float:
         """The costs of its edits, added."""
-        return sum(edit.cost for edit in self.edits)
+        return sum(edit.cost for edit in self.edits) + self.further
 
 
 @dataclass(frozen=True)
@@ -472,6 +473,8 @@ def _number(value: Fraction) -> Node:
 
 def _times(part: Node, factor: Node) -> Node:
     """A part times a factor, which of a quotient joins the denominator if it is below 1."""
+    if part.kind == "neg":
+        return Node("neg", (_times(part.args[0], factor),), at=part.at)
     if factor.kind != "div" or factor.args[0] != ONE:
         return Node("mul", (factor, part), at=part.at)
     above, below = part.args if part.kind == "div" else (part, None)

@@ -30,6 +30,12 @@ MOST_PROOFS = 12
 MOST_TERMS = 40
 #: Factors of a residual that are tried with two edits.
 MOST_FACTORS = 4
+#: A quantity that goes to infinity, where the limit is tried in numbers.
+FAR = 1e6
+#: Operations in a difference that is shown.
+LARGEST_SHOWN = 3000
+#: Cost of a residual that is the derived one times a factor of parameters.
+OTHER_FACTOR = 0.005
 #: Single repairs that cost more are compared with pairs.
 CHEAPEST_PAIR = 2.0
 #: Symbols of a term with brackets that may be lost, and terms that it may have without them.
@@ -99,21 +105,36 @@ class Convention:
 Conventions: TypeAlias = dict[str, Convention]
 
 
-def check(paper: Paper, model: Model) -> Checked:
-    """Verdicts on every statement of a paper, for a page."""
-    return compared(paper, model, opened(paper, model)[1])
+def check(paper: Paper, model: Model, *, repair: bool = True) -> Checked:
+    """Verdicts on every statement of a paper, for a page; without ``repair`` what differs fails."""
+    return compared(paper, model, opened(paper, model)[1], repair=repair)
 
 
-def compared(paper: Paper, model: Model, found: Sequence[Item | Verdict]) -> Checked:
+def compared(
+    paper: Paper, model: Model, found: Sequence[Item | Verdict], *, repair: bool = True
+) -> Checked:
     """Verdicts on the statements of a paper that were read."""
     items = [item for item in found if isinstance(item, Item)]
     conventions = _settled(items)
     rows = [
-        judged(item, conventions) if isinstance(item, Item) else uncompared(item) for item in found
+        judged(item, conventions, repair=repair) if isinstance(item, Item) else uncompared(item)
+        for item in found
     ]
     said = tuple(it.said(name) for name, it in conventions.items() if (it.sign, it.shift) != (1, 0))
     coordinates = tuple(map(str, model.mechanics.coordinates))
     return Checked(paper.title, model.name, said, tuple(_said_once(rows)), coordinates)
+
+
+def repaired(paper: Paper, model: Model) -> Paper:
+    """A paper with its misprints, against a page, repaired."""
+    rows = {row.id: row for row in check(paper, model).rows}
+    statements = [
+        replace(it, text=row.repaired, is_latex=False, transcribed="", form=row.form)
+        if (row := rows[it.id]).status == "misprint"
+        else it
+        for it in paper.statements
+    ]
+    return replace(paper, statements=tuple(statements))
 
 
 def uncompared(verdict: Verdict) -> Row:
@@ -420,7 +441,7 @@ def _choices(it: Derivation, unit: str) -> list[Convention]:
 # --------------------------------------------------------------------------------------- verdicts
 
 
-def judged(item: Item, conventions: Conventions | None = None) -> Row:
+def judged(item: Item, conventions: Conventions | None = None, *, repair: bool = True) -> Row:
     """The verdict on one statement, in the conventions of its paper."""
     conventions = conventions or {}
     statement, held = item.statement, item.held
@@ -439,7 +460,7 @@ def judged(item: Item, conventions: Conventions | None = None) -> Row:
         said = f"left of = no name of this object stands alone: {', '.join(sorted(held.names))}"
         return replace(row, status="unread", evidence=said)
     wrong = "" if item.it.scaled else _units_problem(item, parts)
-    repaired: list[tuple[Component, Repair, int]] = []
+    edited: list[tuple[Component, Repair, int]] = []
     costly: list[tuple[Component, sp.Expr]] = []
     counted = ""
     for part in parts:
@@ -459,31 +480,29 @@ def judged(item: Item, conventions: Conventions | None = None) -> Row:
         if statement.limit and _in_limit(item, conventions, part, statement.limit):
             row = _told(row, item, own - part.exact[0])
             return replace(row, status="approximation", evidence=statement.limit)
-        found = _repaired(item, conventions, part, values)
+        found = _repaired(item, conventions, part, values) if repair else None
         if found is None:
-            said = "no edit, and no two, give what is derived"
+            said = "no edit, and no two, give what is derived" if repair else ""
             row = _told(row, item, own - part.exact[0])
-            return replace(row, evidence=f"{wrong}; {said}" if wrong else said)
-        repair, exact, count = found
+            return replace(row, evidence="; ".join(it for it in (wrong, said) if it))
+        best, exact, count = found
         row, counted = _as_meant(row, item, exact)
-        row = _told(row, item, own - to_sympy(repair.tree, names))
-        repaired.append((part, repair, count))
+        row = _told(row, item, own - to_sympy(best.tree, names))
+        edited.append((part, best, count))
         costly.append((part, exact))
-    if not repaired:
+    if not edited:
         status = "definition" if statement.word == "definition" else "confirmed"
         return replace(row, status=status, evidence=f"{held.by}, equal by exact algebra{counted}")
-    trees = [_said(part.left, repair.tree) for part, repair, _ in repaired]
-    texts = [
-        repaired_print(statement, part.left, repair, item.letters) for part, repair, _ in repaired
-    ]
+    trees = [_said(part.left, best.tree) for part, best, _ in edited]
+    texts = [repaired_print(statement, part.left, best, item.letters) for part, best, _ in edited]
     evidence = f"what is repaired equals {held.by} by exact algebra{counted}"
     return replace(
         row,
         status="misprint",
         repaired="; ".join(trees),
         repaired_latex="; ".join(texts),
-        edits=tuple(_recorded(edit) for _, repair, _ in repaired for edit in repair.edits),
-        alternatives=max(count for *_, count in repaired),
+        edits=tuple(_recorded(edit) for _, best, _ in edited for edit in best.edits),
+        alternatives=max(count for *_, count in edited),
         evidence=f"{wrong}; {evidence}" if wrong else evidence,
         cost="; ".join(_cost(item, conventions, part, exact) for part, exact in costly),
     )
@@ -500,6 +519,8 @@ def _as_meant(row: Row, item: Item, exact: sp.Expr) -> tuple[Row, str]:
 
 def _told(row: Row, item: Item, gap: sp.Expr) -> Row:
     """A row with the difference between print and derivation."""
+    if sp.count_ops(gap) > LARGEST_SHOWN:
+        return row
     shown = sp.factor_terms(normal_form(gap))
     return replace(row, difference=str(shown), difference_latex=item.latex(shown))
 
@@ -563,14 +584,16 @@ def _repaired(
             break
         tried = ways[:MOST_FACTORS] if pairs else ways
         found = search.repairs(np.array([target for target, _ in tried]), pairs)
-        good += [(repair, tried[way][1]) for repair, way in found]
+        for repair, way in found:
+            further = OTHER_FACTOR if way > 1 else 0.0
+            good.append((replace(repair, further=further), tried[way][1]))
         good = _proved_first(item, conventions, good)
     if good:
         return *good[0], len(good)
     for _, exact in ways[:2]:  # without a factor, and of the other sign
-        repair = _with_lost_term(item, conventions, part, exact)
-        if repair is not None and proved(item, conventions, repair.tree, exact):
-            return repair, exact, 1
+        longer = _with_lost_term(item, conventions, part, exact)
+        if longer is not None and proved(item, conventions, longer.tree, exact):
+            return longer, exact, 1
     return None
 
 
@@ -623,13 +646,28 @@ def _in_limit(item: Item, conventions: Conventions, part: Component, limit: str)
         return False
     names = _names(item, conventions)
     laws = {NORMAL: item.it.normal, MU: item.it.friction}
-    value = to_sympy(part.tree, names)
+    value = to_sympy(part.tree, names).subs(laws)
     factors = [names.get(name.strip()) for name in what.split("*")]
-    ways = [(value - exact).subs(laws) for exact in part.exact]
-    gaps = map(normal_form, itertools.chain(ways, map(item.it.expanded, ways)))
-    return all(isinstance(it, sp.Symbol) for it in factors) and any(
-        all(_has_limit_zero(gap, str(it), end.strip()) for it in factors) for gap in gaps
-    )
+    if not all(isinstance(it, sp.Symbol) for it in factors):
+        return False
+    far = {
+        str(it): np.full(2 * samples.PAIRS, FAR if end.strip() == "oo" else 1 / FAR)
+        for it in factors
+    }
+    for exact in (it.subs(laws) for it in part.exact):
+        close = [
+            np.abs(ours - theirs) <= (np.abs(ours) + np.abs(theirs)) / np.sqrt(FAR)
+            for name, size in far.items()
+            for at in [{**item.values, name: size}]
+            for ours, theirs in [(numeric(it, [*at])(at) for it in (value, exact))]
+        ]
+        gaps = (value - exact, item.it.expanded(value - exact))
+        if np.all(close) and any(
+            all(_has_limit_zero(gap, name, end.strip()) for name in far)
+            for gap in map(normal_form, gaps)
+        ):
+            return True
+    return False
 
 
 def _has_limit_zero(gap: sp.Expr, name: str, end: str) -> bool:

@@ -245,22 +245,20 @@ def _check_paper(
 def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     """Which rows of the article hold for a model, fail, or have no meaning there."""
     from ..derive import pages
-    from ..derive.kang_nam import variant_models
+    from ..derive.kang_nam import ledger
 
     model = load(name)
     model.require_one_contact("a check")
     with show_progress(f"deriving the equations of {model.name}"):
-        every = variant_models.judge(
-            pages.read(page_of(model, pages.SHIPPED), model.name).mechanics
-        )
+        every = ledger.judge(pages.read(page_of(model, pages.SHIPPED), model.name))
     rows = _chosen(only, {row.id: row for row in every}, "the equations")
     if json_output:
         print_json([asdict(row) for row in rows])
         return
-    words = (variant_models.HOLDS, variant_models.FAILS, variant_models.NO_MEANING)
+    words = (ledger.HOLDS, ledger.FAILS, ledger.NO_MEANING)
     styles: dict[str, Style] = dict(zip(words, (_GOOD, _BAD, _DIM), strict=True))
     _print_rows(
-        "model less article", [(row.id, row.where, row.status, row.remark) for row in rows], styles
+        "print less model", [(row.id, row.where, row.status, row.remark) for row in rows], styles
     )
     hold, fail, none = map([row.status for row in rows].count, words)
     click.echo(

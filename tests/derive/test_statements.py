@@ -301,6 +301,8 @@ def test_zero_is_decided_in_polynomials() -> None:
         same = sp.expand(left.subs(c**2, 1 - s**2), deep=False)
         assert algebra.equal(left, same, ((c, s),)), left
         assert not algebra.equal(left, same + x * s**3 / 7, ((c, s),)), left
+    assert algebra.equal(sp.sign(x - y) * sp.Abs(y - x), -sp.sign(y - x) * sp.Abs(x - y), ())
+    assert not algebra.equal(sp.sign(x - y), sp.sign(y - x), ())
 
 
 @pytest.mark.parametrize(
@@ -320,3 +322,16 @@ def test_two_edits_and_a_lost_term_with_brackets_are_found(
     assert row.status == "misprint"
     assert sorted(it["kind"] for it in row.edits) == sorted(kinds)
     assert _judged(about, row.repaired, "units", COUPLING).status == "confirmed"
+
+
+def test_a_paper_is_repaired_and_held_against_another_page() -> None:
+    """A repaired misprint is confirmed by its page, and fails without a repair by another one."""
+    text = "m*ax - k_x*x + k/2*(x - y) = mu*N"
+    statement = papers.Statement("s", "motion x", text, is_latex=False, form="units")
+    paper = papers.Paper("", "", {}, (statement,))
+    right = verdicts.repaired(paper, COUPLING)
+    (row,) = verdicts.check(right, COUPLING, repair=False).rows
+    assert row.status == "confirmed"
+    (row,) = verdicts.check(paper, COUPLING, repair=False).rows
+    assert (row.status, row.repaired) == ("failed", "")
+    assert row.difference

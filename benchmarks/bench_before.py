@@ -96,7 +96,7 @@ for line in sys.stdin:
             answer = eval(known[question])
             best = min(best, time.perf_counter() - begin)
         if file:
-            np.savez(file, **{key: getattr(answer[1], key) for key in ("count", "stability", "theta", "L", "x", "y")})
+            np.savez(file, kind=getattr(answer[1], "undamped", answer[1].stability), **{key: getattr(answer[1], key) for key in ("count", "theta", "L", "x", "y")})
     except Exception:
         best = float("nan")
     print(best, flush=True)
@@ -159,7 +159,7 @@ def differences(workers: list[subprocess.Popen[str]], question: str, folder: Pat
             found.append(dict(file))
     one, other = found
     counts = int((one["count"] != other["count"]).sum())
-    kinds = int((one["stability"] != other["stability"]).any(axis=-1).sum())
+    kinds = int((one["kind"] != other["kind"]).any(axis=-1).sum())
     gaps = [
         np.abs(one[key] - other[key]) / np.maximum(1, np.abs(one[key]))
         for key in ("theta", "L", "x", "y")

@@ -153,7 +153,7 @@ for _ in range(2):
     print(solved - begin, time.perf_counter() - begin)
     del eq
 """
-_TOUCH = {"x": "eq.x", "all": "eq.theta, eq.L, eq.x, eq.y, eq.error, eq.stability"}
+_TOUCH = {"x": "eq.x", "all": "eq.theta, eq.L, eq.x, eq.y, eq.error, eq.undamped"}
 
 
 def first_calls(n: int) -> None:

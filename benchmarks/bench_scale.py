@@ -24,7 +24,7 @@ _MEMORY = _POINT + (
     "import time; t = time.perf_counter(); eq = ss.equilibria(p); t = time.perf_counter() - t\n"
     "after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\n"
     "print(t, (after - before) / 1024, sum(getattr(eq, k).nbytes for k in ('theta', 'L', 'x', "
-    "'y', 'error', 'stability', 'count')) / 2**20)"
+    "'y', 'error', 'undamped', 'count')) / 2**20)"
 )
 
 

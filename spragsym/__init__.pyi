@@ -48,7 +48,7 @@ from .orbits import lyapunov as lyapunov
 from .orbits.diagram import diagram as diagram
 from .papers import check as check
 from .report import Study as Study
-from .results.equilibria import Stability as Stability
+from .results.equilibria import EquilibriumType as EquilibriumType
 from .results.files import open as open
 from .statics.equilibria import count as count
 from .statics.equilibria import equilibria as equilibria

@@ -150,7 +150,7 @@ def equilibria(
     >>> str(state.decimals()["x"]), str(state.decimals(digits=6)["x"])
     ('1.21742364817816844590957746961466093475851094892 ± 2.9e-45', '1.21742 ± 3.7e-06')
     >>> state, = precise.equilibria(ss.load("stick_slip").Parameters(V=1), dps=30)
-    >>> str(state.decimals(digits=20)["x"]), state.stability.name
+    >>> str(state.decimals(digits=20)["x"]), state.undamped.name
     ('0.099009900990099015288 ± 3.1e-22', 'STABLE')
     """
     model = _model(p)

@@ -37,8 +37,8 @@ def compare(p: ss.Parameters, onsets: ss.results.Onsets) -> tuple[int, int, int]
     """Onsets that the map has and the list has not, the other way round, and those on the map."""
     theta0, eq = refined_map(p, onsets)
     flutter = np.where(
-        np.arange(eq.stability.shape[-1]) < eq.count[:, None],
-        eq.stability == ss.Stability.FLUTTER,
+        np.arange(eq.undamped.shape[-1]) < eq.count[:, None],
+        eq.undamped == ss.EquilibriumType.FLUTTER,
         False,
     )
     missed = extra = seen = 0

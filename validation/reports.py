@@ -75,19 +75,19 @@ ROWS: list[tuple[str, str, str, list[tuple[str, bool]]]] = [
     (
         "State",
         "the (state it jumped to|reference state)",
-        "stable; ",
+        "stable",
         [(SETTLES, True), (UP_TO_DAMPING, False)],
     ),
     (
         "State",
         "the (state it jumped to|reference state)",
-        "stable, practically neutral",
+        "neutral",
         [(UP_TO_DAMPING, True)],
     ),
     (
         "State",
         "the (state it jumped to|reference state)",
-        "stable, but with",
+        "unstable",
         [(SETTLES, False), (UP_TO_DAMPING, False)],
     ),
     ("Warnings", "", "the followed state lies", [(JUMPED, False)]),

@@ -80,7 +80,7 @@ export function createAlong(box, { field, span, states, shown, go }, coordinate)
       const end = performance.now() + BUDGET;
       while (i < COLUMNS && performance.now() < end) {
         const x = low + ((high - low) * (i + 0.5)) / COLUMNS; // off the ends, which may not be allowed
-        points.push(...states(inward(field(), x)).map(({ q, stability, contact }) => ({ x, y: q[0], kind: stability, contact })));
+        points.push(...states(inward(field(), x)).map(({ q, undamped, contact }) => ({ x, y: q[0], kind: undamped, contact })));
         i += 1;
       }
       if (i < COLUMNS) {

@@ -16,7 +16,7 @@ const LONGEST = 0.05;
 /** The state that a jump leads to: the nearest that is not divergent. */
 export function landing(states, q) {
   const far = (state) => Math.hypot(...state.q.map((value, k) => value - q[k]));
-  const left = states.filter(({ stability }) => stability !== "divergent");
+  const left = states.filter(({ undamped }) => undamped !== "divergent");
   return left.sort((a, b) => far(a) - far(b))[0] ?? null;
 }
 

@@ -21,17 +21,17 @@ const STIFF = 1e6;
 /** A growth rate below this share of the frequency is practically neutral, as in the Python package. */
 const NEUTRAL = 1e-4;
 
-/** What small deviations do with dampers and the slope of the friction law: decays, grows or neutral, and at what rate. */
-export function dampedOf(mass, damping, stiffness, stability) {
+/** What small deviations do with dampers and the slope of the friction law: stable, neutral or unstable, and at what rate they grow. */
+export function stabilityOf(mass, damping, stiffness, undamped) {
   if (![damping, stiffness].flat(2).every(Number.isFinite)) {
-    return { damped: "", rate: NaN };
+    return { stability: "", rate: NaN };
   }
   if (!damping.flat().some(Boolean)) {
-    const rate = stability === "stable" ? 0 : withoutDamping(mass, stiffness);
-    return { damped: rate ? "grows" : "neutral", rate };
+    const rate = undamped === "stable" ? 0 : withoutDamping(mass, stiffness);
+    return { stability: rate ? "unstable" : "neutral", rate };
   }
   const { rate, frequency } = fastest(mass, damping, stiffness);
-  return { damped: Math.abs(rate) <= NEUTRAL * frequency ? "neutral" : rate < 0 ? "decays" : "grows", rate };
+  return { stability: Math.abs(rate) <= NEUTRAL * frequency ? "neutral" : rate < 0 ? "stable" : "unstable", rate };
 }
 
 /** The largest real part of the roots λ of λ² = −κ, of which the linearization has no others. */

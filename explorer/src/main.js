@@ -83,7 +83,7 @@ export function start({ algebra, closed = null }) {
     }
     const now = store.get();
     const [x, y] = position(q);
-    const others = now.found.states.filter((one) => one !== current(now) && one.contact).map((one) => ({ x: position(one.q)[0], y: position(one.q)[1], stability: one.stability }));
+    const others = now.found.states.filter((one) => one !== current(now) && one.contact).map((one) => ({ x: position(one.q)[0], y: position(one.q)[1], kind: one.undamped }));
     mechanism.draw({ to: pinned(now.point, q), x, y, ties: ties(now.point), others, ...more });
   }
 
@@ -91,7 +91,7 @@ export function start({ algebra, closed = null }) {
   function still(now, q = null) {
     const state = current(now);
     draw(q ?? state?.q ?? rest, {
-      kind: state?.stability ?? "", note: state ? "at rest on the sliding belt; pale: the other states" : "no state in contact",
+      kind: state?.undamped ?? "", note: state ? "at rest on the sliding belt; pale: the other states" : "no state in contact",
       forces: state && !q ? at(now.point).acting(state.q, state.contact).vectors : null,
     });
   }
@@ -289,12 +289,12 @@ export function start({ algebra, closed = null }) {
   }
 
   /** A state as scripts read it. */
-  function told({ q, along: lines, stability, error }) {
+  function told({ q, along: lines, stability, undamped, error }) {
     const directed = Array.from({ length: count }, (_, i) => {
       const name = count > 1 ? `_${i + 1}` : "";
       return [[`theta${name}`, Math.atan2(lines[3 * i + 1], lines[3 * i])], [`L${name}`, lines[3 * i + 2]]];
     });
-    return { ...Object.fromEntries([...names.map((name, i) => [name, q[i]]), ...directed.flat()]), stability, error };
+    return { ...Object.fromEntries([...names.map((name, i) => [name, q[i]]), ...directed.flat()]), stability, undamped, error };
   }
 
   window.spragsym = Object.freeze({

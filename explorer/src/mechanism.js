@@ -139,7 +139,7 @@ export function createMechanism(box, on, count = 1) {
     ghosts.replaceChildren();
     others.forEach((state) => {
       const [gx, gy] = at(state.x, state.y);
-      part(ghosts, "rect", { x: gx - WIDTH / 2, y: gy - HEIGHT / 2, width: WIDTH, height: HEIGHT, rx: 4, class: `ghost ${state.stability}` });
+      part(ghosts, "rect", { x: gx - WIDTH / 2, y: gy - HEIGHT / 2, width: WIDTH, height: HEIGHT, rx: 4, class: `ghost ${state.kind}` });
     });
     push(forces, centre);
   }

@@ -108,8 +108,8 @@ function once({ coordinates }, q) {
 export function described(balance, q, contact, told = null) {
   const along = balance.directions(q);
   const [mass, stiffness] = [balance.mass(q), balance.stiffness(q, contact, along)];
-  const stability = told ?? kindOf(mass, stiffness);
-  return { q, contact, stability, ...dampedOf(mass, balance.damping(q, contact), stiffness, stability), along };
+  const undamped = told ?? kindOf(mass, stiffness);
+  return { q, contact, undamped, ...stabilityOf(mass, balance.damping(q, contact), stiffness, undamped), along };
 }
 
 /**

@@ -6,7 +6,7 @@ import { numbered, symbolOf } from "./symbols.js";
 
 const SIGNS = { stable: "●", divergent: "▲", flutter: "≈" };
 const ABOUT = {
-  stable: "stable: pushed a little, the mass comes back",
+  stable: "stable without damping: pushed a little, the mass swings about the state",
   divergent: "unstable (divergence): pushed a little, the mass leaves without swinging",
   flutter: "unstable (flutter): pushed a little, the mass swings more and more",
 };
@@ -27,7 +27,7 @@ function columns(about, units) {
     ...about.coordinates.map(({ name, angle }, i) => [measured(symbolOf(name), angle ? "°" : length), (state) => written(angle ? degrees(state.q[i]) : long * state.q[i], 8)]),
     ...each.map((i) => [measured(numbered("L", i, springs), length), (state) => written(long * state.along[3 * i + 2], 7)]),
     ["growth", (state) => written(state.rate, 3)],
-    ["with damping", (state) => state.damped],
+    ["without damping", (state) => `<span title="${ABOUT[state.undamped]}"><i aria-hidden="true">${SIGNS[state.undamped]}</i> ${state.undamped}</span>`],
     ...(about.proved ? [["error bound", (state) => written(state.error, 2)]] : []),
     ...each.map((i) => [measured(numbered("S", i, springs), force), (_, of) => written(strong * of.tensions[i], 5)]),
     ...(about.drawn ? [[measured("other forces", force), (_, of) => written(strong * Math.hypot(...of.vectors.others), 5)]] : []),
@@ -45,12 +45,12 @@ export function createStates(table, store, at, about, units = PLAIN) {
   function row(state, balance, chosen) {
     const acting = balance.acting(state.q, state.contact);
     const line = document.createElement("tr");
-    line.className = `${state.stability}${chosen ? " chosen" : ""}`;
+    line.className = `${state.undamped}${chosen ? " chosen" : ""}`;
     if (chosen) {
       line.setAttribute("aria-current", "true");
     }
     line.innerHTML = `<td>${chosen ? "<b title='the mass is here'>➤<span class='hidden'> the mass is here</span></b>" : ""}</td><td>${regimeOf(about, state.contact)}</td>
-      <td title="${ABOUT[state.stability]}"><i aria-hidden="true">${SIGNS[state.stability]}</i> ${state.stability}</td>${columned.map(([, say]) => `<td>${say(state, acting)}</td>`).join("")}`;
+      <td>${state.stability}</td>${columned.map(([, say]) => `<td>${say(state, acting)}</td>`).join("")}`;
     return line;
   }
 
@@ -89,8 +89,9 @@ export function story(now, about, fields, units = PLAIN) {
   if (!state) {
     return `No state ${now.found.proved ? "in contact with the belt" : "was found that the mass could keep"}: see the motion below.${jump}${more}`;
   }
-  const damped = state.damped === "neutral" ? ", practically neutral" : state.damped === "grows" && state.stability === "stable" ? `, but with damping it grows at the rate ${written(state.rate, 2)}` : "";
-  const kind = state.stability === "flutter" ? "; it flutters, so the motion below swings up" : `, ${state.stability}${damped}`;
+  const without = state.undamped === state.stability ? "" : state.undamped === "flutter" ? "; it flutters, so the motion below swings up" : `; ${state.undamped} without damping`;
+  const grows = state.stability === "unstable" && state.undamped === "stable" ? `, small deviations grow at the rate ${written(state.rate, 2)}` : "";
+  const kind = `, ${state.stability}${grows}${without}`;
   const many = now.found.states.filter(({ contact }) => contact).length;
   const side = regimeOf(about, true) === "contact" ? " in contact" : "";
   const directed = state.along.length === 3 ? `θ = ${written(degrees(Math.atan2(state.along[1], state.along[0])), 4)}°, ` : "";

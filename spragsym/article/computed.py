@@ -27,7 +27,7 @@ from ..motion.sweeps import sensitivity
 from ..numerics.polynomials import primitive, real_roots, root_bound
 from ..orbits import Cycle, cycle, fate_boundary
 from ..orbits.system import System
-from ..results import Equilibria, Jump, Stability
+from ..results import Equilibria, EquilibriumType, Jump
 from ..statics.equilibria import equilibria
 from .ledger import printed, rounded
 
@@ -189,16 +189,16 @@ def _middle_diverges(eq: Equilibria) -> bool:
     """Whether of three states the middle one diverges and the others are stable, and of one that
     is.
     """
-    stable, three = Stability.STABLE, eq.stability[eq.count == 3]
+    stable, three = EquilibriumType.STABLE, eq.undamped[eq.count == 3]
     return bool(
-        (three == [stable, Stability.DIVERGENT, stable]).all()
-        and (eq.stability[eq.count == 1][:, 0] == stable).all()
+        (three == [stable, EquilibriumType.DIVERGENT, stable]).all()
+        and (eq.undamped[eq.count == 1][:, 0] == stable).all()
     )
 
 
 def lift_off() -> Outcome:
     eq, at = (equilibria(_at(degrees), contact=False) for degrees in (_GRID, 49.0))
-    divergent = (eq.stability[:, 0] == Stability.DIVERGENT).all()
+    divergent = (eq.undamped[:, 0] == EquilibriumType.DIVERGENT).all()
     holds = (eq.count == 1).all() and divergent and (eq.y[:, 0] >= 0).all()
     return holds, {
         "count": 1,
@@ -235,7 +235,7 @@ def roots_of_21() -> Outcome:
 def jump_rising() -> Outcome:
     (jump,) = quasi_static_path(_article(mu0=0.7), "theta0", _RISING).jumps
     before, after = jump.before["x"], jump.after["x"]  # after is taken a little beyond the fold
-    holds = after > before and jump.stability_after == Stability.STABLE
+    holds = after > before and jump.undamped_after == EquilibriumType.STABLE
     return holds, {"theta0_deg": _deg(jump.value), "x before": before, "x after": rounded(after, 9)}
 
 
@@ -292,7 +292,9 @@ def flutter_alpha() -> Outcome:
         lambda angle: np.nanmax(equilibria(p.replace(theta0=angle)).eigenvalues.real), 2.5, 2.8
     )
     inside = equilibria(p.replace(theta0=np.radians(np.linspace(onsets[0], onsets[-1], 101)[1:-1])))
-    flutters = (inside.stability[:, 0] == Stability.FLUTTER).all() and (inside.count == 1).all()
+    flutters = (inside.undamped[:, 0] == EquilibriumType.FLUTTER).all() and (
+        inside.count == 1
+    ).all()
     holds = len(onsets) == 2 and flutters and abs(_deg(growth.x) - 150) < 5
     # The place of a smooth maximum has half as many digits as the other numbers.
     return holds, {"onsets_deg": onsets, "fastest growth at theta0_deg": rounded(_deg(growth.x), 5)}
@@ -302,7 +304,7 @@ def flutter_sigma() -> Outcome:
     p = _article(sigma=1.0)
     onsets = _deg(flutter_onsets(p, damping=False).theta0)
     eq = equilibria(p.replace(theta0=np.radians(_GRID)))
-    flutters, expected = eq.stability == Stability.FLUTTER, np.searchsorted(onsets, _GRID) != 1
+    flutters, expected = eq.undamped == EquilibriumType.FLUTTER, np.searchsorted(onsets, _GRID) != 1
     return (flutters.any(axis=-1) == expected).all() and flutters[expected, 2].all(), {
         "onsets_deg": onsets
     }
@@ -393,7 +395,7 @@ def limit_cycle() -> Outcome:
     growth = np.linalg.eigvals(
         System.of(p, None).linearization(np.array([x, eq.y[0], 0.0, 0.0]))
     ).real.max()
-    alone = eq.count == 1 and eq.stability[0] == Stability.STABLE
+    alone = eq.count == 1 and eq.undamped[0] == EquilibriumType.STABLE
     return outcome.regime == Regime.LIMIT_CYCLE and alone and growth > 0, {
         "period": outcome.period,
         "largest |x|": late.largest(0.0),
@@ -455,7 +457,7 @@ def _slides_stably(degrees: float, speed: float, creep: float) -> bool:
     """Whether the state of smallest deformation is stable at the friction of this belt."""
     p = _at(degrees, V=speed, d=creep)
     rest = equilibria(p.replace(mu0=_working(p)))
-    return bool(rest.stability[int(np.nanargmin(np.abs(rest.x)))] == Stability.STABLE)
+    return bool(rest.undamped[int(np.nanargmin(np.abs(rest.x)))] == EquilibriumType.STABLE)
 
 
 def fate_of_rest() -> Outcome:
@@ -492,10 +494,10 @@ def _dry(degrees: Any) -> ParameterSet:
 
 def statics_without_d() -> Outcome:
     eq, dry = (equilibria(p) for p in (_at(OF_STATICS), _dry(OF_STATICS)))
-    same = np.array_equal(eq.stability, dry.stability) and np.allclose(
+    same = np.array_equal(eq.undamped, dry.undamped) and np.allclose(
         eq.x, dry.x, rtol=0.0, atol=1e-12, equal_nan=True
     )
-    undamped = np.abs(dry.growth[dry.stability == Stability.STABLE]).max() < 1e-15
+    undamped = np.abs(dry.growth[dry.undamped == EquilibriumType.STABLE]).max() < 1e-15
     return same and undamped, {
         "theta0_deg": OF_STATICS,
         "counts for every d": dry.count,

@@ -33,7 +33,7 @@ from ..numerics.interval_arrays import (
     quiet,
     scale_of,
 )
-from ..results import Stability
+from ..results import EquilibriumType
 from ..results.points import Ended, Points
 from ..statics import stability
 from ..statics.balance import Balance
@@ -221,7 +221,7 @@ def _at_border(points: Points, row: int) -> tuple[str, str]:
             return "", "up" if opens > 0 else "down"
         moved.append(-opens * float(-np.linalg.solve(K, pushed)[0]))
         code, proved, _ = stability.classified(balance, z[:-1, None], given, ends[:, :-1])
-        stable.append(bool(proved[0]) and code[0] == Stability.STABLE)
+        stable.append(bool(proved[0]) and code[0] == EquilibriumType.STABLE)
     when = "up" if opens > 0 else "down"
     if not any(stable):
         return "", when

@@ -21,7 +21,7 @@ from ..core.questions import Method, question
 from ..display import own_name
 from ..models.parameters import ParameterSet, Span, as_numbers
 from ..numerics.interval_arrays import FloatArray, IntArray, scale_of
-from ..results import Equilibria, Jump, Path, Points, Result, Stability
+from ..results import Equilibria, EquilibriumType, Jump, Path, Points, Result
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.reference_state import chosen_state, least_slot, nearest_state
@@ -108,7 +108,7 @@ def quasi_static_path(
     Path
         With the values that are reached: where the state runs to infinity, and no ``after_jump``
         says where it goes or no state is left, the path ends, with a last entry of ``jumps`` of the
-        kind ``"infinity"``, whose ``after`` is empty and whose ``stability_after`` is None.
+        kind ``"infinity"``, whose ``after`` is empty and whose ``undamped_after`` is None.
 
     Raises
     ------
@@ -165,14 +165,14 @@ def quasi_static_path(
         if way.stops[stop] in along:
             out.append(way.state(stop, place))
             touching.append(way.touching(stop, place))
-    *q, stability, error = np.array(out).T
+    *q, undamped, error = np.array(out).T
     along = along[: len(out)]
     coordinates: dict[str, Any] = dict(zip(way.balance.coordinates, q, strict=True))
     coordinates |= {name: np.array(touching) for name in [*which(way.balance, 0)][:1]}
-    states = one_each(p.replace(**{vary: along}), coordinates, stability.astype(np.int8), error)
+    states = one_each(p.replace(**{vary: along}), coordinates, undamped.astype(np.int8), error)
     named = (*states.state_columns, *[*which(way.balance, 0)][:1])
     places = {name: states[name][:, 0] for name in named}
-    return Path(p, vary, along, states.stability[:, 0], tuple(jumps), places, states)
+    return Path(p, vary, along, states.undamped[:, 0], tuple(jumps), places, states)
 
 
 def first_end(p: Any, vary: str, span: Span, *, start: int | str = "small") -> ModelEnd | None:
@@ -425,12 +425,14 @@ class Way:
                 f"start = {start!r}; give 'small', 'large' or the slot of an equilibrium"
             )
         stable = [
-            slot for slot in range(count) if self.eq.stability[0, slot] == Stability.STABLE
+            slot for slot in range(count) if self.eq.undamped[0, slot] == EquilibriumType.STABLE
         ] or list(range(count))
         met = self._met(0)
         if met and (self.stops.size == 1 or count == len(self._links(0))):
             # The float of the fold lies just beyond the states that meet there.
-            firm = [~number for number in met if self._stability_met(number) == Stability.STABLE]
+            firm = [
+                ~number for number in met if self._stability_met(number) == EquilibriumType.STABLE
+            ]
             stable = [*firm, *stable] or [~number for number in met]
         if not stable:
             allowed, first = self.p.ranges[self.vary], float(self.stops[0])
@@ -509,7 +511,8 @@ class Way:
         if len(self._met(stop - 1)) > 1:
             begun = [slot for slot in begun if self._turned(stop, slot, stop - 1) == ~place]
         return next(
-            (slot for slot in begun if self.eq.stability[stop, slot] == Stability.STABLE), place
+            (slot for slot in begun if self.eq.undamped[stop, slot] == EquilibriumType.STABLE),
+            place,
         )
 
     def _candidates(self, stop: int, other: int) -> IntArray:
@@ -589,14 +592,14 @@ class Way:
         )
 
     def state(self, stop: int, slot: int) -> list[float]:
-        """Coordinates, stability, and a bound on the error."""
+        """Coordinates, type by (27), and a bound on the error."""
         if slot < 0:
             return [
                 *self._place(~slot).values(),
                 self._stability_met(~slot),
                 self.turns.error[~slot],
             ]
-        columns = (*self.eq.coordinates.values(), self.eq.stability, self.eq.error)
+        columns = (*self.eq.coordinates.values(), self.eq.undamped, self.eq.error)
         return [float(column[stop, slot]) for column in columns]
 
     def touching(self, stop: int, slot: int) -> str:
@@ -624,7 +627,7 @@ class Way:
                 f"{ends}, and there is no other beyond it: end the path before it"
             )
         if choose is None:
-            stable = (eq.stability == Stability.STABLE) | (count == 1 and eq.whole)
+            stable = (eq.undamped == EquilibriumType.STABLE) | (count == 1 and eq.whole)
             if not stable.any():
                 raise ConvergenceError(
                     f"{ends}, and nothing stable in contact is left there: end the path "
@@ -647,7 +650,10 @@ class Way:
             else (eq, slot)
         )
         after = {name: float(there[name][place]) for name in there.state_columns}
-        whole, kind = self._place(number, there.state_columns), Stability(int(eq.stability[slot]))
+        whole, kind = (
+            self._place(number, there.state_columns),
+            EquilibriumType(int(eq.undamped[slot])),
+        )
         # Another search may list the states at the stop in another order.
         return int(nearest_state(self.eq, behind)[stop]), Jump(
             end.value, end.kind, whole, after, kind, end.error

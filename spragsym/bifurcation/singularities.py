@@ -50,7 +50,7 @@ from ..numerics.interval_arrays import (
 )
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import exact_ends, third_derivative
-from ..results import Stability
+from ..results import EquilibriumType
 from ..results.points import Ended, Points, nothing_ends, nowhere
 from ..statics.balance import NOTHING, Balance, PreciseBalance
 from ..statics.equilibria import equilibria
@@ -355,7 +355,7 @@ def _at(points: Points, row: int) -> tuple[str, str]:
     size = points.error[row] * scale_of(z)
     side, lower = _normal_form(family, Intervals(ends_around(z, size)[:, :, None]))
     when = "up" if side < 0 else "down"
-    if with_a_zero(family.balance, z[:-1, None], family.at(z[-1:, None])) != Stability.STABLE:
+    if with_a_zero(family.balance, z[:-1, None], family.at(z[-1:, None])) != EquilibriumType.STABLE:
         return "", when
     return "lower" if lower else "upper", when
 
@@ -402,7 +402,7 @@ def _afterwards(points: Points) -> dict[str, FloatArray]:
         beyond = value + forward * BEYOND * max(1.0, abs(value)) * float(points.error[row])
         beyond = beyond if allowed.low < beyond < allowed.high else value
         here = equilibria(points.parameters.replace(**{vary: beyond}), method="search")
-        stable = here.stability == Stability.STABLE
+        stable = here.undamped == EquilibriumType.STABLE
         if here.decided and stable.any():
             before = {
                 name: float(points[name][row]) for name in points.parameters.model.coordinates

@@ -177,8 +177,8 @@ def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[Row]:
     """Rows of a point: words, directions and lengths of springs, coordinates, and the quality of
     each state.
 
-    ``stability`` and ``eigenvalues`` are those of (27); ``damped`` is with dampers and the slope of
-    the friction law.
+    ``undamped`` and ``eigenvalues`` are those of (27); ``stability`` is with dampers and the slope
+    of the friction law.
     """
     count = int(eq.count[point])
     before, behind = eq.row_columns("before"), eq.row_columns("behind", "beside")
@@ -211,7 +211,7 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
         found = ss.quasi_static_path(
             case.following(case.set(along.name), near), along.name, along.values, **case.ask
         )
-    ours = ("stability", "damped", "growth")
+    ours = ("stability", "undamped", "growth")
     words = {own_name(case.model, name): getattr(found, name) for name in ours}
     states = case.rows({along.name: found.values, **words, **found.places}, ss.results.Path)
     jumps = [

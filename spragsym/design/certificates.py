@@ -37,7 +37,7 @@ from ..numerics.interval_arrays import (
     scale_of,
     width_of,
 )
-from ..results import Equilibria, Result, Stability
+from ..results import Equilibria, EquilibriumType, Result
 from ..statics import stability
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
@@ -312,7 +312,7 @@ STATES: dict[str, tuple[Test, Callable[[Equilibria], BoolArray]]] = {
     ),
     "no flutter": (
         _none_flutters,
-        lambda eq: ((eq.stability == Stability.FLUTTER) & ~eq.marginal).any(axis=-1),
+        lambda eq: ((eq.undamped == EquilibriumType.FLUTTER) & ~eq.marginal).any(axis=-1),
     ),
 }
 

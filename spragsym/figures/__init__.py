@@ -37,7 +37,6 @@ from ..results import (
     Path,
     Points,
     Result,
-    Stability,
     Trajectory,
 )
 from .bifurcation_sets import (
@@ -151,7 +150,7 @@ __all__ = [
 
 
 #: Marks of equilibria by their stability.
-_MARKS = {Stability.STABLE: "o", Stability.DIVERGENT: "x", Stability.FLUTTER: "^"}
+_MARKS = {"stable": "o", "neutral": "d", "unstable": "x"}
 
 
 @styled
@@ -254,7 +253,7 @@ def _equilibria(
                 "marker": mark,
                 "color": BLACK,
                 "markersize": 3,
-                "label": kind.name.lower(),
+                "label": kind,
                 **options,
             }
             lines += ax.plot(along[here], model.column(up).size * rows[up][here], **style)

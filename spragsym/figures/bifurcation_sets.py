@@ -19,7 +19,7 @@ from ..generated import equilibrium as _equilibrium
 from ..models.parameters import ARTICLE, FloatArray, Parameters, Span
 from ..numerics.interval_arrays import Int8Array
 from ..numerics.polynomials import eigenvalues
-from ..results import Stability
+from ..results import EquilibriumType
 from .curves import LABELS, passages
 from .equilibrium_curves import table_of_path
 from .planes import draw_plane
@@ -129,7 +129,7 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
             line[:, 1],
             color=GREEN,
             linewidth=1.2,
-            linestyle=LINES[Stability.FLUTTER],
+            linestyle=LINES[EquilibriumType.FLUTTER],
             zorder=3,
         )
     for x in (6, 157):
@@ -162,9 +162,9 @@ def _regions(ax: Axes, p: Parameters, counts: Mapping[tuple[float, float], str])
 
 
 _SHEET_COLORS = {
-    Stability.STABLE: "#b3d9f0",
-    Stability.DIVERGENT: "#f7b78f",
-    Stability.FLUTTER: "#96dcc0",
+    EquilibriumType.STABLE: "#b3d9f0",
+    EquilibriumType.DIVERGENT: "#f7b78f",
+    EquilibriumType.FLUTTER: "#96dcc0",
 }
 #: Proportions of the box, what its sides go over in θ₀ in degrees, μ₀ and x, and the angles under
 #: which it is seen.
@@ -207,7 +207,7 @@ def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, I
         for columns in (vertices, kept)
     )
     whole = np.isfinite(cells).all(axis=(2, 3)) & inside.any(axis=2)
-    return cells[whole], found.stability[:-1, :-1][whole]
+    return cells[whole], found.undamped[:-1, :-1][whole]
 
 
 def _directions(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
@@ -265,7 +265,7 @@ def draw_surface(
     first, second = ((cells[:, i] - cells[:, j]) / size for i, j in ((2, 0), (3, 1)))
     normal = np.cross(first, second)
     upright = np.abs(normal[:, 2]) / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)
-    colors = to_rgba_array([_SHEET_COLORS[Stability(kind)] for kind in kinds])
+    colors = to_rgba_array([_SHEET_COLORS[EquilibriumType(kind)] for kind in kinds])
     colors[:, :3] *= 0.72 + 0.28 * upright[:, None]  # darker the steeper
     found = ss.bifurcation_set(p)
     folds = [on_surface(curve.mu0, curve.theta0, curve.x) for curve in found.curves]

@@ -26,7 +26,7 @@ from ..models.forces import columns_of
 from ..models.parameters import FINITE, FloatArray, ParameterSet, Ranges, Span, varied_range
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import ComplexArray, IntArray
-from ..results import Equilibria, Named, Path, Points, Stability
+from ..results import Equilibria, EquilibriumType, Named, Path, Points
 from ..statics.stability import NEUTRAL, REAL
 from .style import (
     BLACK,
@@ -57,7 +57,7 @@ States: TypeAlias = tuple[IntArray, ...]
 
 @dataclass(frozen=True, eq=False)
 class Branch(Named):
-    """A piece of an equilibrium curve of one stability, from end to end; angles in radians.
+    """A piece of an equilibrium curve of states of one type, from end to end; angles in radians.
 
     ``states`` are the columns of :class:`spragsym.results.Equilibria` that say where a state is, by
     name, each an attribute too.
@@ -70,7 +70,7 @@ class Branch(Named):
     vary: str
     values: FloatArray
     states: Mapping[str, FloatArray]
-    stability: Stability
+    kind: EquilibriumType
 
     def shown(self, name: str) -> FloatArray:
         """A column or the parameter as an axis shows it: angles in degrees."""
@@ -129,7 +129,7 @@ def branches(
     contact : bool
         Steady sliding, or lift-off.
     damping : bool
-        Stability with dampers and the slope of the friction law, or by (27), without them.
+        Types with dampers and the slope of the friction law, or by (27), without them.
     n : int
         Points of each piece, denser towards its ends.
 
@@ -174,15 +174,15 @@ def _by_stability(
         vary: eq.parameters[vary][at[0]],
         **{name: eq[name][at] for name in eq.state_columns},
     }
-    kinds = eq.stability[at]
+    kinds = eq.undamped[at]
     if damping:  # where the sign of the growth is not proved, the type by (27) stays
         sign, fastest = eq.growth_sign[at], eq.damped_eigenvalues[at][:, 0]
         grows = np.where(
             np.abs(fastest.imag) <= REAL * np.abs(fastest),
-            Stability.DIVERGENT,
-            Stability.FLUTTER,
+            EquilibriumType.DIVERGENT,
+            EquilibriumType.FLUTTER,
         )
-        kinds = np.select([sign < 0, sign > 0], [Stability.STABLE, grows], kinds)
+        kinds = np.select([sign < 0, sign > 0], [EquilibriumType.STABLE, grows], kinds)
     for side, cut in () if turns is None else zip((0, -1), cuts, strict=True):
         assert turns is not None  # there are no sides else
         folds, count = np.flatnonzero(turns[vary] == cut), eq.count[side]
@@ -200,7 +200,7 @@ def _by_stability(
             kinds = np.insert(kinds, place, kinds[side])
     for part in runs(kinds):
         states = picked(columns, part)
-        yield Branch(p.model, vary, states.pop(vary), states, Stability(kinds[part][0]))
+        yield Branch(p.model, vary, states.pop(vary), states, EquilibriumType(kinds[part][0]))
 
 
 def pieces_between(
@@ -227,7 +227,7 @@ def pieces_between(
 def chains(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> Iterator[States]:
     """Equilibria of one curve, by their indices into the columns, for each curve."""
     # Of each state the number of its curve.
-    curve, numbers = np.zeros(eq.stability.shape, dtype=int), itertools.count(1)
+    curve, numbers = np.zeros(eq.undamped.shape, dtype=int), itertools.count(1)
     for place, pairs in enumerate([{}, *linked(p, vary, eq, turns)]):
         before = {other: curve[place - 1, one] for one, other in pairs.items()}
         for slot in range(eq.count[place]):
@@ -273,7 +273,7 @@ def draw_branches(
     if isinstance(curves, Branches):
         shade(ax, curves.model, curves.vary, curves.undecided)
     for curve in curves:
-        style = {"color": color, "linestyle": LINES[curve.stability], **options}
+        style = {"color": color, "linestyle": LINES[curve.kind], **options}
         lines += ax.plot(curve.shown(curve.vary), curve.shown(quantity), **style)
     return lines
 
@@ -389,7 +389,7 @@ def table_of(curves: Iterable[Branch]) -> Table:
             curve.model.column(name).heading: curve.shown(name)
             for name in (curve.vary, *curve.states)
         }
-        tables.append({"stability": curve.stability.name.lower(), **columns})
+        tables.append({"kind": curve.kind.name.lower(), **columns})
     return stacked(tables, "branch")
 
 

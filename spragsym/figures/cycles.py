@@ -93,7 +93,7 @@ def figure_cycles() -> Sheet:
             curve.shown("theta0"),
             np.abs(curve.x),
             color=BLACK,
-            linestyle=LINES[curve.stability],
+            linestyle=LINES[curve.kind],
             linewidth=1.0,
         )
     colours: dict[str, str] = {}

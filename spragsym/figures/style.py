@@ -27,7 +27,7 @@ from ..files.storage import put
 from ..models import Model
 from ..models.load import USUAL, load
 from ..models.parameters import ARTICLE, Ranges
-from ..results import Points, Stability
+from ..results import EquilibriumType, Points
 
 #: Widths of one column and of two, inches.
 SINGLE, DOUBLE = 3.5, 7.0
@@ -45,10 +45,10 @@ BLACK, BLUE, VERMILION, GREEN, PURPLE, SKY, ORANGE = (
 GREY = "#6b6b6b"
 
 #: How a kind of equilibrium is drawn.
-LINES: Mapping[Stability, Any] = {
-    Stability.STABLE: "-",
-    Stability.DIVERGENT: (0, (3.5, 1.6)),
-    Stability.FLUTTER: (0, (6, 1.5, 1.2, 1.5)),
+LINES: Mapping[EquilibriumType, Any] = {
+    EquilibriumType.STABLE: "-",
+    EquilibriumType.DIVERGENT: (0, (3.5, 1.6)),
+    EquilibriumType.FLUTTER: (0, (6, 1.5, 1.2, 1.5)),
 }
 
 STYLE: dict[str, Any] = {

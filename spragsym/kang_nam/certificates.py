@@ -24,7 +24,7 @@ from ..models.quantities import Unit, checked_units
 from ..numerics.affine import Affine, Rounded, cosine_and_sine, sides
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, quiet
-from ..results import Stability
+from ..results import EquilibriumType
 from . import kernel
 from .jump_values import first_jumps, point_at, require_usual, with_and_without_friction
 from .quartic.solver import count, equilibria
@@ -286,7 +286,7 @@ CLAIMS: dict[str, tuple[Callable[[Boxes], Proved], Callable[[Parameters], BoolAr
     "one equilibrium": (partial(_at_all_states, slope_sign=1), lambda p: count(p) == 3),
     "no flutter": (
         partial(_at_all_states, slope_sign=-1),
-        lambda p: (equilibria(p).stability == Stability.FLUTTER).any(axis=-1),
+        lambda p: (equilibria(p).undamped == EquilibriumType.FLUTTER).any(axis=-1),
     ),
 }
 

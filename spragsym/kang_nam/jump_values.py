@@ -29,7 +29,7 @@ from ..numerics.affine import UNIT
 from ..numerics.balls import Undecided
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import BoolArray, IndexArray
-from ..results.equilibria import Equilibria, Stability
+from ..results.equilibria import Equilibria, EquilibriumType
 from . import fold_arrays, kernel
 from .fold_arrays import friction_sextic
 from .folds import folds
@@ -162,7 +162,7 @@ def small(eq: Equilibria) -> IndexArray:
     of each of many points.
     """
     size = np.where(np.isnan(eq.x), np.inf, np.abs(eq.x))
-    stable = np.where(eq.stability == Stability.STABLE, size, np.inf)
+    stable = np.where(eq.undamped == EquilibriumType.STABLE, size, np.inf)
     return np.asarray(
         np.argmin(np.where(np.isfinite(stable).any(axis=-1, keepdims=True), stable, size), axis=-1)
     )
@@ -293,9 +293,9 @@ def with_and_without_friction(
 def _decided(given: dict[str, FloatArray]) -> tuple[FloatArray, IndexArray]:
     """1 for points that have jumped, else 0, and those of which the signs do not tell."""
     bare, full, slot, first, later, clear = with_and_without_friction(given)
-    error, kind = (np.take_along_axis(one, slot, axis=-1) for one in (bare.error, bare.stability))
+    error, kind = (np.take_along_axis(one, slot, axis=-1) for one in (bare.error, bare.undamped))
     near = (np.abs(full.theta - first) <= _NEAR).any(axis=-1)
-    clear &= ~near & (kind[:, 0] == Stability.STABLE) & ~bare.fold & ~full.fold
+    clear &= ~near & (kind[:, 0] == EquilibriumType.STABLE) & ~bare.fold & ~full.fold
     ends = [_place(np.where(clear, angle, 1.0)) for angle in (first[:, 0], later)]
     # An error is one over max(1, θ), and dw/dθ is less than 1; a few units in the last place are
     # the rounding of w.

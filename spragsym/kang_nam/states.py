@@ -31,7 +31,7 @@ POINTS = 200
 
 def aloft(constants: tuple[float, ...], state: FloatArray) -> bool:
     """Whether a state is in a well of the energy above the belt that it can't leave."""
-    from ..results import Stability
+    from ..results import EquilibriumType
     from .quartic.solver import equilibria
 
     if not state[1] > 0:
@@ -48,7 +48,7 @@ def aloft(constants: tuple[float, ...], state: FloatArray) -> bool:
         _potential(*places, *known),
         _potential(x, y, *known, xp=math) + (vx * vx + vy * vy) / 2,
     )
-    for slot in np.flatnonzero(found.stability == Stability.STABLE):
+    for slot in np.flatnonzero(found.undamped == EquilibriumType.STABLE):
         brim = float(np.min(values[values > values[slot] + 1e-12], initial=np.inf))
         way = np.linspace([x, y], [found.x[slot], found.y[slot]], POINTS + 1).T
         if energy < brim and _highest_on(way, known) < brim:

@@ -27,7 +27,7 @@ from ..models.parameters import (
     as_numbers,
 )
 from ..numerics.interval_arrays import Int8Array, quiet
-from ..results import Result, Stability
+from ..results import EquilibriumType, Result
 from . import kernel
 from .kernel import FIXED
 from .only import of_article
@@ -41,7 +41,7 @@ class Surface(Result):
     Arrays have the common shape of θ, θ₀ and the parameters; angles are radians, lengths over L_0.
     """
 
-    schema = (Column("stability", "1", "kind of state by (27)", Stability),)
+    schema = (Column("undamped", "1", "type of state by (27)", EquilibriumType),)
 
     theta: FloatArray
     theta0: FloatArray
@@ -49,7 +49,7 @@ class Surface(Result):
     L: FloatArray
     x: FloatArray
     y: FloatArray
-    stability: Int8Array
+    undamped: Int8Array
 
 
 @of_article("equilibria(p) has all states over a grid of parameters")
@@ -81,7 +81,7 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
     --------
     >>> import numpy as np
     >>> s = surface(Parameters.article(), theta=np.radians(100.0), theta0=np.radians(60.0))
-    >>> round(float(s.mu0), 6), int(s.stability)
+    >>> round(float(s.mu0), 6), int(s.undamped)
     (0.16305, 1)
     """
     direction = as_numbers("theta", theta, RANGES["theta0"])

@@ -167,7 +167,7 @@ def of_data(study: Brake) -> Iterator[str]:
 
 def _damping(report: Facts) -> Iterator[str]:
     here = report.current
-    if here is None or here.settles is not None or not report.study.moves:
+    if here is None or here.stability != "neutral" or not report.study.moves:
         return
     least = min(here.damping_ratio, default=0.0)
     if here.growth_per_s == 0:
@@ -254,13 +254,13 @@ def _measurements(report: Facts) -> Rows:
             "measure",
             f"{' and '.join(missing)}, and add {write}: then its motion is followed too",
         )
-    elif here is not None and here.settles is None:
+    elif here is not None and here.stability == "neutral":
         at = " and ".join(f"{frequency:.4g} Hz" for frequency in here.frequencies_hz)
         yield (
             "measure",
             f"the damping of the real brake{f' at {at}' if at else ''}: the model has next to none",
         )
-    elif here is not None and not here.settles and study.belt and study.source:
+    elif here is not None and here.stability == "unstable" and study.belt and study.source:
         command = f"spragsym bifurcation --data {shlex.quote(study.source)} --vary {study.belt}"
         yield "find", f"the {study.belt} at which sliding becomes stable: {command}"
     exact = [

@@ -386,9 +386,9 @@ def _reach(study: Brake, jump: float | None, speed: float) -> str:
 def _oscillation(
     answers: _Answers, found: tuple[State, ...], here: Numbers | None
 ) -> Oscillation | None:
-    settles = next((state.settles for state in found if state.current), None)
-    holds = any(state.stable for state in found if state.current or here is None)
-    question = partial(oscillation_of, answers.study, settles, holds)
+    stability = next((state.stability for state in found if state.current), None)
+    holds = any(state.stability != "unstable" for state in found if state.current or here is None)
+    question = partial(oscillation_of, answers.study, stability, holds)
     return answers.known("the oscillation is", question)
 
 

@@ -18,9 +18,9 @@ from ..models.parameters import FloatArray, Ranges, Span
 from ..motion import Regime, simulate
 from ..numerics.interval_arrays import ComplexArray
 from ..orbits import cycle
-from ..results import Equilibria, Named, Result, Stability
+from ..results import Equilibria, EquilibriumType, Named, Result
 from ..statics.balance import Balance
-from ..statics.stability import NEUTRAL, linearization, roots
+from ..statics.stability import linearization, roots, verdicts
 from .brake import Brake
 from .units import Numbers
 
@@ -66,17 +66,17 @@ class State(Named):
     several, and None where there is none; ``contact_force_N`` is None without a contact.
     ``frequencies_hz`` and ``damping_ratio`` belong to the roots of the motion linearized about it,
     slowest first, the friction law's own damping included where the belt speed is known;
-    ``growth_per_s`` is their largest real part. ``stable`` says that it is negative, or zero
-    without damping; ``statics`` is the word of (27) and (28), which leave the damping out.
-    ``settles`` is None where that calls it stable, and so little damps or drives it that what the
-    model leaves out decides.
+    ``growth_per_s`` is their largest real part. ``stability`` says what small disturbances do:
+    ``"stable"``, they die out, ``"unstable"``, they grow, or ``"neutral"``, practically: so little
+    damps or drives them that what the model leaves out decides. ``undamped`` is the word of (27)
+    and (28), which leave the damping out.
     """
 
     _held = "places"
 
     current: bool
-    stable: bool
-    statics: str
+    stability: str
+    undamped: str
     direction_deg: OfSprings
     places: Numbers
     spring_length_mm: OfSprings
@@ -85,16 +85,6 @@ class State(Named):
     frequencies_hz: tuple[float, ...]
     damping_ratio: tuple[float, ...]
     growth_per_s: float
-
-    @property
-    def settles(self) -> bool | None:
-        """Whether a small disturbance dies out."""
-        least = min(self.damping_ratio, default=math.inf)
-        return (
-            None
-            if self.statics == "stable" and (self.growth_per_s == 0 or abs(least) < NEUTRAL)
-            else self.stable
-        )
 
 
 @dataclass(frozen=True)
@@ -222,7 +212,7 @@ def others(
     """
     at, load, found = study.operating_point, study.load, []
     for state, place in zip(known, _places(eq), strict=True):
-        if state.statics != "stable" or state.current:
+        if state.undamped != "stable" or state.current:
             continue
         end = None
         if load is not None:
@@ -273,11 +263,16 @@ def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: boo
     # Where nothing damps, as without friction, the sign of the real part is the rounding's.
     rate = np.where(np.abs(rate.real) <= ROUNDING * size, 1j * rate.imag, rate)
     upper = sorted((root for root in rate if root.imag > 1e-9 * size), key=lambda root: root.imag)
-    growth, kind = float(rate.real.max()), Stability(int(eq.stability[slot]))
+    ratios = tuple(float(-root.real / abs(root)) + 0.0 for root in upper)
+    growth, kind = float(rate.real.max()), EquilibriumType(int(eq.undamped[slot]))
+    stability = "neutral" if kind == EquilibriumType.STABLE else "unstable"
+    if study.moves and growth:
+        rate = rate[np.argsort(-rate.real, kind="stable")]
+        stability = str(verdicts(np.array([growth]), rate[None])[0])
     return State(
         current=is_here,
-        stable=bool(growth < 0 if study.moves and growth else kind == Stability.STABLE),
-        statics=kind.name.lower(),
+        stability=stability,
+        undamped=kind.name.lower(),
         direction_deg=of(where[::2], math.degrees(1.0)),
         places=in_units(study, place),
         spring_length_mm=of(where[1::2], 1e3 * scales.length),
@@ -286,7 +281,7 @@ def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: boo
         if "contact_force" in told
         else None,
         frequencies_hz=tuple(float(root.imag) / (2 * math.pi) for root in upper),
-        damping_ratio=tuple(float(-root.real / abs(root)) + 0.0 for root in upper),
+        damping_ratio=ratios,
         growth_per_s=growth,
     )
 
@@ -395,14 +390,14 @@ def _balanced(p: Any, place: FloatArray, held: int) -> FloatArray:
     return q
 
 
-def oscillation_of(study: Brake, settles: bool | None, holds: bool) -> Oscillation:
+def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillation:
     """The cycle that the motion comes to, from rest or from far out; or what it does instead.
 
-    ``settles`` is of the state that the brake is in, and ``holds`` whether that is stable in the
-    model.
+    ``stability`` is of the state that the brake is in, and ``holds`` whether that is not unstable.
     """
     p, (unit, size) = study.dimensionless, unit_of(study)
     n = len(p.model.coordinates)
+    beside = {"stable": True, "unstable": False}.get(stability or "")
     rest, far = np.zeros((2, 2 * n))
     far[:n][: len(_FAR)] = _FAR[:n]
     for word, start in (("rest", rest), ("far out", far)):
@@ -414,10 +409,10 @@ def oscillation_of(study: Brake, settles: bool | None, holds: bool) -> Oscillati
                     _forces(study, found.forces),
                 )
                 return Oscillation(
-                    "cycle", frequency, found.amplitude * size, unit, *told, settles, word, found
+                    "cycle", frequency, found.amplitude * size, unit, *told, beside, word, found
                 )
     motion, word = simulate(p, t_end=T_END), "rest"
-    if settles is False and not motion.state.any():  # where it rests it is unstable
+    if stability == "unstable" and not motion.state.any():  # where it rests it is unstable
         motion, word = simulate(p, start=far, t_end=T_END), "far out"
     late, regime = motion.after(0.75 * T_END), Regime.UNSETTLED
     with suppress(ConvergenceError):
@@ -439,6 +434,6 @@ def oscillation_of(study: Brake, settles: bool | None, holds: bool) -> Oscillati
     goes_on = 1.0 if kind == "motion" else math.nan
     told, lives = (
         _forces(study, _extremes(p, late.state), goes_on),
-        settles if kind == "motion" else None,
+        beside if kind == "motion" else None,
     )
     return Oscillation(kind, math.nan, goes_on * 0.5 * now * size, unit, *told, lives, word, late)

@@ -68,7 +68,7 @@ def _on_the_motion(report: Facts) -> str:
     here = [state for state in report.states if state.current] or report.states
     sliding = report.study.slides
     if found is None or not (found.alive or found.kind == "lift-off"):
-        unstable = bool(here) and all(state.settles is False for state in here)
+        unstable = bool(here) and all(state.stability == "unstable" for state in here)
         return (
             f"{'Steady sliding' if sliding else 'Rest'} is unstable: small disturbances grow."
             if unstable
@@ -160,9 +160,10 @@ def _unknown(report: Facts) -> str:
     where = (" of sliding" if report.study.slides else "") + (
         " in contact" if contact["gap"] is not None else ""
     )
-    there = f"are {len(states)} states{where}, {sum(state.stable for state in states)} stable"
+    unstable = sum(state.stability == "unstable" for state in states)
+    there = f"are {len(states)} states{where}, {unstable} unstable"
     if len(states) == 1:
-        there = f"is one state{where}, {'stable' if states[0].stable else 'unstable'}"
+        there = f"is one state{where}, {states[0].stability}"
     why = (
         "nothing is said to rise until it jumps"
         if report.study.load is None
@@ -383,11 +384,11 @@ def _state(report: Facts) -> Rows:
 
 
 def _described(state: State) -> str:
-    word = state.statics
-    if state.settles is None:
-        word += ", practically neutral: the damping of the real brake decides whether it settles"
-    elif state.statics == "stable" and not state.stable:
-        word += ", but with all damping it grows"
+    word = state.stability
+    if word == "neutral":
+        word += ": the damping of the real brake decides whether it settles"
+    elif word != state.undamped:
+        word += f" ({state.undamped} without damping)"
     springs = [
         f"; {name.removeprefix('the ')} at {at}"
         for name, at in _springs(state.direction_deg, "{:.4g} deg".format, "")
@@ -601,9 +602,8 @@ _PLAIN = (
 )
 _STATE = (
     "current",
-    "stable",
-    "settles",
-    "statics",
+    "stability",
+    "undamped",
     "direction_deg",
     "spring_length_mm",
     "spring_force_N",

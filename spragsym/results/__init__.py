@@ -11,7 +11,7 @@ import pathlib as _pathlib
 from typing import Any as _Any
 
 from ..display import Column
-from .equilibria import Equilibria, Stability, Undecided
+from .equilibria import Equilibria, EquilibriumType, Undecided
 from .points import BifurcationSet, Curve, Jump, LowestEnd, Path, Points
 from .result import InUnits, Named, Result, Rows
 
@@ -20,6 +20,7 @@ __all__ = [
     "Column",
     "Curve",
     "Equilibria",
+    "EquilibriumType",
     "InUnits",
     "Jump",
     "LowestEnd",
@@ -28,7 +29,6 @@ __all__ = [
     "Points",
     "Result",
     "Rows",
-    "Stability",
     "Undecided",
 ]
 

@@ -28,7 +28,7 @@ from ..orbits.diagram import Diagram as Diagram
 from ..papers import PaperCheck as PaperCheck
 from ..report import Report as Report
 from .equilibria import Equilibria as Equilibria
-from .equilibria import Stability as Stability
+from .equilibria import EquilibriumType as EquilibriumType
 from .equilibria import Undecided as Undecided
 from .points import BifurcationSet as BifurcationSet
 from .points import Curve as Curve

@@ -21,11 +21,11 @@ from ..numerics.interval_arrays import BoolArray, IntArray
 from .result import WHOLE, Items, OfStates, Result, along_axes, axes_of
 
 
-class Stability(enum.IntEnum):
-    """Type of an equilibrium by the roots λ of det(λ² M + K) = 0, (27)."""
+class EquilibriumType(enum.IntEnum):
+    """Type of an equilibrium by the roots λ of its linearization, as of det(λ² M + K) = 0, (27)."""
 
     NONE = 0  #: no equilibrium in this slot
-    STABLE = 1  #: all λ imaginary
+    STABLE = 1  #: no λ with a positive real part
     DIVERGENT = 2  #: a real positive λ
     FLUTTER = 3  #: a complex pair with a positive real part
 
@@ -43,7 +43,7 @@ class Undecided(Result):
 class Source(Protocol):
     """Where equilibria have their columns from, each made when it is asked for.
 
-    It must bring ``stability``, ``marginal``, ``error``, ``eigenvalues`` and the coordinates; it
+    It must bring ``undamped``, ``marginal``, ``error``, ``eigenvalues`` and the coordinates; it
     may bring others.
     """
 
@@ -64,13 +64,13 @@ class Source(Protocol):
 
 
 #: Columns that every result has.
-_KNOWN = ("stability", "marginal", "eigenvalues", "error", "region", "whole")
+_KNOWN = ("undamped", "marginal", "eigenvalues", "error", "region", "whole")
 #: Columns of the full linearization: what it calls them, and what stands in an empty slot.
 _LINEARIZED: Mapping[str, tuple[str, Any]] = {
     "damped_eigenvalues": ("eigenvalues", np.nan),
     "growth": ("growth", np.nan),
     "growth_sign": ("sign", 0),
-    "damped": ("damped", ""),
+    "stability": ("stability", ""),
 }
 
 
@@ -109,12 +109,17 @@ class Equilibria(OfStates):
         that is not everything.
     touching : ndarray of str
         Of a model with several contacts: those that touch, as ``"front, rear"``.
-    stability : ndarray of int8
-        Codes of :class:`Stability` by det(λ² M + K) = 0, as (27): without dampers and slope of the
-        friction law.
+    stability : ndarray of str
+        Small deviations in the motion that the page describes, by det(λ² M + λ C + K) = 0, with
+        dampers and slope of the friction law: ``"stable"``, they decay; ``"unstable"``, they grow;
+        ``"neutral"``, practically: growth below 1e-4 of the frequency, so that damping that no
+        model knows decides. Empty beyond ``count``, and where no float holds the rate.
+    undamped : ndarray of int8
+        Codes of :class:`EquilibriumType` by det(λ² M + K) = 0, as (27): without dampers and slope
+        of the friction law.
     marginal : ndarray of bool
-        Where the code is not proved: no number of digits that was tried tells a sign behind it from
-        that of 0.
+        Where that code is not proved: no number of digits that was tried tells a sign behind it
+        from that of 0.
     eigenvalues : ndarray of complex
         The λ of it, on one more axis; NaN beyond ``count``.
     damped_eigenvalues : ndarray of complex
@@ -122,10 +127,6 @@ class Equilibria(OfStates):
         axis by falling real part.
     growth : ndarray
         Largest real part of the λ of it.
-    damped : ndarray of str
-        What small deviations do by that linearization: ``"decays"``, ``"grows"``, or ``"neutral"``,
-        practically neutral: growth below 1e-4 of the frequency, so that damping that no model knows
-        decides. Empty beyond ``count``, and where no float holds the rate.
     growth_sign : ndarray of int8
         1 where it is proved that something grows by it, −1 that nothing does, 0 where 256 bits do
         not tell.
@@ -146,14 +147,14 @@ class Equilibria(OfStates):
     schema = (
         Column("count", "1", "number of equilibria that are proved"),
         Column("touching", "1", "contacts that touch, of several", row="before"),
-        Column("stability", "1", "kind of state by (27)", Stability, row="before"),
-        Column("damped", "1", "what small deviations do: decays, grows, neutral", row="before"),
+        Column("stability", "1", "small deviations: stable, neutral, unstable", row="before"),
         Column("eigenvalues", "1/s", "eigenvalues of (27), without damping", row="beside"),
         Column("damped_eigenvalues", "1/s", "eigenvalues with all damping", row="beside"),
         Column("growth", "1/s", "largest real part of the damped eigenvalues", row="behind"),
         Column("growth_sign", "1", "1 where growth is proved, -1 where that nothing grows is"),
         Column("error", "1", "bound on |error| / max(1, |value|) of the state", row="behind"),
-        Column("marginal", "1", "whether the stability is not proved", row="beside"),
+        Column("undamped", "1", "type of state by (27)", EquilibriumType, row="behind"),
+        Column("marginal", "1", "whether the type by (27) is not proved", row="beside"),
         Column("region", "1", "ends of the box that was searched"),
         Column("whole", "1", "whether the box is proved to hold all equilibria"),
         Column("escalated", "1", "whether more digits than those of float64 were needed"),
@@ -185,7 +186,7 @@ class Equilibria(OfStates):
     @property
     def states(self) -> tuple[IntArray, ...]:
         """Where there are equilibria: indices into the columns, in order."""
-        return np.nonzero(np.arange(self.stability.shape[-1]) < self.count[..., None])
+        return np.nonzero(np.arange(self.undamped.shape[-1]) < self.count[..., None])
 
     def reason(self, *index: int) -> str:
         """Why the point with this index has no answer; empty if it has one."""
@@ -278,9 +279,9 @@ class Equilibria(OfStates):
         return Items(_names(self.parameters.model, self._source.more), self._column)
 
     def told(self, states: tuple[IntArray, ...]) -> tuple[NDArray[np.str_], FloatArray]:
-        """``damped`` and ``growth`` of some states only, by their indices into the columns."""
+        """``stability`` and ``growth`` of some states only, by their indices into the columns."""
         found = self._source.linearized(self, states)
-        return found.damped, found.growth
+        return found.stability, found.growth
 
     @cached_property
     def _made(self) -> dict[str, FloatArray]:
@@ -313,6 +314,6 @@ class Equilibria(OfStates):
             return self._made[name]
         of, empty = linearized[name]
         values = getattr(self._all, of)
-        out = np.full((*self.stability.shape, *values.shape[1:]), empty, dtype=values.dtype)
+        out = np.full((*self.undamped.shape, *values.shape[1:]), empty, dtype=values.dtype)
         out[self.states] = values
         return out

@@ -18,7 +18,7 @@ from ..models.forces import told_of_states
 from ..models.parameters import FloatArray
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import BoolArray, Int8Array, Shape
-from .equilibria import Equilibria, Stability
+from .equilibria import Equilibria, EquilibriumType
 from .result import Items, Named, OfStates, Result, Rows
 
 
@@ -375,7 +375,7 @@ class Jump(Result):
 
     ``before`` and ``after`` say where they are, by the names of ``Path.state_columns``: numbers,
     angles in radians. Where a path ends as its state runs to infinity, ``before`` is infinite, NaN
-    in coordinates that stay finite; ``after`` is empty and ``stability_after`` None.
+    in coordinates that stay finite; ``after`` is empty and ``undamped_after`` None.
     """
 
     schema = (
@@ -390,12 +390,12 @@ class Jump(Result):
     kind: str
     before: Mapping[str, float]
     after: Mapping[str, float]
-    stability_after: Stability | None
+    undamped_after: EquilibriumType | None
     error: float  #: bound on the error of ``value``
 
 
 #: Columns of the full linearization, as of :class:`spragsym.results.Equilibria`.
-_OF_STATES = ("growth", "growth_sign", "damped")
+_OF_STATES = ("stability", "growth", "growth_sign")
 
 
 @dataclass(frozen=True, eq=False)
@@ -406,16 +406,16 @@ class Path(OfStates, Rows):
 
     Each coordinate is an attribute under its own name, of the shape of ``values``; so are the
     direction and the length of each inclined spring, as of :class:`spragsym.results.Equilibria`.
-    Angles are radians. ``stability`` has the codes of (27); ``growth``, ``growth_sign`` and
-    ``damped`` are those of the full linearization, made when they are asked for.
+    Angles are radians. ``undamped`` has the codes of (27); ``stability``, ``growth`` and
+    ``growth_sign`` are those of the full linearization, made when they are asked for.
     """
 
     schema = (
-        Column("stability", "1", "kind of state by (27)", Stability),
+        Column("stability", "1", "what small deviations do: stable, neutral, unstable"),
+        Column("undamped", "1", "type of state by (27), without damping", EquilibriumType),
         Column("touching", "1", "contacts that touch, of several"),
         Column("growth", "1/s", "largest real part of the damped eigenvalues"),
         Column("growth_sign", "1", "1 where growth is proved, -1 where that nothing grows is"),
-        Column("damped", "1", "what small deviations do: decays, grows, neutral"),
     )
 
     _held = "places"
@@ -423,7 +423,7 @@ class Path(OfStates, Rows):
     parameters: Any
     vary: str
     values: FloatArray
-    stability: Int8Array
+    undamped: Int8Array
     jumps: tuple[Jump, ...]
     places: Mapping[str, FloatArray] = field(repr=False)
     _along: Equilibria = field(repr=False)
@@ -431,7 +431,7 @@ class Path(OfStates, Rows):
     @property
     def _items(self) -> Items:
         ours = {self._own(name): name for name in _OF_STATES}
-        places = {self.vary: self.values, **self.places, self._own("stability"): self.stability}
+        places = {self.vary: self.values, **self.places, self._own("undamped"): self.undamped}
 
         def made(name: str) -> Any:
             return places[name] if name in places else getattr(self._along, ours[name])[:, 0]

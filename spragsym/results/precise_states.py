@@ -12,7 +12,7 @@ import mpmath
 
 from ..models.parameters import Ranges
 from ..numerics.decimals import Decimal, around, exactly
-from .equilibria import Stability
+from .equilibria import EquilibriumType
 
 
 @dataclass(frozen=True, repr=False)
@@ -69,7 +69,7 @@ class PreciseEquilibrium(Written):
     that could be tried; only then may ``error`` be above 10^−dps.
     """
 
-    stability: Stability
+    undamped: EquilibriumType
     error: mpmath.mpf
     fold: bool = False
 

@@ -71,7 +71,7 @@ def equilibria(
     >>> eq = ss.equilibria(ss.Parameters.article(theta0=np.radians([30.0, 49.0])))
     >>> eq.count
     array([3, 1], dtype=int8)
-    >>> eq.stability[0]
+    >>> eq.undamped[0]
     array([1, 2, 1], dtype=int8)
     >>> print(np.round(eq.x[1], 6))
     [1.217424      nan      nan]

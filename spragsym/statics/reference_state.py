@@ -27,7 +27,7 @@ from ..numerics.interval_arrays import (
     stacked,
 )
 from ..numerics.jets import gradient, variables
-from ..results import Equilibria, Stability
+from ..results import Equilibria, EquilibriumType
 from .equilibria import equilibria
 from .namespaces import XP
 
@@ -56,7 +56,7 @@ def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> 
     coordinates.
     """
     q = list(eq.coordinates.values())
-    stable = eq.stability == Stability.STABLE
+    stable = eq.undamped == EquilibriumType.STABLE
     among = np.where(stable.any(axis=-1, keepdims=True), stable, ~np.isnan(q[0]))
     return chosen_state(eq.parameters, q, eq.error, among, near)
 
@@ -66,7 +66,7 @@ def taken_up(p: ParameterSet, near: Mapping[str, float] | None, where: str) -> F
     known to be stable.
     """
     eq = equilibria(p)
-    if not eq.decided or not (eq.stability == Stability.STABLE).any():
+    if not eq.decided or not (eq.undamped == EquilibriumType.STABLE).any():
         raise ConvergenceError(f"no state {where}")
     slot = reference_state(eq, near)
     return np.array([eq.coordinates[name][slot] for name in p.model.coordinates])

@@ -242,7 +242,7 @@ def _arranged(p: Any, parts: Sequence[tuple[Balance, Roots, FloatArray, BoolArra
     )
     searched = np.moveaxis(spans_of(around), 0, 1)
     ours = {
-        "stability": placed(codes, 0),
+        "undamped": placed(codes, 0),
         "marginal": placed(~proved, False),
         "eigenvalues": placed(eigenvalues, np.nan),
         "error": placed(found.error, np.nan),

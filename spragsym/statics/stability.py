@@ -35,7 +35,7 @@ from ..numerics.interval_arrays import (
     stacked,
 )
 from ..numerics.precise_roots import as_balls, narrowed
-from ..results import Equilibria, Stability
+from ..results import Equilibria, EquilibriumType
 from .balance import NOTHING, Balance, PreciseBalance
 from .forces import Pushing, State, as_intervals, filled
 
@@ -67,20 +67,23 @@ class Linearized:
     eigenvalues: ComplexArray  #: all λ, shape (N, 2 n), by falling real part
 
     @property
-    def damped(self) -> NDArray[np.str_]:
-        """``"decays"``, ``"grows"``, or ``"neutral"`` where the rate is below :data:`NEUTRAL` of
+    def stability(self) -> NDArray[np.str_]:
+        """``"stable"``, ``"unstable"``, or ``"neutral"`` where the rate is below :data:`NEUTRAL` of
         the frequency.
 
         That is the one of the λ of the largest real part, or the lowest one where that λ does not
         oscillate. Empty where no float holds the rate.
         """
-        frequency = np.abs(self.eigenvalues.imag)
-        frequency = np.where(frequency > REAL * np.abs(self.eigenvalues), frequency, np.inf)
-        own = np.where(np.isfinite(frequency[:, 0]), frequency[:, 0], frequency.min(axis=1))
-        neutral = np.abs(self.growth) <= NEUTRAL * np.where(np.isfinite(own), own, 0.0)
-        return np.select(
-            [neutral, self.growth < 0, self.growth > 0], ["neutral", "decays", "grows"], ""
-        )
+        return verdicts(self.growth, self.eigenvalues)
+
+
+def verdicts(growth: FloatArray, eigenvalues: ComplexArray) -> NDArray[np.str_]:
+    """:attr:`Linearized.stability` by the growth and all λ, by falling real part, of N states."""
+    frequency = np.abs(eigenvalues.imag)
+    frequency = np.where(frequency > REAL * np.abs(eigenvalues), frequency, np.inf)
+    own = np.where(np.isfinite(frequency[:, 0]), frequency[:, 0], frequency.min(axis=1))
+    neutral = np.abs(growth) <= NEUTRAL * np.where(np.isfinite(own), own, 0.0)
+    return np.select([neutral, growth < 0, growth > 0], ["neutral", "stable", "unstable"], "")
 
 
 def linearized(
@@ -97,7 +100,7 @@ def linearized(
     balances = [Balance(model, key) for key in keys]
     balance = balances[0]
     columns = (
-        np.broadcast_to(value[..., None], eq.stability.shape)
+        np.broadcast_to(value[..., None], eq.undamped.shape)
         for value in eq.parameters.broadcast(*balance.parameters)
     )
     given = np.array([value[states] for value in columns]).reshape(
@@ -109,10 +112,10 @@ def linearized(
         with quiet():
             ends = np.nextafter(ends_around(q, off), np.inf)
     else:
-        place = np.full(eq.stability.shape, -1)
+        place = np.full(eq.undamped.shape, -1)
         place[eq.states] = np.arange(eq.states[0].size if eq.states else 0)
         ends = around[:, :, place[states]]
-    sign = np.where(eq.stability[states] == Stability.STABLE, 1, -1)
+    sign = np.where(eq.undamped[states] == EquilibriumType.STABLE, 1, -1)
     undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
     groups = [np.flatnonzero(which == k) for k in range(len(keys))]
     parts = [
@@ -155,7 +158,7 @@ def _linearized(
 def classified(
     balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray
 ) -> tuple[Int8Array, BoolArray, ComplexArray]:
-    """Codes of :class:`spragsym.Stability`, whether each is proved; and the 2 n roots without
+    """Codes of :class:`spragsym.EquilibriumType`, whether each is proved; and the 2 n roots without
     damping, floats.
 
     States have the shape (n, N), parameters (P, N), boxes ``ends`` with one equilibrium each (2, n,
@@ -211,8 +214,8 @@ def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
     every = squares(M, K)
     others = np.delete(every, np.abs(every).argmin())
     if (np.abs(others.imag) > 1e-13 * np.abs(others).max(initial=0.0)).any():
-        return int(Stability.FLUTTER)
-    return int(Stability.STABLE if (others.real > 0).all() else Stability.DIVERGENT)
+        return int(EquilibriumType.FLUTTER)
+    return int(EquilibriumType.STABLE if (others.real > 0).all() else EquilibriumType.DIVERGENT)
 
 
 def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray:
@@ -351,7 +354,9 @@ def _told(
     real = conservative | (minors > 0).all(axis=0)
     divergent = (elementary < 0).any(axis=0)
     code = np.where(
-        flutter, Stability.FLUTTER, np.where(divergent, Stability.DIVERGENT, Stability.STABLE)
+        flutter,
+        EquilibriumType.FLUTTER,
+        np.where(divergent, EquilibriumType.DIVERGENT, EquilibriumType.STABLE),
     ).astype(np.int8)
     return code, flutter | (real & (divergent | (elementary > 0).all(axis=0)))
 
@@ -374,7 +379,7 @@ def _with_digits(
                 yield slice(row, row + 1), _signs_at(precise, q, ask(row))
 
 
-def type_at(precise: PreciseBalance, q: Sequence[Any]) -> Stability:
+def type_at(precise: PreciseBalance, q: Sequence[Any]) -> EquilibriumType:
     """The type of a state of balls; :class:`Undecided` where a sign that it takes is not
     decided.
     """
@@ -384,7 +389,7 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> Stability:
     code, proved = _told(elementary, minors, _all_real(balance, np.array([none])))
     if not proved[0]:
         raise Undecided("a state on the border of its type")
-    return Stability(int(code[0]))
+    return EquilibriumType(int(code[0]))
 
 
 def _signs_at(precise: PreciseBalance, q: Sequence[Any], ask: Ask) -> list[Int8Array]:

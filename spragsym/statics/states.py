@@ -62,7 +62,7 @@ class Held(Linearizing):
 
 
 def one_each(
-    p: Any, places: Mapping[str, NDArray[Any]], stability: Int8Array, error: NDArray[Any] | float
+    p: Any, places: Mapping[str, NDArray[Any]], undamped: Int8Array, error: NDArray[Any] | float
 ) -> Equilibria:
     """One state in contact of every point, known from elsewhere: columns of the shape of the
     points.
@@ -70,7 +70,7 @@ def one_each(
     ones, known = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
     columns = {
         **places,
-        own_name(p.model, "stability"): stability,
+        own_name(p.model, "undamped"): undamped,
         own_name(p.model, "error"): np.broadcast_to(error, p.shape),
         own_name(p.model, "marginal"): ~known,
     }
@@ -114,11 +114,11 @@ def as_decided(eq: Equilibria, point: int) -> Equilibria:
 
 
 def with_state(
-    eq: Equilibria, point: int, state: Mapping[str, float], stability: int, error: float
+    eq: Equilibria, point: int, state: Mapping[str, float], undamped: int, error: float
 ) -> Equilibria:
     """The equilibria with one more state of one point, given by its coordinates."""
     slot = int((next(iter(eq.coordinates.values()))[point] < next(iter(state.values()))).sum())
-    ours = {"stability": stability, "error": error, "marginal": True}
+    ours = {"undamped": undamped, "error": error, "marginal": True}
     model = eq.parameters.model
     new = {**state, **{own_name(model, name): one for name, one in ours.items()}}
 

@@ -67,8 +67,12 @@ def spring_eigenvalues(x: float, y: float, theta0: float, contact: bool = True, 
 
 def kind(eigenvalues: Any) -> int:
     if abs(np.imag(eigenvalues)).max() > 1e-7:
-        return int(ss.Stability.FLUTTER)
-    return int(ss.Stability.STABLE if np.real(eigenvalues).min() > 0 else ss.Stability.DIVERGENT)
+        return int(ss.EquilibriumType.FLUTTER)
+    return int(
+        ss.EquilibriumType.STABLE
+        if np.real(eigenvalues).min() > 0
+        else ss.EquilibriumType.DIVERGENT
+    )
 
 
 def counted(theta0: float, **p: float) -> int:
@@ -256,13 +260,15 @@ def test_stability_by_eigenvalues(sigma: float) -> None:
     rng = np.random.default_rng(7)
     theta0, mu0 = np.radians(rng.uniform(1, 179, 150)), rng.uniform(0, 1, 150)
     eq = ss.equilibria(ss.Parameters.article(theta0=theta0, mu0=mu0, sigma=sigma))
-    for i, slot in zip(*np.nonzero(eq.stability), strict=True):
+    for i, slot in zip(*np.nonzero(eq.undamped), strict=True):
         p = BASE | {"mu0": mu0[i], "sigma": sigma}
         assert (
             kind(spring_eigenvalues(eq.x[i, slot], eq.y[i, slot], theta0[i], **p))
-            == eq.stability[i, slot]
+            == eq.undamped[i, slot]
         )
-    kinds = {ss.Stability(code).name.lower() for code in np.unique(eq.stability[eq.stability > 0])}
+    kinds = {
+        ss.EquilibriumType(code).name.lower() for code in np.unique(eq.undamped[eq.undamped > 0])
+    }
     assert kinds == set(value("fig-4-stability", "of three")) | (
         {"flutter"} if sigma == 1.0 else set()
     )
@@ -280,7 +286,7 @@ def test_flutter_by_eigenvalues(id: str, changes: dict[str, float], inwards: int
             eq = ss.equilibria(ss.Parameters.article(theta0=theta0, **changes))
             last = int(eq.count) - 1
             kinds.append(kind(spring_eigenvalues(eq.x[last], eq.y[last], theta0, **BASE | changes)))
-        assert kinds == [ss.Stability.STABLE, ss.Stability.FLUTTER]
+        assert kinds == [ss.EquilibriumType.STABLE, ss.EquilibriumType.FLUTTER]
     if "alpha" in changes:
         growth = {}
         for angle in np.arange(149.0, 152.5, 0.02):
@@ -307,7 +313,10 @@ def test_lift_off() -> None:
     assert np.hypot(np.cos(theta0) - x, np.sin(theta0) - y) == pytest.approx(
         value("fig-4-lift-off", "L at 49 deg"), abs=1e-7
     )
-    assert kind(spring_eigenvalues(x, y, theta0, contact=False, **BASE)) == ss.Stability.DIVERGENT
+    assert (
+        kind(spring_eigenvalues(x, y, theta0, contact=False, **BASE))
+        == ss.EquilibriumType.DIVERGENT
+    )
 
 
 # ---------------------------------------------------------------------------------------------
@@ -354,7 +363,7 @@ def test_contact_force_is_bounded() -> None:
     kappa, alpha, sigma = (10 ** rng.uniform(-3, 0, n) for _ in range(3))
     beta = rng.uniform(0, 2, n)
     eq = ss.equilibria(ss.Parameters(theta0, mu0, kappa, alpha, sigma, beta))
-    for i, slot in zip(*np.nonzero(eq.stability), strict=True):
+    for i, slot in zip(*np.nonzero(eq.undamped), strict=True):
         p = {
             "mu0": mu0[i],
             "kappa": kappa[i],

@@ -124,7 +124,7 @@ def test_surface_puts_equilibria_back() -> None:
     rows = np.arange(slot.size)
     assert gaps[rows, slot].max() < 1e-6
     clear = np.abs(np.nan_to_num(np.diff(eq.theta, axis=-1), nan=1.0)).min(axis=-1) > 1e-3
-    assert (eq.stability[rows, slot][clear] == s.stability[good][clear]).mean() > 0.999
+    assert (eq.undamped[rows, slot][clear] == s.undamped[good][clear]).mean() > 0.999
     np.testing.assert_allclose(eq.x[rows, slot][clear], s.x[good][clear], atol=1e-6)
 
 

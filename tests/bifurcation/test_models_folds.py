@@ -71,7 +71,7 @@ def test_flutter_begins_where_exact_arithmetic_says_so():
             Fraction(float(value)) for value in (alpha[place[1]], sigma[place[1]], mu0[place])
         )
         exact = (a - 1) ** 2 - 4 * (mu - s / 2) * s / 2
-        assert (eq.stability[place][0] == ss.Stability.FLUTTER) == (exact < 0)
+        assert (eq.undamped[place][0] == ss.EquilibriumType.FLUTTER) == (exact < 0)
         assert eq.marginal[place][0] == (exact == 0)
 
 

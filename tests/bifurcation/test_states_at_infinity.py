@@ -115,11 +115,11 @@ def test_a_spring_that_is_stretched_without_end() -> None:
         model.Parameters(kappa=kappa), "P", values, start=2, after_jump=lambda eq, before: 0
     )
     assert np.abs(onward.x[2:]).max() <= 1e-15
-    assert onward.jumps[0].stability_after == ss.Stability.DIVERGENT
+    assert onward.jumps[0].undamped_after == ss.EquilibriumType.DIVERGENT
 
 
 def _end_of(path: ss.results.Path) -> float:
     """Where a path ends as its state runs to infinity."""
     (last,) = path.jumps
-    assert (last.kind, last.stability_after) == ("infinity", None)
+    assert (last.kind, last.undamped_after) == ("infinity", None)
     return last.value

@@ -33,7 +33,10 @@ def test_modes_meet_on_a_curve_in_closed_form() -> None:
 
 def test_types_are_told_apart_next_to_an_onset() -> None:
     p = ss.load("mode_coupling").Parameters(sigma=0.5, mu0=0.34 * (1 + np.array([-4e-15, 4e-15])))
-    assert ss.equilibria(p).stability[:, 0].tolist() == [ss.Stability.STABLE, ss.Stability.FLUTTER]
+    assert ss.equilibria(p).undamped[:, 0].tolist() == [
+        ss.EquilibriumType.STABLE,
+        ss.EquilibriumType.FLUTTER,
+    ]
 
 
 @pytest.mark.thorough

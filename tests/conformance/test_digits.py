@@ -38,9 +38,9 @@ def test_digits_are_those_of_the_floats_and_of_more_digits(name: str) -> None:
         slots = np.argsort(floats[p.model.coordinates[0]][: len(few)])
         for place, slot in zip(order, slots.tolist(), strict=True):
             assert (
-                few[place].stability
-                == many[place].stability
-                == ss.Stability(int(floats.stability[slot]))
+                few[place].undamped
+                == many[place].undamped
+                == ss.EquilibriumType(int(floats.undamped[slot]))
             )
             for one, decimal in (
                 few[place].decimals(26).items()
@@ -101,7 +101,7 @@ def test_the_search_is_a_second_witness_of_the_closed_forms(
     assert closed.complete
     assert search.complete
     for one, other in zip(sorted(closed, key=lambda state: state.x), search, strict=True):
-        assert one.stability == other.stability
+        assert one.undamped == other.undamped
         assert one.names == other.names
         for name in one.names:
             (mine, error), (its, rest) = (
@@ -138,7 +138,7 @@ def test_numbers_beside_floats_have_the_same_states(name: str) -> None:
         there, here = (
             sorted(found, key=lambda state: state.numbers[p.model.coordinates[0]]) for found in both
         )
-        assert [state.stability for state in there] == [state.stability for state in here]
+        assert [state.undamped for state in there] == [state.undamped for state in here]
         for one, other in zip(there, here, strict=True):
             for column, value in one.numbers.items():
                 assert 0 <= abs(value - other.numbers[column]) < 1e-16

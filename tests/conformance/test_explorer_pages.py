@@ -81,7 +81,7 @@ def compare_states(
             assert [state[name] for name in model.coordinates] == pytest.approx(
                 where[:, slot], abs=1e-9
             )
-            assert state["stability"] == ss.Stability(int(eq.stability[slot])).name.lower()
+            assert state["undamped"] == ss.EquilibriumType(int(eq.undamped[slot])).name.lower()
         total += count
     return total
 

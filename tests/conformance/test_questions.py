@@ -254,7 +254,7 @@ class Asked:
         fails: dict[str, Callable[[Any], Any]] = {
             "no jump": lambda p: have_jumped(p, self.vary, begin=self.begin) == 1,
             "one equilibrium": lambda p: ss.count(p) != 1,
-            "no flutter": lambda p: (ss.equilibria(p).stability == ss.Stability.FLUTTER).any(
+            "no flutter": lambda p: (ss.equilibria(p).undamped == ss.EquilibriumType.FLUTTER).any(
                 axis=-1
             ),
         }

@@ -71,9 +71,8 @@ def test_reports_have_the_same_keys_and_say_what_python_says(name: str, tmp_path
         ):  # else equilibria take the law at the belt's speed by themselves
             p = p.replace(**{p.model.coefficient: works})
     eq = ss.equilibria(p)
-    assert [state["stable"] for state in told["states"]] == (
-        eq.growth_sign[: int(eq.count)] < 0
-    ).tolist()
+    said = [state["stability"] for state in told["states"]]
+    assert said == eq.stability[: int(eq.count)].tolist()
     coordinate = p.model.about["coordinates"][0]
     key, unit = (
         (f"{coordinate['name']}_mm", 1e3 * length)

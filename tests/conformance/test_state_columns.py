@@ -21,10 +21,10 @@ def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None
         for j in range(count):
             end = f"_{j + 1}" if count > 1 else ""
             tension = getattr(eq, f"spring_force{end}")
-            assert tension.shape == eq.stability.shape
+            assert tension.shape == eq.undamped.shape
             longer = (
                 getattr(eq, f"L{end}")[there]
-                - np.broadcast_to(rest_of(p, j), eq.stability.shape)[there]
+                - np.broadcast_to(rest_of(p, j), eq.undamped.shape)[there]
             )
             assert (
                 tension[there] * longer >= 0

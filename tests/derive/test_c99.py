@@ -264,7 +264,7 @@ def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: i
     for i in np.flatnonzero(sure):
         states = found.equilibria[i, : found.count[i]]
         assert found.count[i] == count(*points[i]), points[i]
-        assert (states["stability"] == known.stability[i, : found.count[i]]).all(), points[i]
+        assert (states["stability"] == known.undamped[i, : found.count[i]]).all(), points[i]
         for state in states:
             exact = reference.refine(
                 state["x"], state["y"], *points[i], contact=bool(regime), digits=70

@@ -214,7 +214,7 @@ def boxes(
 HOLDS: dict[str, Callable[[ss.Parameters], Any]] = {
     "no jump": lambda p: ~(ss.jump_value(p) <= p.mu0),
     "one equilibrium": lambda p: ss.count(p) == 1,
-    "no flutter": lambda p: ~(ss.equilibria(p).stability == ss.Stability.FLUTTER).any(axis=-1),
+    "no flutter": lambda p: ~(ss.equilibria(p).undamped == ss.EquilibriumType.FLUTTER).any(axis=-1),
 }
 
 

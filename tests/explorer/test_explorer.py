@@ -290,10 +290,10 @@ def test_words_and_rates_are_those_of_python(explorer: Explorer) -> None:
     for contact, name in ((True, "contact"), (False, "lift-off")):
         eq = ss.equilibria(ss.Parameters.article(theta0=math.radians(30.0)), contact=contact)
         for slot in range(int(eq.count)):
-            word = column["stability"][rows].split()[-1]
+            word = column["without damping"][rows].split()[-1]
             assert column["regime"][rows] == name
-            assert word == ss.Stability(int(eq.stability[slot])).name.lower()
-            assert column["with damping"][rows] == eq.damped[slot]
+            assert word == ss.EquilibriumType(int(eq.undamped[slot])).name.lower()
+            assert column["stability"][rows] == eq.stability[slot]
             written = column["growth"][rows].replace("\u2212", "-")
             assert float(written) == pytest.approx(float(eq.growth[slot]), rel=0.05)
             rows += 1

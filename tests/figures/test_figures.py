@@ -175,7 +175,7 @@ def test_the_sheets_cover_the_plane_as_often_as_there_are_equilibria(sigma: floa
     for place, states in zip(places, covered, strict=True):
         eq = ss.equilibria(p.replace(theta0=np.radians(place[0]), mu0=place[1]))
         expected = sorted(
-            (int(code), float(x)) for code, x in zip(eq.stability, eq.x, strict=True) if code
+            (int(code), float(x)) for code, x in zip(eq.undamped, eq.x, strict=True) if code
         )
         same = [code for code, _ in expected] == [code for code, _ in sorted(states)]
         wrong += not (

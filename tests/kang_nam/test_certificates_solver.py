@@ -66,7 +66,7 @@ def test_every_rung_gives_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     assert found[0].escalated.sum() == len(calls) > 0
     assert (found[0].escalated == found[1].escalated).all()
     assert (found[0].count == found[1].count).all()
-    assert (found[0].stability == found[1].stability).all()
+    assert (found[0].undamped == found[1].undamped).all()
     both = [np.nan_to_num(eq.theta) for eq in found]
     assert (np.abs(both[0] - both[1]) <= 4 * np.nan_to_num(found[0].error + found[1].error)).all()
 
@@ -162,7 +162,7 @@ def test_blocks_and_threads_do_not_show(monkeypatch: pytest.MonkeyPatch, contact
     for threads in (1, 3):
         ss.kang_nam.set_backend("numpy", threads=threads)
         pieces = ss.equilibria(p, contact=contact)
-        for name in ("theta", "L", "count", "stability", "error", "escalated"):
+        for name in ("theta", "L", "count", "undamped", "error", "escalated"):
             np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
 
 

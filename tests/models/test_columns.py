@@ -24,7 +24,7 @@ def test_a_grid_has_its_axes_and_states_as_dimensions() -> None:
         assert dataset[name].attrs["long_name"] == eq.columns[name].meaning
     assert dataset["x"].attrs["units"] == "L_0"
     assert dataset["theta"].attrs["units"] == "rad"
-    assert dataset["stability"].attrs["flag_meanings"] == "none stable divergent flutter"
+    assert dataset["undamped"].attrs["flag_meanings"] == "none stable divergent flutter"
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -41,7 +41,7 @@ def test_columns_in_units_are_the_columns_times_their_scales(seed: int) -> None:
     assert found["theta_deg"] == pytest.approx(np.degrees(plain["theta"]), rel=1e-14)
     assert found["growth_per_s"] == pytest.approx(np.sqrt(k_c / m) * plain["growth"], rel=1e-13)
     assert set(found.columns) == {
-        *("stability", "damped", "theta_deg", "L_m", "x_m", "y_m", "growth_per_s", "error"),
+        *("stability", "undamped", "theta_deg", "L_m", "x_m", "y_m", "growth_per_s", "error"),
     }
     folds = ss.folds(brake.dimensionless()).to_units(brake.scales)
     assert len(folds) == len(folds["theta0_deg"]) == 2

@@ -197,7 +197,7 @@ def test_an_angle_that_comes_around_has_each_state_once(models: dict[str, Any]) 
         np.sin(path.a), 0
     )  # beside a border of the search it would look for its way for minutes
     slots = [int(np.abs(found[k]).sum() < 1) for k in range(4)]
-    assert [int(code) for code in eq.stability[:4]] == [1 if hangs else 2 for hangs in slots]
+    assert [int(code) for code in eq.undamped[:4]] == [1 if hangs else 2 for hangs in slots]
     hanging = slots.index(1)
     # Frequencies of small motions: γ (1 + ν ± √(ν (1 + ν))) for these masses and lengths.
     want = sorted(0.3 * (1.7 + way * math.sqrt(0.7 * 1.7)) for way in (-1, 1) for _ in range(2))

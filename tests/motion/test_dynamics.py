@@ -118,7 +118,7 @@ def test_small_oscillations_follow_the_linearization(
     mu = 0.5 * (1 - np.exp(-d * V))
     eq = equilibria(p.replace(mu0=mu))
     theta, L, x, y = (getattr(eq, name)[slot] for name in ("theta", "L", "x", "y"))
-    assert eq.stability[slot] == ss.Stability.STABLE
+    assert eq.undamped[slot] == ss.EquilibriumType.STABLE
     K = np.array(stability.stiffness(np.cos(theta), np.sin(theta), L, mu, 0.007, 0.1, 0.0, 1))
     damping = float(stability.damping(y, 0.5, V, d, 1))
     # ∂(μ n)/∂x' written out once more: μ = μ0 (1 − exp(−d (V − x'))), n = −y.

@@ -168,7 +168,7 @@ def _is_smallest(
         )
         candidates += np.abs(math.cos(theta0) - L * np.cos(found))[stable].tolist()
     flutters = bool(
-        (ss.equilibria(p.replace(**{vary: first})).stability == ss.Stability.FLUTTER).any()
+        (ss.equilibria(p.replace(**{vary: first})).undamped == ss.EquilibriumType.FLUTTER).any()
     )
     in_truth = abs(float(path.x[0]))
     exactly_on = not near or first in getattr(ss.folds(p, vary), vary)

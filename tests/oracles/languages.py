@@ -212,7 +212,7 @@ def against_python(found: Found, p: ss.Parameters, contact: bool) -> Agreement:
     vouched = found.status == 0
     same = vouched & (found.count == eq.count)
     written = same[:, None] & (np.arange(slots) < eq.count[:, None])
-    other = (found.columns["stability"][:, :slots] != eq.stability) & written
+    other = (found.columns["stability"][:, :slots] != eq.undamped) & written
     largest = worst = 0.0
     for name in ("theta", "L", "x", "y"):
         ours, exact = found.columns[name][:, :slots][written], getattr(eq, name)[written]

@@ -637,7 +637,7 @@ def test_a_steady_drift_is_no_cycle_that_a_longer_motion_reaches() -> None:
 def test_a_motion_that_has_lifted_off_for_good_nears_no_cycle() -> None:
     p = at(60.0, kappa=0.001)
     lifted = ss.equilibria(p, contact=False)
-    (well,) = np.flatnonzero(lifted.stability == ss.Stability.STABLE)
+    (well,) = np.flatnonzero(lifted.undamped == ss.EquilibriumType.STABLE)
     start = (float(lifted.x[well]) + 0.01, float(lifted.y[well]), 0.0, 0.0)
     orbit = ss.cycle(
         p, **BELT, near=start

@@ -76,8 +76,8 @@ def state(**changes: Any) -> State:
     """The state that the brake is in."""
     given: dict[str, Any] = {
         "current": True,
-        "stable": True,
-        "statics": "stable",
+        "stability": "stable",
+        "undamped": "stable",
         "direction_deg": 57.04,
         "places": {"x_mm": 3.68, "y_mm": -0.4577},
         "spring_length_mm": 36.0,
@@ -288,12 +288,12 @@ VERDICTS: list[tuple[Facts, str]] = [
         "sprags is not known.",
     ),
     (
-        said_of(**NOTHING, states=(state(), state(current=False, stable=False))),
-        "With the model kang_nam there are 2 states of sliding in contact, 1 stable; whether "
+        said_of(**NOTHING, states=(state(), state(current=False, stability="unstable"))),
+        "With the model kang_nam there are 2 states of sliding in contact, 1 unstable; whether "
         "it sprags is not known.",
     ),
     (
-        said_of(named(EXACT, load=None), **NOTHING, states=(state(stable=False),)),
+        said_of(named(EXACT, load=None), **NOTHING, states=(state(stability="unstable"),)),
         "With the model kang_nam there is one state of sliding in contact, unstable; nothing "
         "is said to rise until it jumps.",
     ),
@@ -312,7 +312,9 @@ VERDICTS: list[tuple[Facts, str]] = [
         "until a friction of 0.4.",
     ),
     (
-        said_of(states=(state(stable=False, growth_per_s=5.0, damping_ratio=(-0.1, 0.003)),)),
+        said_of(
+            states=(state(stability="unstable", growth_per_s=5.0, damping_ratio=(-0.1, 0.003)),)
+        ),
         "Steady sliding is unstable: small disturbances grow.",
     ),
     (
@@ -395,7 +397,8 @@ BOTH = brake({"k": "sd 5 %", "k_x": "sd 5 %"})
 VERDICTS += [
     (
         said_of(
-            RESTS, states=(state(stable=False, growth_per_s=5.0, damping_ratio=(-0.1, 0.003)),)
+            RESTS,
+            states=(state(stability="unstable", growth_per_s=5.0, damping_ratio=(-0.1, 0.003)),),
         ),
         "Rest is unstable: small disturbances grow.",
     ),
@@ -426,23 +429,31 @@ ROWS: list[tuple[Facts, str, str, str]] = [
         "stable; spring at 57.04 deg, x = 3.68 mm",
     ),
     (
-        said_of(states=(state(current=False, statics="divergent", direction_deg=None),)),
+        said_of(
+            states=(
+                state(
+                    current=False, stability="unstable", undamped="divergent", direction_deg=None
+                ),
+            )
+        ),
         "State",
         "another state",
-        "divergent; x = 3.68 mm",
+        "unstable (divergent without damping); x = 3.68 mm",
     ),
     (
-        said_of(states=(state(damping_ratio=(1e-7, 0.003)),)),
+        said_of(states=(state(stability="neutral", damping_ratio=(1e-7, 0.003)),)),
         "State",
         "the reference state",
-        "stable, practically neutral: the damping of the real brake decides whether it "
+        "neutral: the damping of the real brake decides whether it "
         "settles; spring at 57.04 deg, x = 3.68 mm",
     ),
     (
-        said_of(states=(state(stable=False, growth_per_s=2.0, damping_ratio=(-0.1, 0.003)),)),
+        said_of(
+            states=(state(stability="unstable", growth_per_s=2.0, damping_ratio=(-0.1, 0.003)),)
+        ),
         "State",
         "the reference state",
-        "stable, but with all damping it grows; spring at 57.04 deg, x = 3.68 mm",
+        "unstable (stable without damping); spring at 57.04 deg, x = 3.68 mm",
     ),
     (
         said_of(states=(state(direction_deg={"left": 40.0, "right": 50.0}),)),
@@ -835,13 +846,13 @@ ROWS: list[tuple[Facts, str, str, str]] = [
         'V and d, and add V = "1.2 m/s" and d = "10 s/m": then its motion is followed too',
     ),
     (
-        said_of(states=(state(damping_ratio=(1e-7, 0.003)),)),
+        said_of(states=(state(stability="neutral", damping_ratio=(1e-7, 0.003)),)),
         "What to do next",
         "measure",
         "the damping of the real brake at 44.35 Hz and 345.9 Hz: the model has next to none",
     ),
     (
-        said_of(FILE, states=(state(stable=False, damping_ratio=(-0.1, 0.003)),)),
+        said_of(FILE, states=(state(stability="unstable", damping_ratio=(-0.1, 0.003)),)),
         "What to do next",
         "find",
         "the V at which sliding becomes stable: spragsym bifurcation --data brake.toml --vary V",
@@ -958,16 +969,18 @@ WARNINGS: list[tuple[Facts, str]] = [
     ),
     (said_of(brake(L_0=38.0)), "L_0 = 3.8e+04 mm is 38 m, outside 0.1 mm to 10 m: check its unit"),
     (
-        said_of(states=(state(growth_per_s=0.0, damping_ratio=(0.0, 0.0)),)),
+        said_of(states=(state(stability="neutral", growth_per_s=0.0, damping_ratio=(0.0, 0.0)),)),
         "nothing damps here: whether a disturbance dies out is up to the damping of the real brake",
     ),
     (
-        said_of(states=(state(damping_ratio=(2e-7, 0.003)),)),
+        said_of(states=(state(stability="neutral", damping_ratio=(2e-7, 0.003)),)),
         "with a damping ratio of 2e-07 a disturbance settles slowly: practically neutral, so "
         "the damping of the real brake decides",
     ),
     (
-        said_of(states=(state(damping_ratio=(-2e-7, 0.003), growth_per_s=1e-9),)),
+        said_of(
+            states=(state(stability="neutral", damping_ratio=(-2e-7, 0.003), growth_per_s=1e-9),)
+        ),
         "with a damping ratio of -2e-07 a disturbance grows slowly: practically neutral, so "
         "the damping of the real brake decides",
     ),

@@ -379,10 +379,11 @@ def test_a_contact_that_holds_on_both_sides_may_be_as_soft_as_the_springs() -> N
     assert not any("should be the stiffest" in one for one in told.warnings)
 
 
-def test_without_friction_nothing_damps_and_the_state_is_stable() -> None:
+def test_without_friction_nothing_damps_and_the_state_is_neutral() -> None:
     study = ss.Study(brake(mu0=0.0))
     found = study.report(**QUICKLY)
-    assert found.current.stable
+    assert found.current.stability == "neutral"
+    assert found.current.undamped == "stable"
     assert found.current.growth_per_s == 0
     assert any("nothing damps" in one for one in found.warnings)
     assert not any("grows slowly" in one for one in found.warnings)

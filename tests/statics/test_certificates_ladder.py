@@ -58,7 +58,7 @@ def _holds(
 
 
 def _code(state: PreciseEquilibrium, point: tuple[float, ...], contact: bool) -> int:
-    """Stability by the roots of the characteristic polynomial of the stiffnesses, written out."""
+    """Undamped by the roots of the characteristic polynomial of the stiffnesses, written out."""
     _, mu0, _, alpha, sigma, beta = map(mpmath.mpf, point)
     push = int(contact)
     with mpmath.workdps(60):
@@ -84,7 +84,7 @@ def test_counts_codes_and_errors_of_the_ladder(contact: bool) -> None:
         assert _holds(found.states, point, contact, 17) <= 1
         for state in found.states:
             assert state.error <= 1e-17
-            assert state.stability == _code(state, point, contact)
+            assert state.undamped == _code(state, point, contact)
             assert (state.y < 0) == contact
             assert state.L > 0
 
@@ -127,9 +127,9 @@ def test_a_fold_stands_in_two_slots_within_its_error() -> None:
                 assert abs(as_fraction(getattr(state, name)) - value) <= as_fraction(
                     state.error
                 ) * max(1, abs(value))
-            assert state.stability == 1
+            assert state.undamped == 1
         [other] = [state for state in found.states if state.theta != one.theta]
-        assert other.stability == 1
+        assert other.undamped == 1
         assert all(
             abs(value - state) > 0.1
             for value, state in ((other.theta, one.theta), (other.x, one.x))
@@ -179,7 +179,7 @@ def test_next_to_a_fold_bits_are_added_until_all_is_decided(power: int) -> None:
                 assert _holds(found.states, point, True, digits + power) <= 1
                 allowed = mpmath.mpf(10) ** -digits
                 assert all(state.error <= allowed for state in found.states)
-                codes = [state.stability for state in found.states]
+                codes = [state.undamped for state in found.states]
                 assert codes == ([1, 2, 1] if len(codes) == 3 else [1])
             counts.append(len(found.states))
         assert sorted(counts) == [1, 3]

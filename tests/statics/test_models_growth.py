@@ -12,7 +12,7 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.article.ledger import PARADOX
 from spragsym.cli import cli
-from spragsym.results.equilibria import Stability
+from spragsym.results.equilibria import EquilibriumType
 from spragsym.statics.stability import Linearized
 from tests.bifurcation.test_maps_of_onsets import ZIEGLER
 from tests.oracles.user_pages import model_of, shipped_page
@@ -63,11 +63,11 @@ def test_the_sign_of_the_growth_is_right(name: str, method: str) -> None:
             eq = ss.equilibria(p, contact=contact, method=method)
             for slot in range(int(eq.count)):
                 most = float(max(value.real for value in eigenvalues(model, eq, slot, p)))
-                sign, word = int(eq.growth_sign[slot]), str(eq.damped[slot])
+                sign, word = int(eq.growth_sign[slot]), str(eq.stability[slot])
                 seen.add(sign)
                 assert abs(eq.growth[slot] - most) < 1e-9
                 assert not sign or sign * most > -1e-12
-                assert {"decays": -1, "grows": 1}.get(word, sign) in (sign, 0)
+                assert {"stable": -1, "unstable": 1}.get(word, sign) in (sign, 0)
     assert -1 in seen
 
 
@@ -81,7 +81,7 @@ def test_zieglers_paradox() -> None:
         )
         rows = [row for row in json.loads(told.stdout)["equilibria"] if row["state"] == "contact"]
         row = rows[0] if state == "before the jump" else rows[-1]
-        assert (row["stability"], row["damped"]) == (word, "neutral")
+        assert (row["undamped"], row["stability"]) == (word, "neutral")
         assert f"{row['growth']:+.1e}" == f"{growth:+.1e}"
 
 
@@ -98,7 +98,7 @@ def test_without_any_damper_flutter_grows() -> None:
     squares = np.array([np.roots([2, 2 * value - 7, 1]) for value in load])
     by_hand = np.abs(np.emath.sqrt(-squares).real).max(axis=1)
     assert eq.growth[:, 0] == pytest.approx(by_hand, abs=1e-9)
-    assert eq.damped[:, 0].tolist() == ["neutral"] * 2 + ["grows"] * 5
+    assert eq.stability[:, 0].tolist() == ["neutral"] * 2 + ["unstable"] * 5
     assert eq.growth_sign[:, 0].tolist() == [-1] * 2 + [1] * 5
 
 
@@ -106,15 +106,18 @@ def test_the_sign_is_proved_where_floats_see_nothing() -> None:
     """A slope of the friction law of 1e-40 decides what floats call 0."""
     for method in ("closed", "search"):
         eq = ss.equilibria(ss.Parameters(theta0=np.radians(30.0), V=9.0), method=method)
-        assert (eq.stability[:3] == [Stability.STABLE, Stability.DIVERGENT, Stability.STABLE]).all()
+        assert (
+            eq.undamped[:3]
+            == [EquilibriumType.STABLE, EquilibriumType.DIVERGENT, EquilibriumType.STABLE]
+        ).all()
         assert eq.growth_sign.tolist() == [-1, 1, 1]
-        assert eq.damped.tolist() == ["neutral", "grows", "neutral"]
+        assert eq.stability.tolist() == ["neutral", "unstable", "neutral"]
 
 
 def test_what_the_article_calls_stable_after_the_jump_grows() -> None:
     """At 30°, V = 0.5 and d = 10 by 4.9e-6: (27) leaves out that friction falls."""
     eq = ss.equilibria(ss.Parameters.article(theta0=np.radians(30.0)))
-    assert int(eq.stability[2]) == Stability.STABLE
+    assert int(eq.undamped[2]) == EquilibriumType.STABLE
     assert (eq.growth_sign[2], f"{eq.growth[2]:+.1e}") == (1, "+4.9e-06")
     most = max(value.real for value in eigenvalues(eq.parameters.model, eq, 2, eq.parameters))
     assert abs(eq.growth[2] - float(most)) < 1e-14
@@ -131,15 +134,15 @@ def test_growth_is_proved_though_the_slope_of_the_law_is_not_told_from_0(mu0: fl
     assert eq.growth[0, 0] == pytest.approx(
         np.sqrt(-np.linalg.eigvals(K).astype(complex)).real.max(), rel=1e-9
     )
-    assert (eq.growth_sign[0, 0], eq.damped[0, 0]) == (1, "grows")
+    assert (eq.growth_sign[0, 0], eq.stability[0, 0]) == (1, "unstable")
 
 
 def test_what_no_float_holds_neither_grows_nor_decays() -> None:
     rates = np.array([np.nan, -1.0, 1.0, 1e-5])
     every = (rates + 1j)[:, None]
-    assert Linearized(rates, np.zeros(4, dtype=np.int8), every).damped.tolist() == [
+    assert Linearized(rates, np.zeros(4, dtype=np.int8), every).stability.tolist() == [
         "",
-        "decays",
-        "grows",
+        "stable",
+        "unstable",
         "neutral",
     ]

@@ -95,7 +95,7 @@ def test_states_are_those_of_the_closed_forms(name, given, more, contact):
     if name == "hertz_contact":  # K in contact is not the article's
         return
     assert (
-        padded(eq.stability, slots, 0) == np.take_along_axis(known.stability, order, axis=-1)
+        padded(eq.undamped, slots, 0) == np.take_along_axis(known.undamped, order, axis=-1)
     ).all()
     if name == "kang_nam":
         got, want = (
@@ -103,7 +103,7 @@ def test_states_are_those_of_the_closed_forms(name, given, more, contact):
             for one in (eq, known)
         )
         assert np.allclose(got[got != 0], want[want != 0], atol=1e-8)
-        assert "alpha" not in given or (known.stability == ss.Stability.FLUTTER).any()
+        assert "alpha" not in given or (known.undamped == ss.EquilibriumType.FLUTTER).any()
 
 
 # ------------------------------------------------------------------------------- other pages, by
@@ -330,7 +330,7 @@ def same_path(vary, values, start, **changes):
     p = model("kang_nam").Parameters(**{"theta0": 1.0, **changes})
     found = ss.quasi_static_path(p, vary, values, start=start)
     assert np.allclose(found.x, known.x, atol=1e-9)
-    assert (found.stability == known.stability).all()
+    assert (found.undamped == known.undamped).all()
     assert np.allclose(
         [jump.value for jump in found.jumps], [jump.value for jump in known.jumps], atol=1e-12
     )

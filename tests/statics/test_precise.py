@@ -80,7 +80,7 @@ def _bits(value: Any) -> Any:
     if isinstance(value, ss.results.Equilibria):
         return [
             _bits(getattr(value, name))
-            for name in ("count", "theta", "L", "x", "y", "error", "stability")
+            for name in ("count", "theta", "L", "x", "y", "error", "undamped")
         ]
     if dataclasses.is_dataclass(value):
         return [_bits(part) for part in vars(value).values()]

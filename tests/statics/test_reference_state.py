@@ -27,8 +27,8 @@ def test_the_rod_is_followed_from_the_state_whose_spring_is_turned_least(angle: 
     eq = ss.equilibria(p)
     stable = [
         float(phi)
-        for phi, kind in zip(eq.phi, eq.stability, strict=True)
-        if kind == ss.Stability.STABLE
+        for phi, kind in zip(eq.phi, eq.undamped, strict=True)
+        if kind == ss.EquilibriumType.STABLE
     ]
     least = min(stable, key=lambda phi: strained(theta0, phi, p))
     assert least > 0 > min(stable, key=abs)
@@ -53,7 +53,7 @@ def test_of_the_article_it_is_the_state_of_smallest_displacement(friction: float
     p = ss.Parameters(mu0=friction, **given)
     eq = ss.equilibria(p)
     slot = reference_state(eq)
-    stable = eq.stability == ss.Stability.STABLE
+    stable = eq.undamped == ss.EquilibriumType.STABLE
     several = stable.sum(axis=1) > 1
     smallest = np.where(stable, np.abs(eq.x), np.inf).argmin(axis=1)
     assert several.sum() > 50

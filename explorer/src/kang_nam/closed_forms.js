@@ -22,7 +22,7 @@ export function createClosed(solver) {
   const solve = (point) => solver.equilibria(statics(point), { contact: true });
   const far = ({ x, y }, q) => Math.hypot(x - q[0], y - q[1]);
   const told = (balance, { x, y, theta, L, stability }, contact) => ({ ...described(balance, [x, y], contact, stability), along: [Math.cos(theta), Math.sin(theta), L] });
-  const onBelt = (state) => state && { q: [state.x, state.y], contact: true, stability: state.stability };
+  const onBelt = (state) => state && { q: [state.x, state.y], contact: true, undamped: state.stability };
 
   /** What a store asks, see createStore, and the number of states in contact, null where it is undecided. `at(point)` gives the balance. */
   function source(at) {

@@ -17,7 +17,7 @@ from ...models.parameters import NAMES, Parameters
 from ...numerics import balls
 from ...numerics.balls import Interval, Undecided, as_mpf, as_numbers
 from ...numerics.polynomials import derivative, evaluate, on_circle, roots_on_the_line, squarefree
-from ...results.equilibria import Stability
+from ...results.equilibria import EquilibriumType
 from ...results.precise_states import PreciseEquilibria, PreciseEquilibrium
 from .. import kernel
 
@@ -182,7 +182,10 @@ def _state(
     numbers = dict(zip(("theta", "L", "x", "y"), found, strict=True))
     return [
         PreciseEquilibrium(
-            numbers, Stability(_stability(c, s, state[0], trig, values, fold)), as_mpf(error), fold
+            numbers,
+            EquilibriumType(_stability(c, s, state[0], trig, values, fold)),
+            as_mpf(error),
+            fold,
         )
     ]
 

@@ -120,7 +120,7 @@ def _columns(t: Any, root: kernel.Root) -> dict[str, Any]:
         "x": root.x,
         "y": root.y,
         "error": error,
-        "stability": root.code,
+        "undamped": root.code,
     }
 
 
@@ -155,10 +155,10 @@ def _some(
 
 
 #: What is known of an equilibrium.
-COLUMNS = ("theta", "L", "x", "y", "error", "stability")
-_TYPES: dict[str, Any] = dict.fromkeys(COLUMNS, np.float64) | {"stability": np.int8}
+COLUMNS = ("theta", "L", "x", "y", "error", "undamped")
+_TYPES: dict[str, Any] = dict.fromkeys(COLUMNS, np.float64) | {"undamped": np.int8}
 #: What stands in an empty slot.
-_NOTHING: dict[str, float] = dict.fromkeys(COLUMNS, np.nan) | {"stability": 0}
+_NOTHING: dict[str, float] = dict.fromkeys(COLUMNS, np.nan) | {"undamped": 0}
 
 #: Columns by name; of one point each row, or of one point and slot.
 Columns = Mapping[str, NDArray[Any]]

@@ -525,7 +525,7 @@ def test_stability_is_told_how_far_cosine_sine_and_length_may_be_off(
     sign; and 8 u.
     """
     told = []
-    plain = kernel.undamped
+    plain = kernel.stability
     monkeypatch.setattr(kernel, "stability", lambda *given: told.append(given[3]) or plain(*given))
     t, line = _forced(theta, radius)
     root = kernel.at_root(t, FINE._replace(cos0=0.0, sin0=1.0, kappa=30.0), line, u)
@@ -770,12 +770,12 @@ def _check_margins(point: Point, L: float) -> None:
     trace, _, flutter = kernel.invariants(K11, K12, K21, K22)
     if flutter.value:
         border = abs(flutter.value) / (kernel.COUNT_K * flutter.size)
-        code, certain = kernel.undamped(Direction(1.0, 1.0), L, 1.0, border * (1 + 1e-9), point)
+        code, certain = kernel.stability(Direction(1.0, 1.0), L, 1.0, border * (1 + 1e-9), point)
         assert not certain
         assert code == (3 if flutter.value < 0 else 1 if trace.value > 0 else 2)
     if trace.value and flutter.value > 0:
         border = abs(trace.value) / (kernel.COUNT_K * trace.size)
-        assert not kernel.undamped(Direction(1.0, 1.0), L, 1.0, border * (1 + 1e-9), point).certain
+        assert not kernel.stability(Direction(1.0, 1.0), L, 1.0, border * (1 + 1e-9), point).certain
 
 
 @pytest.mark.parametrize("ratio", [3.0, 100.0, 1e6])
@@ -794,5 +794,5 @@ def test_a_margin_covers_friction_where_flutter_alone_decides(ratio: float) -> N
     border = -flutter / (kernel.COUNT_K * terms)
     point = Point(0.0, 1.0, mu0, 1.0, alpha, sigma, beta, nbar)
     at = Direction(-1.0, 1.0)
-    assert kernel.undamped(at, sigma / pull, 1.0, border * (1 + 1e-9), point) == (3.0, False)
-    assert kernel.undamped(at, sigma / pull, 1.0, border / 1.3, point) == (3.0, True)
+    assert kernel.stability(at, sigma / pull, 1.0, border * (1 + 1e-9), point) == (3.0, False)
+    assert kernel.stability(at, sigma / pull, 1.0, border / 1.3, point) == (3.0, True)

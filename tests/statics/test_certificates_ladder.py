@@ -58,7 +58,7 @@ def _holds(
 
 
 def _code(state: PreciseEquilibrium, point: tuple[float, ...], contact: bool) -> int:
-    """Undamped by the roots of the characteristic polynomial of the stiffnesses, written out."""
+    """Stability by the roots of the characteristic polynomial of the stiffnesses, written out."""
     _, mu0, _, alpha, sigma, beta = map(mpmath.mpf, point)
     push = int(contact)
     with mpmath.workdps(60):

@@ -130,7 +130,6 @@ def _function(name: str) -> Callable[..., Any]:
             "laws",
             "linear_sprag",
             "stability",
-            "undamped",
             "models.kang_nam.algebra",
         ),
     )

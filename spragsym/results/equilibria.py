@@ -278,11 +278,6 @@ class Equilibria(OfStates):
     def _items(self) -> Items:
         return Items(_names(self.parameters.model, self._source.more), self._column)
 
-    def told(self, states: tuple[IntArray, ...]) -> tuple[NDArray[np.str_], FloatArray]:
-        """``stability`` and ``growth`` of some states only, by their indices into the columns."""
-        found = self._source.linearized(self, states)
-        return found.stability, found.growth
-
     @cached_property
     def _made(self) -> dict[str, FloatArray]:
         return told_of_states(self.parameters, list(self.coordinates.values()))

@@ -182,7 +182,7 @@ class Asked:
         the article's critical β.
         """
         if not self.planar:
-            words = f"{self.name} has not both theta0 and mu0"
+            words = f"{self.name} has not both an inclination and a friction"
             refused(ss.errors.ParameterError, words, ss.critical_friction, self.p)
             refused(ss.errors.ParameterError, words, ss.cusp_friction, self.p)
             between = {self.other: (0.1, 0.2)}

@@ -37,7 +37,14 @@ STICKING = Limit(
 NORMAL_SPEED = Limit(
     "a normal force that holds a speed",
     "take its value at the speed that matters, as page.normal_force(F_L + c*V), or let it follow "
-    "the place, as page.normal_force(F_L + k*y)",
+    "the place, as page.normal_force(F_L * exp(y/L_0))",
+)
+EITHER_FACE = Limit(
+    "a given normal force that is not seen to press, N >= 0, for all parameters of their domains "
+    "and at all places",
+    'give domains that decide it, as "> 0", or a form that does, as F_L*exp(y/L_0) in the place of '
+    "F_L + k*y; what presses on either of two faces, in a slot or on a hoop, is two contacts, "
+    "page.contact(gap, law, name=…) each, by a coordinate across the faces",
 )
 PLANE = Limit(
     "friction in a plane, whose direction turns with the sliding",
@@ -74,6 +81,7 @@ FIFTH_COORDINATE = Limit(
 LIMITS = (
     CONTACT_DAMPING,
     NORMAL_SPEED,
+    EITHER_FACE,
     NONLINEAR_DAMPER,
     STICKING,
     PLANE,

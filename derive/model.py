@@ -430,7 +430,7 @@ class Page:
         self, gap: sp.Expr, law: Law, unilateral: bool = True, *, name: str = ""
     ) -> Contact:
         """A normal force as a ``law`` of the penetration −gap; where the gap is positive there is
-        none, if ``unilateral``.
+        none, if ``unilateral``, and the law is ≥ 0 for all parameters of their domains.
 
         A page with several contacts gives each a ``name``; without friction on it, one is a stop.
         """
@@ -440,7 +440,9 @@ class Page:
         return self._pressed(Contact(distance, law, unilateral, _line(), name))
 
     def normal_force(self, force: sp.Expr, *, name: str = "") -> Contact:
-        """A given normal force, in the place of a contact law."""
+        """A given normal force, in the place of a contact law: N ≥ 0 for all parameters of their
+        domains and at all places.
+        """
         given = expression_of(force)
         self._check_speeds(given, "the normal force", limits.NORMAL_SPEED)
         return self._pressed(Contact(None, lambda depth: given, False, _line(), name))

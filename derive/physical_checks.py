@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from . import laws, limits, units
+from . import laws, limits, signs, units
 from .mechanics import DEPTH, SLIP, FrictionForce, Mechanics, NormalForce, number
 from .model import Datum, Page, PageError
 from .statement_checks import Statement, statements
@@ -215,16 +215,10 @@ def _check_contact(model: Mechanics, contact: NormalForce) -> None:
             "the normal force is 0, so that nothing pushes and nothing rubs; give one that is "
             "positive",
         )
-    pulling = (
-        _negative(model, contact.law, contact.depth)
-        if contact.gap is None or contact.unilateral
-        else ""
-    )
-    if pulling and contact.gap is None:
-        raise PageError(
-            contact.line,
-            f"the normal force {contact.law} pulls: {pulling}; a mass is pressed by a positive one",
-        )
+    if contact.line and contact.gap is None and not signs.is_nonnegative(model, contact.law):
+        where = signs.witness(model, contact.law)
+        pulls = f" pulls: {where}; " if where else ": "
+        raise PageError(contact.line, f"the normal force {contact.law}{pulls}{limits.EITHER_FACE}")
     if contact.unilateral and contact.law.subs(contact.depth, 0) != 0:
         raise PageError(
             contact.line,
@@ -232,10 +226,13 @@ def _check_contact(model: Mechanics, contact: NormalForce) -> None:
             "touches the belt; a force that jumps there is not "
             "covered: let it begin at 0, or say unilateral=False for a mass that never leaves",
         )
-    if pulling:
+    if not contact.unilateral or signs.is_nonnegative(model, contact.law):
+        return
+    if where := signs.witness(model, contact.law):
         raise PageError(
             contact.line,
-            f"the contact law pulls: {pulling}; a belt pushes, law(depth) >= 0 for every depth > 0",
+            f"the contact law pulls: {where}; a belt pushes, law(depth) >= 0 for every depth > 0 "
+            'and all parameters of their domains, which the page gives, as "> 0"',
         )
 
 

@@ -8,9 +8,9 @@ On a curve a coordinate is least and largest at its ends, or where it turns back
 slopes of the forces by the other coordinates and h are singular.
 
 |F| ≤ μ_s N holds nothing where N ≤ 0. A contact that opens has no such state, and one that never
-does, a slot, rubs with |N| on either face, by which the same states stick. A given normal force has
-no other face: states in which it does not press are left out. It has one sign along a curve, since
-a state with N = 0 is one without friction, at every h.
+does, a slot, rubs with |N| on either face, by which the same states stick. A given normal force is
+nowhere negative, or its page is refused: states in which it is 0 are left out. It is so all along a
+curve, since a state with N = 0 is one without friction, at every h.
 """
 
 from __future__ import annotations
@@ -187,7 +187,7 @@ def _pressed(way: Way, q: FloatArray, error: FloatArray) -> BoolArray:
         at = way.balance.at(list(Intervals.between(q - room, q + room)), values, shape)
         N = as_intervals(at.contact_force(0, 1), shape)
     if (N.holds_zero() & (N.magnitude > NOTHING)).any():
-        raise ConvergenceError("the sign of the normal force is not known in a state of sticking")
+        raise ConvergenceError("whether a normal force presses a state of sticking is not known")
     return np.asarray(N.low > 0)
 
 
@@ -234,7 +234,7 @@ def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
     pressed = _pressed(way, q, error)
     sets = [labels == label for label in np.unique(labels[pressed])]
     if any(not pressed[one].all() for one in sets):
-        raise ConvergenceError("the normal force changes its sign along states of sticking")
+        raise ConvergenceError("the normal force is 0 in some of connected states of sticking")
     low, high = (
         np.array([most(q[:, one], axis=1) for one in sets]).reshape(-1, len(q))
         for most in (np.min, np.max)

@@ -101,6 +101,12 @@ BEYOND: dict[str, tuple[limits.Limit, str, str, str]] = {
         "page.normal_force(F_L + c * page.rate(x))",
         "page.normal_force(",
     ),
+    "a force of either sign": (
+        limits.EITHER_FACE,
+        CONTACT,
+        "page.normal_force(F_L + k * y)",
+        "page.normal_force(",
+    ),
     "a coefficient with speeds": (
         limits.NONLINEAR_DAMPER,
         DAMPER,

@@ -1,0 +1,147 @@
+"""The sign of an expression over all parameters of their domains, all places and all penetrations:
+a proof that it is not negative, or a witness that it is.
+"""
+
+import itertools
+import math
+import random
+
+import sympy as sp
+
+from .emit.quantities import Interval, interval
+from .mechanics import DEPTH, Angle, Mechanics, number
+
+#: A pair of bounds.
+_Ends = tuple[sp.Expr, sp.Expr]
+#: More bounded quantities than these are not taken at all their ends.
+_MOST_BOUNDED = 10
+#: Places at which floats look for a witness.
+_TRIALS = 2000
+#: Sizes of what has no bounds.
+_SIZES = tuple(10.0**power for power in range(-6, 4))
+
+
+def is_nonnegative(model: Mechanics, expression: sp.Expr) -> bool:
+    """Whether an expression is proved to be ≥ 0.
+
+    In what it is affine it is least at an end of the range, so that the ends of all these together
+    decide; each of them by the signs of what is left.
+    """
+    if _is_nonnegative(expression):
+        return True
+    bounded = {
+        atom: ends
+        for atom, ends in _bounded(model, expression).items()
+        if sp.expand(sp.diff(expression.xreplace({atom: _FREE}), _FREE, 2)) == 0
+    }
+    if not bounded or len(bounded) > _MOST_BOUNDED:
+        return False
+    return all(
+        _is_nonnegative(expression.xreplace(dict(zip(bounded, corner, strict=True))))
+        for corner in itertools.product(*bounded.values())
+    )
+
+
+_FREE = sp.Dummy(real=True)
+
+
+def _is_nonnegative(expression: sp.Expr) -> bool:
+    forms = (expression, sp.factor_terms(sp.expand(expression)))
+    return any(bool(form.is_nonnegative) for form in forms)
+
+
+def _bounded(model: Mechanics, expression: sp.Expr) -> dict[sp.Expr, _Ends]:
+    """Bounds of sines and cosines, of hyperbolic tangents and of parameters whose domain has two
+    ends.
+    """
+    waves = sorted(expression.atoms(sp.sin, sp.cos, sp.tanh), key=sp.default_sort_key)
+    found: dict[sp.Expr, _Ends] = dict.fromkeys(waves, (sp.S.NegativeOne, sp.S.One))
+    angles = {angle.symbol: angle for angle in model.angles}
+    for datum in model.parameters:
+        symbol, allowed = number(datum), interval(datum.domain)
+        ends = (
+            sp.Rational(allowed.low) if math.isfinite(allowed.low) else -sp.oo,
+            (sp.Rational(allowed.high) if math.isfinite(allowed.high) else sp.oo),
+        )
+        angle = angles.get(symbol)
+        if angle:
+            found |= {angle.c: _cosine(*ends), angle.s: _cosine(*(e - sp.pi / 2 for e in ends))}
+        if (angle is None or angle.alone) and sp.oo not in (ends[1], -ends[0]):
+            found[symbol] = ends
+    return {atom: ends for atom, ends in found.items() if expression.has(atom)}
+
+
+def _cosine(low: sp.Expr, high: sp.Expr) -> _Ends:
+    """Least and largest cosine over a range."""
+    if sp.oo in (high, -low):
+        return sp.S.NegativeOne, sp.S.One
+    inside = range(int(sp.ceiling(low / sp.pi)), int(sp.floor(high / sp.pi)) + 1)
+    values = [sp.cos(low), sp.cos(high), *((-1) ** turn * sp.S.One for turn in inside)]
+    return sp.Min(*values), sp.Max(*values)
+
+
+def witness(model: Mechanics, expression: sp.Expr) -> str:
+    """Where an expression is negative, in words; empty if no place that was tried shows it.
+
+    Floats propose a place, exact numbers confirm it.
+    """
+    rng = random.Random(0)
+    angles = {angle.symbol: angle for angle in model.angles}
+    domains = {number(datum): interval(datum.domain) for datum in model.parameters}
+    free = sorted(
+        expression.free_symbols - domains.keys() - {a for it in angles.values() for a in it.parts},
+        key=sp.default_sort_key,
+    )
+    domains |= {symbol: Interval(low=0.0 if symbol.is_positive else -math.inf) for symbol in free}
+    needed = [
+        symbol
+        for symbol in domains
+        if expression.free_symbols & ({symbol, *(angles[symbol].parts if symbol in angles else ())})
+    ]
+    by_floats = sp.lambdify([needed], _placed(expression, angles, {s: s for s in needed}), "math")
+    for trial in range(_TRIALS):
+        place = [_drawn(rng, domains[symbol], trial) for symbol in needed]
+        try:
+            negative = by_floats(place) < 0
+        except (ArithmeticError, ValueError, TypeError):
+            continue
+        if not negative:
+            continue
+        exact = dict(zip(needed, (sp.Rational(str(one)) for one in place), strict=True))
+        value = _placed(expression, angles, exact)
+        if value.is_number and value.is_negative:
+            where = ", ".join(f"{_shown(symbol)} = {sp.N(one, 3)}" for symbol, one in exact.items())
+            return f"{f'at {where} ' * bool(where)}it is {sp.N(value, 3)} times its scale"
+    return ""
+
+
+def _shown(symbol: sp.Symbol) -> str:
+    return "depth" if symbol.name.startswith(DEPTH.name) else symbol.name
+
+
+def _placed(
+    expression: sp.Expr, angles: dict[sp.Symbol, Angle], values: dict[sp.Symbol, sp.Expr]
+) -> sp.Expr:
+    """An expression with numbers in the place of symbols, of angles in that of their parts."""
+    known: dict[sp.Symbol, sp.Expr] = {}
+    for symbol, value in values.items():
+        angle = angles.get(symbol)
+        known |= {angle.c: sp.cos(value), angle.s: sp.sin(value)} if angle else {}
+        known[symbol] = value
+    return expression.subs(known, simultaneous=True)
+
+
+def _drawn(rng: random.Random, allowed: Interval, trial: int) -> float:
+    """A number of a domain, with few digits: first those of common size, then of any."""
+    low, high = allowed.low, allowed.high
+    while True:
+        if math.isfinite(low) and math.isfinite(high):
+            value = low + (high - low) * rng.random()
+        else:
+            size = rng.uniform(0.1, 3.0) * (1.0 if trial < _TRIALS // 2 else rng.choice(_SIZES))
+            away = low if math.isfinite(low) else high if math.isfinite(high) else 0.0
+            sign = 1 if math.isfinite(low) else -1 if math.isfinite(high) else rng.choice((-1, 1))
+            value = away + sign * size
+        value = float(f"{value:.3g}")
+        if allowed.holds(value):
+            return value

@@ -5,6 +5,6 @@ far apart they are.
 ``python -m spragsym.article`` writes anew.
 """
 
-from .ledger import STATEMENTS, Statement, drifted, record_text, recorded, run
+from .ledger import STATEMENTS, ArticleStatement, drifted, record_text, recorded, run
 
-__all__ = ["STATEMENTS", "Statement", "drifted", "record_text", "recorded", "run"]
+__all__ = ["STATEMENTS", "ArticleStatement", "drifted", "record_text", "recorded", "run"]

@@ -24,7 +24,7 @@ Row: TypeAlias = dict[str, Any]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Statement:
+class ArticleStatement:
     """A statement of the article and the computation that decides it, as statements.toml has it."""
 
     id: str
@@ -56,12 +56,12 @@ def printed() -> Any:
 
 
 STATEMENTS = tuple(
-    Statement(id=id, **entry)
+    ArticleStatement(id=id, **entry)
     for id, entry in tomllib.loads(shipped_text("spragsym.article", "statements.toml")).items()
 )
 
 
-def run(statements: Sequence[Statement]) -> list[Row]:
+def run(statements: Sequence[ArticleStatement]) -> list[Row]:
     """Compute the row of every statement; nothing is read from the record."""
     from . import computed
 
@@ -81,7 +81,7 @@ def run(statements: Sequence[Statement]) -> list[Row]:
     return rows
 
 
-def recorded(statements: Sequence[Statement] = STATEMENTS) -> list[Row]:
+def recorded(statements: Sequence[ArticleStatement] = STATEMENTS) -> list[Row]:
     """The rows of statements with the committed values: each held when they were written."""
     values = json.loads(shipped_text("spragsym.article", "record.json"))
     return [statement.row(True, values[statement.id]) for statement in statements]

@@ -114,7 +114,7 @@ def critical_friction(
     vary, over = p.model.rising_over(vary, over)
     if not isinstance(vary, str) or not isinstance(over, str) or vary == over:
         raise ParameterError(f"vary = {vary!r}, over = {over!r}; give two different parameters")
-    search_of = _Search(p, vary, over, between)
+    search_of = _CandidateSearch(p, vary, over, between)
     try:
         found = search_of.lowest()
     except ConvergenceError as error:
@@ -336,7 +336,7 @@ def carried(balance: Balance, p: Any, name: str, values: FloatArray, q: FloatArr
     return np.stack(states, axis=1)
 
 
-class _Search:
+class _CandidateSearch:
     """Candidates, and what becomes of the state at each of them."""
 
     def __init__(self, p: Any, vary: str, over: str, between: Ranges | None) -> None:

@@ -16,7 +16,7 @@ from ..models.forces import columns_of
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import balls, certified_roots
 from ..numerics.arithmetic import cofactor
-from ..numerics.balls import FIRST_BITS, XP, Undecided, as_mpf, as_numbers, with_enough_bits
+from ..numerics.balls import FIRST_BITS, XP, UndecidedSign, as_mpf, as_numbers, with_enough_bits
 from ..numerics.certified_roots import Roots
 from ..numerics.decimals import float_above
 from ..numerics.interval_arrays import FloatArray, Intervals
@@ -143,7 +143,7 @@ def _columns(at: State) -> list[Any]:
 
 def _angle(c: Any, s: Any) -> Any:
     """The angle of a direction, π where the digits do not tell it from −π."""
-    with suppress(Undecided):
+    with suppress(UndecidedSign):
         return XP.atan2(s, c)
     return balls.pi() + XP.atan2(-s, -c)
 
@@ -206,7 +206,7 @@ def _by_any_column(
     for column, system in enumerate(systems):
         try:
             return _cusp(names, system, column, box, alone, digits)
-        except Undecided:
+        except UndecidedSign:
             if system is systems[-1]:
                 raise
     return None
@@ -230,7 +230,7 @@ def _cusp(
     at = system.state(root)
     column = [XP.taken(cofactor(at.slopes, number, i)) for i in range(n)]
     if not any(map(balls.sign, column)):
-        raise Undecided("a direction that may be 0")
+        raise UndecidedSign("a direction that may be 0")
     if not _on_its_side(at):
         return None
     numbers, _, radius = as_numbers((*root[n:], *_columns(at), *root[:n]), digits)
@@ -245,7 +245,7 @@ def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> lis
         system, box, alone, Fraction(1, 2 ** max(2 * system.bits // 3, system.bits - ROOM))
     )
     if root is None:
-        raise Undecided("a root that is nearly a double one")
+        raise UndecidedSign("a root that is nearly a double one")
     return root
 
 

@@ -17,7 +17,7 @@ from scipy.optimize import linear_sum_assignment
 from ..core.questions import Method, question
 from ..display import Column, own_name
 from ..models.parameters import ParameterSet, Ranges
-from ..numerics.balls import Undecided
+from ..numerics.balls import UndecidedSign
 from ..numerics.certified_roots import Roots, distinct
 from ..numerics.interval_arrays import (
     ComplexArray,
@@ -556,7 +556,7 @@ def form_or_why(*point: Any) -> Any:
 
     try:
         return normal_form(*point)
-    except Undecided as reason:
+    except UndecidedSign as reason:
         return str(reason)
 
 

@@ -22,7 +22,7 @@ import numpy as np
 
 from ..numerics import balls
 from ..numerics.arithmetic import Matrix, determinant, is_zero
-from ..numerics.balls import Undecided, ball
+from ..numerics.balls import UndecidedSign, ball
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
@@ -131,7 +131,7 @@ def _none_from(
     try:
         K, f = _affine(precise.state([ball(0, BITS)] * system.balance.n + varied))
         minors = _minors(K, f)
-    except (Undecided, ZeroDivisionError):
+    except (UndecidedSign, ZeroDivisionError):
         return False
     rows = zip(K, map(constant, f), strict=True)
     alone = any(balls.sign(force) and all(map(_is_nothing, row)) for row, force in rows)

@@ -30,7 +30,7 @@ from ..models import Model
 from ..models.field import undecorated
 from ..numerics import balls
 from ..numerics.arithmetic import Complex, Matrix, as_complex, solved
-from ..numerics.balls import XP, Ball, Undecided, ball
+from ..numerics.balls import XP, Ball, UndecidedSign, ball
 from ..numerics.interval_arrays import ComplexArray, FloatArray
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..statics.balance import Balance, PreciseBalance
@@ -229,15 +229,15 @@ class _Point:
         return [row[:-1] for row in slopes], [row[-1] for row in slopes]
 
     def require_smooth(self) -> None:
-        """:class:`Undecided` where the field has no third derivatives at the state, or is not shown
-        to have them.
+        """:class:`UndecidedSign` where the field has no third derivatives at the state, or is not
+        shown to have them.
         """
         constants = self._constants(self.values)
         gap, slip = undecorated(self.model.algebra.borders)(*self.state, *constants, xp=XP)
         contact = self.model.contact
         if contact["unilateral"] and not balls.sign(gap) < 0:
             line = contact["line"]
-            raise Undecided(
+            raise UndecidedSign(
                 f"the state lies on the border of contact, where the law of line {line} of "
                 "the model page has a kink"
             )
@@ -247,7 +247,7 @@ class _Point:
             and self._asks_for_the_side()
         ):
             line = self.model.friction_law["line"]
-            raise Undecided(
+            raise UndecidedSign(
                 f"the sliding speed is 0, where the law of friction, line {line} of the model "
                 "page, has a kink"
             )
@@ -257,7 +257,7 @@ class _Point:
                 *self.state, *constants, *ways, xp=XP
             )
             if not all(balls.sign(level) > 0 for level in levels):
-                raise Undecided("a torsion spring is turned by π, where its torque jumps")
+                raise UndecidedSign("a torsion spring is turned by π, where its torque jumps")
 
     def _asks_for_the_side(self) -> bool:
         """Whether the law depends on the side of slip = 0 otherwise than by its square: algebra
@@ -327,12 +327,12 @@ def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Comple
     sums = [(i, j) for i in size for j in size if i <= j and not apart(i, -middle[i], j)]
     if len(sums) != 1:
         many = "more than one pair of eigenvalues may have the sum 0: no generic Hopf point"
-        raise Undecided(many if sums else "no two eigenvalues have the sum 0: no Hopf point")
+        raise UndecidedSign(many if sums else "no two eigenvalues have the sum 0: no Hopf point")
     k, conjugate = sums[0] if middle[sums[0][0]].imag > 0 else sums[0][::-1]
     isolated = all(apart(i, middle[i], j) for i in (k, conjugate) for j in size if j != i)
     isolated &= all(apart(k, middle[k].conjugate(), j) for j in size if j != conjugate)
     if k == conjugate or not isolated or not middle[k].imag > radius[k]:
-        raise Undecided(
+        raise UndecidedSign(
             "the two eigenvalues with the sum 0 are not shown to be an isolated pair ± iω"
         )
     omega = Z[k][k].im + _around(float(radius[k]))

@@ -297,7 +297,7 @@ def _at_end(system: Augmented, end: float, count: int) -> Intervals:
     return system.prepared_at(system.family.at(np.full((1, count), end)))
 
 
-def _one_root(system: boxes.System, parameters: Intervals, wide: FloatArray) -> BoolArray:
+def _one_root(system: boxes.EquationSystem, parameters: Intervals, wide: FloatArray) -> BoolArray:
     """Boxes with exactly one root."""
     return contractors.inside(stepped(system, wide, parameters).ends, wide)
 

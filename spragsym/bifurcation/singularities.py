@@ -33,7 +33,7 @@ from ..core.errors import ConvergenceError
 from ..models.parameters import Ranges
 from ..numerics import balls, certified_roots, contractors
 from ..numerics.arithmetic import cofactor, determinant
-from ..numerics.balls import Undecided
+from ..numerics.balls import UndecidedSign
 from ..numerics.certified_roots import Roots, different
 from ..numerics.interval_arrays import (
     BoolArray,
@@ -176,7 +176,7 @@ def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
     precise = PreciseBalance(balance, family.given[:, 0], BITS, {vary: span})
     try:
         return bool(balls.sign(third_derivative(precise.values, whole, slopes, BITS, mirror.odd)))
-    except Undecided:
+    except UndecidedSign:
         return False
 
 

@@ -30,7 +30,7 @@ from .output import drawn, print_rows
 MOST = 10_000
 
 
-@o.of_model(kind=o.Numbers, statics=True, values=True)
+@o.of_model(kind=o.NumberList, statics=True, values=True)
 @o.vary(
     "What varies, with its ends: a parameter, or with --data a quantity of the file, as "
     "k_x=5:20 or mu0=0:1:11 for 11 values."

@@ -127,7 +127,7 @@ def _times(case: Case, t_end: float, transient: float | None, why: str) -> tuple
     return t_end, transient
 
 
-@o.of_model(kind=o.Numbers, start=True)
+@o.of_model(kind=o.NumberList, start=True)
 @o.t_end
 @o.transient
 @o.rtol
@@ -192,7 +192,7 @@ def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
     return case.model.Parameters(**{name: axes.pop(name) for name in case.values}), axes
 
 
-@o.of_model(kind=o.Numbers, start=True)
+@o.of_model(kind=o.NumberList, start=True)
 @click.option(
     "--t-end", type=float, default=40_000.0, help="How long to follow it; exponents come after."
 )

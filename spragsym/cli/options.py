@@ -111,7 +111,7 @@ class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]
         return as_number(_flag(param), number, self.allowed)
 
 
-class Numbers(Number):
+class NumberList(Number):
     """A number, numbers ``a,b,c``, or ``start:stop:count`` for equal steps, ends included; each in
     a range.
     """

@@ -77,7 +77,7 @@ class Certificate(Result):
 
 
 @dataclass(frozen=True)
-class Boxes(ByColumn, ABC):
+class BoxParts(ByColumn, ABC):
     """Parts of a box, one a column: their ends, shape (sides, N)."""
 
     #: Fewer parts than this take as long as so many.
@@ -141,7 +141,7 @@ class Boxes(ByColumn, ABC):
 
 
 @dataclass(frozen=True)
-class Held(Boxes):
+class ProvedParts(BoxParts):
     """Parts of which it is known for some that a claim holds."""
 
     holds: BoolArray
@@ -164,7 +164,7 @@ class Claim(ABC):
     early = True
     #: What the sides of the parts are.
     sides: tuple[str, ...]
-    whole: Boxes
+    whole: BoxParts
 
     @abstractmethod
     def settled(self, parts: Any) -> tuple[Any, FloatArray]:
@@ -318,7 +318,7 @@ STATES: dict[str, tuple[Test, Callable[[Equilibria], BoolArray]]] = {
 
 
 @dataclass(frozen=True)
-class Parts(Held):
+class LocatedParts(ProvedParts):
     """Parts, and where their states are: ``around``, shape (2, n, N), is infinite where nothing is
     known of that.
     """
@@ -340,7 +340,7 @@ class ClaimOfStates(Claim):
         never = (
             claim == "no flutter" and stability.without_flutter(self.balance, bounds).all()
         )  # wherever a state is
-        self.whole = Parts(low, high, np.array([never]), nowhere)
+        self.whole = LocatedParts(low, high, np.array([never]), nowhere)
 
     def point(self, values: FloatArray) -> ParameterSet:
         return self.model.Parameters(**dict(zip(self.sides, values, strict=True)))
@@ -348,7 +348,7 @@ class ClaimOfStates(Claim):
     def fails(self, points: FloatArray) -> BoolArray:
         return self.false(equilibria(self.point(points)))
 
-    def settled(self, parts: Parts) -> tuple[Parts, FloatArray]:
+    def settled(self, parts: LocatedParts) -> tuple[LocatedParts, FloatArray]:
         if parts.holds.all():
             return parts, parts.low
         balance, bounds = self.balance, Intervals.between(parts.low, parts.high)
@@ -381,7 +381,7 @@ class ClaimOfStates(Claim):
             holds = whole & self.true(balance, bounds, states)
         return replace(parts, holds=holds, around=where), self._weights(parts, states)
 
-    def _weights(self, parts: Parts, states: Roots) -> FloatArray:
+    def _weights(self, parts: LocatedParts, states: Roots) -> FloatArray:
         """By how far each parameter moves the states of each part, shape (P, N)."""
         balance, middle, out = self.balance, 0.5 * (parts.low + parts.high), parts.slight
         ends, point = states.every

@@ -214,7 +214,7 @@ STEPS, LAST, SHORTER = 40, 1e-10, 0.3
 ON = 1e-9
 
 
-class Border:
+class EndOfState:
     """Where the followed state ends, as one parameter rises from where it begins to its own value
     in each design.
 

@@ -14,8 +14,8 @@ from ..models.quantities import PhysicalParameters
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import norm
 from ..results import Result
-from .certificates import SAFE, Boxes
-from .design_space import Border, Design, Space, nearest, space
+from .certificates import SAFE, BoxParts
+from .design_space import Design, EndOfState, Space, nearest, space
 from .jumps import jump_value
 from .tube_certificates import claims
 
@@ -112,7 +112,7 @@ def jump_margin(
             "their tolerances"
         )
 
-    border = Border(designs, name, first)
+    border = EndOfState(designs, name, first)
 
     def jumped(z: FloatArray) -> BoolArray:
         return np.asarray(border.ended(z) == 1)
@@ -152,7 +152,7 @@ def safe_within(designs: Space, radius: float, vary: str, begin: float) -> bool:
     rows, columns = ([order.index(name) for name in names] for order in (box.sides, designs.names))
     origin, scale = designs.origin[columns, None], designs.scale[columns, None]
 
-    def inside(parts: Boxes) -> Boxes:
+    def inside(parts: BoxParts) -> BoxParts:
         off = (np.clip(origin, parts.low[rows], parts.high[rows]) - origin) / scale
         left = (radius * (1 + 1e-9)) ** 2 - (off**2).sum(axis=0)
         if vary in designs.names:
@@ -257,7 +257,7 @@ def redesign(
             "nothing may end"
         )
     designs = space(p, scale, change, "change")
-    borders = list[Border]()
+    borders = list[EndOfState]()
     for name, value in target.items():
         if name in designs.names:
             raise ParameterError(
@@ -272,7 +272,7 @@ def redesign(
             if np.isfinite(lowest)
             else float(designs.parameters(np.zeros(len(designs.names)))[name])
         )
-        borders.append(Border(at, name, own if begin is None else begin))
+        borders.append(EndOfState(at, name, own if begin is None else begin))
 
     def keeps(z: FloatArray) -> BoolArray:
         return np.all([border.ended(z) == 0 for border in borders], axis=0)

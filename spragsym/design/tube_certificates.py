@@ -25,7 +25,7 @@ from .certificates import (
     OPEN,
     SAFE,
     STATES,
-    Boxes,
+    BoxParts,
     Certificate,
     Claim,
     ClaimOfStates,
@@ -38,7 +38,7 @@ WIDE = 2.0**-6
 
 
 @dataclass(frozen=True)
-class Pieces(Boxes):
+class Pieces(BoxParts):
     """Parts of a box with the place at which the followed state begins, here or in what holds
     these.
 

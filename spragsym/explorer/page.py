@@ -36,7 +36,7 @@ _INWARD = 0.003
 
 
 @dataclass(frozen=True)
-class Page:
+class ExplorerPage:
     """A page that computes in the browser; a notebook shows it."""
 
     text: str = field(repr=False)
@@ -48,7 +48,7 @@ class Page:
         )
 
 
-def explore(p: ParameterSet) -> Page:
+def explore(p: ParameterSet) -> ExplorerPage:
     """The explorer, beginning at ``p``: the mechanism, its states and its motion; as a file,
     ``spragsym explore``.
 
@@ -74,7 +74,7 @@ def explore(p: ParameterSet) -> Page:
     >>> "<!DOCTYPE html>" in page.text
     True
     """
-    return Page(explorer_page(model_of(p), [("yours", p)]))
+    return ExplorerPage(explorer_page(model_of(p), [("yours", p)]))
 
 
 def explorer_page(

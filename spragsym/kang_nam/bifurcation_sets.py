@@ -33,8 +33,8 @@ from ..numerics.chains import link, walked
 from ..numerics.columns import ByColumn, picked
 from ..numerics.interval_arrays import BoolArray, IntArray, quiet
 from ..numerics.polynomials import (
+    IsolatedRoot,
     Polynomial,
-    Root,
     by_power,
     eigenvalues,
     evaluate,
@@ -97,7 +97,9 @@ def bifurcation_set(
     t = np.concatenate(
         [np.exp(np.linspace(-_FAR, _FAR, n // 4)), begin.t, np.abs(np.tan(places / 2))]
     )
-    for points in curves(Condition(fold_polynomial, _friction, begin.folds_at), fixed, t, 3 / n):
+    for points in curves(
+        CurveCondition(fold_polynomial, _friction, begin.folds_at), fixed, t, 3 / n
+    ):
         curve = _curve(points, fixed)
         # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point
         # tells for the whole curve.
@@ -206,7 +208,7 @@ _RESIDUAL = 1e-13
 _NONE, _NEAR = 1e-11, 1e-12
 
 
-class Condition(NamedTuple):
+class CurveCondition(NamedTuple):
     """What holds on a curve: coefficients in tan(θ₀/2), lowest power first, at cos θ, sin θ, and
     friction at θ₀ there.
 
@@ -228,7 +230,7 @@ class _Columns(ByColumn):
     mu0: FloatArray
 
     @classmethod
-    def at(cls, t: FloatArray, condition: Condition, fixed: Fixed) -> _Columns:
+    def at(cls, t: FloatArray, condition: CurveCondition, fixed: Fixed) -> _Columns:
         c, s, _ = on_circle(t)
         coefficients = np.stack(np.broadcast_arrays(*condition.polynomial(c, s, fixed)), axis=-1)
         coefficients /= np.abs(coefficients).max(axis=-1, keepdims=True)
@@ -270,7 +272,9 @@ def _positive_roots(coefficients: FloatArray, number: IntArray | None) -> FloatA
     return np.sort(np.where(residual < _RESIDUAL, real, np.nan), axis=-1)
 
 
-def curves(condition: Condition, fixed: Fixed, t: FloatArray, step: float) -> Iterator[FloatArray]:
+def curves(
+    condition: CurveCondition, fixed: Fixed, t: FloatArray, step: float
+) -> Iterator[FloatArray]:
     """Curves with μ₀ ≥ 0, each of shape (3, points): t, θ₀ and μ₀ in order along it; no step is
     longer than ``step``.
 
@@ -384,7 +388,7 @@ def _number(t: Fraction, exact: Fixed) -> int:
     return len(real_roots(condition, Fraction(0), polynomials.root_bound(condition), 0))
 
 
-def _events(exact: Fixed) -> list[Root]:
+def _events(exact: Fixed) -> list[IsolatedRoot]:
     """All events by t = tan(θ/2) in 0 < t < 1, ascending, in intervals without a common point."""
     conditions, bits = _conditions(exact), _BITS
     while True:

@@ -17,7 +17,7 @@ import numpy as np
 
 from ..bifurcation.paths import first_end
 from ..core.questions import NotInClosedForm
-from ..design.certificates import Claim, Held, corner_values
+from ..design.certificates import Claim, ProvedParts, corner_values
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import NAMES, FloatArray, Parameters
 from ..models.quantities import Unit, checked_units
@@ -57,18 +57,18 @@ def claims(
         or not (vary is None or (vary == "mu0" and claim == "no jump"))
     ):
         raise NotInClosedForm
-    return _Closed(low, high, claim, measures)
+    return _ClosedClaim(low, high, claim, measures)
 
 
 #: Of which boxes something is proved, and how much each side matters for the others.
 Proved: TypeAlias = tuple[BoolArray, FloatArray]
 
 
-class _Closed(Claim):
+class _ClosedClaim(Claim):
     """One of the claims of :data:`CLAIMS`."""
 
     batch, most, corners = 2048, 20_000, 512
-    whole: Boxes
+    whole: ParameterBoxes
 
     def __init__(
         self, low: Parameters, high: Parameters, claim: str, units: Mapping[str, Unit]
@@ -79,9 +79,9 @@ class _Closed(Claim):
         ends = corner_values(NAMES, low, high, matter)
         if claim == "no jump":  # what goes on to the largest friction goes on to every other
             ends[0][NAMES.index("mu0")] = ends[1][NAMES.index("mu0")]
-        self.whole = Boxes(ends[0], ends[1], np.zeros(1, dtype=np.bool_), matter)
+        self.whole = ParameterBoxes(ends[0], ends[1], np.zeros(1, dtype=np.bool_), matter)
 
-    def settled(self, parts: Boxes) -> tuple[Boxes, FloatArray]:
+    def settled(self, parts: ParameterBoxes) -> tuple[ParameterBoxes, FloatArray]:
         holds, weight = self.prove(parts)
         width = parts.high - parts.low
         known = ((width > 0) & (weight > 0)).any(axis=0)
@@ -110,7 +110,7 @@ _MARGINS = (0.7, 0.25)
 # all states in contact
 
 
-def _at_all_states(boxes: Boxes, slope_sign: int) -> Proved:
+def _at_all_states(boxes: ParameterBoxes, slope_sign: int) -> Proved:
     """Every equilibrium in contact has f′ of a sign, or, where that is negative, a positive
     discriminant of K in λ².
 
@@ -134,7 +134,7 @@ def _at_all_states(boxes: Boxes, slope_sign: int) -> Proved:
 # no jump
 
 
-def _no_jump(boxes: Boxes) -> Proved:
+def _no_jump(boxes: ParameterBoxes) -> Proved:
     """On the surface μ₀(θ) rises from below 0 at one direction to above the largest friction at
     another, and is 0 once between, at the reference state: so that is followed without a fold.
 
@@ -149,7 +149,7 @@ def _no_jump(boxes: Boxes) -> Proved:
     return result, weight
 
 
-def _followed_with(boxes: Boxes, margin: float) -> Proved:
+def _followed_with(boxes: ParameterBoxes, margin: float) -> Proved:
     with quiet():
         middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
         *_, first, later, result = with_and_without_friction(middle)
@@ -171,17 +171,19 @@ def _followed_with(boxes: Boxes, margin: float) -> Proved:
     return result, weight
 
 
-def _moved(boxes: Boxes, values: dict[str, FloatArray], theta: FloatArray, margin: float) -> Line:
+def _moved(
+    boxes: ParameterBoxes, values: dict[str, FloatArray], theta: FloatArray, margin: float
+) -> LinearDirection:
     """How an equilibrium of the middle moves over the box, to first order, and a little to one side
     of that.
     """
     slopes = _change(boxes, values, theta)
-    line = Line(theta, slopes)
-    return Line(theta + margin * line.reach() + np.copysign(1e-9, margin), slopes)
+    line = LinearDirection(theta, slopes)
+    return LinearDirection(theta + margin * line.reach() + np.copysign(1e-9, margin), slopes)
 
 
 def _change(
-    boxes: Boxes,
+    boxes: ParameterBoxes,
     values: dict[str, Any],
     theta: FloatArray,
     term: Callable[[FloatArray], FloatArray] = np.positive,
@@ -208,7 +210,9 @@ def _change(
     return found
 
 
-def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved:
+def _ends_hold(
+    boxes: ParameterBoxes, lowest: LinearDirection, start: LinearDirection, highest: LinearDirection
+) -> Proved:
     """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest;
     both in contact.
     """
@@ -229,7 +233,9 @@ def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved
     return result, weight
 
 
-def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved:
+def _rises(
+    boxes: ParameterBoxes, lowest: LinearDirection, start: LinearDirection, highest: LinearDirection
+) -> Proved:
     """μ₀(θ) rises between the two directions: f′ f_μ₀ − f f_μ₀′ < 0, in which μ₀ cancels."""
 
     def test(ground: Ground) -> Verdict:
@@ -240,7 +246,9 @@ def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved:
     return covered(boxes, lowest, highest, test)
 
 
-def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved:
+def _is_small(
+    boxes: ParameterBoxes, lowest: LinearDirection, start: LinearDirection, highest: LinearDirection
+) -> Proved:
     """The state at μ₀ = 0 between ``lowest`` and ``start`` has the smallest \\|x\\|.
 
     Without friction at most one equilibrium has cos θ of the sign of cos θ₀, and any other has
@@ -261,7 +269,7 @@ def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> Proved:
     return result, np.abs(reach.terms[:-1])
 
 
-def _alone(boxes: Boxes, low: Line, high: Line) -> BoolArray:
+def _alone(boxes: ParameterBoxes, low: LinearDirection, high: LinearDirection) -> BoolArray:
     """No equilibrium in contact without friction between two directions."""
 
     def test(ground: Ground) -> Verdict:
@@ -281,7 +289,7 @@ def _jumps(p: Parameters) -> BoolArray:
 
 
 #: For each claim, of which boxes it is proved; and at which points it is false.
-CLAIMS: dict[str, tuple[Callable[[Boxes], Proved], Callable[[Parameters], BoolArray]]] = {
+CLAIMS: dict[str, tuple[Callable[[ParameterBoxes], Proved], Callable[[Parameters], BoolArray]]] = {
     "no jump": (_no_jump, _jumps),
     "one equilibrium": (partial(_at_all_states, slope_sign=1), lambda p: count(p) == 3),
     "no flutter": (
@@ -301,7 +309,7 @@ _SHARE = 0.25
 
 
 @dataclass(frozen=True)
-class Boxes(Held):
+class ParameterBoxes(ProvedParts):
     """Parts of a box of parameters, in the order of ``NAMES``, and then of units of measure over
     their base values.
     """
@@ -356,7 +364,7 @@ class Ground(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Line(ByColumn):
+class LinearDirection(ByColumn):
     """A direction of the spring for each box that changes linearly over it: ``value`` in its
     middle, ``slopes`` to its sides.
     """
@@ -368,25 +376,31 @@ class Line(ByColumn):
         """How far it goes from its value."""
         return np.asarray(np.abs(self.slopes).sum(axis=0))
 
-    def where(self, mine: BoolArray, other: Line) -> Line:
+    def where(self, mine: BoolArray, other: LinearDirection) -> LinearDirection:
         """This one for some boxes, another for the rest."""
-        return Line(
+        return LinearDirection(
             np.where(mine, self.value, other.value), np.where(mine, self.slopes, other.slopes)
         )
 
 
-def constant(value: float, boxes: Boxes) -> Line:
+def constant(value: float, boxes: ParameterBoxes) -> LinearDirection:
     """One direction for all boxes."""
-    return Line(np.full(len(boxes), value), np.zeros_like(boxes.low))
+    return LinearDirection(np.full(len(boxes), value), np.zeros_like(boxes.low))
 
 
-def at(boxes: Boxes, line: Line) -> Ground:
+def at(boxes: ParameterBoxes, line: LinearDirection) -> Ground:
     """One direction for each point of each box."""
     none = np.zeros(len(boxes))
     return over(boxes, line, line, none, none)
 
 
-def over(boxes: Boxes, low: Line, high: Line, begin: FloatArray, end: FloatArray) -> Ground:
+def over(
+    boxes: ParameterBoxes,
+    low: LinearDirection,
+    high: LinearDirection,
+    begin: FloatArray,
+    end: FloatArray,
+) -> Ground:
     """All directions between two, from one share of the way to another."""
     none = np.zeros_like(begin)
     *own, share = sides(np.vstack([boxes.low, begin]), np.vstack([boxes.high, end]))
@@ -401,7 +415,12 @@ def over(boxes: Boxes, low: Line, high: Line, begin: FloatArray, end: FloatArray
 Verdict: TypeAlias = tuple[BoolArray, tuple[Affine, ...]]
 
 
-def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdict]) -> Proved:
+def covered(
+    boxes: ParameterBoxes,
+    low: LinearDirection,
+    high: LinearDirection,
+    test: Callable[[Ground], Verdict],
+) -> Proved:
     """The boxes for which all directions between two pass a test, and how much each side matters
     for the others.
     """

@@ -15,7 +15,7 @@ from ..numerics.balls import Interval, as_mpf, as_numbers, atan2, decided, sign,
 from ..numerics.polynomials import RootOf, roots_on_the_line
 from ..results import Points
 from ..results.precise_states import CuspProof, PreciseCusp
-from .folds import STATE, Angles, Point, in_contact, listed, unfolded
+from .folds import STATE, Angles, SurfacePoint, in_contact, listed, unfolded
 from .kernel import FIXED
 
 
@@ -62,7 +62,7 @@ def precise_cusps(
     return CuspProof(ordered, True, {}, polynomial, tuple(sines), len(sines))
 
 
-def _cusp(point: Point, digits: int) -> PreciseCusp:
+def _cusp(point: SurfacePoint, digits: int) -> PreciseCusp:
     numbers, _, radius = as_numbers(
         (*point.parameters[:2], point.theta, point.L, point.x, point.y), digits
     )
@@ -77,7 +77,7 @@ _DEGREE = 10
 
 def cusp_sines(
     kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction, *, bits: int
-) -> tuple[tuple[Fraction, ...], list[polynomials.Root]]:
+) -> tuple[tuple[Fraction, ...], list[polynomials.IsolatedRoot]]:
     """The polynomial of the cusps, and an interval around each of its roots in [−1, 1]. α ≠ 1 + β.
 
     For α = 0 none is an end, where the cubic is ±3 κ (1 + β + σ).
@@ -89,11 +89,13 @@ def cusp_sines(
     )
     polynomial = tuple(map(Fraction, coefficients))
     simple, one = polynomials.squarefree(polynomial), Fraction(1)
-    lowest = [polynomials.Root(-one, -one)] if polynomials.evaluate(simple, -one) == 0 else []
+    lowest = (
+        [polynomials.IsolatedRoot(-one, -one)] if polynomials.evaluate(simple, -one) == 0 else []
+    )
     return polynomial, [*lowest, *polynomials.real_roots(simple, -one, one, bits)]
 
 
-def proved_cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
+def proved_cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[SurfacePoint]:
     """Every cusp in contact with L > 0, for exact κ, α, σ, β; both mirror images, θ₀ in (−π, π], μ₀
     of either sign.
     """
@@ -110,7 +112,7 @@ def proved_cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
         yield from _cusps_at(exact, RootOf((-1, 1), Fraction(1), Fraction(1)))
 
 
-def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[Point]:
+def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePoint]:
     """The cusps of one sin θ. What is 0 exactly, as cos θ₀ or y may be at a coincidence of
     parameters, is known to be.
     """
@@ -151,7 +153,9 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[Point]:
             )
         for c0 in cosines:
             angles = (_angle_or_level(c0, s0, flat0), _angle_or_level(c, s, flat))
-            yield Point((angles[0], friction * c, *values), angles[1], L, c0 - L * c, s0 - L * s)
+            yield SurfacePoint(
+                (angles[0], friction * c, *values), angles[1], L, c0 - L * c, s0 - L * s
+            )
 
 
 def _angle_or_level(cosine: Interval, sine: Interval, level: bool) -> Interval:
@@ -169,7 +173,7 @@ def _cusp_length(s: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any) -> Any:
     return sigma * (1 + (B - alpha) * s * s / (p * (3 * s * s - 2))) / (B + sigma)
 
 
-def _cusps_without_a(values: tuple[Interval, ...], bits: int) -> Iterator[Point]:
+def _cusps_without_a(values: tuple[Interval, ...], bits: int) -> Iterator[SurfacePoint]:
     """α = 1 + β: a = 0, and f″ = 0 on a fold means 3 sin² θ = 2, whatever the friction."""
     third = balls.exact(Fraction(1, 3))
     for s_sign in (1, -1):
@@ -183,7 +187,7 @@ def _cusps_without_a(values: tuple[Interval, ...], bits: int) -> Iterator[Point]
                 yield from in_contact(Angles(c, s, c0, s0), mu0, *values)
 
 
-def is_versal(point: Point) -> bool:
+def is_versal(point: SurfacePoint) -> bool:
     """Whether (θ₀, μ₀) unfold f fully there: then the cusp is one in the sense of catastrophe
     theory.
 

@@ -29,7 +29,7 @@ from ..core.questions import NotInClosedForm
 from ..generated import stability as _stability
 from ..models.parameters import FloatArray, Parameters, Ranges, as_count
 from ..numerics import balls, polynomials
-from ..numerics.balls import Interval, Undecided, atan2, decided, sign, with_enough_bits
+from ..numerics.balls import Interval, UndecidedSign, atan2, decided, sign, with_enough_bits
 from ..numerics.interval_arrays import IntArray, quiet
 from ..numerics.polynomials import (
     RootOf,
@@ -41,8 +41,8 @@ from ..numerics.polynomials import (
 )
 from ..results import Result
 from . import kernel
-from .bifurcation_sets import Condition, curves
-from .folds import Point, listed
+from .bifurcation_sets import CurveCondition, curves
+from .folds import SurfacePoint, listed
 from .kernel import FIXED, Fixed
 from .only import of_article
 
@@ -189,7 +189,7 @@ def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) ->
     return _stability.flutter_friction(c, s, L, *fixed[1:])
 
 
-_ONSET = Condition(_polynomial, _friction)
+_ONSET = CurveCondition(_polynomial, _friction)
 
 
 def _rank(
@@ -218,7 +218,7 @@ _DEGREE, _DEGREE_WITHOUT_ALPHA, _DEGREE_OF_LENGTH = 8, 4, 4
 
 
 @dataclass(frozen=True)
-class Onset(Point):
+class Onset(SurfacePoint):
     """An onset in intervals; ``branch`` counts the equilibria from below in θ, of which there are
     ``count``.
 
@@ -402,5 +402,5 @@ def rank(quartic: tuple[Interval, ...], t: Interval, edge: Interval, bits: int) 
     ]
     below, here, above = map(sides.count, (-1, 0, 1))
     if here != 1 or (below, above) not in ((0, 0), (2, 0), (0, 2)):
-        raise Undecided(f"{below} equilibria below an onset, {here} there and {above} above")
+        raise UndecidedSign(f"{below} equilibria below an onset, {here} there and {above} above")
     return below, 1 + below + above

@@ -108,7 +108,7 @@ def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     roots = bernstein.positive_roots(polynomial, size)
     twice = np.flatnonzero(free[roots.row])
     index = np.append(np.arange(roots.row.size), twice)
-    roots = bernstein.Roots(
+    roots = bernstein.PolynomialRoots(
         roots.row[index], roots.t.rows(index), roots.rising[index], roots.undecided
     )
     others, at = _rows(values, roots.row), on_circle(roots.t)[:2]
@@ -149,7 +149,7 @@ def _circle(values: list[Rounded]) -> list[Rounded]:
 
 
 def _kept(
-    roots: bernstein.Roots,
+    roots: bernstein.PolynomialRoots,
     value: Rounded,
     angles: tuple[Rounded, Rounded, Rounded, Rounded],
     here: Mapping[str, Rounded],

@@ -22,7 +22,15 @@ from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import NAMES, RANGES, Parameters, Ranges, Span
 from ..numerics import balls, polynomials
-from ..numerics.balls import Interval, Undecided, as_floats, atan2, decided, sign, with_enough_bits
+from ..numerics.balls import (
+    Interval,
+    UndecidedSign,
+    as_floats,
+    atan2,
+    decided,
+    sign,
+    with_enough_bits,
+)
 from ..numerics.polynomials import RootOf, in_t, on_circle, roots_on_the_line
 from ..results.points import Ended, Points, nothing_ends
 from . import kernel
@@ -67,14 +75,14 @@ def folds(
             ):
                 low, high = balls.ends(value)
                 if high - low > low / 10**25:
-                    raise Undecided("a fold to 25 digits")
+                    raise UndecidedSign("a fold to 25 digits")
                 after, error = as_floats(fold.after) if fold.after else ([math.nan] * 4, 0.0)
                 found.append((low, high, fold, (*row[:-1], max(row[-1], error)), after))
         found.sort(key=lambda one: one[0])
         # No two folds share a value: f has at most three positive roots, too few for two double
         # roots.
         if any(high >= low for (_, high, *_), (low, *_) in itertools.pairwise(found)):
-            raise Undecided("the order of two folds")
+            raise UndecidedSign("the order of two folds")
         return found
 
     found = with_enough_bits(20, attempt, "folds")
@@ -139,7 +147,7 @@ class Fold:
     root lies.
     """
 
-    point: Point
+    point: SurfacePoint
     kind: str  #: "fold", "pitchfork", "cusp" or "touch"
     # 1 where there are three equilibria above the value of the parameter and one below it, −1 the
     # reverse, else 0
@@ -178,7 +186,7 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
     try:
         roots = roots_on_the_line(sextic, bits // 2, positive=True)
         directions = list(map(_Direction, roots))
-    except Undecided:
+    except UndecidedSign:
         common = _independent_of_theta0(vary, exact)
         if common is None:
             raise
@@ -270,7 +278,7 @@ def with_multiplicity(
         yield _Direction(root, multiplicity, flat)
 
 
-def _classified(vary: str, point: Point, angles: Angles, direction: _Direction) -> Fold:
+def _classified(vary: str, point: SurfacePoint, angles: Angles, direction: _Direction) -> Fold:
     """The kind of a fold, from signs of the derivatives of f by θ and by the parameter λ that
     varies.
 
@@ -350,7 +358,7 @@ class Angles(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Point:
+class SurfacePoint:
     """A point of the surface with f = f′ = 0, in intervals: parameters in the order of ``NAMES``,
     direction and state.
     """
@@ -378,8 +386,10 @@ def unfolded(angles: Angles, *values: Interval) -> Interval:
     return by_angle * slope_by_friction - by_friction * slope_by_angle
 
 
-def in_contact(angles: Angles, *values: Interval) -> Iterator[Point]:
+def in_contact(angles: Angles, *values: Interval) -> Iterator[SurfacePoint]:
     """The point at μ₀, κ, α, σ, β with its state, if it is in contact with L > 0."""
     L, x, y = kernel.state_of(*angles, *values[1:])
     if decided(L, "L = 0") > 0 and decided(y, "y = 0") < 0:
-        yield Point((atan2(angles.s0, angles.c0), *values), atan2(angles.s, angles.c), L, x, y)
+        yield SurfacePoint(
+            (atan2(angles.s0, angles.c0), *values), atan2(angles.s, angles.c), L, x, y
+        )

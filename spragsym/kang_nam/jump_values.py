@@ -26,7 +26,7 @@ from ..design.jumps import Ends
 from ..models.parameters import NAMES, RANGES, FloatArray, Parameters
 from ..numerics import bernstein
 from ..numerics.affine import UNIT
-from ..numerics.balls import Undecided
+from ..numerics.balls import UndecidedSign
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import BoolArray, IndexArray
 from ..results.equilibria import Equilibria, EquilibriumType
@@ -145,7 +145,7 @@ def _block(
         point = point_at(given, points[k])
         try:
             value[points[k]] = fold_arrays.with_more_digits(vary, point, t.rows(k), best.rows(k))
-        except Undecided:
+        except UndecidedSign:
             undecided[points[k]] = True
     reasons = {}
     for i in np.flatnonzero(undecided):

@@ -15,7 +15,7 @@ from ..numerics.polynomials import RootOf, on_circle
 from ..results import LowestEnd
 from . import kernel
 from .cusps import proved_cusps
-from .folds import Angles, Point, in_contact, lines_and_sextic, unfolded, with_multiplicity
+from .folds import Angles, SurfacePoint, in_contact, lines_and_sextic, unfolded, with_multiplicity
 from .kernel import FIXED
 
 #: Degrees in sin θ of sin θ₀, and of f″, times the denominator of sin θ₀.
@@ -51,7 +51,7 @@ def _lowest(*values: float) -> tuple[float, float, str, float]:
     exact = tuple(map(Fraction, values))
 
     def attempt(bits: int) -> tuple[float, float, str, float]:
-        least: tuple[Fraction, Point, str] | None = None
+        least: tuple[Fraction, SurfacePoint, str] | None = None
         for point, kind in _candidates(exact, bits):
             above = balls.ends(point.parameters[1])[1]
             if least is None or above < least[0] - abs(least[0]) / 10**25:
@@ -64,7 +64,7 @@ def _lowest(*values: float) -> tuple[float, float, str, float]:
     return with_enough_bits(40, attempt, "the lowest fold")
 
 
-def _candidates(exact: tuple[Fraction, ...], bits: int) -> Iterator[tuple[Point, str]]:
+def _candidates(exact: tuple[Fraction, ...], bits: int) -> Iterator[tuple[SurfacePoint, str]]:
     for point in proved_cusps(exact, bits):
         if _leans_forward(point.parameters[0]) and not _negative(point.parameters[1]):
             yield point, "cusp"
@@ -90,7 +90,7 @@ def _negative(mu0: Interval) -> bool:
 # folds, and folds at θ₀ = 0
 
 
-def turning_points(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
+def turning_points(exact: tuple[Fraction, ...], bits: int) -> Iterator[SurfacePoint]:
     """Every point with f = f′ = f_θ₀ = 0, f″ < 0, 0 < θ₀ < π/2 and μ₀ > 0, for exact κ, α, σ, β;
     without α there is none.
 
@@ -103,7 +103,7 @@ def turning_points(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
         yield from _turning_at(exact, RootOf(polynomial, *root))
 
 
-def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[Point]:
+def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePoint]:
     values = tuple(map(balls.exact, exact))
     s = sine.interval()
     numerator, denominator = _catastrophe.turning_sine(s, *values)
@@ -135,7 +135,7 @@ def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[Point]:
                 yield point
 
 
-def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
+def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[SurfacePoint]:
     """Every fold at θ₀ = 0 with f″ < 0 and μ₀ > 0, and every cusp there that folds with θ₀ > 0
     leave.
     """

@@ -26,7 +26,7 @@ from . import forces
 from .parameters import FloatArray
 
 if TYPE_CHECKING:
-    from ..motion.scales import Scales
+    from ..motion.scales import MotionScales
     from .model import Model
 
 #: What is said of an orbit on which the field jumps.
@@ -194,7 +194,7 @@ class Field:
     lengths: Callable[[Sequence[float], Values], Sequence[float]] = lambda *_: ()
     sized: Callable[[tuple[float, ...]], Field] | None = None
     natural: Field | None = None
-    scales: Scales | None = None
+    scales: MotionScales | None = None
     lead: int = 0
 
     def led(self, lead: int) -> Field:

@@ -116,7 +116,7 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
 
 
 @dataclass(frozen=True)
-class Rest:
+class Equilibrium:
     """An equilibrium and its linearization with the damping of the friction law.
 
     Where friction holds there is a whole curve of equilibria: one of the ``values`` is 0 along it,
@@ -151,7 +151,7 @@ def spectrum_at_rest(
     return values, moving @ vectors
 
 
-def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
+def rest_near(problem: Problem, place: FloatArray) -> Equilibrium | None:
     """The equilibrium in contact that Newton's method finds from a place, at the friction μ(V);
     None where it finds none.
 
@@ -172,7 +172,9 @@ def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
         if border.kink
     ):
         return None
-    return Rest(state, *spectrum_at_rest(field, constants, state, mode), bool(field.stays(mode)))
+    return Equilibrium(
+        state, *spectrum_at_rest(field, constants, state, mode), bool(field.stays(mode))
+    )
 
 
 def equilibrium_near(
@@ -203,7 +205,7 @@ def equilibrium_near(
     raise ConvergenceError("there is no equilibrium near")
 
 
-def _stays(course: Course, rest: Rest, rtol: float, kinks: bool) -> bool:
+def _stays(course: Course, rest: Equilibrium, rtol: float, kinks: bool) -> bool:
     """Whether as little is left as the linearization says: a cycle beside the equilibrium may be
     small too, in the model's units.
 
@@ -218,7 +220,7 @@ def _stays(course: Course, rest: Rest, rtol: float, kinks: bool) -> bool:
     return bool(after <= noise**2 or (after <= left and (left < before or not kinks)))
 
 
-def _decays(course: Course, rest: Rest) -> bool:
+def _decays(course: Course, rest: Equilibrium) -> bool:
     """Whether the parts of the motion in the eigenvectors die out as their eigenvalues say, within
     a factor of two.
 

@@ -23,7 +23,7 @@ def library() -> Any:
     return hy
 
 
-class Functions:
+class HeyokaFunctions:
     """The namespace ``xp`` of heyoka's expressions, whose functions take numbers too, as the 2 of
     sqrt(2).
     """
@@ -66,4 +66,4 @@ class Functions:
 
 
 #: One that serves where nobody asks what was called.
-XP = Functions()
+XP = HeyokaFunctions()

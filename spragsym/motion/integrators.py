@@ -25,7 +25,7 @@ from . import with_compiled, with_heyoka, with_scipy
 from .lobatto import PiecewisePolynomial
 from .measures import Course, course_of
 from .problem import Event, Problem, StiffError
-from .scales import Scales
+from .scales import MotionScales
 from .solution import Fly, Passage, Solution, events_of, without_chatter
 from .with_scipy import RTOL, Flight
 
@@ -139,7 +139,7 @@ def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exceptio
 
 def _watched(problems: Sequence[Problem]) -> tuple[list[Any], list[int]]:
     """:func:`with_heyoka.watch`, of all motions of one scale at a time."""
-    groups: dict[Scales, list[int]] = {}
+    groups: dict[MotionScales, list[int]] = {}
     for row, problem in enumerate(problems):
         groups.setdefault(problem.own_scales, []).append(row)
     found, again = list[Any]([None] * len(problems)), list[int]()
@@ -178,7 +178,12 @@ class Flow:
         if self.other:
             return self.other(state, constants, duration, directions)
         return self._asked(
-            lambda carrier: carrier.fly(), Scales.passage, state, constants, duration, directions
+            lambda carrier: carrier.fly(),
+            MotionScales.passage,
+            state,
+            constants,
+            duration,
+            directions,
         )
 
     def plain(
@@ -189,7 +194,7 @@ class Flow:
         """
         return self._asked(
             lambda carrier: carrier.fly(),
-            Scales.passage,
+            MotionScales.passage,
             state,
             constants,
             duration,
@@ -199,13 +204,13 @@ class Flow:
     def samples(self, start: FloatArray, constants: Values, t_end: float) -> PiecewisePolynomial:
         """A motion by its samples."""
         return self._asked(
-            lambda carrier: carrier.motion().samples, Scales.samples, start, constants, t_end
+            lambda carrier: carrier.motion().samples, MotionScales.samples, start, constants, t_end
         )
 
     def _asked(
         self,
         ask: Callable[[Any], T],
-        back: Callable[[Scales, T], T],
+        back: Callable[[MotionScales, T], T],
         state: FloatArray,
         constants: Values,
         t_end: float,

@@ -29,7 +29,7 @@ from ..models.field import Field, Values, field_of, undecorated
 from ..models.forces import of_statics
 from ..models.model import Model
 from ..models.parameters import POSITIVE, ParameterSet, Range, as_count, as_number
-from .scales import Scales, scales_of
+from .scales import MotionScales, scales_of
 
 RELATIVE_TOLERANCE = Range(
     1e-13,
@@ -74,7 +74,7 @@ class Problem:
     #: The field, for a given reach of the exponentials of the friction law.
     field_of: Callable[[float], Field]
     #: Units of its numbers, where these are not the model's.
-    scales: Scales | None = None
+    scales: MotionScales | None = None
 
     @property
     def reach(self) -> float:
@@ -89,10 +89,10 @@ class Problem:
         return self.field_of(self.reach)
 
     @cached_property
-    def own_scales(self) -> Scales:
+    def own_scales(self) -> MotionScales:
         """Units in which the motion is carried: 1 where its numbers are in them."""
         if self.scales:
-            return Scales((1.0,) * len(self.field.coordinates), 1.0, ())
+            return MotionScales((1.0,) * len(self.field.coordinates), 1.0, ())
         return scales_of(self.field, self.constants, self.start)
 
     def time(self, t: float) -> float:

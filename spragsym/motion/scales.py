@@ -31,7 +31,7 @@ DIGITS, COMMON = 2, 5
 
 
 @dataclass(frozen=True)
-class Scales:
+class MotionScales:
     """Units of a motion: of each coordinate, of time, and of the level of each border.
 
     Times, states and what is made of them are given back in the model's units by what is called
@@ -59,9 +59,9 @@ class Scales:
         return max(self.places)
 
     @property
-    def inverse(self) -> Scales:
+    def inverse(self) -> MotionScales:
         """Units that take numbers of the model to those of the scaled motion."""
-        return Scales(
+        return MotionScales(
             tuple(1.0 / unit for unit in self.places),
             1.0 / self.time,
             tuple(1.0 / unit for unit in self.levels),
@@ -159,7 +159,7 @@ class Scales:
         )
 
 
-def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Scales:
+def scales_of(field: Field, constants: Values, start: Sequence[float]) -> MotionScales:
     """Scales of the motion from a state.
 
     The unit of time is that of the fastest stiffness, 1/√|∂q″/∂q|; where nothing is stiff, that of
@@ -191,7 +191,7 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Scales
     """
     state, n = [float(value) for value in start], len(field.coordinates)
     if not field.units:
-        return Scales((1.0,) * n, 1.0, (1.0,) * len(field.borders))
+        return MotionScales((1.0,) * n, 1.0, (1.0,) * len(field.borders))
     lengths = field.lengths(state, constants)
     try:
         time, ways = _time_and_ways(field, constants, state)
@@ -202,7 +202,7 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Scales
         alike = [way for way, other in zip(ways, field.units, strict=True) if other == unit]
         known = lengths if unit == "m" and lengths else alike
         places.append(1.0 if unit == "rad" else _power(max(known)))
-    found = Scales(tuple(places), _power(time), (1.0,) * len(field.borders))
+    found = MotionScales(tuple(places), _power(time), (1.0,) * len(field.borders))
     if found.trivial:
         return found
     levels = (_level(border, field, constants, state, found) for border in field.borders)
@@ -248,7 +248,7 @@ def _modes(field: Field, constants: Values, state: list[float]) -> set[Mode]:
 
 
 def _level(
-    border: Border, field: Field, constants: Values, state: list[float], scales: Scales
+    border: Border, field: Field, constants: Values, state: list[float], scales: MotionScales
 ) -> float:
     """The unit of a border's level: by how much it changes over the units of the state."""
     if not border.kink:
@@ -279,7 +279,7 @@ def _power(value: float) -> float:
 
 
 @cache
-def scaled(field: Field, scales: Scales) -> Field:
+def scaled(field: Field, scales: MotionScales) -> Field:
     """A field in units of its scales; parameters and forces stay as they are."""
     n, units, time = len(field.coordinates), scales.states.tolist(), scales.time
     faster = [time**2 / place for place in scales.places]

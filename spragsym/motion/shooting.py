@@ -21,7 +21,7 @@ from ..numerics.vectors import TURN, apart, magnitude, norm
 from .integrators import Flow
 from .lobatto import PiecewisePolynomial
 from .multipliers import Multipliers, multipliers_of
-from .scales import Scales, scaled, scales_of
+from .scales import MotionScales, scaled, scales_of
 from .solution import Crossing, Passage, Turn
 
 #: Closed to this, relative to the largest number of the orbit.
@@ -335,7 +335,7 @@ def time_of(loop: Loop) -> float:
     return loop.field.scales.time if loop.field.scales else 1.0
 
 
-def _converted(loop: Loop, field: Field, scales: Scales) -> Loop:
+def _converted(loop: Loop, field: Field, scales: MotionScales) -> Loop:
     guess = loop.guess
     states, period = guess.states * scales.states, guess.period * scales.time
     return replace(

@@ -16,7 +16,7 @@ import numpy as np
 from ..core.errors import ConvergenceError
 from ..models.field import GAP, JUMPED, Border, Field, Mode
 from ..models.parameters import FloatArray
-from .heyoka_functions import XP, Functions, library
+from .heyoka_functions import XP, HeyokaFunctions, library
 from .lobatto import sample_times, unit_points
 from .measures import KEPT, Course
 from .problem import (
@@ -118,7 +118,7 @@ def equations(
     end = constants + len(field.modes[0])
     state = hy.make_vars(*names, *(f"v{name}" for name in names))
     known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
-    accelerations = list(field.acceleration(state, known, mode, xp := Functions()))
+    accelerations = list(field.acceleration(state, known, mode, xp := HeyokaFunctions()))
     system = list(zip(state, [*state[n:], *accelerations], strict=True))
     if directions is not None:
         jacobian, slopes = (

@@ -47,7 +47,7 @@ LARGE = 1e12
 
 
 @dataclass(frozen=True)
-class _Piece:
+class _ModeStep:
     """One step within a mode, in time from ``clock`` on, and what is crossed at its end."""
 
     clock: float
@@ -137,7 +137,7 @@ class Flight:
         }
         return (Radau if self.stiff else DOP853)(self._rates(mode), begin, whole, bound, **options)
 
-    def _pieces(self, whole: FloatArray) -> Iterator[_Piece]:
+    def _pieces(self, whole: FloatArray) -> Iterator[_ModeStep]:
         """Steps, none of which leaves its mode; a step that would is cut at the border. An error
         after too many.
         """
@@ -171,7 +171,7 @@ class Flight:
                 dense, begin, end, steps = solver.dense_output(), solver.t_old, solver.t, steps + 1
                 if steps > most:
                     raise too_many_steps(replace(self.problem, rtol=solver.rtol), most, clock + end)
-                piece = _Piece(clock, begin, end, solver.y.copy(), dense, mode)
+                piece = _ModeStep(clock, begin, end, solver.y.copy(), dense, mode)
                 found = self._first_crossing(piece)
                 if found is None:
                     yield piece
@@ -194,7 +194,7 @@ class Flight:
             after, crossings = passed(
                 self.problem, row, mode, clock + at, whole[:m], self.directions, columns
             )
-            yield _Piece(clock, begin, at, whole, dense, mode, crossings)
+            yield _ModeStep(clock, begin, at, whole, dense, mode, crossings)
             clock, mode = clock + at, after
 
     def _stepped(self, mode: Mode, state: FloatArray, begin: float, end: float) -> FloatArray:
@@ -243,12 +243,12 @@ class Flight:
         found[-1] = states[field.lead], states[len(field.coordinates) + field.lead]
         return found
 
-    def _at(self, piece: _Piece, inside: bool, row: int, part: int, t: float) -> float:
+    def _at(self, piece: _ModeStep, inside: bool, row: int, part: int, t: float) -> float:
         """A level (part 0) or its rate (part 1) at a time within a step."""
         states = piece.dense(np.asarray(t))[: self.problem.field.size]
         return float(self._levels(piece.mode, states, inside=inside)[row, part])
 
-    def _first_crossing(self, piece: _Piece) -> tuple[float, int] | None:
+    def _first_crossing(self, piece: _ModeStep) -> tuple[float, int] | None:
         """When the motion first leaves its mode, and through which border."""
         found = []
         levels = self._levels(piece.mode, piece.samples[: self.problem.field.size], inside=True)
@@ -266,7 +266,7 @@ class Flight:
                     break
         return min(found, default=None)
 
-    def _turns(self, piece: _Piece) -> list[Turn]:
+    def _turns(self, piece: _ModeStep) -> list[Turn]:
         """Zeros of the rates within a step: of the leading coordinate, numbered −1, and of levels
         where there is a kink.
         """

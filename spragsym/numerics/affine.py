@@ -260,7 +260,7 @@ def _taken(value: Any) -> Affine:
     )
 
 
-class _Functions(Functions):
+class _AffineFunctions(Functions):
     #: π.
     pi = Affine.between(interval_arrays.PI)
 
@@ -271,7 +271,7 @@ class _Functions(Functions):
 
 _INTERVALS = Functions(interval_arrays, lambda value: value)
 #: The one that is needed.
-AFFINE = _Functions(
+AFFINE = _AffineFunctions(
     SimpleNamespace(
         **{name: _through(name) for name in ("sqrt", "exp", "log", "tanh", "atan", "cos", "sin")}
     ),

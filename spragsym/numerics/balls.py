@@ -40,7 +40,7 @@ GUARD_BITS = 16
 _BITS: ContextVar[int] = ContextVar("bits", default=53)
 
 
-class Undecided(ArithmeticError):
+class UndecidedSign(ArithmeticError):
     """A sign that the precision can't decide."""
 
 
@@ -96,7 +96,7 @@ class Ball(Arithmetic):
         return Ball(abs(self.mid), self.rad, self.exp, self.bits)
 
     def sign(self) -> int:
-        """−1 or 1; :class:`Undecided` where the ball holds 0."""
+        """−1 or 1; :class:`UndecidedSign` where the ball holds 0."""
         return decided(self, "the sign of a ball that holds 0")
 
     def __mul__(self, other: Any) -> Ball:
@@ -154,7 +154,7 @@ def _quotient(one: Ball, other: Ball) -> Ball:
     m, n, r, s = one.mid, other.mid, one.rad, other.rad
     least = abs(n) - s
     if least <= 0:
-        raise Undecided("an interval that holds 0 divides")
+        raise UndecidedSign("an interval that holds 0 divides")
     shift = max(0, one.bits + n.bit_length() - m.bit_length())
     quotient, rest = divmod(m << shift, n)
     rad = 1 if rest else 0
@@ -239,9 +239,9 @@ def cos_sin(angle: Ball) -> tuple[Ball, Ball]:
 
 
 def sqrt(value: Ball) -> Ball:
-    """Square root; :class:`Undecided` where the interval holds negative numbers."""
+    """Square root; :class:`UndecidedSign` where the interval holds negative numbers."""
     if value.mid < value.rad:
-        raise Undecided("the square root of an interval that holds negative numbers")
+        raise UndecidedSign("the square root of an interval that holds negative numbers")
     if not value.mid:
         return value
     shift = max(0, 2 * value.bits - value.mid.bit_length())
@@ -275,14 +275,14 @@ def _pi(bits: int) -> Ball:
 
 
 def atan2(sine: Ball, cosine: Ball) -> Ball:
-    """Angle of a vector of balls, from −π to π; :class:`Undecided` where they meet the ray on which
-    it jumps.
+    """Angle of a vector of balls, from −π to π; :class:`UndecidedSign` where they meet the ray on
+    which it jumps.
     """
     up, right = (sign(part) for part in (sine, cosine))
     if right > 0 and (not up or _size(sine) <= _size(cosine)):
         return atan(sine / cosine)
     if not up:
-        raise Undecided("the angle of balls that meet the ray on which it jumps")
+        raise UndecidedSign("the angle of balls that meet the ray on which it jumps")
     half = atan(Ball(1, 0, 0, sine.bits)) * 2
     return (half if up > 0 else -half) - atan(cosine / sine)
 
@@ -322,7 +322,7 @@ def log(value: Ball) -> Ball:
     series.
     """
     if value.mid <= 2 * value.rad:
-        raise Undecided("the logarithm of a ball that holds 0, or nearly does")
+        raise UndecidedSign("the logarithm of a ball that holds 0, or nearly does")
     bits = value.bits + GUARD_BITS
     near = math.log(value.mid) + value.exp * math.log(2)
     y = ball(near, bits)
@@ -348,7 +348,7 @@ def _taken(value: Any) -> Ball:
     return value if isinstance(value, Ball) else exact(Fraction(value))
 
 
-class _Functions(Functions):
+class _BallFunctions(Functions):
     @property
     def pi(self) -> Ball:
         """π."""
@@ -356,7 +356,7 @@ class _Functions(Functions):
 
 
 #: ``xp`` of generated functions for balls and jets of them.
-XP = _Functions(sys.modules[__name__], _taken)
+XP = _BallFunctions(sys.modules[__name__], _taken)
 
 
 def with_enough_bits(digits: int, attempt: Callable[[int], T], what: str) -> T:
@@ -366,7 +366,7 @@ def with_enough_bits(digits: int, attempt: Callable[[int], T], what: str) -> T:
         with precision(bits):
             try:
                 return attempt(bits)
-            except (Undecided, ZeroDivisionError) as reason:
+            except (UndecidedSign, ZeroDivisionError) as reason:
                 if bits >= MAXIMUM_BITS:
                     raise ConvergenceError(
                         f"{what}: {bits} bits do not decide it ({reason}); the parameters are "
@@ -387,7 +387,7 @@ def sign_or_zero(value: Interval, what: str, vanishes: Callable[[], bool]) -> in
     """
     result = sign(value)
     if result == 0 and not vanishes():
-        raise Undecided(what)
+        raise UndecidedSign(what)
     return result
 
 
@@ -414,7 +414,7 @@ def as_numbers(
         error, radius = max(error, half / max(Fraction(1), abs(middle) - half)), max(radius, half)
         middles.append(as_mpf(middle))
     if digits is not None and error > Fraction(1, 10**digits):
-        raise Undecided(f"an error of {float(error):.1e}")
+        raise UndecidedSign(f"an error of {float(error):.1e}")
     return middles, rounded_up(error), rounded_up(radius)
 
 

@@ -42,7 +42,7 @@ class Parts(ByColumn):
 
 
 @dataclass(frozen=True)
-class Roots:
+class PolynomialRoots:
     """Roots of many polynomials: rows, t with a radius that is proved, and the sign of the slope
     there; and undecided rows.
     """
@@ -53,7 +53,7 @@ class Roots:
     undecided: BoolArray
 
 
-def positive_roots(coefficients: Sequence[Any], size: int) -> Roots:
+def positive_roots(coefficients: Sequence[Any], size: int) -> PolynomialRoots:
     """Every positive root of ``size`` polynomials, lowest power first: of rows that are decided
     all, simple, in no order.
     """
@@ -199,7 +199,7 @@ def _at(value: FloatArray, place: FloatArray) -> tuple[FloatArray, FloatArray]:
     return value[0] + rise * place, degree * rise
 
 
-def _refined(parts: Parts, undecided: BoolArray) -> Roots:
+def _refined(parts: Parts, undecided: BoolArray) -> PolynomialRoots:
     """Each root by Newton's rule, or by halving where that leaves its part; and a radius at whose
     ends the signs differ.
     """
@@ -241,4 +241,4 @@ def _refined(parts: Parts, undecided: BoolArray) -> Roots:
     complement = Rounded(
         ((1 - parts.low) - parts.width * place)[keep], (parts.width * radius)[keep] + 2 * UNIT
     )
-    return Roots(parts.row[keep], w / complement * SCALE, rising[keep], undecided)
+    return PolynomialRoots(parts.row[keep], w / complement * SCALE, rising[keep], undecided)

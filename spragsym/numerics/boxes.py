@@ -55,7 +55,7 @@ POLE = 2.0**-7
 SPREAD = 0.35
 
 
-class System:
+class EquationSystem:
     """n equations in n unknowns with parameters: their values over boxes, and their slopes, if they
     are not given, by jets.
 
@@ -119,7 +119,7 @@ class Pairs(ByColumn):
 
 
 @dataclass(frozen=True)
-class Outcome:
+class SearchOutcome:
     """What a search ends with: boxes with exactly one root for every point of their node, and boxes
     that nothing is known of.
 
@@ -134,14 +134,14 @@ class Outcome:
 
 
 def search(
-    system: System,
+    system: EquationSystem,
     region: FloatArray,
     low: FloatArray,
     high: FloatArray,
     *,
     budget: int = BUDGET,
     narrow: float = NARROW,
-) -> Outcome:
+) -> SearchOutcome:
     """All roots for all points: the box to search is ``region``, −low and high, (2, n, points or
     1), points (parameters, points).
 
@@ -167,14 +167,14 @@ def search(
     unique, where, undecided = (
         first.then(*others) for first, *others in (here.unique, here.where, here.undecided)
     )
-    return Outcome(unique, where, undecided, points, here.looks)
+    return SearchOutcome(unique, where, undecided, points, here.looks)
 
 
 @dataclass
 class _Search:
     """A stack of pairs, and what has been found."""
 
-    system: System
+    system: EquationSystem
     points: Tree
     limits: FloatArray
     budget: int

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from . import boxes, contractors
-from .boxes import System
+from .boxes import EquationSystem
 from .interval_arrays import (
     BoolArray,
     FloatArray,
@@ -112,7 +112,7 @@ def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
 
 
 def search(
-    system: System, region: FloatArray, low: FloatArray, high: FloatArray, **how: Any
+    system: EquationSystem, region: FloatArray, low: FloatArray, high: FloatArray, **how: Any
 ) -> Roots:
     """The roots of each point in a region; arguments as of :func:`spragsym.numerics.boxes.search`.
 
@@ -154,7 +154,7 @@ def distinct(found: Roots) -> Roots:
 
 
 def _refined(
-    system: System, ends: FloatArray, parameters: Intervals, point: IntArray
+    system: EquationSystem, ends: FloatArray, parameters: Intervals, point: IntArray
 ) -> tuple[FloatArray, BoolArray]:
     """Boxes contracted until they do not get narrower; and whether one was found empty."""
     ends = ends.copy()
@@ -177,7 +177,7 @@ def _refined(
     return ends, empty
 
 
-def stepped(system: System, ends: FloatArray, parameters: Intervals) -> contractors.Newton:
+def stepped(system: EquationSystem, ends: FloatArray, parameters: Intervals) -> contractors.Newton:
     """The step of interval Newton from the middles of boxes of shape (2, n, N)."""
     middle = Intervals(ends).middle
     values, slopes = (

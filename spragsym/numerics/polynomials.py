@@ -2,7 +2,7 @@
 real roots.
 
 Coefficients are integers or fractions, of which nothing is rounded, or balls, where
-:class:`.balls.Undecided` says that more bits are needed. Real roots are isolated by Descartes' rule
+:class:`.balls.UndecidedSign` says that more bits are needed. Real roots are isolated by Descartes' rule
 of signs, so that none is missed: intervals are halved, which only adds and shifts. At the end the
 half-angle map, and roots of many polynomials in floats.
 """
@@ -18,7 +18,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from . import balls
-from .balls import Ball, Interval, Undecided
+from .balls import Ball, Interval, UndecidedSign
 from .interval_arrays import FloatArray
 
 #: A Fraction or a ball.
@@ -210,7 +210,7 @@ def root_bound(polynomial: Sequence[int]) -> Fraction:
     return 1 + Fraction(max(map(abs, polynomial)), abs(polynomial[-1]))
 
 
-class Root(NamedTuple):
+class IsolatedRoot(NamedTuple):
     """The only root of its polynomial in [low, high]: inside, or at both where the two are
     equal.
     """
@@ -234,11 +234,13 @@ def _sign(value: Any) -> int:
     """Sign of an integer or a ball; only an integer may be 0."""
     found = balls.sign(value)
     if not found and isinstance(value, Ball):
-        raise Undecided("a polynomial holds 0 where its sign is needed")
+        raise UndecidedSign("a polynomial holds 0 where its sign is needed")
     return found
 
 
-def real_roots(polynomial: tuple[Any, ...], low: Fraction, high: Fraction, bits: int) -> list[Root]:
+def real_roots(
+    polynomial: tuple[Any, ...], low: Fraction, high: Fraction, bits: int
+) -> list[IsolatedRoot]:
     """Every root in (low, high], ascending, to a width below 2^−bits, and below 2^−bits of a
     distance from 0 that is below 1.
 
@@ -259,7 +261,7 @@ def real_roots(polynomial: tuple[Any, ...], low: Fraction, high: Fraction, bits:
         return (-((-scale << bits) // distance) - 1).bit_length()
 
     found = [_refined(cell, unit, lacking) for cell in cells]
-    return sorted(Root(at(cell.n, cell.k), at(cell.m, cell.k)) for cell in found)
+    return sorted(IsolatedRoot(at(cell.n, cell.k), at(cell.m, cell.k)) for cell in found)
 
 
 @lru_cache(maxsize=64)

@@ -26,7 +26,7 @@ import numpy as np
 
 from . import balls, contractors
 from .arithmetic import Matrix, is_zero, solved
-from .balls import Ball, Undecided, ball
+from .balls import Ball, UndecidedSign, ball
 from .interval_arrays import FloatArray, Intervals, quiet
 from .jets import Jet, constant, gradient, variables
 from .polynomials import derivative, evaluate, shifted
@@ -93,7 +93,7 @@ def narrowed(
     |1 − Y J| is at most 1/2 all over a box that holds both.
     """
     z = [ball(float(value), system.bits) for value in Intervals(box).middle]
-    with suppress(Undecided, ZeroDivisionError):
+    with suppress(UndecidedSign, ZeroDivisionError):
         for _ in range(STEPS):
             Y = _inverse(as_balls(system.slopes(z), system.bits), system.bits)
             values = as_balls([system.values(z)], system.bits)[0]
@@ -342,7 +342,7 @@ class _Task:
             others = self.others(box[self.along], box)
             last = self.third(box[self.along], others)
             pieces = _isolated([*self.at(middle, others), last], low - middle, high - middle)
-        except Undecided:
+        except UndecidedSign:
             return False
         for piece in pieces:
             where = (middle + piece[0], middle + piece[1])
@@ -390,7 +390,7 @@ class _Task:
             if all(_inside(one, other) for one, other in zip(image, wide, strict=True)):
                 return self._narrowed(u, image)
             given = [balls.union(one, other) for one, other in zip(image, given, strict=True)]
-        raise Undecided("the other unknowns in a box")
+        raise UndecidedSign("the other unknowns in a box")
 
     def _narrowed(self, u: Ball, others: Sequence[Ball]) -> list[Ball]:
         """Balls of the other unknowns contracted until they are not narrower by much, or far
@@ -431,12 +431,12 @@ def _isolated(
         if balls.sign(evaluate(derivative(about), off)):
             signs = [balls.sign(evaluate(coefficients, balls.exact(end))) for end in (one, two)]
             if 0 in signs:
-                raise Undecided("a root on the end of a piece")
+                raise UndecidedSign("a root on the end of a piece")
             if signs[0] != signs[1]:
                 found.append((one, two))
             continue
         if depth > HALVINGS or looks > PIECES:
-            raise Undecided("roots that lie close together")
+            raise UndecidedSign("roots that lie close together")
         cut = one + (two - one) * Fraction(63, 128)
         stack += [(one, cut, depth + 1), (cut, two, depth + 1)]
     return found
@@ -477,4 +477,4 @@ def _largest_pivot(rows: list[list[Any]], k: int) -> None:
     pivot = max(range(k, len(rows)), key=lambda i: abs(sum(balls.ends(rows[i][k]), Fraction(0))))
     rows[k], rows[pivot] = rows[pivot], rows[k]
     if not balls.sign(rows[k][k]):
-        raise Undecided("a pivot that may be 0")
+        raise UndecidedSign("a pivot that may be 0")

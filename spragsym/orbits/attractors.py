@@ -19,7 +19,7 @@ from ..numerics.vectors import apart, magnitude
 from .arclength import Setting, along, started
 from .finding import cycle_at
 from .orbit import Cycle, cycle_of, same_cycle
-from .system import KINDS, Rest, System, Verdict, rounding_of
+from .system import KINDS, FateVerdict, FixedPoints, System, rounding_of
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Attractor:
     orbit: Cycle | None = None
 
 
-def attractor(system: System, verdict: Verdict) -> Attractor:
+def attractor(system: System, verdict: FateVerdict) -> Attractor:
     """The attractor of a verdict, by Newton's method; ConvergenceError where that does not find the
     one that was told.
     """
@@ -62,7 +62,8 @@ def followed(known: Attractor, system: System) -> Attractor:
         return _of_cycle(system, followed_cycle(known.orbit, system.values))
     index, span = _varied(known.system.values, system.values)
     point = along(
-        Rest(system.field).started(known.system, known.state, index, span), system.values[index]
+        FixedPoints(system.field).started(known.system, known.state, index, span),
+        system.values[index],
     )
     return _at_rest(system, point.loop.state)
 
@@ -84,7 +85,7 @@ def _varied(now: Values, then: Values) -> tuple[int, float]:
     return index, span
 
 
-def settled(system: System, verdict: Verdict) -> tuple[str, FloatArray, FloatArray]:
+def settled(system: System, verdict: FateVerdict) -> tuple[str, FloatArray, FloatArray]:
     """The kind of attractor that a decided motion comes to, its Lyapunov exponents, largest first,
     and their errors.
 

@@ -29,7 +29,7 @@ from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import magnitude, norm
 from ..results.result import Result
 from ..statics.equilibria import equilibria
-from .system import Saddle, System, Verdict, judged, saddle_near, surely
+from .system import FateVerdict, Saddle, System, judged, saddle_near, surely
 
 #: Equilibria that differ by less than this are one.
 SAME = 1e-9
@@ -201,13 +201,13 @@ def basin_boundary(
     )
 
 
-def _surely(system: System, start: FloatArray) -> Verdict:
+def _surely(system: System, start: FloatArray) -> FateVerdict:
     """What a motion comes to, unless rounding decides that."""
     found = judged(system, start)
     return surely(system, start, found, lambda beside: not _differ(system, found, beside))
 
 
-def _differ(system: System, one: Verdict, other: Verdict) -> bool:
+def _differ(system: System, one: FateVerdict, other: FateVerdict) -> bool:
     """Whether two motions are seen to come to different attractors."""
     return one.decided and other.decided and not system.same_limit(one.outcome, other.outcome)
 
@@ -403,7 +403,7 @@ class _Walk:
         ]
         return not any(other), told
 
-    def sides(self, state: FloatArray, span: float, aside: float) -> list[Verdict]:
+    def sides(self, state: FloatArray, span: float, aside: float) -> list[FateVerdict]:
         """What starts to either side of a point come to: where the part along the direction of
         growth is less, and more.
         """

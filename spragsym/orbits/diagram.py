@@ -37,7 +37,7 @@ from .arclength import Point, between, placed, steps, turning, within, zero_of
 from .events import SLIDING
 from .finding import cycle_near
 from .orbit import same_cycle
-from .system import Rest, System
+from .system import FixedPoints, System
 
 #: Values of the parameter at which the statics say where equilibria are.
 SEEDS = 13
@@ -310,7 +310,7 @@ def _at(vary: str, value: float) -> At:
 # equilibria
 
 
-def _followed(rest: Rest, point: Point, to: Span) -> Iterator[Point]:
+def _followed(rest: FixedPoints, point: Point, to: Span) -> Iterator[Point]:
     """Points ahead, to the end of the range, of the mode, or of the steps."""
 
     def ahead(point: Point, length: float) -> Point:
@@ -339,7 +339,7 @@ def _located(one: Point, other: Point, test: Callable[[Point], float]) -> Point 
     return None
 
 
-def _labels(rest: Rest, line: Sequence[Point], number: int) -> Iterator[Label]:
+def _labels(rest: FixedPoints, line: Sequence[Point], number: int) -> Iterator[Label]:
     """Folds, where the parameter turns back, and Hopf points, where a pair crosses the imaginary
     axis.
     """
@@ -397,7 +397,7 @@ def _equilibria(
                 state = system.equilibrium(places[i, j])
             except ConvergenceError:
                 continue
-            rest = Rest(system.field, system.field.exact(system.mode(state)))
+            rest = FixedPoints(system.field, system.field.exact(system.mode(state)))
             point = rest.started(system, state, model.parameters.index(vary), (to[1] - to[0]) / 2)
             if any(pushed == contact and _passes(line, point) for pushed, line in found):
                 continue

@@ -34,9 +34,9 @@ from .system import (
     JUDGED,
     PARTED,
     TOLERANCES,
+    FateVerdict,
     Saddle,
     System,
-    Verdict,
     growth_of_cycle,
     judged,
     saddle_near,
@@ -229,7 +229,7 @@ class _Fate:
 
     value: float
     way: tuple[float, float]
-    verdict: Verdict
+    verdict: FateVerdict
     label: int
 
 
@@ -282,7 +282,7 @@ class _Asked:
                 self.known[self.known.index(fate)] = fate = replace(fate, verdict=verdict, label=-1)
         return fate
 
-    def _label(self, value: float, verdict: Verdict) -> int:
+    def _label(self, value: float, verdict: FateVerdict) -> int:
         """Label of the attractor among those that are known, or a new one; should it be a known one
         after all, that shows later.
 

@@ -35,7 +35,7 @@ from .attractors import settled
 from .exponents import rates_along
 from .finding import cycle_near, stands_still
 from .orbit import NEUTRAL, distance
-from .system import JUDGED, System, Verdict, judged, spectrum
+from .system import JUDGED, FateVerdict, System, judged, spectrum
 
 #: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest
 #: as well.
@@ -220,7 +220,7 @@ def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
     )
 
 
-def _time_scale(system: System, verdict: Verdict) -> tuple[float, FloatArray]:
+def _time_scale(system: System, verdict: FateVerdict) -> tuple[float, FloatArray]:
     """−1 / max Re λ at the equilibrium that it comes to, or one near no displacement or its end;
     infinite where none attracts.
 

@@ -34,7 +34,7 @@ from ..motion.shooting import (
     split,
 )
 from ..motion.solution import Turn
-from ..numerics.balls import Undecided
+from ..numerics.balls import UndecidedSign
 from ..numerics.vectors import apart, in_one_turn, magnitude
 from .arclength import differences
 from .orbit import Cycle, cycle_of
@@ -349,7 +349,7 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
         form = normal_form(
             model, given, state, vary, np.full(state.size + 1, radius), law="friction_at_speed"
         )
-    except Undecided as reason:
+    except UndecidedSign as reason:
         raise ConvergenceError(
             f"the motion has no generic Hopf point beside the onset: {reason}"
         ) from reason

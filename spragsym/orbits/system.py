@@ -21,7 +21,7 @@ from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
 from ..motion.integrators import Flow
 from ..motion.regimes import Outcome, Regime, Sets, same_limit, sets_of_rest
-from ..motion.scales import Scales, scaled, scales_of
+from ..motion.scales import MotionScales, scaled, scales_of
 from ..motion.shooting import Conditions, Guess, Loop
 from ..motion.simulation import motion_of
 from ..motion.solution import Passage
@@ -95,7 +95,7 @@ class System:
             self.field, self.values, start, t_end, backend=self.flow.backend, **options
         )
 
-    def scales(self, state: FloatArray) -> Scales:
+    def scales(self, state: FloatArray) -> MotionScales:
         """Units of the motion from a state."""
         return scales_of(self.field, self.constants, state.tolist())
 
@@ -120,7 +120,7 @@ class System:
 
 
 @dataclass(frozen=True)
-class Verdict:
+class FateVerdict:
     """What a motion comes to, seen at ``t``, where it is at ``end``; ``otherwise`` is what one
     within rounding comes to.
     """
@@ -159,14 +159,16 @@ def judged(
     *,
     times: Sequence[float] | None = None,
     rtol: float = 1e-12,
-) -> Verdict:
+) -> FateVerdict:
     """What the motion from a state comes to, looked at later and later as long as that is
     undecided.
     """
     state, begun = start, 0.0
     for t_end in times or [t * system.scales(start).time for t in JUDGED]:
         motion = system.motion(state, t_end - begun, rtol=rtol)
-        verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end)
+        verdict = FateVerdict(
+            motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end
+        )
         if verdict.decided:
             break
         state, begun = verdict.end, t_end
@@ -174,8 +176,8 @@ def judged(
 
 
 def surely(
-    system: System, start: FloatArray, verdict: Verdict, alike: Callable[[Verdict], bool]
-) -> Verdict:
+    system: System, start: FloatArray, verdict: FateVerdict, alike: Callable[[FateVerdict], bool]
+) -> FateVerdict:
     """A verdict, or an undecided one where rounding decides it.
 
     That is where motions by two tolerances part on their way, as irregular ones do, and the finer
@@ -261,7 +263,7 @@ def growth_of_cycle(cycle: Cycle) -> float | None:
 
 
 @dataclass(frozen=True)
-class Rest:
+class FixedPoints:
     """Equilibria, fixed points of the map that adds to a state its rates; ``mode`` is kept where it
     is given.
     """

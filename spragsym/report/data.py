@@ -52,13 +52,13 @@ def read_brake(path: FilePath, trust: bool | str = False) -> Brake:
     one folder whose code may. Every mistake is a ParameterError that names the file, the line, the
     key, the value and what to write.
     """
-    return _Reader(
+    return _FileReader(
         path_text(path),
         text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±"),
     ).read(trust)
 
 
-class _Reader:
+class _FileReader:
     """The text of a file; mistakes in it are told with the line on which their key stands."""
 
     def __init__(self, path: str, text: str) -> None:

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import SpragsymError
-from ..design.design_space import Border, Design, space
+from ..design.design_space import Design, EndOfState, space
 from ..design.margins import jump_margin, redesign
 from ..display import Column
 from ..models.parameters import Range, Span
@@ -85,7 +85,7 @@ def changes(study: Brake, target: float) -> tuple[Change, ...]:
     values as they are printed; that there is none nearer is not proved. A changed quantity keeps
     its tolerance as a share of its value, an inclination as it is.
     """
-    search = _Search(study, target)
+    search = _RedesignSearch(study, target)
     found = search.singles()
     together = search.joint()
     if (
@@ -128,7 +128,7 @@ def design(study: Brake) -> Design:
     )
 
 
-class _Search:
+class _RedesignSearch:
     """The changes of one brake."""
 
     def __init__(self, study: Brake, target: float) -> None:
@@ -217,7 +217,7 @@ class _Search:
         try:
             if len(names) < 2:
                 designs = space(design(self.study), self.scale, None)
-                start = Border(designs, self.study.loading.name, self.study.start())
+                start = EndOfState(designs, self.study.loading.name, self.study.start())
                 _, moved = start.ahead(np.zeros(len(designs.names)))
                 names = tuple(
                     designs.names[j] for j in np.argsort(-np.abs(moved), kind="stable")[:3]

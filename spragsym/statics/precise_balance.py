@@ -18,7 +18,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..numerics import contractors
-from ..numerics.balls import Ball, Undecided
+from ..numerics.balls import Ball, UndecidedSign
 from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, width_of
@@ -141,7 +141,7 @@ def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: 
     box = exact_ends(cluster)
     found = Reduced([], [], [box])
     for bits in BITS if not pole and np.isfinite(slopes).all() else ():
-        with suppress(Undecided):
+        with suppress(UndecidedSign):
             found = reduced_roots(PreciseBalance(system, given, bits).values, box, slopes, bits)
             if not found.left or len(found.left) > ALL_OVER:
                 break
@@ -194,7 +194,7 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
     inside, beyond = beside_border(found.ends, found.point)
     for row in np.flatnonzero(~(inside | beyond)).tolist():
         digits = PreciseBalance(system, given[:, found.point[row]], ROOT_BITS)
-        with suppress(Undecided, ZeroDivisionError):
+        with suppress(UndecidedSign, ZeroDivisionError):
             root = narrowed(digits, found.ends[:, :, row], found.alone[:, :, row])
             gaps = [] if root is None else digits.state(root).gaps()
             if gaps and all(isinstance(gap, Ball) for gap in gaps):

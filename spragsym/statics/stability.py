@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from ..models.model import Touching
 from ..numerics import balls
 from ..numerics.arithmetic import Matrix, characteristic, determinant, hurwitz, is_zero
-from ..numerics.balls import Undecided, ball
+from ..numerics.balls import UndecidedSign, ball
 from ..numerics.interval_arrays import (
     BoolArray,
     ComplexArray,
@@ -374,13 +374,13 @@ def _with_digits(
     for row in np.flatnonzero(among).tolist():
         precise = PreciseBalance(balance, given[:, row], BITS)
         q = narrowed(precise, ends[:, :, row], ends[:, :, row])
-        with suppress(Undecided, ZeroDivisionError):
+        with suppress(UndecidedSign, ZeroDivisionError):
             if q is not None:
                 yield slice(row, row + 1), _signs_at(precise, q, ask(row))
 
 
 def type_at(precise: PreciseBalance, q: Sequence[Any]) -> EquilibriumType:
-    """The type of a state of balls; :class:`Undecided` where a sign that it takes is not
+    """The type of a state of balls; :class:`UndecidedSign` where a sign that it takes is not
     decided.
     """
     balance, (elementary, minors) = precise.balance, _signs_at(precise, q, _types)
@@ -388,7 +388,7 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> EquilibriumType:
     none = all(low == 0 == high for low, high in map(balls.ends, mus))
     code, proved = _told(elementary, minors, _all_real(balance, np.array([none])))
     if not proved[0]:
-        raise Undecided("a state on the border of its type")
+        raise UndecidedSign("a state on the border of its type")
     return EquilibriumType(int(code[0]))
 
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..numerics import contractors, jets
 from ..numerics.arithmetic import Matrix
-from ..numerics.boxes import System
+from ..numerics.boxes import EquationSystem
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape
 from ..numerics.tape import Tapes
 from .forces import State, Values
@@ -35,7 +35,7 @@ Rows: TypeAlias = Callable[..., Sequence[Any]]
 Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
 
 
-class StateSystem(System):
+class StateSystem(EquationSystem):
     """A system of which the roots are states of a model: what vanishes at a state, over boxes or
     with many digits.
     """

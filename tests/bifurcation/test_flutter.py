@@ -191,7 +191,7 @@ def test_an_onset_beside_one_other_equilibrium_is_not_believed() -> None:
         tuple(balls.exact(Fraction(one, 3)) for one in each)
         for each in ((15, -54, 42, -54, 27), (1,), (-3,))
     )
-    with pytest.raises(balls.Undecided, match="1 there"):
+    with pytest.raises(balls.UndecidedSign, match="1 there"):
         flutter.rank(quartic, *t, *below, 16)
 
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from spragsym.kang_nam import certificates
-from spragsym.kang_nam.certificates import Boxes, Ground, Line, Verdict
+from spragsym.kang_nam.certificates import Ground, LinearDirection, ParameterBoxes, Verdict
 from spragsym.models.parameters import NAMES
 from spragsym.models.quantities import Unit
 from tests.support import as_fraction
@@ -24,12 +24,14 @@ UNITS = {
 }
 
 
-def random_boxes(seed: int, count: int, units: Mapping[str, Unit] = MappingProxyType({})) -> Boxes:
+def random_boxes(
+    seed: int, count: int, units: Mapping[str, Unit] = MappingProxyType({})
+) -> ParameterBoxes:
     rng = np.random.default_rng(seed)
     sides = len(NAMES) + len(units)
     low = rng.uniform(0.1, 1.5, (sides, count))
     high = low + rng.uniform(0, 0.3, (sides, count)) * rng.integers(0, 2, (sides, count))
-    return Boxes(low, high, np.zeros(count, dtype=bool), units)
+    return ParameterBoxes(low, high, np.zeros(count, dtype=bool), units)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -53,8 +55,10 @@ def test_the_ground_holds_every_point_of_a_cell(fixed: bool, units: Any) -> None
     """
     boxes = random_boxes(2, 20, units)
     rng, n = np.random.default_rng(3), len(boxes.low)
-    low = Line(rng.uniform(0, 1, 20), rng.uniform(-0.6 / n, 0.6 / n, (n, 20)))
-    high = Line(low.value + rng.uniform(0, 1, 20), rng.uniform(-0.6 / n, 0.6 / n, (n, 20)))
+    low = LinearDirection(rng.uniform(0, 1, 20), rng.uniform(-0.6 / n, 0.6 / n, (n, 20)))
+    high = LinearDirection(
+        low.value + rng.uniform(0, 1, 20), rng.uniform(-0.6 / n, 0.6 / n, (n, 20))
+    )
     begin = rng.choice([0.0, 0.25, 0.5], 20)
     end = begin + 0.25
     ground = (
@@ -92,15 +96,15 @@ def test_the_ground_holds_every_point_of_a_cell(fixed: bool, units: Any) -> None
     assert max(ground.c.error.max(), ground.s.error.max()) < (0.13 if fixed else 0.6)
 
 
-def whole(count: int) -> Boxes:
-    return Boxes(
+def whole(count: int) -> ParameterBoxes:
+    return ParameterBoxes(
         np.full((6, count), 0.5), np.full((6, count), 0.5), np.zeros(count, dtype=bool), {}
     )
 
 
-def flat(ends: Any) -> Line:
+def flat(ends: Any) -> LinearDirection:
     values = np.array(ends, dtype=float)
-    return Line(values, np.zeros((6, values.size)))
+    return LinearDirection(values, np.zeros((6, values.size)))
 
 
 def test_every_direction_is_looked_at() -> None:

@@ -18,7 +18,7 @@ from spragsym.design import sampling
 from spragsym.design.design_space import space
 from spragsym.design.probability import estimate
 from spragsym.kang_nam import jump_values
-from spragsym.kang_nam.certificates import CLAIMS, Boxes
+from spragsym.kang_nam.certificates import CLAIMS, ParameterBoxes
 from spragsym.kang_nam.jump_values import have_jumped
 from spragsym.numerics import bernstein
 from spragsym.numerics.affine import Rounded
@@ -254,7 +254,9 @@ def test_a_proof_does_not_lean_on_the_search_for_counterexamples(claim: str) -> 
     wrong = np.flatnonzero(~HOLDS[claim](p))[:20]
     assert wrong.size >= 5
     corner = np.array([getattr(p, name)[wrong] for name in NAMES])
-    proved, _ = CLAIMS[claim][0](Boxes(corner, corner, np.zeros(wrong.size, dtype=bool), {}))
+    proved, _ = CLAIMS[claim][0](
+        ParameterBoxes(corner, corner, np.zeros(wrong.size, dtype=bool), {})
+    )
     assert not proved.any()
 
 

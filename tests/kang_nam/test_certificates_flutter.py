@@ -11,7 +11,7 @@ from spragsym.generated import stability
 from spragsym.kang_nam import flutter
 from spragsym.kang_nam.quartic import adaptive_precision
 from spragsym.numerics import balls
-from spragsym.numerics.balls import Undecided
+from spragsym.numerics.balls import UndecidedSign
 from spragsym.numerics.polynomials import primitive
 from tests.oracles.families import random_fluttering
 from tests.support import exact_onsets, middle_of, with_roots
@@ -52,12 +52,12 @@ def test_a_boundary_is_touched_at_an_even_root_of_one_length(
         monkeypatch.setattr(flutter.Elimination, "multiplicity", lambda *_, m=multiplicity: m)
         assert {onset.side for onset in exact_onsets(*given)} == {0}
     monkeypatch.setattr(flutter.Elimination, "multiplicity", lambda *_: 3)
-    with pytest.raises(Undecided, match="slope"):
+    with pytest.raises(UndecidedSign, match="slope"):
         exact_onsets(*given)
     monkeypatch.setattr(flutter.Elimination, "multiplicity", lambda *_: 2)
     plain = flutter._lengths
     monkeypatch.setattr(flutter, "_lengths", lambda *given: [*plain(*given)] * 2)
-    with pytest.raises(Undecided, match="slope"):
+    with pytest.raises(UndecidedSign, match="slope"):
         exact_onsets(*given)
 
 
@@ -102,7 +102,7 @@ def test_a_root_that_may_be_at_the_edge_of_contact_is_undecided() -> None:
     with balls.precision(300):
         quartic = tuple(map(balls.exact, with_roots(*roots)))
         edge = balls.between(-Fraction(1, 2**90), Fraction(1, 2**90))
-        with pytest.raises(Undecided, match="y = 0"):
+        with pytest.raises(UndecidedSign, match="y = 0"):
             flutter.rank(quartic, balls.exact(roots[2]), edge, 150)
         for clear in (Fraction(-1, 2**90), Fraction(1, 2**100)):
             assert flutter.rank(quartic, balls.exact(roots[2]), balls.exact(clear), 150) == (2, 3)

@@ -13,10 +13,10 @@ import sympy as sp
 
 import spragsym as ss
 from spragsym.kang_nam import cusps, folds
-from spragsym.kang_nam.folds import Angles, Point
+from spragsym.kang_nam.folds import Angles, SurfacePoint
 from spragsym.models.parameters import NAMES
 from spragsym.numerics import balls, polynomials
-from spragsym.numerics.balls import Undecided
+from spragsym.numerics.balls import UndecidedSign
 from spragsym.numerics.polynomials import RootOf
 from tests.oracles import reference
 from tests.support import as_mpf
@@ -56,7 +56,7 @@ def _middle(value: Any) -> mpmath.mpf:
     return as_mpf(sum(balls.ends(value)) / 2)
 
 
-def _check(point: Point, orders: int, digits: int) -> None:
+def _check(point: SurfacePoint, orders: int, digits: int) -> None:
     """f and its derivatives vanish there to this many digits, the state is that of the geometry,
     and it is in contact.
     """
@@ -255,7 +255,7 @@ def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
             try:
                 open_ = balls.between(Fraction(-1), Fraction(1))
                 return root.sign_of(open_, lambda s: (2 + s**8) * numerator(s), 10, "it") == 0
-            except Undecided:
+            except UndecidedSign:
                 return False
 
     for numerator, zeros in (
@@ -356,7 +356,7 @@ def test_a_fold_at_exactly_90_degrees_out_of_contact_is_none() -> None:
 @pytest.mark.parametrize("vary", NAMES[1:])
 def test_too_few_bits_find_no_folds_and_deny_none(vary: str) -> None:
     exact = dict(zip(NAMES, map(Fraction, (0.7, 0.5, 0.007, 0.007, 0.1, 0.25)), strict=True))
-    with balls.precision(6), pytest.raises(Undecided):
+    with balls.precision(6), pytest.raises(UndecidedSign):
         list(folds.proved_folds(vary, exact, 6))
 
 

@@ -33,7 +33,7 @@ def test_all_roots_of_known_problems(problem):
     assert values.holds_zero().all()
 
 
-class Quadratic(boxes.System):
+class Quadratic(boxes.EquationSystem):
     """x² + p x + q = 0 and y = x³: one or two parameters for each point, roots known in closed
     form.
     """

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from spragsym.numerics import balls, polynomials
-from spragsym.numerics.balls import Undecided
+from spragsym.numerics.balls import UndecidedSign
 from tests.support import with_roots
 
 # -----------------------------------------------------------------------------------------------
@@ -111,7 +111,7 @@ def test_interval_coefficients_decide_or_say_that_they_cannot() -> None:
                 try:
                     blurred = _blurred(polynomial, Fraction(1, 2**bits))
                     found = polynomials.real_roots(blurred, Fraction(-21, 8), Fraction(25, 8), 10)
-                except (Undecided, ZeroDivisionError):
+                except (UndecidedSign, ZeroDivisionError):
                     continue
                 decided += 1
                 known = [root for root in roots if Fraction(-21, 8) < root <= Fraction(25, 8)]

@@ -187,7 +187,7 @@ def test_products_hold_the_exact_ones(spread):
 # look at boxes
 
 
-class Lines(boxes.System):
+class Lines(boxes.EquationSystem):
     """(x − a)(x − b) = 0 and y = c x: the roots (a, c a) and (b, c b), for parameters a, b, c."""
 
     def residuals(self, unknowns, parameters):
@@ -354,7 +354,7 @@ def outcome(unique, where, undecided, values, unique_nodes, undecided_nodes):
             (undecided, undecided_nodes),
         )
     ]
-    return boxes.Outcome(*pairs, points, 0)
+    return boxes.SearchOutcome(*pairs, points, 0)
 
 
 def refined(monkeypatch, given, wide, values):

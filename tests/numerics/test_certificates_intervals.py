@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from spragsym.numerics import balls
-from spragsym.numerics.balls import Ball, Undecided
+from spragsym.numerics.balls import Ball, UndecidedSign
 from tests.support import as_mpf
 
 
@@ -46,7 +46,7 @@ def test_operations_enclose_every_corner(operation: Callable[[Any, Any], Any], b
     for one, other in itertools.product(_small_balls(bits), repeat=2):
         try:
             result = operation(one, other)
-        except Undecided:
+        except UndecidedSign:
             low, high = balls.ends(other)
             assert low <= 0 <= high
             continue
@@ -195,7 +195,7 @@ def test_functions_at_zero_and_pi() -> None:
             assert low < mpmath.pi < high
             assert high - low < mpmath.ldexp(1, 5 - bits)
     for bad in (Ball(3, 4, 0, 53), Ball(-4, 0, 0, 53)):
-        with pytest.raises(Undecided, match="negative"):
+        with pytest.raises(UndecidedSign, match="negative"):
             balls.sqrt(bad)
     assert _holds(balls.sqrt(Ball(4, 4, 0, 53)), Fraction(0))
 
@@ -204,7 +204,7 @@ def test_what_holds_0_has_no_sign_and_divides_nothing() -> None:
     """An end on 0 is no sign."""
     for divisor in (Ball(0, 0, 0, 53), Ball(3, 3, 0, 53), Ball(-3, 3, 0, 53), Ball(-1, 7, 5, 53)):
         assert balls.sign(divisor) == 0
-        with pytest.raises(Undecided, match="holds 0"):
+        with pytest.raises(UndecidedSign, match="holds 0"):
             1 / divisor
 
 

@@ -27,7 +27,7 @@ PI = interval(np.pi, np.nextafter(np.pi, 4))
 
 
 @dataclass(frozen=True)
-class Problem(boxes.System):
+class Problem(boxes.EquationSystem):
     """Equations without parameters, by their values; derivatives come from jets."""
 
     title: str

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 import spragsym as ss
 from spragsym.motion.regimes import Outcome
 from spragsym.orbits import basin_boundaries
-from spragsym.orbits.system import Verdict
+from spragsym.orbits.system import FateVerdict
 from tests.oracles.user_pages import model_of
 from tests.support import needs_a_quick_integrator
 
@@ -112,7 +112,7 @@ def test_a_boundary_of_basins_ends_at_the_saddle_and_parts_rest_from_rotation(
             == [False, True]
         )
     monkeypatch.setattr(
-        basin_boundaries, "judged", lambda system, start: Verdict(Outcome(), start, 1.0)
+        basin_boundaries, "judged", lambda system, start: FateVerdict(Outcome(), start, 1.0)
     )
     undecided = ss.basin_boundary(p, step=0.2, points=1)
     assert not undecided.boundary.any()

@@ -469,7 +469,12 @@ ROWS: list[tuple[Facts, str, str, str]] = [
         "force of the spring",
         "20.5 N, it pulls",
     ),
-    (said_of(states=(state(spring_force_N={"left": 0.0}),)), "State", "force of left", "0 N"),
+    (
+        said_of(states=(state(spring_force_N={"left": 0.0}),)),
+        "State",
+        "force of left",
+        "0 N",
+    ),
     (said_of(), "State", "force of the contact", "686.53 N"),
     (
         said_of(),
@@ -478,7 +483,12 @@ ROWS: list[tuple[Facts, str, str, str]] = [
         "44.35 Hz (damping ratio 0.021), 345.9 Hz (damping ratio 0.003)",
     ),
     (said_of(UNKNOWN), "State", "frequencies", "44.35 Hz, 345.9 Hz"),
-    (said_of(states=(state(frequencies_hz=(), damping_ratio=()),)), "State", "frequencies", "none"),
+    (
+        said_of(states=(state(frequencies_hz=(), damping_ratio=()),)),
+        "State",
+        "frequencies",
+        "none",
+    ),
     (
         said_of(fold_rows=(fold(),)),
         "Folds",

@@ -16,7 +16,7 @@ from spragsym.kang_nam import folds, kernel
 from spragsym.kang_nam.quartic import adaptive_precision
 from spragsym.models.parameters import NAMES
 from spragsym.numerics import balls
-from spragsym.numerics.balls import Undecided
+from spragsym.numerics.balls import UndecidedSign
 from spragsym.results.precise_states import PreciseEquilibrium
 from tests.oracles import reference
 from tests.oracles.families import FAMILIES
@@ -203,7 +203,7 @@ def test_contact_has_an_odd_number_of_equilibria(monkeypatch: pytest.MonkeyPatch
             len(adaptive_precision._settle(BASE[0], rational, False, 17, 128, False).states) % 2
             == 0
         )
-        with pytest.raises(Undecided, match="even number"):
+        with pytest.raises(UndecidedSign, match="even number"):
             adaptive_precision._settle(BASE[0], rational, True, 17, 128, False)
 
 
@@ -231,5 +231,5 @@ def test_lengths_and_sides_that_hold_0_are_undecided(monkeypatch: pytest.MonkeyP
     ):
         assert len(_states(monkeypatch, [L, one, y], 0)) == number
     for L, y in ((open_one, minus), (one, open_one)):
-        with pytest.raises(Undecided, match="L or y holds 0"):
+        with pytest.raises(UndecidedSign, match="L or y holds 0"):
             _states(monkeypatch, [L, one, y], 0)

@@ -15,7 +15,7 @@ from typing import Any
 from ...core.errors import ConvergenceError
 from ...models.parameters import NAMES, Parameters
 from ...numerics import balls
-from ...numerics.balls import Interval, Undecided, as_mpf, as_numbers
+from ...numerics.balls import Interval, UndecidedSign, as_mpf, as_numbers
 from ...numerics.polynomials import derivative, evaluate, on_circle, roots_on_the_line, squarefree
 from ...results.equilibria import EquilibriumType
 from ...results.precise_states import PreciseEquilibria, PreciseEquilibrium
@@ -51,7 +51,7 @@ def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> PreciseEq
         with balls.precision(bits):
             try:
                 return _settle(theta0, rational, contact, digits, bits, bits >= most)
-            except Undecided as reason:
+            except UndecidedSign as reason:
                 if bits >= most:
                     raise ConvergenceError(
                         f"{bits} bits do not settle {named(exact)}: {reason}; move the point "
@@ -84,7 +84,7 @@ def _settle(
     discriminant = balls.sign(P * P * P + Q * Q)
     fold = discriminant == 0
     if fold and not last:
-        raise Undecided("the discriminant holds 0")
+        raise UndecidedSign("the discriminant holds 0")
     quartic = kernel.t_quartic(*trig)
     roots = (
         _fold_roots(trig, quartic, bits)
@@ -97,7 +97,7 @@ def _settle(
     shrunk = not contact and alpha == beta == 0 and kappa == sigma
     states = [state for root in roots for state in _state(root, trig, values, digits, fold, shrunk)]
     if contact and len(states) % 2 == 0:
-        raise Undecided("an even number of equilibria in contact")
+        raise UndecidedSign("an even number of equilibria in contact")
     return PreciseEquilibria(tuple(sorted(states, key=lambda state: state.theta)), True, {})
 
 
@@ -118,10 +118,10 @@ def _enclosed_roots(quartic: tuple[Interval, ...], bits: int, *, all_real: bool)
     """
     found = [_enclose(quartic, root, bits) for root in _places(quartic, bits)]
     if len(found) != (4 if all_real else 2):
-        raise Undecided("the middles of coefficients have other roots")
+        raise UndecidedSign("the middles of coefficients have other roots")
     for (low, high), (other_low, other_high) in itertools.combinations(found, 2):
         if balls.sign(low - other_high) <= 0 and balls.sign(other_low - high) <= 0:
-            raise Undecided("two roots share an interval")
+            raise UndecidedSign("two roots share an interval")
     return [balls.union(*ends) for ends in found]
 
 
@@ -133,7 +133,7 @@ def _enclose(quartic: tuple[Interval, ...], root: Interval, bits: int) -> tuple[
         low, high = balls.middle(root - width), balls.middle(root + width)
         if balls.sign(evaluate(quartic, low)) * balls.sign(evaluate(quartic, high)) < 0:
             return low, high
-    raise Undecided("no change of sign around a root")
+    raise UndecidedSign("no change of sign around a root")
 
 
 def _fold_roots(
@@ -177,7 +177,7 @@ def _state(
     if -1 in sides or (shrunk and not sides[0]):
         return []
     if 0 in sides:
-        raise Undecided("L or y holds 0")
+        raise UndecidedSign("L or y holds 0")
     found, error, _ = as_numbers((2 * balls.atan(t), *state), None if fold else digits)
     numbers = dict(zip(("theta", "L", "x", "y"), found, strict=True))
     return [
@@ -204,6 +204,6 @@ def _stability(
     if flutter < 0:
         return 3
     if flutter == 0 or (slope == 0 and not fold) or (slope >= 0 and trace == 0):
-        raise Undecided("a stability boundary")
+        raise UndecidedSign("a stability boundary")
     # On a fold one λ is 0; the others decide, as they do on the stable side.
     return 2 if slope < 0 or trace < 0 else 1

@@ -2,9 +2,9 @@
 real roots.
 
 Coefficients are integers or fractions, of which nothing is rounded, or balls, where
-:class:`.balls.UndecidedSign` says that more bits are needed. Real roots are isolated by Descartes' rule
-of signs, so that none is missed: intervals are halved, which only adds and shifts. At the end the
-half-angle map, and roots of many polynomials in floats.
+:class:`.balls.UndecidedSign` says that more bits are needed. Real roots are isolated by Descartes'
+rule of signs, so that none is missed: intervals are halved, which only adds and shifts. At the end
+the half-angle map, and roots of many polynomials in floats.
 """
 
 import itertools

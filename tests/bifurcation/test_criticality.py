@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.bifurcation.normal_forms import Undecided, _pair, normal_form
+from spragsym.bifurcation.normal_forms import UndecidedSign, _pair, normal_form
 from spragsym.numerics import balls
 from tests.oracles import hopf_points
 from tests.shown import DOCS, OPTIONS, assert_shown, commands, fenced, run
@@ -58,7 +58,7 @@ def test_where_nothing_presses_the_mass_on_the_belt_there_is_no_normal_form() ->
     given = np.array(
         [float(getattr(model.Parameters(theta0=0.7), name)) for name in model.parameters]
     )
-    with pytest.raises(Undecided, match="contact"):
+    with pytest.raises(UndecidedSign, match="contact"):
         normal_form(model, given, np.array([0.9, 0.0]), "mu0", np.zeros(3))
 
 

@@ -27,6 +27,7 @@ _TITLES = {
     "derived": "Derived",
     "derived_by": "Derived by",
     "difference": "Printed less derived",
+    "marked": "Edited at",
     "repaired": "Right",
     "evidence": "Evidence",
     "cost": "Size",

@@ -63,6 +63,7 @@ class Row:
     repaired: str = ""
     repaired_latex: str = ""
     edits: tuple[Mapping[str, object], ...] = ()
+    marked: str = ""
     alternatives: int = 0
     said_once_with: tuple[str, ...] = ()
     evidence: str = ""
@@ -224,7 +225,8 @@ def _components(
             continue
         tree = equation.left
         if printed(equation.right) != "0":
-            tree = Node("add", (equation.left, Node("neg", (equation.right,))))
+            right = equation.right
+            tree = Node("add", (equation.left, Node("neg", (right,), at=right.at)))
         tried = [sp.S.One, sp.S.NegativeOne]
         plain = any(same(evaluated(tree, values), way * target) for way in (1, -1))
         if factors and not plain and item.held.factor in ("parameters", "monomial"):
@@ -502,9 +504,12 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
         repaired="; ".join(trees),
         repaired_latex="; ".join(texts),
         edits=tuple(_recorded(edit) for _, best, _ in edited for edit in best.edits),
+        marked=_marked(statement.judged, [it for _, best, _ in edited for it in best.edits]),
         alternatives=max(count for *_, count in edited),
         evidence=f"{wrong}; {evidence}" if wrong else evidence,
-        cost="; ".join(_cost(item, conventions, part, exact) for part, exact in costly),
+        cost="; ".join(
+            dict.fromkeys(_cost(item, conventions, part, exact) for part, exact in costly)
+        ),
     )
 
 
@@ -536,6 +541,16 @@ def _said(left: str, tree: Node) -> str:
     return f"{left} = {printed(tree)}" if left else f"{printed(tree)} = 0"
 
 
+def _marked(text: str, edits: Iterable[Edit]) -> str:
+    """A print with what is edited in it between guillemets."""
+    places = {place for edit in edits for place in (edit.at, *edit.also) if place[0] < place[1]}
+    marks = [(end, "»") for _, end in places] + [(begin, "«") for begin, _ in places]
+    marked = text
+    for place, mark in sorted(marks, reverse=True):
+        marked = f"{marked[:place]}{mark}{marked[place:]}"
+    return marked if places else ""
+
+
 def _recorded(edit: Edit) -> dict[str, object]:
     return {
         "kind": edit.kind,
@@ -552,9 +567,13 @@ def _cost(item: Item, conventions: Conventions, part: Component, exact: sp.Expr)
         base[name] = numeric(value, list(base))(base)
     own = evaluated(part.tree, _printed_values(replace(item, values=base), conventions))
     right = numeric(exact, list(base))(base)
-    with np.errstate(all="ignore"):
-        size = np.nanmedian(np.abs(own - right) / (np.abs(own) + np.abs(right)))
-    return f"{float(size):.2g} of both sides' size at the base values, the median of random states"
+    size = np.abs(own) + np.abs(right)
+    known = size[np.isfinite(size)]
+    if not known.size:
+        return ""
+    share = np.divide(np.abs(own - right), size, out=np.zeros_like(size), where=size > 0)
+    middle = float(np.median(share[np.isfinite(size)]))
+    return f"{middle:.2g} of both sides' size at the base values, the median of random states"
 
 
 def _repaired(

@@ -134,6 +134,9 @@ def check(
         rows, wrong = (_claims if claims else _equations)(only, again)
         if json_output:
             print_json(rows)
+        elif only and not claims:
+            for row in rows:
+                _print_in_full(row["id"], row["status"], _fields(row))
         else:
             _print_table(rows)
         for line in wrong:
@@ -229,9 +232,7 @@ def _check_paper(
         print_json({**whole, "rows": [row for row in whole["rows"] if row["id"] in chosen]})
     elif only:
         for row in rows:
-            click.echo(f"{row.id}: {row.status}")
-            for title, text in fields(row).items():
-                click.echo(wrapped(f"  {title}: {text}", 4))
+            _print_in_full(row.id, row.status, fields(row))
     else:
         table = [(it.id, it.where or it.about, it.status, it.repaired or it.note) for it in rows]
         _print_rows("right", table)
@@ -281,6 +282,34 @@ def _print_rows(
             status, **styles.get(status, {"bold": True})
         )
         click.echo(f"{styled}{' ' * (begin - len(line))}{wrapped(remark, begin)}".rstrip())
+
+
+#: Fields of a row of the article's equations under titles.
+_TITLES = {
+    "where": "Where",
+    "printed": "Printed",
+    "derived": "Derived",
+    "derivation": "As derived",
+    "derived_by": "Derived by",
+    "difference": "Printed less derived",
+    "limit": "Limit",
+    "cause": "Cause",
+    "evidence": "Evidence",
+    "consequence": "Consequence",
+    "note": "Note",
+}
+
+
+def _fields(row: Mapping[str, Any]) -> dict[str, str]:
+    """What a row of the article's equations says, under titles; what is derived is printed so."""
+    whole = {"derived": row["printed"], **row} if row.get("derived_by") else row
+    return {title: str(whole[key]) for key, title in _TITLES.items() if whole.get(key)}
+
+
+def _print_in_full(row: str, status: str, said: Mapping[str, str]) -> None:
+    click.echo(f"{row}: {status}")
+    for title, text in said.items():
+        click.echo(wrapped(f"  {title}: {text}", 4))
 
 
 def _print_table(rows: Sequence[Mapping[str, Any]]) -> None:

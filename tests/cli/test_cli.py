@@ -41,6 +41,15 @@ def invoke(*arguments: str) -> int:
 # results
 
 
+def test_a_row_of_the_article_is_printed_in_full(run: Run) -> None:
+    """A confirmed row shows what is printed and what is derived, a misprint what is right."""
+    said = run("check", "--row", "A1-c0", "--row", "eq-9")
+    assert "A1-c0: confirmed" in said
+    for part in said.split("A1-c0: confirmed"):
+        assert all(f"\n  {title}: " in part for title in ("Printed", "Derived", "Derived by"))
+    assert "Cause: " in said
+
+
 @pytest.mark.usefixtures("checked")
 def test_check_prints_every_row(run: Run) -> None:
     rows = json.loads(run("check", "--json"))

@@ -321,6 +321,9 @@ def test_two_edits_and_a_lost_term_with_brackets_are_found(
     row = _judged(about, text, "units", COUPLING)
     assert row.status == "misprint"
     assert sorted(it["kind"] for it in row.edits) == sorted(kinds)
+    assert row.marked.replace("«", "").replace("»", "") == text
+    marked = [text[slice(*it["at"])] for it in row.edits]
+    assert all(f"«{part}»" in row.marked for part in marked), row.marked
     assert _judged(about, row.repaired, "units", COUPLING).status == "confirmed"
 
 

@@ -14,12 +14,15 @@ from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from contextvars import ContextVar
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import lru_cache
-from typing import Any, ClassVar, cast
+from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .numerics.interval_arrays import IntArray
+
+if TYPE_CHECKING:
+    from .models.model import Model
 
 #: Columns of the parameter that varies; the first two have its name.
 VARIED = ("value", "values", "to", "others")
@@ -86,7 +89,7 @@ class Column:
         return f"{self.name}{'_deg' if self.is_angle else ''}"
 
 
-def own_name(model: Any, name: str) -> str:
+def own_name(model: Model, name: str) -> str:
     """A name of ours among items and columns of a model: with an underscore behind it where the
     page has that name.
     """
@@ -97,7 +100,7 @@ def own_name(model: Any, name: str) -> str:
 
 
 @lru_cache(maxsize=256)
-def columns_of_class(kind: type, model: Any) -> dict[str, Column]:
+def columns_of_class(kind: type, model: Model) -> dict[str, Column]:
     """Columns that a class of results may have for a model, by name, the model's own among them."""
     own, first = model.columns, model.coordinates[0]
     over = {

@@ -18,7 +18,7 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import mpmath
 
@@ -32,6 +32,9 @@ from .numerics import balls
 from .numerics.balls import Interval
 from .numerics.decimals import exactly
 from .results.precise_states import CuspProof, PreciseEquilibria
+
+if TYPE_CHECKING:
+    from .orbits.orbit import Cycle
 
 #: What is taken exactly.
 Exact: TypeAlias = int | float | str | Fraction | mpmath.mpf
@@ -298,7 +301,7 @@ def _exactly(
 
 
 @in_usual_state
-def prove_cycle(cycle: Any, **options: Any) -> Any:
+def prove_cycle(cycle: Cycle, **options: Any) -> Any:
     """Prove that a cycle exists, is the only one near, and is stable or not: see
     :func:`spragsym.orbits.proofs.prove_cycle`.
     """

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -153,7 +152,7 @@ def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator
 
 
 def extrema(
-    p: Any,
+    p: ParameterSet,
     vary: Sequence[str],
     between: Ranges,
     within: Ranges | None = None,

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -42,6 +42,9 @@ from ..statics.reference_state import in_order
 from .defining_systems import Augmented, Family, touch
 from .points import OVER_BORDER, Found, arranged, search
 
+if TYPE_CHECKING:
+    from ..models.parameters import ParameterSet
+
 #: A state passes from one combination of contacts into another; two branches end; neither is known.
 PASSES, BORDER_FOLD, BORDER = "passes", "border_fold", "border"
 #: Places with rational numbers at which a determinant that is 0 everywhere is 0, and up to which
@@ -54,7 +57,11 @@ ALIKE = 1e-9
 
 
 def borders(
-    balances: Sequence[Balance], p: Any, vary: str, between: Ranges | None, within: Ranges | None
+    balances: Sequence[Balance],
+    p: ParameterSet,
+    vary: str,
+    between: Ranges | None,
+    within: Ranges | None,
 ) -> list[Points]:
     """Border points of each contact between two of these combinations of contacts that touch."""
     found, known = [], {tuple(balance.pushing) for balance in balances}

@@ -7,7 +7,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -319,7 +318,9 @@ def _in_words(value: float) -> str:
     return "infinite (there is no fold)" if math.isinf(value) else f"{value:.6g}"
 
 
-def carried(balance: Balance, p: Any, name: str, values: FloatArray, q: FloatArray) -> FloatArray:
+def carried(
+    balance: Balance, p: ParameterSet, name: str, values: FloatArray, q: FloatArray
+) -> FloatArray:
     """The state at values of a parameter that go one way, shape (n, values), of the one that is
     ``q`` at the first.
     """
@@ -339,7 +340,7 @@ def carried(balance: Balance, p: Any, name: str, values: FloatArray, q: FloatArr
 class _CandidateSearch:
     """Candidates, and what becomes of the state at each of them."""
 
-    def __init__(self, p: Any, vary: str, over: str, between: Ranges | None) -> None:
+    def __init__(self, p: ParameterSet, vary: str, over: str, between: Ranges | None) -> None:
         family = Family.of(p, (over, vary), between)
         self.p, self.vary, self.over, self.balance = p, vary, over, family.balance
         self.spans, self.endless = family.spans, family.endless

@@ -12,11 +12,13 @@ length r and t across n, has rank one. So l det K = l det K∞ + Σ cofactors of
 smooth at l = 0 for each direction.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
@@ -56,6 +58,9 @@ from ..statics.precise_balance import settled_by_digits
 from ..statics.regions import by_hand
 from ..statics.systems import Boxes, StateSystem, at_anchors
 
+if TYPE_CHECKING:
+    from ..models.parameters import ParameterSet
+
 #: End of the range of a parameter that has none, over its base value if that is larger than 1.
 FAR = 10.0
 #: A slope of the friction law that is as good as 0.
@@ -91,7 +96,7 @@ class Family:
     @classmethod
     def of(
         cls,
-        p: Any,
+        p: ParameterSet,
         vary: Sequence[str],
         between: Ranges | None = None,
         within: Ranges | None = None,
@@ -167,7 +172,7 @@ def _ends(model: Model, name: str) -> tuple[float, float]:
     return allowed.low, allowed.high
 
 
-def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArray:
+def given_column(p: ParameterSet, names: Sequence[str], vary: Sequence[str]) -> FloatArray:
     """Scalar parameters as one column, NaN for those that vary."""
     fixed = [name for name in names if name not in vary]
     for name in fixed:

@@ -175,7 +175,9 @@ def quasi_static_path(
     return Path(p, vary, along, states.undamped[:, 0], tuple(jumps), places, states)
 
 
-def first_end(p: Any, vary: str, span: Span, *, start: int | str = "small") -> ModelEnd | None:
+def first_end(
+    p: ParameterSet, vary: str, span: Span, *, start: int | str = "small"
+) -> ModelEnd | None:
     """Where a state that is followed from the first value of a span to the last one vanishes first;
     None if it does not.
 
@@ -231,7 +233,7 @@ class Way:
     meet.
     """
 
-    def __init__(self, p: Any, vary: str, along: FloatArray) -> None:
+    def __init__(self, p: ParameterSet, vary: str, along: FloatArray) -> None:
         #: Of every combination of contacts that touch, by the names of these, its balance.
         self.balances = {one.touching: one for one in balances_of(p.model, None)}
         self.p, self.vary, self.balance = p, vary, next(iter(self.balances.values()))

@@ -21,11 +21,13 @@ What ends at a fold follows from its normal form: with K v = 0 and w K = 0 the s
 K) · v. At a regular fold none of these numbers is 0, and each is enclosed over the fold's box.
 """
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -64,6 +66,9 @@ from .borders import at_borders, borders, combination, joined
 from .defining_systems import FOLD, Augmented, Condition, Family, OfFamily, change, cusp
 from .points import Found, arranged, of_ends, search, vanishes
 
+if TYPE_CHECKING:
+    from ..models.parameters import ParameterSet
+
 #: Undecided boxes beyond which they lie around no points.
 MANY = 500
 #: Bits of the forces around a pitchfork.
@@ -77,7 +82,7 @@ UNDECIDED = "undecided"
 BEYOND = 4.0
 
 
-def folds_of(p: Any, vary: str, between: Ranges | None, within: Ranges | None) -> Points:
+def folds_of(p: ParameterSet, vary: str, between: Ranges | None, within: Ranges | None) -> Points:
     """All folds and pitchforks along one parameter, and border points between combinations of
     contacts that touch; arguments as of :func:`spragsym.folds`.
     """
@@ -88,7 +93,7 @@ def folds_of(p: Any, vary: str, between: Ranges | None, within: Ranges | None) -
 
 
 def _folds_in(
-    balance: Balance, p: Any, vary: str, between: Ranges | None, within: Ranges | None
+    balance: Balance, p: ParameterSet, vary: str, between: Ranges | None, within: Ranges | None
 ) -> Points:
     """Those of one combination of contacts that touch."""
     family = Family.of(p, (vary,), between, within, contact=balance.contact)
@@ -107,7 +112,9 @@ def _folds_in(
     return arranged(family, found, kind, remarks=remarks)
 
 
-def cusps_of(p: Any, vary: Sequence[str], between: Ranges | None, within: Ranges | None) -> Points:
+def cusps_of(
+    p: ParameterSet, vary: Sequence[str], between: Ranges | None, within: Ranges | None
+) -> Points:
     """All cusps in the plane of two parameters; arguments as of :func:`spragsym.cusps`."""
     family = Family.of(p, vary, between, within)
     return arranged(family, isolated(family), "cusp")

@@ -191,7 +191,7 @@ def _pressed(way: Way, q: FloatArray, error: FloatArray) -> BoolArray:
     return np.asarray(N.low > 0)
 
 
-def _sets(p: Any, way: Way, turns: Sequence[Points]) -> StickingStates:
+def _sets(p: ParameterSet, way: Way, turns: Sequence[Points]) -> StickingStates:
     """Connected sets of states that are followed from stop to stop, with the folds and borders at
     which they end.
     """

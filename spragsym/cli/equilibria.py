@@ -2,12 +2,14 @@
 as one parameter moves.
 """
 
+from __future__ import annotations
+
 import itertools
 import math
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
@@ -25,6 +27,9 @@ from . import options as o
 from .bifurcation import lengths, summed
 from .case import Case, Row, Span
 from .output import drawn, print_rows
+
+if TYPE_CHECKING:
+    from ..models.parameters import ParameterSet
 
 #: Points of a table.
 MOST = 10_000
@@ -311,7 +316,7 @@ def _or(value: float | None, word: str) -> float | str:
     return value if value is not None and math.isfinite(value) else word
 
 
-def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> Row:
+def _first(case: Case, p: ParameterSet, along: Span, way: str, jumped: bool) -> Row:
     """Where the state ends first; ``searched`` says from where to where, infinite if that is
     everywhere.
     """

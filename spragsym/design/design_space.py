@@ -15,7 +15,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,6 +28,9 @@ from ..models.quantities import PhysicalParameters
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..numerics.vectors import norm
 from .jumps import Ends, Followed, first_ends, have_jumped, slopes_of, told
+
+if TYPE_CHECKING:
+    from ..models.model import Model
 
 #: The smallest and the largest of each quantity, or z of it.
 Limits = tuple[FloatArray, FloatArray]
@@ -56,7 +59,7 @@ class Design:
     followed: Mapping[str, float] | None = None  #: coordinates near which the followed state begins
     rises: Mapping[str, str] = field(default_factory=dict)
 
-    def of(self, model: Any) -> Design:
+    def of(self, model: Model) -> Design:
         """The same design for the model without closed forms, or for the one that has them."""
         return replace(self, of_model=model.Parameters)
 

@@ -241,7 +241,7 @@ class Field:
         return 2 * len(self.coordinates)
 
     def matrix(
-        self, state: Sequence[float], constants: Any, mode: Any, xp: Any = FLOATS
+        self, state: Sequence[float], constants: Any, mode: Mode, xp: Any = FLOATS
     ) -> FloatArray:
         """The derivative of the rates of all numbers of a state by these: the linearized motion at
         an equilibrium.
@@ -486,7 +486,7 @@ class _Motion:
             self.layers
         ):  # exponentials of the sliding speed, where they are about to be felt
 
-            def shift(mode: Any, place: int = 2 + k) -> Any:
+            def shift(mode: Mode, place: int = 2 + k) -> Any:
                 return -reach - WIDTH * mode[place]
 
             levels = self._generated("layers", "layer_rates", k, slice(1, 2), shift)
@@ -535,11 +535,11 @@ class _Motion:
         for row, way in enumerate(("with", "against")):
             slopes = self.slips(1 + row)
 
-            def level(state: Any, constants: Any, mode: Any, row: int = row) -> Any:
+            def level(state: Any, constants: Any, mode: Mode, row: int = row) -> Any:
                 return self.in_mode("grip")(state, constants, mode, _namespace(state))[row]
 
             def rate(
-                state: Any, accelerations: Any, constants: Any, mode: Any, slopes: Any = slopes
+                state: Any, accelerations: Any, constants: Any, mode: Mode, slopes: Any = slopes
             ) -> Any:
                 changes = (*state[len(accelerations) :], *accelerations)
                 return sum(
@@ -572,11 +572,11 @@ class _Motion:
             undecorated(getattr(self.model.algebra, name)) for name in (level, rate)
         )
 
-        def level_of(state: Any, constants: Any, mode: Any) -> Any:
+        def level_of(state: Any, constants: Any, mode: Mode) -> Any:
             value = of_level(*state, *constants, *mode[taken], xp=_namespace(state))[row]
             return value + shift(mode) if shift else value
 
-        def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
+        def rate_of(state: Any, accelerations: Any, constants: Any, mode: Mode) -> Any:
             return of_rate(*state, *accelerations, *constants, *mode[taken], xp=_namespace(state))[
                 row
             ]

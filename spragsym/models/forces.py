@@ -2,9 +2,11 @@
 contact.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,8 +14,11 @@ from ..core.errors import ParameterError
 from ..display import Column
 from .parameters import FloatArray, ParameterSet
 
+if TYPE_CHECKING:
+    from ..models.model import Model
 
-def columns_of(model: Any) -> tuple[str, ...]:
+
+def columns_of(model: Model) -> tuple[str, ...]:
     """Names of what says where a state of a model is: direction and length of each inclined spring,
     and the coordinates.
     """
@@ -27,7 +32,7 @@ def columns_of(model: Any) -> tuple[str, ...]:
     )
 
 
-def _ends(model: Any) -> list[str]:
+def _ends(model: Model) -> list[str]:
     """What stands behind names of what is told of each inclined spring: a number where there are
     several.
     """
@@ -40,7 +45,7 @@ def named(function: str, contact: str) -> str:
     return f"{function}_{contact}" if contact else function
 
 
-def columns(model: Any) -> list[Column]:
+def columns(model: Model) -> list[Column]:
     """Columns of springs and contact: directions, lengths, tensions, and the normal force."""
     found = []
     for end, entry in zip(_ends(model), model.about["springs"], strict=True):
@@ -75,7 +80,9 @@ def told_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatA
     return {**dict(zip(columns_of(model), places, strict=False)), **forces}
 
 
-def contact_force(model: Any, states: Any, constants: Sequence[Any], place: int = 0) -> FloatArray:
+def contact_force(
+    model: Model, states: Any, constants: Sequence[Any], place: int = 0
+) -> FloatArray:
     """The normal force of a contact, by its number: 0 where the gap is open; ``states`` begin with
     the coordinates.
     """
@@ -89,7 +96,7 @@ def contact_force(model: Any, states: Any, constants: Sequence[Any], place: int 
     return np.add(force(*q, *constants, closed), 0.0)  # without the sign of a zero
 
 
-def told_of(model: Any) -> dict[str, partial[FloatArray]]:
+def told_of(model: Model) -> dict[str, partial[FloatArray]]:
     """Forces by their names: tension k (L − L_0), negative where it pushes, as ``spring_force`` of
     the only inclined spring, or ``spring_force_1``, …; ``contact_force``.
     """
@@ -110,7 +117,7 @@ def told_of(model: Any) -> dict[str, partial[FloatArray]]:
     }
 
 
-def spring_named(model: Any, spring: str | None) -> str:
+def spring_named(model: Model, spring: str | None) -> str:
     """The name of the force of a spring: of the only one, or of the one that is named."""
     springs = [entry["name"] for entry in model.about["springs"]]
     spring = springs[0] if spring is None and len(springs) == 1 else spring
@@ -124,7 +131,7 @@ def spring_named(model: Any, spring: str | None) -> str:
     return list(told_of(model))[springs.index(spring)]
 
 
-def of_statics(model: Any, constants: Sequence[Any]) -> list[Any]:
+def of_statics(model: Model, constants: Sequence[Any]) -> list[Any]:
     """What functions of the statics take of the arguments of the motion."""
     known = dict(zip(model.about["arguments"]["motion"], constants, strict=True))
     return [known[name] for name in model.about["arguments"]["statics"]]

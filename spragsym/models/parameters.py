@@ -9,7 +9,7 @@ import importlib
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
-from typing import Any, ClassVar, Self, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,6 +21,9 @@ from ..generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
 from ..numerics.interval_arrays import BoolArray, Shape
 from ..numerics.interval_arrays import FloatArray as FloatArray
 from .units import Carried as Carried
+
+if TYPE_CHECKING:
+    from ..models.model import Model
 
 #: Lower and upper end.
 Span: TypeAlias = tuple[float, float]
@@ -369,7 +372,7 @@ class ParameterSet(Values):
             cls._model = importlib.import_module("spragsym.models").load(cls.where)
         return cls._model
 
-    def of(self, model: Any) -> Self:
+    def of(self, model: Model) -> Self:
         """The values as a set of ``model``: of the one without closed forms, ``model.search``, or
         of the one that has them.
         """
@@ -474,7 +477,7 @@ class ParameterSet(Values):
         return f"{text}.following({chosen})" if chosen else text
 
 
-def set_of(model: Any, values: Mapping[str, Any], followed: Mapping[str, float] | None) -> Any:
+def set_of(model: Model, values: Mapping[str, Any], followed: Mapping[str, float] | None) -> Any:
     """A set of parameters of a model, and what it follows."""
     p = model.Parameters(**values)
     return p if followed is None else p.following(**followed)

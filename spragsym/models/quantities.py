@@ -9,7 +9,7 @@ import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
@@ -20,6 +20,9 @@ from .model import Model, title_drawing_words
 from .parameters import POSITIVE, Carried, Parameters, Range, Values, as_numbers, named
 from .units import dimension, registry
 from .units import factor as factor
+
+if TYPE_CHECKING:
+    from ..models.parameters import ParameterSet
 
 
 class Quantities:
@@ -206,7 +209,7 @@ def quantities(name: str) -> Quantities:
 _of = cache(Quantities)
 
 
-def share(model: Model, p: Any) -> Any:
+def share(model: Model, p: ParameterSet) -> Any:
     """The share of μ₀ at which friction works at the speed of the belt, by the model's own law; of
     the shape of ``p``.
     """

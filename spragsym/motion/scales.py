@@ -288,14 +288,14 @@ def scaled(field: Field, scales: MotionScales) -> Field:
     def at(state: Sequence[Any]) -> list[Any]:
         return [value * unit for value, unit in zip(state, units, strict=True)]
 
-    def acceleration(state: Any, constants: Any, mode: Any, xp: Any) -> list[Any]:
+    def acceleration(state: Any, constants: Any, mode: Mode, xp: Any) -> list[Any]:
         found = inner.acceleration(at(state), constants, mode, xp)
         return [value * factor for value, factor in zip(found, faster, strict=True)]
 
     def rows(
         function: Callable[..., Any], over: Sequence[float] | None
     ) -> Callable[..., list[list[Any]]]:
-        def found(state: Any, constants: Any, mode: Any, xp: Any) -> list[list[Any]]:
+        def found(state: Any, constants: Any, mode: Mode, xp: Any) -> list[list[Any]]:
             return [
                 [
                     value * factor * unit
@@ -312,15 +312,15 @@ def scaled(field: Field, scales: MotionScales) -> Field:
         return bool(inner.aloft and inner.aloft(constants, state * scales.states))
 
     def border(that: Border, size: float) -> Border:
-        def level(state: Any, constants: Any, mode: Any) -> Any:
+        def level(state: Any, constants: Any, mode: Mode) -> Any:
             return that.level(at(state), constants, mode) * (1.0 / size)
 
-        def rate(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
+        def rate(state: Any, accelerations: Any, constants: Any, mode: Mode) -> Any:
             pulls = [a * (1.0 / f) for a, f in zip(accelerations, faster, strict=True)]
             return that.rate(at(state), pulls, constants, mode) * (time / size)
 
         def slopes_of(function: Callable[..., Any]) -> Callable[..., list[Any]]:
-            def slopes(state: Any, constants: Any, mode: Any) -> list[Any]:
+            def slopes(state: Any, constants: Any, mode: Mode) -> list[Any]:
                 found = function(at(state), constants, mode)
                 factors = [*units, *(1.0,) * (len(found) - 2 * n)]
                 return [value * (unit / size) for value, unit in zip(found, factors, strict=True)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -40,6 +40,9 @@ from .return_map import Onward
 from .solution import Events, events_of
 from .with_heyoka import TOLERANCE as TIGHTEST
 from .with_scipy import RTOL
+
+if TYPE_CHECKING:
+    from ..models.model import Model
 
 #: Share of a tolerance up to which another one of the same method tells its error, rounding aside;
 #: and the share of that error which the tighter run has, at most.
@@ -539,7 +542,7 @@ def row_of(of: str | None, offered: tuple[str, ...]) -> int:
 
 
 def initial_state(
-    model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike]
+    model: Model, start: ArrayLike | None, initial: Mapping[str, ArrayLike]
 ) -> dict[str, FloatArray]:
     """The initial state by names, ``x0`` for ``x`` and ``vx0`` for ``vx``; 0 where nothing is
     given.
@@ -565,7 +568,7 @@ def initial_state(
 
 
 def state_of(
-    model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike] | None = None
+    model: Model, start: ArrayLike | None, initial: Mapping[str, ArrayLike] | None = None
 ) -> FloatArray:
     """One initial state as an array; rest where nothing is given."""
     return np.array(
@@ -609,7 +612,7 @@ def _error(found: Trajectory, problem: Problem) -> FloatArray:
     return np.full(found.t.shape, np.nan)
 
 
-def _run(model: Any, p: ParameterSet, problem: Problem, backend: str) -> Trajectory:
+def _run(model: Model, p: ParameterSet, problem: Problem, backend: str) -> Trajectory:
     solution = integrators.integrate(problem, backend)
     events = events_of(problem.field, solution.crossings)
     return Trajectory(

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
-from typing import Any, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, Self, TypeAlias
 
 import numpy as np
 
@@ -23,6 +23,9 @@ from ..statics.balance import NOTHING
 from .friction_fit import FrictionFit
 from .friction_law import friction_bounds, friction_depends_on
 from .units import PLAIN_UNITS, Measured, Numbers, read, shown_in
+
+if TYPE_CHECKING:
+    from ..models.parameters import ParameterSet
 
 #: Least, as drawn, and largest within the tolerances.
 Spread: TypeAlias = tuple[float, float, float]
@@ -210,7 +213,7 @@ class Brake:
         """The dimensionless parameters at the operating point, with the friction μ₀."""
         return self.placed(self.kind.parameter_set(self.values))
 
-    def placed(self, p: Any) -> Any:
+    def placed(self, p: ParameterSet) -> Any:
         """A set of parameters that follows the state that was chosen, if one was."""
         return p.following(**self.near) if self.near else p
 

@@ -2,11 +2,13 @@
 the oscillation.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
@@ -23,6 +25,9 @@ from ..statics.balance import Balance
 from ..statics.stability import linearization, roots, verdicts
 from .brake import Brake
 from .units import Numbers
+
+if TYPE_CHECKING:
+    from ..models.parameters import ParameterSet
 
 #: What the eigenvalues of a matrix of some rows are off by, relative to the largest, generously.
 ROUNDING = 1e-14
@@ -183,7 +188,7 @@ def _forces(study: Brake, ends: Ranges, known: float = 1.0) -> tuple[Any, Any]:
     return _of_springs(study, list(told.values())), contact
 
 
-def _extremes(p: Any, states: FloatArray) -> Ranges:
+def _extremes(p: ParameterSet, states: FloatArray) -> Ranges:
     constants = [float(value) for value in p.model.arguments(p, "motion")]
     told = ((name, force(states, constants)) for name, force in forces.told_of(p.model).items())
     return {name: (float(np.min(force)), float(np.max(force))) for name, force in told}
@@ -376,7 +381,7 @@ def _moving(study: Brake, value: float, speed: float) -> Any:
     return at.replace(**{name: jump / float(p.model.friction(at))})
 
 
-def _balanced(p: Any, place: FloatArray, held: int) -> FloatArray:
+def _balanced(p: ParameterSet, place: FloatArray, held: int) -> FloatArray:
     """A place with one coordinate as it is, and the forces on all others balanced: by Newton's
     method.
     """

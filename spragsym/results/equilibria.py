@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
-from typing import Any, Protocol, Self
+from typing import TYPE_CHECKING, Any, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,9 @@ from ..models.forces import told_of, told_of_states
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IntArray
 from .result import WHOLE, Items, OfStates, Result, along_axes, axes_of
+
+if TYPE_CHECKING:
+    from ..models.model import Model
 
 
 class EquilibriumType(enum.IntEnum):
@@ -75,7 +78,7 @@ _LINEARIZED: Mapping[str, tuple[str, Any]] = {
 
 
 @cache
-def _names(model: Any, more: tuple[str, ...]) -> tuple[str, ...]:
+def _names(model: Model, more: tuple[str, ...]) -> tuple[str, ...]:
     """Names of all columns: where states are, forces, and ours."""
     made = (each.name for each in Equilibria.schema if each.of is not None)
     several = ["touching"] if len(model.contacts) > 1 else []

@@ -5,6 +5,7 @@ no folder. It has a digest, so that a damaged one is refused.
 """
 
 import base64
+import dataclasses
 import enum
 import hashlib
 import importlib
@@ -234,7 +235,7 @@ def _read(given: Model | None, held: dict[str, Any]) -> Any:
     return out
 
 
-def _part(field: Any, parts: Mapping[str, Any]) -> Any:
+def _part(field: dataclasses.Field[Any], parts: Mapping[str, Any]) -> Any:
     """A field of a result; of one that is younger than the file, its default."""
     if field.name in parts:
         return parts[field.name]

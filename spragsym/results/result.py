@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,9 @@ from ..display import (
 from ..files import storage
 from ..models.load import USUAL, load
 from ..models.parameters import FloatArray
+
+if TYPE_CHECKING:
+    from ..models.model import Model
 
 T = TypeVar("T")
 
@@ -226,7 +229,7 @@ class Result(Tabular):
         return spragsym.figures.plot(self, ax, **options)
 
 
-def in_model_units(model: Any, columns: Mapping[str, Column]) -> dict[str, Column]:
+def in_model_units(model: Model, columns: Mapping[str, Column]) -> dict[str, Column]:
     """Columns with the unit of the model, as ``k_c*L_0``, in place of that in SI; beside an angle
     its column in degrees.
     """

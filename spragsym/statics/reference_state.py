@@ -97,7 +97,7 @@ def _nearest(
 
 
 def chosen_state(
-    p: Any,
+    p: ParameterSet,
     q: Sequence[FloatArray],
     error: FloatArray,
     among: BoolArray,
@@ -142,7 +142,7 @@ def chosen_state(
     return least_slot(np.where(least & among, np.abs(q[0]), np.inf), np.array(q), error)
 
 
-def _pushing(model: Model, p: Any, q: Sequence[FloatArray]) -> list[Any]:
+def _pushing(model: Model, p: ParameterSet, q: Sequence[FloatArray]) -> list[Any]:
     """Of every contact whether it touches in states: the only one does in all of them."""
     if len(model.contacts) == 1:
         return [1]

@@ -154,7 +154,7 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     return out
 
 
-def columns(p: Any, names: list[str]) -> FloatArray:
+def columns(p: ParameterSet, names: list[str]) -> FloatArray:
     """Parameters as an array of shape (parameters, points)."""
     return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(
         len(names), int(np.prod(p.shape))
@@ -202,7 +202,9 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     return around_anchors(balance, given, around, told)
 
 
-def _arranged(p: Any, parts: Sequence[tuple[Balance, Roots, FloatArray, BoolArray]]) -> Equilibria:
+def _arranged(
+    p: ParameterSet, parts: Sequence[tuple[Balance, Roots, FloatArray, BoolArray]]
+) -> Equilibria:
     """Roots of all combinations of contacts that touch, in slots by point."""
     shape = p.shape
     size = int(np.prod(shape))

@@ -19,6 +19,7 @@ from ..numerics.interval_arrays import Int8Array, IntArray
 from ..results import Equilibria
 
 if TYPE_CHECKING:
+    from ..models.parameters import ParameterSet
     from .stability import Linearized
 
 
@@ -62,7 +63,10 @@ class Held(Linearizing):
 
 
 def one_each(
-    p: Any, places: Mapping[str, NDArray[Any]], undamped: Int8Array, error: NDArray[Any] | float
+    p: ParameterSet,
+    places: Mapping[str, NDArray[Any]],
+    undamped: Int8Array,
+    error: NDArray[Any] | float,
 ) -> Equilibria:
     """One state in contact of every point, known from elsewhere: columns of the shape of the
     points.

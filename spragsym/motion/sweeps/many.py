@@ -9,7 +9,7 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -42,6 +42,9 @@ from ..return_map import Onward
 from ..simulation import initial_state
 from ..with_heyoka import LANES
 from .workers import Workers, made_or_loaded
+
+if TYPE_CHECKING:
+    from ...models.model import Model
 
 #: Motions of one task at most, and their time in all; a few points are one task each.
 TOGETHER, TOGETHER_FOR = 1024, 2e5
@@ -330,7 +333,7 @@ def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...
 
 
 def measured(
-    model: Any, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]
+    model: Model, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]
 ) -> list[Record]:
     """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong
     is raised.
@@ -385,7 +388,7 @@ def _no_result(error: Exception) -> Record:
 
 
 def _made_of(
-    model: Any,
+    model: Model,
     inputs: dict[str, FloatArray],
     settings: Mapping[str, Any],
     columns: dict[str, Any],
@@ -412,7 +415,7 @@ def _made_of(
     )
 
 
-def with_degrees(model: Any, inputs: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
+def with_degrees(model: Model, inputs: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
     """The inputs, every angle in degrees beside it in radians."""
     known = {}
     for name, values in inputs.items():
@@ -422,7 +425,7 @@ def with_degrees(model: Any, inputs: Mapping[str, FloatArray]) -> dict[str, Floa
     return known
 
 
-def fingerprint(model: Any, inputs: Mapping[str, FloatArray], settings: Mapping[str, Any]) -> str:
+def fingerprint(model: Model, inputs: Mapping[str, FloatArray], settings: Mapping[str, Any]) -> str:
     """A hash of everything that decides the bits of a result: no source text, so that a comment
     changes nothing.
     """

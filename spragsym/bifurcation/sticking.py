@@ -35,7 +35,7 @@ from ..statics.search import columns
 from .defining_systems import Augmented, Condition, Family, slope
 from .paths import Way
 from .points import arranged, isolated, nothing
-from .sticking_regions import region
+from .sticking_regions import line, region
 
 #: The share of the static friction coefficient that is used, a parameter of its own.
 HELD = "held"
@@ -106,6 +106,8 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     if len(holding) > 1:
         return region(p)
     model.require_one_contact("sticking_states with one friction that holds")
+    if (found := line(p)) is not None:
+        return found
     own = _held(model)(**{name: p[name] for name in p.ranges})
     turns = [_turns(own, place) for place in range(len(model.coordinates))]
     try:

@@ -257,8 +257,8 @@ class StickingStates(Named, Rows):
     """Connected sets of states in which friction holds the mass, a row for each, in the order of
     the first coordinate.
 
-    Of every coordinate ``x`` the least and the largest value in a set are ``x_low`` and ``x_high``;
-    angles are radians.
+    Of every coordinate ``x`` the least and the largest value in a set are ``x_low`` and ``x_high``,
+    −∞ and ∞ of one on which no force depends, as on a ramp; angles are radians.
 
     Attributes
     ----------

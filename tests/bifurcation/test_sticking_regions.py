@@ -32,7 +32,9 @@ def test_two_blocks_at_rest_stick_in_a_parallelogram() -> None:
 
 def test_nothing_sticks_where_a_block_is_lifted_and_what_is_not_answered_says_so() -> None:
     p = model_of(BLOCKS, "blocks").Parameters(V=0.0)
-    assert len(ss.sticking_states(p.replace(N_2=-1.0))) == 0
+    assert len(ss.sticking_states(p.replace(N_2=0.0))) == 0
+    with pytest.raises(ss.errors.ParameterError, match="N_2"):
+        p.replace(N_2=-1.0)
     with pytest.raises(ss.errors.ParameterError, match="belt moves at V"):
         ss.sticking_states(p.replace(V=0.1))
     with pytest.raises(ss.errors.ModelError, match="holds nothing"):

@@ -92,6 +92,40 @@ def test_a_set_of_rest_states_is_one_attractor() -> None:
     assert [len({*found.attractor[own == each, 0]}) for each in range(3)] == [1, 1, 1]
 
 
+@pytest.mark.thorough
+def test_a_ramp_is_one_set_of_rest_and_one_attractor() -> None:
+    """It sticks everywhere where |F| ≤ μ_s, and nowhere else."""
+    model, rng = model_of(RAMP, "ramp"), np.random.default_rng(8)
+    p = model.Parameters(mu_s=0.5, F=rng.uniform(-0.35, 0.35))
+    found = basin(p, x=np.linspace(-1, 1, 3), vx=np.linspace(0.2, 1, 3), t_end=60.0, transient=40.0)
+    assert len(found.attractors) == 1
+    for F in (*rng.uniform(-1, 1, 8), 0.5 - 1e-12, -0.5 - 1e-12):
+        sets = ss.sticking_states(model.Parameters(mu_s=0.5, F=F))
+        assert sets.complete
+        assert sets.x_low.tolist() == [-math.inf] * int(abs(F) <= 0.5)
+        assert sets.x_high.tolist() == [math.inf] * int(abs(F) <= 0.5)
+        assert sets.error.tolist() == [0.0] * int(abs(F) <= 0.5)
+
+
+@pytest.mark.thorough
+def test_on_a_ramp_what_hangs_on_a_spring_rests_at_one_place() -> None:
+    text = (
+        RAMP.replace(
+            "page.force(F, along=x)\n",
+            'w = page.coordinate("w", "m", "mass beside it")\n'
+            "page.force(F, along=x)\npage.spring(m * g / l, along=w)\npage.force(m * g, along=w)\n",
+        )
+        .replace("page.kinetic(m * page.rate(x) ** 2 / 2)\n", "")
+        .replace(
+            "page.normal_force",
+            "page.kinetic(m * (page.rate(x)**2 + page.rate(w)**2) / 2)\npage.normal_force",
+        )
+    )
+    sets = ss.sticking_states(model_of(text, "hanging").Parameters(mu_s=0.5, F=0.2))
+    ends = sets.x_low, sets.x_high, sets.w_low, sets.w_high
+    assert np.ravel(ends) == pytest.approx([-math.inf, math.inf, 1.0, 1.0], rel=1e-12)
+
+
 @pytest.mark.parametrize("backend", ["heyoka", "scipy"])
 def test_what_sticking_ends_has_no_rate(backend: str) -> None:
     """Of a cycle that sticks the multiplier across it is 0, whatever rounding leaves."""

@@ -70,6 +70,10 @@ FIRST, LONGEST, SHORTEST, KINK = 0.004, 0.08, 1e-9, 1e-6
 #: The same along a curve of events.
 OF_EVENTS = 0.01, 0.1, 1e-6, 1e-4
 
+#: Errors of an end by rounding, where a size vanishes, and of one at an orbit that rests for long,
+#: in ranges of the parameter.
+ROUNDED, RESTED = 1e-12, 1e-6
+
 #: Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
 LONG = 6.0
 
@@ -402,7 +406,8 @@ def _vanishing(points: Sequence[Point], size: Callable[[Point], float], how: str
     ]
     each = ((float(np.ptp(ends[i - 2 : i + 1])), ends[i]) for i in range(2, len(ends)))
     off, value = min(each, default=(abs(points[-1].value), points[-1].value))
-    return Finding("end", points[-1].loop, SCATTER * off + 1e-12, how=how, value=value)
+    error = SCATTER * off + ROUNDED * points[-1].setting.spans[0]
+    return Finding("end", points[-1].loop, error, how=how, value=value)
 
 
 def _shrunk(followed: Sequence[Point]) -> Finding:
@@ -448,7 +453,8 @@ def _ends(start: Point, point: Point, ahead: Point, length: float, to: Span) -> 
     elif ahead.value in to:
         yield Finding("end", loop, 0.0, how="the range ends")
     elif loop.period > LONG * point.setting.period and (rest := _rests(loop)):
-        yield Finding("homoclinic", loop, moved + 1e-15 * (1 + abs(ahead.value)), how=rest)
+        rounding = 1e-15 * (point.setting.spans[0] + abs(ahead.value))
+        yield Finding("homoclinic", loop, moved + rounding, how=rest)
     elif point is not start and _passes(start, point, ahead):
         yield Finding("closed", loop, 0.0)
 
@@ -477,7 +483,7 @@ def _lost(followed: Sequence[Point], error: ConvergenceError) -> Finding:
     point = followed[-1]
     loop = point.loop
     if loop.period > 2 * point.setting.period and (rest := _rests(loop)):
-        return Finding("homoclinic", loop, 1e-6, how=rest)
+        return Finding("homoclinic", loop, RESTED * point.setting.spans[0], how=rest)
     before = followed[-2] if len(followed) > 1 else point
     lost = Finding(
         "end",

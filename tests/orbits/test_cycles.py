@@ -206,6 +206,23 @@ def test_a_branch_ends_at_hopfs_bifurcation() -> None:
     assert abs(end.value) <= end.error
 
 
+@pytest.mark.thorough
+@pytest.mark.parametrize("scale", [1e-10, 1e10])
+def test_an_end_has_its_error_in_the_parameters_own_unit(scale: float) -> None:
+    """The circle of radius sqrt(e / scale), which ends at e = 0."""
+    field = field_of(
+        f"circle of {scale}",
+        lambda x, v, e, m: (e / scale - x * x - v * v) * v - x,
+        lambda x, v, e, m: (-2 * x * v - 1, e / scale - x * x - 3 * v * v),
+        lambda x, v, e, m: v / scale,
+    )
+    found = cycle_near(field, (0.25 * scale,), (0.5, 0.0))
+    branch = ss.cycle_branch(found, "e", between={"e": (-0.5 * scale, 0.5 * scale)})
+    (end, _) = branch.of("end")
+    assert abs(end.value) <= end.error < 1e-6 * scale
+    assert end.error > 1e-13 * scale
+
+
 #: Its closed orbits are the curves v² / 2 − x² / 2 + x³ / 3 = e about x = 1, from e = −1/6 to that
 #: through the saddle, e = 0.
 SADDLE_LOOP = field_of(

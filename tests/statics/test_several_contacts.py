@@ -126,11 +126,8 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
     p = model.Parameters()
     start = dict.fromkeys(("x0", "y0", "phi0", "vx0", "vy0", "vphi0"), 0.0)
     for ask in (
-        lambda: ss.folds(p, vary="mu0"),
         lambda: ss.simulate(p, t_end=1.0, **start),
         lambda: ss.cycle(p, near=[0.0] * 6),
-        lambda: ss.quasi_static_path(p, "mu0", [0.1, 0.2]),
-        lambda: ss.jump_value(p, vary="mu0"),
     ):
         with pytest.raises(ss.errors.ModelError, match=r"not answered yet of pad_on_2.*2 contacts"):
             ask()

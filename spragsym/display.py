@@ -183,29 +183,31 @@ class Schema:
         called = self.vary if name in ("value", "values") else name
         return f"{replace(self.column(key), name=called).heading}{blank}{rest}"
 
+    def word(self, key: str, value: Any) -> Any:
+        """A code as its word, and all else as it is."""
+        codes = self.column(key).codes
+        if codes is not None and isinstance(value, int):
+            value = codes(value) if value in set(codes) else "other"
+        return value.name.lower() if isinstance(value, enum.Enum) else value
+
     def cell(self, key: str, value: Any) -> str:
         """A number to ten digits, a code as its word."""
         if isinstance(value, np.ndarray | np.generic):
             value = value.item() if value.ndim == 0 else self.listed(key, value)
         if isinstance(value, tuple):
             return ", ".join(self.cell(key, part) for part in value)
-        column = self.column(key)
-        if column.codes is not None and isinstance(value, int):
-            value = column.codes(value) if value in set(column.codes) else "other"
-        if isinstance(value, enum.Enum):
-            return value.name.lower()
+        value = self.word(key, value)
         if isinstance(value, str):
             return value
         if not isinstance(value, float):
-            text = str(value)
-            return (
-                type(value).__name__ if "\n" in text else text
-            )  # the tables of a result stand in no cell
+            text = getattr(value, "brief", None) or str(value)
+            # The tables of a result stand in no cell.
+            return type(value).__name__ if "\n" in text else text
         if key == "error":
             from .numerics.decimals import upward
 
             return upward(value)
-        return f"{column.size * value:.10g}"
+        return f"{self.column(key).size * value:.10g}"
 
     def listed(self, key: str, values: Any) -> str:
         """The first few numbers of an array."""

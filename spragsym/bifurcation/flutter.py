@@ -12,7 +12,6 @@ from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 
 from ..core.questions import Method, question
 from ..display import Column, own_name
@@ -315,6 +314,8 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     """What a search has found, with the onsets that floats see and that are proved; those that are
     not; and their frequencies.
     """
+    from scipy.optimize import linear_sum_assignment  # heavy, and a refusal does not need it
+
     fixed, sightings = system.family.begin, np.array(_sightings(system)).reshape(-1, system.n + 1).T
     candidates = sightings[:-1]
     room = ROOM * scale_of(candidates)
@@ -373,6 +374,8 @@ def _crossing_pairs(a: ComplexArray, b: ComplexArray) -> ComplexArray:
     """Eigenvalues above the real axis whose real part changes sign to the next state; each is
     followed.
     """
+    from scipy.optimize import linear_sum_assignment  # heavy, and a refusal does not need it
+
     i, j = linear_sum_assignment(np.abs(a[:, None] - b[None]))
     size = max(np.abs([*a, *b]), default=0.0)
     before, after = a[i], b[j]

@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy.linalg import null_space
 
 from ..core.errors import ConvergenceError
 from ..models.field import FLOATS, SETTLED, Field, Mode
@@ -141,6 +140,8 @@ def spectrum_at_rest(
     """Eigenvalues and eigenvectors of the linearized motion in a mode; where friction holds, of
     what moves in it, in which no speed slides.
     """
+    from scipy.linalg import null_space  # heavy, and a refusal does not need it
+
     numbers = state.tolist()
     moving = np.eye(field.size)
     for border in field.stays(mode):

@@ -16,7 +16,7 @@ from ..display import Column
 from ..models.field import FLOATS, GAP, JUMPED, Border, Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IndexArray
-from ..results.result import Result
+from ..results.result import Rows
 from .lobatto import PiecewisePolynomial
 from .problem import Event, Problem, kinds_of
 
@@ -346,7 +346,7 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
 
 
 @dataclass(frozen=True, eq=False)
-class Events(Result):
+class Events(Rows):
     """Where the motion passed a kink of the field, in order of time.
 
     Attributes

@@ -157,6 +157,11 @@ class CycleEvent(Result):
     found: Finding = field(repr=False)
 
     @property
+    def brief(self) -> str:
+        """The event in a cell of a table."""
+        return f"{self.kind} at {self.value:.6g}"
+
+    @property
     def _of_model(self) -> Any:
         return self.cycle.field.model
 

@@ -15,7 +15,6 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from scipy.stats import t as student
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
@@ -322,6 +321,8 @@ def half_widths(logs: FloatArray, stretch: float) -> FloatArray:
     stays, and the error falls as the time; of irregular ones it grows as its root, as the scatter
     of means does.
     """
+    from scipy.stats import t as student  # heavy, and a refusal does not need it
+
     count, m = logs.shape
     sums = np.vstack([np.zeros(m), np.cumsum(logs, axis=0)])
     line = np.linspace(0, 1, count + 1)[:, None] * sums[-1]

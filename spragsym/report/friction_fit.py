@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import minimize_scalar
 
 from ..generated import laws
 from ..models.parameters import FloatArray, Span
@@ -61,6 +60,8 @@ def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
     grid = np.linspace(math.log(1e-4 / moving.max()), math.log(40.0 / moving.min()), 400)
     k = int(np.argmin([best(value)[1] for value in grid]))
     ends = grid[np.clip([k - 1, k + 1], 0, grid.size - 1)]
+    from scipy.optimize import minimize_scalar  # heavy, and a refusal does not need it
+
     found = minimize_scalar(
         lambda log_d: best(log_d)[1], bounds=ends, method="bounded", options={"xatol": 1e-12}
     )

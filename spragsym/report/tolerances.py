@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy.stats import qmc
 
 from ..core.errors import ConvergenceError
 from ..design.certificates import Certificate
@@ -114,6 +113,8 @@ def corners(study: Brake) -> FloatArray:
 
 def samples(study: Brake, number: int) -> FloatArray:
     """Shares of Sobol' points, correlated as the quantities are."""
+    from scipy.stats import qmc  # heavy, and a refusal does not need it
+
     names = varied(study)
     return (
         study.together(names).shares(qmc.Sobol(len(names), rng=0).random(number))

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
 import numpy as np
-from scipy.special import ndtr, ndtri
 
 from ..core.errors import ParameterError
 from ..models.parameters import FINITE, Range
@@ -98,6 +97,8 @@ class Measured:
 
     def ppf(self, share: Any) -> Any:
         """The value below which a share of its distribution within its ends lies."""
+        from scipy.special import ndtri  # heavy, and a refusal does not need it
+
         least, most = self._below(self.low), self._below(self.high)
         value = least + np.asarray(share) * (most - least)
         return np.clip(
@@ -105,6 +106,8 @@ class Measured:
         )
 
     def _below(self, value: Any) -> Any:
+        from scipy.special import ndtr  # heavy, and a refusal does not need it
+
         return ndtr((value - self.value) / self.sd) if self.sd else value
 
     def scaled(self, value: float, share: bool) -> Measured:

@@ -364,7 +364,8 @@ class Rows(Result):
     def __getitem__(self, index: Any) -> Any:
         if isinstance(index, str):
             return super().__getitem__(index)
-        return {name: column[index].item() for name, column in self.data().items()}
+        said = self._schema
+        return {name: said.word(name, column[index].item()) for name, column in self.data().items()}
 
     def __iter__(self) -> Iterator[dict[str, Any]]:
         return map(self.__getitem__, range(len(self)))

@@ -316,7 +316,19 @@ def test_rows_are_the_columns(result: Any) -> None:
     rows = list(result)
     assert len(rows) == len(result)
     for name, column in columns.items():
-        assert [row[name] for row in rows] == column.tolist()
+        codes = result.columns[name].codes if name in result.columns else None
+        told = column.tolist()
+        if codes is not None:  # words, as in the table
+            told = [codes(code).name.lower() for code in told]
+            assert all(word in str(result) for word in told)
+        assert [row[name] for row in rows] == told
+
+
+def test_a_cell_says_what_an_event_is() -> None:
+    found = MAKERS["Diagram"]()
+    events = [event for branch in found.cycles for event in branch.events]
+    assert events
+    assert all(f"{event.kind} at {event.value:.6g}" in str(found) for event in events)
 
 
 def test_frame_and_dataset_hold_the_columns(result: Any) -> None:

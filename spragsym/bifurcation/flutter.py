@@ -31,7 +31,7 @@ from ..results import Points
 from ..statics import stability
 from ..statics.balance import NOTHING
 from ..statics.precise_balance import TOLERANCE, clusters, on_its_side, refined
-from ..statics.search import seen
+from ..statics.search import balances_of, seen
 from ..statics.stability import (
     damped_by_friction_alone,
     is_conservative,
@@ -39,6 +39,7 @@ from ..statics.stability import (
     only_damped,
     slope_over,
 )
+from .borders import joined as together
 from .defining_systems import (
     FLAT,
     FLUTTER,
@@ -51,6 +52,8 @@ from .defining_systems import (
 )
 from .points import Found, arranged, matrices, nothing, of_ends, search
 
+#: Why an onset of a model with several contacts has none.
+OF_SEVERAL = "the motion of a page with several contacts is not answered yet"
 #: Why an onset of (27) has no coefficient.
 NO_DAMPING = (
     "without damping two frequencies meet there, and all eigenvalues stay on the imaginary "
@@ -108,7 +111,7 @@ def flutter_onsets(
     damping : bool, optional
         True for Hopf points of the full linearization, det(λ² M + λ C + K) = 0 with dampers and
         slope of the friction law; False for (27), without C, as the article's flutter. Without it
-        True, unless C is 0.
+        True, unless C is 0, of several contacts for each combination of those that touch.
     between, within, method
         As for :func:`spragsym.folds`; a closed form is there for (27) along θ₀.
 
@@ -149,7 +152,16 @@ def flutter_onsets(
     >>> onsets.V.round(4).tolist(), onsets.criticality.tolist()
     ([0.101, 1.4035], ['gentle', 'dangerous'])
     """
-    family = Family.of(p, (p.model.one(vary),), between, within)
+    name = p.model.one(vary)
+    parts = [
+        _in_combination(Family.of(p, (name,), between, within, contact=balance.contact), damping)
+        for balance in balances_of(p.model, None)
+    ]
+    return Onsets(**vars(together(parts)))
+
+
+def _in_combination(family: Family, damping: bool | None) -> Points:
+    """Onsets of one combination of contacts that touch."""
     balance, over = family.balance, family.over
     along = damped_by_friction_alone(balance, over)
     slope = None if along is None else slope_over(balance, over)
@@ -186,7 +198,7 @@ def flutter_onsets(
                 followed if condition is HOPF else _part(family, alone, "detected", frequencies)
             )
         parts.append(_part(family, out, "hopf" if damping else "flutter", frequencies))
-    return Onsets(**vars(_joined(family, parts, flat=sought[-1][0] is NO_SLOPE)))
+    return _joined(family, parts, flat=sought[-1][0] is NO_SLOPE)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -537,6 +549,8 @@ class Onsets(Points):
     def _normal_form(self, row: int) -> Any:
         if self.kind[row] != "hopf":
             return NO_DAMPING
+        if len(self.parameters.model.contacts) > 1:
+            return OF_SEVERAL
         state, vary = self.state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.
         radii = self.error[row] * scale_of([*state, self[vary][row]]) * (1 + 2.0**-50)

@@ -41,6 +41,7 @@ SEVERAL = (
     "count",
     "equilibria",
     "first_ends",
+    "flutter_onsets",
     "folds",
     "jump_value",
     "linked",

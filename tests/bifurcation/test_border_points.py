@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import spragsym as ss
 from tests.oracles.contact_pages import JAMMING, PAD, SPRUNG, balanced, pad
@@ -90,3 +91,39 @@ def test_a_shoe_jams_and_comes_free_at_border_folds() -> None:
     assert abs(ss.jump_value(p, "P", begin=-0.04, until=0.04)) <= 1e-12
     there = ss.jump_value(p, "P", direction="down", begin=0.04, until=-0.04)
     assert abs(there - free) <= 1e-12
+
+
+@pytest.mark.validate
+def test_onsets_of_flutter_are_those_of_every_combination() -> None:
+    model, M = model_of(PAD, "pad_on_2"), np.diag([1.0, 1.0, 0.3])
+    names = "front", "rear"
+    p = model.Parameters(k_t=0.0905, h=0.764, k_x=1.315)
+    base = {name: float(p[name]) for name in model.parameters}
+
+    def stiffness(mu0: float, touching: tuple[str, ...]) -> np.ndarray:
+        K, _, legs = pad(base | {"mu0": mu0}, names)
+        for leg in legs:
+            if leg.name in touching:
+                K += np.outer(np.array(leg.g) + leg.mu * np.array(leg.s), leg.g)
+        return np.linalg.solve(M, K)
+
+    def discriminant(mu0: float, touching: tuple[str, ...]) -> float:
+        one, two, three = np.linalg.eigvals(stiffness(mu0, touching)).astype(complex)
+        return float((((one - two) * (two - three) * (three - one)) ** 2).real)
+
+    expected = []
+    for touching in (("front", "rear"), ("front",)):
+        grid = np.linspace(0.0, 3.0, 400)
+        signs = np.sign([discriminant(mu, touching) for mu in grid])
+        for step in np.flatnonzero(signs[1:] != signs[:-1]):
+            at = brentq(discriminant, grid[step], grid[step + 1], args=(touching,), xtol=1e-13)
+            known = dict(balanced(*pad(base | {"mu0": at}, names)))
+            squares = np.linalg.eigvals(stiffness(at, touching))
+            if touching in known and (squares.real > 0).all():
+                expected.append((at, ", ".join(touching)))
+    found = ss.flutter_onsets(p, "mu0", damping=False, between={"mu0": (0.0, 3.0)})
+    assert found.decided
+    assert len(expected) >= 1
+    assert found["touching"].tolist() == [touching for _, touching in sorted(expected)]
+    np.testing.assert_allclose(found.mu0, [at for at, _ in sorted(expected)], rtol=1e-9)
+    assert found.criticality.tolist() == ["undecided"] * len(expected)

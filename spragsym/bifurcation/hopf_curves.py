@@ -165,6 +165,7 @@ def onset_curves(
     >>> found.changes["V"].round(4).tolist()  # where F‴ = 0, at (1 + √2) v_s
     [0.2414]
     """
+    p.model.require_one_contact("onset_curves")
     vary = model_of(p).two(vary)
     as_count("n", n, 2)
     plane = _Plane.of(p, vary, between)

@@ -36,19 +36,17 @@ Method: TypeAlias = Literal["auto", "closed", "search"]
 WAYS = ("auto", "closed", "search")
 
 
-#: Questions that are answered for several contacts.
+#: Questions that are answered for several contacts, and parts of their answers.
 SEVERAL = (
     "count",
     "equilibria",
-    "first_ends",
     "flutter_onsets",
     "folds",
     "jump_value",
-    "linked",
-    "open_ends",
     "quasi_static_path",
     "sticking_states",
 )
+PARTS_OF_SEVERAL = ("first_ends", "linked", "open_ends")
 
 
 class NotInClosedForm(Exception):
@@ -66,7 +64,7 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
     def ask(*args: P.args, **options: P.kwargs) -> R:
         method = options.pop("method", "auto")
         model = model_of(*args, *options.values())
-        if name not in SEVERAL:
+        if name not in SEVERAL + PARTS_OF_SEVERAL:
             model.require_one_contact(name)
         asked = model
         if method != "auto":

@@ -165,7 +165,7 @@ class Model:
             names = ", ".join(entry["name"] for entry in self.contacts)
             raise ModelError(
                 f"{what} is not answered yet of {self.name}, whose page has {len(self.contacts)} "
-                f"contacts ({names}); ask {', '.join(sorted(SEVERAL))}, or say all but one of "
+                f"contacts ({names}); ask {', '.join(SEVERAL)}, or say all but one of "
                 "them by springs and forces"
             )
 

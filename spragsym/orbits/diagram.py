@@ -229,6 +229,7 @@ def diagram(
     >>> found.data()["V"].size == found.equilibria[0].values.size + found.cycles[0].values.size
     True
     """
+    p.model.require_one_contact("diagram")
     model = model_of(p)
     model.require_parameter(vary)
     p.scalars(*(name for name in model.parameters if name != vary))

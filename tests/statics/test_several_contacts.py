@@ -126,8 +126,18 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
     p = model.Parameters()
     start = dict.fromkeys(("x0", "y0", "phi0", "vx0", "vy0", "vphi0"), 0.0)
     for ask in (
+        lambda: ss.cusps(p, ("mu0", "h")),
         lambda: ss.simulate(p, t_end=1.0, **start),
         lambda: ss.cycle(p, near=[0.0] * 6),
+        lambda: ss.bifurcation_set(p, ("mu0", "h")),
+        lambda: ss.jump_gradient(p, "mu0"),
+        lambda: ss.critical_value(p, "mu0", between={"mu0": (0.0, 1.0)}),
+        lambda: ss.onset_curves(p, ("mu0", "h")),
+        lambda: ss.diagram(p, "mu0", between={"mu0": (0.1, 0.2)}),
+        lambda: ss.explore(p),
+        lambda: ss.lyapunov(p),
+        lambda: ss.rms_sweep(p),
+        lambda: ss.fate(p),
     ):
         with pytest.raises(ss.errors.ModelError, match=r"not answered yet of pad_on_2.*2 contacts"):
             ask()

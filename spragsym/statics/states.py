@@ -101,7 +101,7 @@ def combination_of(
         out[there] = column[mine]
         return out
 
-    ours = {"stability": 0, "error": np.nan, "marginal": False}
+    ours = {"undamped": 0, "error": np.nan, "marginal": False}
     columns = {name: taken(name, np.nan) for name in model.coordinates}
     columns |= {own_name(model, name): taken(name, empty) for name, empty in ours.items()}
     columns[own_name(model, "whole")] = eq.whole

@@ -19,15 +19,6 @@ from .equilibrium import spell_out
 # quartic in L
 
 
-def unit_norm(D: sp.Matrix, b: sp.Matrix) -> sp.Expr:
-    """|D⁻¹ b|² − 1 by Cramer's rule, which vanishes at an equilibrium: (20) and (23), there written
-    bᵀ (D Dᵀ)⁻¹ b = 1.
-    """
-    cosine = sp.Matrix.hstack(b, D[:, 1]).det() / D.det()
-    sine = sp.Matrix.hstack(D[:, 0], b).det() / D.det()
-    return cosine**2 + sine**2 - 1
-
-
 def cleared(D: sp.Matrix, b: sp.Matrix) -> sp.Expr:
     """|adj(D) b|² − det(D)²."""
     scaled = D.adjugate() * b

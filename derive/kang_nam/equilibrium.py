@@ -77,13 +77,3 @@ def matrix_form() -> tuple[sp.Matrix, sp.Matrix]:
             "the balance of forces is not linear in cos θ and sin θ: (16) has no D and b"
         )
     return D, b
-
-
-@cache
-def matrix_A() -> sp.Matrix:
-    """A of D = σ I + L A, (17) and (18)."""
-    D, _ = matrix_form()
-    A = D.diff(nm.L)
-    if sp.expand(D - (nm.sigma * sp.eye(2) + nm.L * A)) != sp.zeros(2, 2):
-        raise ArithmeticError("D is not σ I + L A: (17) does not hold")
-    return A

@@ -230,18 +230,6 @@ def scales() -> dict[str, sp.Expr]:
     }
 
 
-@cache
-def groups() -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
-    """Each dimensionless quantity of the text after (9) with the dimensional one behind it and the
-    scale between the two.
-    """
-    found = {nm.n: (nm.N, scales()["force"])}
-    for datum in page().parameters:
-        ratio = in_article(_with_units(), physical_checks.groups(page())[datum.becomes])
-        found[symbol_of(datum)] = _measured(datum), _measured(datum) / ratio
-    return found
-
-
 # ------------------------------------------------------------------------------------------------
 # contact and friction
 
@@ -291,11 +279,3 @@ def smooth_friction(side: sp.Expr) -> sp.Expr:
     return in_article(of_page(), laws.smooth_friction(of_page().friction, felt=True)).subs(
         nm.side, side
     )
-
-
-@cache
-def steady_friction() -> sp.Expr:
-    """μ at steady sliding, x' = 0 < V: μ₀ (1 − exp(−d V)) exactly, μ₀ in the limit that (12)
-    takes.
-    """
-    return in_article(of_page(), laws.friction_at_speed(of_page().friction))

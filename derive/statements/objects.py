@@ -471,11 +471,6 @@ def balance_in_direction(it: Derivation, side: str) -> tuple[sp.Matrix, sp.Matri
     return D, b, L
 
 
-def _identity(it: Derivation, name: str, side: str) -> Object:
-    """A relation between names that holds by what they are."""
-    return Object((sp.S.Zero,), "objects.Derivation.geometry", side=side)
-
-
 Deriver: TypeAlias = Callable[[Derivation, str, str], Object]
 #: How each object is derived, by its word.
 OBJECTS: Mapping[str, Deriver] = {

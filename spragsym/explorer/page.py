@@ -48,14 +48,14 @@ class ExplorerPage:
         )
 
 
-def explore(p: ParameterSet) -> ExplorerPage:
+def explore(p: ParameterSet | None = None) -> ExplorerPage:
     """The explorer, beginning at ``p``: the mechanism, its states and its motion; as a file,
     ``spragsym explore``.
 
     Parameters
     ----------
-    p : Parameters
-        One point; of another model than the article's the extra ``derive`` is needed.
+    p : Parameters, optional
+        One point, by default the article's; of another model the extra ``derive`` is needed.
 
     Returns
     -------
@@ -74,6 +74,8 @@ def explore(p: ParameterSet) -> ExplorerPage:
     >>> "<!DOCTYPE html>" in page.text
     True
     """
+    if p is None:
+        return ExplorerPage(explorer_page())
     return ExplorerPage(explorer_page(model_of(p), [("yours", p)]))
 
 

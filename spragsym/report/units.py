@@ -124,7 +124,8 @@ def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Meas
     It has a number and a unit, and a tolerance if there is one: an amount, a share, two ends; or a
     standard deviation, with the ends at which the distribution is cut off if it is, as in
     ``"180 N/mm sd 5 % in [160, 200] N/mm"``. Anything else, a tolerance that may be read in two
-    ways and what is not ``allowed`` is a ParameterError with examples of what can be read.
+    ways is a ParameterError with examples of what can be read; what is not ``allowed`` is one with
+    what is.
 
     >>> read("180 N/mm +- 15 %", "N/m")
     Measured(value=180000.0, low=153000.0, high=207000.0, unit='N/mm', sd=0.0, cut=True)
@@ -135,7 +136,12 @@ def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Meas
         return _read(text, si, allowed)
     except ParameterError as error:
         brief = repr(text) if len(text) <= 200 else f"{text[:20]!r}…"
-        raise ParameterError(f"{brief}: {error}; write {remedy(si, allowed, example)}") from error
+        write = "" if isinstance(error, _OutsideError) else remedy(si, allowed, example)
+        raise ParameterError(f"{brief}: {error}{'; write ' * bool(write)}{write}") from error
+
+
+class _OutsideError(ParameterError):
+    """A number that is read and not allowed: how to write one is no remedy."""
 
 
 def remedy(si: str, allowed: Range, example: str) -> str:
@@ -165,19 +171,25 @@ def _read(text: str, si: str, allowed: Range) -> Measured:
     for end in (one.value, one.whole.low, one.whole.high):
         if not allowed.contains(end):
             reached = "" if end == one.value else "the tolerance reaches what is not allowed: "
-            raise ParameterError(
+            raise _OutsideError(
                 f"{reached}{shown_in(end, one.unit, si, 6)} is not {_within(allowed, one.unit, si)}"
+                f"; all of it must be {_ends(allowed, one.unit, si)}"
             )
     return one
 
 
 def _within(allowed: Range, unit: str, si: str) -> str:
+    words = _ends(allowed, unit, si)
+    # Of angles it says radians.
+    return f"{words}: {allowed.remedy}" if allowed.remedy and si != "rad" else words
+
+
+def _ends(allowed: Range, unit: str, si: str) -> str:
     low, high = (shown_in(limit, unit, si, 6) for limit in (allowed.low, allowed.high))
     words = f"{'above' if allowed.open_low else 'at least'} {low}"
     if not math.isinf(allowed.high):
         words += f" and {'at most' if allowed.closed_high else 'below'} {high}"
-    # Of angles it says radians.
-    return f"{words}: {allowed.remedy}" if allowed.remedy and si != "rad" else words
+    return words
 
 
 def _between(found: re.Match[str], si: str) -> Measured:

@@ -54,7 +54,7 @@ VALUES = [
         [
             "reaches what is not allowed: 0 N/mm is not above 0 N/mm",
             "inclined spring",
-            '"[150, 210] N/mm"',
+            "; all of it must be above 0 N/mm",
         ],
     ),
     ("L_0", '"38 degC"', ["zero point"]),

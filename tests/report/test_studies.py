@@ -45,7 +45,7 @@ BINARY = '''
 from spragsym.derive.model import Page, sin
 page = Page("A disc between two pads.")
 m, k, h = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness"), page.unit("h", "m", "half of its thickness")
-mu0 = page.parameter("mu0", "1", "friction", ">= 0", 0.3)
+mu0 = page.parameter("mu0", "1", "friction", ">= 0", 0.3, role="friction")
 c = page.parameter("c", "N s/m", "damping", ">= 0", 0.05, becomes="zeta")
 y, phi = page.coordinate("y", "m", "displacement"), page.coordinate("phi", "rad", "turning")
 page.kinetic(m * (page.rate(y)**2 + 2 * h**2 * page.rate(phi)**2) / 2)
@@ -518,7 +518,9 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     rows = {"mu0": None, "model": "stribeck", "mu_s": "0.45", "mu_k": "0.3", "v_s": "0.5 m/s"}
     found = studied(tmp_path, rows).report(**QUICKLY)
     assert found.mu_jump is None
-    assert any("no mu0" in one and 'vary = "theta0"' in one for one in found.warnings)
+    assert any(
+        "no friction coefficient" in one and 'vary = "theta0"' in one for one in found.warnings
+    )
     assert found.states
     assert found.current is None
     assert all(

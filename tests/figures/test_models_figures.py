@@ -71,7 +71,7 @@ def test_curves_pass_through_all_equilibria(name, ax):
             away = np.abs(getattr(eq, first)[i] - np.interp(value, one.values, one.states[first]))
             slot = int(np.nanargmin(away))
             assert away[slot] < 0.02
-            assert one.undamped == eq.undamped[i, slot]
+            assert one.kind == eq.undamped[i, slot]
     turns = ss.folds(p, vary, between={vary: (float(low), float(high))})
     for value, state in zip(getattr(turns, vary), getattr(turns, first), strict=True):
         ends = [(one.values[end], one.states[first][end]) for one in found for end in (0, -1)]

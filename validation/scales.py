@@ -1,5 +1,5 @@
 """Motions of all shipped models measured in kilograms, metres and seconds of sizes from 1e-6 to
-1e6: the same, scaled, by every integrator.
+1e6: the same, scaled, by every integrator; so are fates and exponents.
 
 Last found: a motion 3e4 times as large never ended, and its error said the friction law was steep
 (issue 75).
@@ -24,6 +24,12 @@ MOST = 6.0
 #: How far motions of one tolerance may part, in tolerances; how far of a start within rounding,
 #: times the growth of that.
 PARTED, GROWN = 1e4, 1e2
+
+#: Of one motion in so many the fate is asked, followed so long in the page's own unit of time.
+ASKED, FOLLOWED = 5, 2000.0
+
+#: Share of an exponent by which those in other units may part, and a rate that none is told from.
+SHARE, SLOWEST = 1e-6, 1e-9
 
 
 def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
@@ -63,4 +69,31 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     ]
     if regimes[0] != regimes[1]:
         wrong.append(f"{kind}, {sizes}: {regimes[0].name}, scaled {regimes[1].name}")
+    if not number % ASKED:
+        wrong += [
+            f"{kind}, {sizes}: {fault}"
+            for fault in _fate_and_exponents(
+                own.Parameters(**base), own.Parameters(**scaled), start, of_state, sizes[2]
+            )
+        ]
     return {"kind": kind, "wrong": wrong, "off": float(off)}
+
+
+def _fate_and_exponents(one: Any, other: Any, start: Any, of_state: Any, time: float) -> list[str]:
+    """What differs, of motions that come to an attractor, whose exponents are told with errors."""
+    found, there = (
+        ss.fate(p, start=begun, t_end=FOLLOWED * unit)
+        for p, begun, unit in ((one, start, 1.0), (other, start * of_state, time))
+    )
+    wrong = []
+    if found.kind != there.kind:
+        wrong.append(f"fate {found.kind}, scaled {there.kind}: {found.why}; {there.why}")
+    elif found.kind in ("rest", "cycle"):
+        known = np.isfinite(found.exponents)
+        parted = np.abs(found.exponents[known] - time * there.exponents[known])
+        allowed = SHARE * np.abs(found.exponents[known]) + SLOWEST
+        if found.trivial != there.trivial or not (parted <= allowed + found.error[known]).all():
+            wrong.append(f"exponents {found.exponents}, scaled {time * there.exponents}")
+        if not np.isclose(found.time_scale, there.time_scale / time, rtol=SHARE):
+            wrong.append(f"decay in {found.time_scale}, scaled {there.time_scale / time}")
+    return wrong

@@ -194,7 +194,9 @@ def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
 
 @o.of_model(kind=o.NumberList, start=True)
 @click.option(
-    "--t-end", type=float, default=40_000.0, help="How long to follow it; exponents come after."
+    "--t-end",
+    type=float,
+    help="How long to follow it; 40,000 units of its time if left out. Exponents come after.",
 )
 @o.backend("heyoka", "scipy")
 @o.workers(1)

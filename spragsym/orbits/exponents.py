@@ -19,6 +19,7 @@ import numpy as np
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
+from ..motion.scales import MotionScales, scaled
 from ..motion.shooting import rate
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray, IntArray
@@ -27,8 +28,11 @@ from ..results.result import Result
 from .attractors import settled
 from .system import System, judged
 
-#: Time between two orthonormalizations.
+#: Time between two orthonormalizations, in the motion's unit of time.
 STRETCH = 5.0
+
+#: How long a motion is followed where nobody says, in its unit of time.
+FOLLOWED = 4000.0
 
 #: Deviations of which one is smaller than another by more than this in a stretch are lost in
 #: rounding: it is halved.
@@ -48,11 +52,11 @@ PROVED = 2.0
 #: A motion has settled once the slowest decay has made deviations smaller by exp of this.
 SETTLED = 5.0
 
-#: What errors of integration may add to a rate: an exponent below is not told from 0, however
-#: little it scatters.
+#: What errors of integration may add to a rate, in one over the motion's unit of time: an exponent
+#: below is not told from 0, however little it scatters.
 FLOOR = 1e-10
 
-#: Slower than this the flow is no direction: the motion is at rest.
+#: Slower than this, in the motion's units, the flow is no direction: the motion is at rest.
 STILL = 1e-9
 
 #: A velocity that changes no more than this, relatively, while deviations decay by e: it drifts.
@@ -113,7 +117,7 @@ def lyapunov(
     V: float | None = None,
     d: float | None = None,
     start: Any = None,
-    t_end: float = 4000.0,
+    t_end: float | None = None,
     backend: str | None = None,
 ) -> Lyapunov:
     """The Lyapunov exponents of a motion with their errors, and what they prove.
@@ -131,8 +135,9 @@ def lyapunov(
         In place of those of ``p``.
     start : array_like, optional
         Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
-    t_end : float
-        Until when.
+    t_end : float, optional
+        Until when; 4000 times the motion's unit of time where it is left out: 1 over the
+        fastest rate, rounded to a power of four, and 1 from 1/32 to 32.
     backend : {"heyoka", "scipy"}, optional
 
     Returns
@@ -162,7 +167,8 @@ def lyapunov(
     True
     """
     system, state = System.of(p, backend, V=V, d=d), state_of(p.model, start)
-    t_end = as_number("t_end", t_end, POSITIVE)
+    unit = system.scales(state).time
+    t_end = as_number("t_end", FOLLOWED * unit if t_end is None else t_end, POSITIVE)
     whole = rates_along(system, state, t_end)
     late = whole.after(len(whole.logs) // 2)
     times = late.stretch * np.arange(1, len(late.logs) + 1)
@@ -200,8 +206,9 @@ class Rates:
     those of one motion are equal.
 
     ``logs`` (n, m) and ``volumes`` (n,) are logarithms of growth, along the flow, then across it,
-    and of volumes; ``flow`` (n + 1,) those of the flow's speed between the stretches, −∞ at rest.
-    ``change`` is the acceleration over the velocity at the end.
+    and of volumes; ``flow`` (n + 1,) those of the flow's speed between the stretches, −∞ at rest,
+    in units of the motion. ``change`` is the acceleration over the velocity at the end, ``unit``
+    the unit of time.
     """
 
     logs: FloatArray
@@ -210,6 +217,7 @@ class Rates:
     flow: FloatArray
     end: FloatArray
     change: float = math.inf
+    unit: float = 1.0
 
     def after(self, begin: int) -> Rates:
         """Those of the stretches from one on."""
@@ -231,6 +239,7 @@ class Rates:
             np.append(self.flow, later.flow[1:]),
             later.end,
             later.change,
+            self.unit,
         )
 
     @property
@@ -261,7 +270,7 @@ class Rates:
         found = half_widths(self.lasting, self.stretch)
         if self.moves:
             found[0] = np.ptp(self.flow) / self.span
-        return np.maximum(found, FLOOR)
+        return np.maximum(found, FLOOR / self.unit)
 
     @property
     def order(self) -> IntArray:
@@ -284,7 +293,11 @@ class Rates:
         if len(open_):
             worst = open_[np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300))]
             longer = "a longer motion narrows that as the root of its time; on a torus it stays"
-            hope = longer if error[worst] > FLOOR else "errors of integration may be as large"
+            hope = (
+                longer
+                if error[worst] > FLOOR / self.unit
+                else "errors of integration may be as large"
+            )
             return (
                 f"an exponent of {across[worst]:.2g} ± {error[worst]:.1g} is not told from 0: "
                 f"{hope}"
@@ -336,17 +349,35 @@ def half_widths(logs: FloatArray, stretch: float) -> FloatArray:
     return widest
 
 
-def rates_along(system: System, state: FloatArray, span: float) -> Rates:
-    """Growth rates along the motion from a state."""
+def rates_along(
+    system: System, state: FloatArray, span: float, scales: MotionScales | None = None
+) -> Rates:
+    """Growth rates along the motion from a state; those that are joined have one ``scales``."""
+    if not np.isfinite(rate(system.field, state, system.constants)).all():
+        raise ParameterError(
+            f"start = {state.tolist()}: the motion is not defined there; start anywhere else"
+        )
+    scales = scales or system.scales(state)
+    if scales.trivial:
+        return _rates_along(system, state, span)
+    there = replace(system, flow=replace(system.flow, field=scaled(system.field, scales)))
+    found = _rates_along(there, state / scales.states, span / scales.time)
+    return replace(
+        found,
+        span=span,
+        end=found.end * scales.states,
+        change=found.change / scales.time,
+        unit=scales.time,
+    )
+
+
+def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
+    """:func:`rates_along` of a system whose motion has units of order 1."""
     field, constants = system.field, system.constants
     m, count = field.size, max(16, math.ceil(span / STRETCH))
     stretch = span / count
     logs, volumes, states = np.empty((count, m)), np.empty(count), [state]
     flow = rate(field, state, constants)
-    if not np.isfinite(flow).all():
-        raise ParameterError(
-            f"start = {state.tolist()}: the motion is not defined there; start anywhere else"
-        )
 
     def carried(
         state: FloatArray, frame: FloatArray, span: float
@@ -375,8 +406,9 @@ def rates_along(system: System, state: FloatArray, span: float) -> Rates:
             volume = -math.inf if lost.any() else float(np.linalg.slogdet(passage.by_state)[1])
             return passage.state, turned[:, back], np.log(sizes[back]), volume
         if span < stretch / 2**HALVINGS:
+            natural = span * (field.scales.time if field.scales else 1.0)
             raise ConvergenceError(
-                f"small deviations shrink by more than {1 / LOST:g} in {span:g} time units: "
+                f"small deviations shrink by more than {1 / LOST:g} in {natural:g} time units: "
                 "too stiff"
             )
         middle, frame, first, shrunk = carried(state, frame, span / 2)

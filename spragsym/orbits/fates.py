@@ -26,6 +26,7 @@ from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import integrators
 from ..motion.regimes import Outcome, Regime
+from ..motion.scales import scales_of
 from ..motion.simulation import state_of
 from ..motion.sweeps.many import fingerprint, with_degrees
 from ..motion.sweeps.workers import Workers, made_or_loaded
@@ -102,7 +103,7 @@ def fate(
     V: float | None = None,
     d: float | None = None,
     start: Any = None,
-    t_end: float = 40_000.0,
+    t_end: float | None = None,
     backend: str | None = None,
 ) -> Fate:
     """Long-run fate of a motion: rest, a cycle, chaos or lift-off, or undecided with the reason.
@@ -120,9 +121,10 @@ def fate(
         In place of those of ``p``.
     start : array_like, optional
         Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
-    t_end : float
-        How long to follow the motion. Exponents are looked at after that, for a fifth of it, and
-        for as long as it where one may be positive.
+    t_end : float, optional
+        How long to follow the motion; 40,000 times its unit of time where it is left out: 1 over
+        the fastest rate, rounded to a power of four, and 1 from 1/32 to 32. Exponents are looked at
+        after that, for a fifth of it, and for as long as it where one may be positive.
     backend : {"heyoka", "scipy"}, optional
 
     Returns
@@ -151,7 +153,8 @@ def fate(
     227000.0
     """
     system, state = System.of(p, backend, V=V, d=d), state_of(p.model, start)
-    t_end = as_number("t_end", t_end, POSITIVE)
+    if t_end is not None:
+        t_end = as_number("t_end", t_end, POSITIVE)
     try:
         return _followed(system, state, t_end)
     except ConvergenceError as failed:
@@ -164,9 +167,10 @@ def _untold(system: System, why: str, t: float, scale: float, end: FloatArray) -
     return Fate("undecided", why, t, nothing, none, none, -1, scale, "", end)
 
 
-def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
-    unit = system.scales(start).time
-    times = (*(t * unit for t in JUDGED if t * unit < t_end / 2), t_end)
+def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
+    scales = system.scales(start)
+    t_end = JUDGED[-1] * scales.time if t_end is None else t_end
+    times = (*(t * scales.time for t in JUDGED if t * scales.time < t_end / 2), t_end)
     verdict = judged(system, start, times=times)
     scale, place = _time_scale(system, verdict)
     if verdict.decided:
@@ -187,11 +191,11 @@ def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
                 scale,
                 verdict.end,
             )
-    rates = rates_along(system, verdict.end, SHARES[0] * t_end)
+    rates = rates_along(system, verdict.end, SHARES[0] * t_end, scales)
     if (
         rates.undecided(t_end) and (rates.exponents[1:] > rates.error[1:]).any()
     ):  # others are no chaos, however long
-        rates = rates.joined(rates_along(system, rates.end, SHARES[1] * t_end))
+        rates = rates.joined(rates_along(system, rates.end, SHARES[1] * t_end, scales))
     why, near = rates.undecided(t_end) or _transient(system, start, t_end), ""
     if why:
         why, near = stands_still(system, rates.end) or why, _near(system, rates.end)
@@ -230,7 +234,7 @@ def _time_scale(system: System, verdict: FateVerdict) -> tuple[float, FloatArray
     for near in places[:: -1 if verdict.kind == Regime.EQUILIBRIUM else 1]:
         with suppress(ConvergenceError, ParameterError, ArithmeticError):
             place = system.equilibrium(near)
-            eigenvalues, _, error = spectrum(system.linearization(place))
+            eigenvalues, _, error = spectrum(system, place)
             if (eigenvalues.real + error < 0).all():  # it attracts, by more than rounding may add
                 return float(-1 / eigenvalues.real.max()), place
     return float("inf"), verdict.end
@@ -364,7 +368,7 @@ def fate_map(
     V: Any = None,
     d: Any = None,
     start: Any = None,
-    t_end: float = 40_000.0,
+    t_end: float | None = None,
     backend: str | None = None,
     workers: Workers = 1,
     progress: bool = False,
@@ -380,8 +384,8 @@ def fate_map(
         In place of those of ``p``.
     start : array_like, optional
         Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
-    t_end : float
-        As for :func:`spragsym.fate`.
+    t_end : float, optional
+        As for :func:`spragsym.fate`, of all points as long as of the slowest.
     backend : {"heyoka", "scipy"}, optional
     workers, progress
         As for :func:`~spragsym.rms_sweep`.
@@ -410,9 +414,12 @@ def fate_map(
     p.require(*p.ranges)
     p = p.given(V=V, d=d)
     inputs = {name: p[name] for name in p.ranges}
+    begun = tuple(state_of(model, start).tolist())
     settings = {
-        "start": tuple(state_of(model, start).tolist()),
-        "t_end": as_number("t_end", t_end, POSITIVE),
+        "start": begun,
+        "t_end": as_number(
+            "t_end", _longest(model, inputs, begun) if t_end is None else t_end, POSITIVE
+        ),
         "backend": integrators.choose(backend, integrators.OF_ANY_MODEL),
     }
     if store is not None and Path(store).suffix != ".csv":
@@ -420,6 +427,15 @@ def fate_map(
     work, made = partial(_records, model, settings), partial(_made, model, inputs, settings)
     key = partial(fingerprint, model, inputs, settings)
     return made_or_loaded(inputs, work, made, MEASURED, "why", key, workers, progress, store)
+
+
+def _longest(model: Model, inputs: Mapping[str, FloatArray], start: tuple[float, ...]) -> float:
+    """How long motions are followed where nobody says, by the largest unit of their times."""
+    units = list[float]()
+    for point in np.broadcast(*inputs.values()):
+        with suppress(ParameterError, ArithmeticError):  # where none begins one is not followed
+            units.append(scales_of(model.field, model.field.constants(point), start).time)
+    return JUDGED[-1] * max(units, default=1.0)
 
 
 def _records(

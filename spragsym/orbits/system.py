@@ -39,8 +39,8 @@ JUDGED = (2000.0, 10_000.0, 40_000.0)
 #: Tolerances of motions, the second of which tells what rounding does to those of the first.
 TOLERANCES = (1e-12, 1e-13)
 
-#: Motions have parted beyond this; where they have, so many that begin within rounding are followed
-#: as well.
+#: Motions have parted beyond this, in their units; where they have, so many that begin within
+#: rounding are followed as well.
 PARTED, BESIDE = 1e-3, 4
 
 #: What a motion comes to, where that is told, and its word.
@@ -115,8 +115,10 @@ class System:
         return found * scales.states
 
     def linearization(self, state: FloatArray) -> FloatArray:
-        """The matrix of the motion about an equilibrium, shape (m, m)."""
-        return self.field.matrix(state.tolist(), self.constants, self.mode(state))
+        """The matrix of the motion about an equilibrium, shape (m, m), in units of the motion."""
+        scales = self.scales(state)
+        matrix = self.field.matrix(state.tolist(), self.constants, self.mode(state))
+        return matrix * scales.time * scales.states / scales.states[:, None]
 
 
 @dataclass(frozen=True)
@@ -185,13 +187,16 @@ def surely(
     """
     if not verdict.decided:
         return verdict
-    times = np.arange(0.0, verdict.t)
+    scales = system.scales(start)
+    times = np.arange(0.0, verdict.t, scales.time)
     one, other = (system.motion(start, verdict.t, rtol=rtol)(times) for rtol in TOLERANCES)
-    if not magnitude(one - other) > PARTED:
+    if not magnitude((one - other) / scales.states[:, None]) > PARTED:
         return verdict
     for i in range(BESIDE + 1):
         beside = judged(
-            system, start + i * TOLERANCES[0], rtol=TOLERANCES[0] if i else TOLERANCES[1]
+            system,
+            start + i * TOLERANCES[0] * scales.states,
+            rtol=TOLERANCES[0] if i else TOLERANCES[1],
         )
         if not beside.decided:  # it may only take longer
             later = judged(system, beside.end)
@@ -228,7 +233,7 @@ def saddle_near(system: System, state: FloatArray) -> Saddle:
     growth, or several.
     """
     place = system.equilibrium(state)
-    eigenvalues, vectors, error = spectrum(system.linearization(place))
+    eigenvalues, vectors, error = spectrum(system, place)
     growing = np.flatnonzero(eigenvalues.real > error)
     if len(growing) != 1 or abs(eigenvalues[growing[0]].imag) > 0:
         raise ConvergenceError("the equilibrium is no saddle")
@@ -238,17 +243,19 @@ def saddle_near(system: System, state: FloatArray) -> Saddle:
     return Saddle(place, float(eigenvalues[which].real), measure, attracts)
 
 
-def spectrum(matrix: FloatArray) -> tuple[Any, Any, FloatArray]:
-    """Eigenvalues with their vectors and errors: by how much more than the matrix each moves;
-    infinite for a double one.
+def spectrum(system: System, place: FloatArray) -> tuple[Any, Any, FloatArray]:
+    """Eigenvalues of the motion about an equilibrium with their vectors and errors: by how much
+    more than the matrix each moves; infinite for a double one.
     """
+    scales, matrix = system.scales(place), system.linearization(place)
     eigenvalues, vectors = np.linalg.eig(matrix)
     try:
         with np.errstate(over="ignore"):  # vectors that are one but for rounding: infinite, too
             moves = np.linalg.norm(np.linalg.inv(vectors), axis=1) * np.linalg.norm(vectors, axis=0)
     except np.linalg.LinAlgError:
         moves = np.full(len(vectors), np.inf)
-    return eigenvalues, vectors, rounding_of(matrix) * moves
+    error = rounding_of(matrix) * moves / scales.time
+    return eigenvalues / scales.time, scales.states[:, None] * vectors, error
 
 
 def growth_of_cycle(cycle: Cycle) -> float | None:

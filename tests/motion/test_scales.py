@@ -127,3 +127,36 @@ def test_motions_in_units_drawn_at_random_are_the_same(name: str) -> None:
         assert own.events is not None
         assert other.events is not None
         assert other.events.which.tolist() == own.events.which.tolist()
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("size", [4.0**-10, 4.0**10])
+def test_exponents_and_fates_are_the_same_in_any_units(size: float) -> None:
+    """Also where the time is left out; units of a motion are powers of four."""
+    pytest.importorskip("sympy")
+    pytest.importorskip("heyoka")
+    from tests.oracles.dimensional_pages import dimensional, units
+
+    model = dimensional("stick_slip")
+    base = {entry["name"]: entry["base"] for entry in model.about["parameters"]}
+    of_parameters, of_state = units(model, (size, size, size))
+    for kind, values in (("cycle", base | {"V": 0.5}), ("rest", base | {"V": 2.0})):
+        one = model.Parameters(**values)
+        scaled = model.Parameters(**{name: values[name] * of_parameters[name] for name in values})
+        start = np.array([0.4, 0.0])
+        found, other = ss.fate(one, start=start), ss.fate(scaled, start=start * of_state)
+        assert (other.kind, found.kind) == (kind, kind)
+        assert other.t == found.t * size
+        assert other.time_scale == pytest.approx(found.time_scale * size, rel=1e-9)
+        assert other.exponents * size == pytest.approx(found.exponents, rel=1e-9)
+        rates, those = (
+            ss.lyapunov(p, start=begun, t_end=100.0 * time)
+            for p, begun, time in ((one, start, 1.0), (scaled, start * of_state, size))
+        )
+        assert those.exponents * size == pytest.approx(rates.exponents, rel=1e-9)
+        assert those.error * size == pytest.approx(rates.error, rel=1e-6)
+        assert those.zero.tolist() == rates.zero.tolist()
+        assert (those.trivial, those.kind) == (rates.trivial, rates.kind)
+        assert those.t[-1] == rates.t[-1] * size
+    with pytest.raises(ss.errors.ParameterError, match="t_end"):
+        ss.fate(one, t_end=-1.0)

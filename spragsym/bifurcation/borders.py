@@ -50,8 +50,6 @@ PASSES, BORDER_FOLD, BORDER = "passes", "border_fold", "border"
 #: Places with rational numbers at which a determinant that is 0 everywhere is 0, and up to which
 #: numerator and denominator they are drawn.
 PLACES, LARGEST = 12, 1 << 30
-#: Condition number of a stiffness beyond which no branch goes on on that side.
-ONE_BRANCH = 1e12
 #: Rates at which two states go apart that are no more apart than this, relatively, are alike.
 ALIKE = 1e-9
 
@@ -159,8 +157,9 @@ def _signs(balance: Balance, family: Family, ends: FloatArray) -> Int8Array:
 def _is_singular(balance: Balance, family: Family) -> bool:
     """Whether det K is 0 for all states and all parameters but those that are 0 here.
 
-    Exactly, at rational places that are drawn, of directions and friction coefficients too: a
-    polynomial of which the random places of so many digits are all roots is 0 everywhere.
+    In exact numbers, at rational places that are drawn, of directions and friction coefficients
+    too. It is no proof: a polynomial that is not 0 everywhere has all these places of so many
+    digits as roots with next to no probability (Schwartz and Zippel).
     """
     rng = np.random.default_rng(0)
     still = zip(balance.parameters, family.given[:, 0].tolist(), strict=True)
@@ -218,18 +217,18 @@ def _at_border(points: Points, row: int) -> tuple[str, str]:
     opens *= int(_signs(closed, family, ends)[0])
     if not opens:
         raise ConvergenceError("whether the gap opens with the parameter is not known")
+    when, open_ = "up" if opens > 0 else "down", closed.without(number)
+    if not _signs(open_, family, ends)[0] and _is_singular(open_, family):
+        return "", when  # no branch goes on
     given, moved, stable = family.at(z[-1:, None]), list[float](), list[bool]()
-    for balance in (closed, closed.without(number)):
+    for balance in (closed, open_):
         values = balance.floats(given)
         at = balance.at(list(z[:-1, None]), values, xp=np)
         K = filled(at.stiffness(), (1,))[:, :, 0]
         pushed = filled(balance.by_parameters(at, points.vary), (1,))[:, 0, 0]
-        if np.linalg.cond(K) > ONE_BRANCH:
-            return "", "up" if opens > 0 else "down"
         moved.append(-opens * float(-np.linalg.solve(K, pushed)[0]))
         code, proved, _ = stability.classified(balance, z[:-1, None], given, ends[:, :-1])
         stable.append(bool(proved[0]) and code[0] == EquilibriumType.STABLE)
-    when = "up" if opens > 0 else "down"
     if not any(stable):
         return "", when
     first, second = moved if stable[0] else moved[::-1]

@@ -168,9 +168,9 @@ def quasi_static_path(
     *q, undamped, error = np.array(out).T
     along = along[: len(out)]
     coordinates: dict[str, Any] = dict(zip(way.balance.coordinates, q, strict=True))
-    coordinates |= {name: np.array(touching) for name in [*which(way.balance, 0)][:1]}
+    coordinates |= {name: np.array(touching) for name in way.told_of_contacts}
     states = one_each(p.replace(**{vary: along}), coordinates, undamped.astype(np.int8), error)
-    named = (*states.state_columns, *[*which(way.balance, 0)][:1])
+    named = (*states.state_columns, *way.told_of_contacts)
     places = {name: states[name][:, 0] for name in named}
     return Path(p, vary, along, states.undamped[:, 0], tuple(jumps), places, states)
 
@@ -604,6 +604,11 @@ class Way:
         columns = (*self.eq.coordinates.values(), self.eq.undamped, self.eq.error)
         return [float(column[stop, slot]) for column in columns]
 
+    @property
+    def told_of_contacts(self) -> tuple[str, ...]:
+        """The column that says which contacts touch, of a model with several."""
+        return (own_name(self.p.model, "touching"),) if len(self.balances) > 1 else ()
+
     def touching(self, stop: int, slot: int) -> str:
         """Names of the contacts that touch in a state."""
         if len(self.balances) == 1:
@@ -652,10 +657,8 @@ class Way:
             else (eq, slot)
         )
         after = {name: float(there[name][place]) for name in there.state_columns}
-        whole, kind = (
-            self._place(number, there.state_columns),
-            EquilibriumType(int(eq.undamped[slot])),
-        )
+        whole = self._place(number, there.state_columns)
+        kind = EquilibriumType(int(eq.undamped[slot]))
         # Another search may list the states at the stop in another order.
         return int(nearest_state(self.eq, behind)[stop]), Jump(
             end.value, end.kind, whole, after, kind, end.error

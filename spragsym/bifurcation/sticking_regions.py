@@ -49,22 +49,14 @@ def region(p: ParameterSet) -> StickingStates:
                 "det K is 0, or too near to it: states of sticking form sets without an end; "
                 "change a parameter"
             )
-
-        def solved(force: list[Any]) -> list[Intervals]:
-            """K⁻¹ times a force."""
-            return [
-                as_intervals(sum(cofactor(K, r, j) * force[r] for r in range(n)), ONE) / det
-                for j in range(n)
-            ]
-
-        middle = [-part for part in solved(it.forces)]
+        middle = [-part for part in _solution(K, det, it.forces)]
         edges, opposed = list[list[Intervals]](), list[list[Any]]()
         for i, ((none, whole), name) in enumerate(
             zip(it.coefficients, balance.rubbing, strict=True)
         ):
             if name in holding:
                 column = [C[r][i] for r in range(n)]
-                edges.append([part * (whole - none) for part in solved(column)])
+                edges.append([part * (whole - none) for part in _solution(K, det, column)])
                 opposed.append([-part / pressed[holding.index(name)] for part in column])
         around = [sum((abs(edge[j]) for edge in edges), middle[j] * 0) for j in range(n)]
         products = [
@@ -96,10 +88,7 @@ def line(p: ParameterSet) -> StickingStates | None:
         det = as_intervals(determinant(A), ONE)
         if det.holds_zero().any():
             return None
-        found = [
-            as_intervals(sum(cofactor(A, r, j) * -it.forces[r] for r in range(n)), ONE) / det
-            for j in range(n)
-        ]
+        found = _solution(A, det, [-force for force in it.forces])
     share = found.pop()
     if (share.low > 1).any() or (share.high < -1).any():
         return _result(p, [], [])
@@ -149,6 +138,12 @@ def _balanced(p: ParameterSet) -> _Balanced:
             for r, row in enumerate(rows)
         ]
     return _Balanced(balance, K, C, balanced, pairs, [as_intervals(force, ONE) for force in normal])
+
+
+def _solution(A: list[list[Any]], det: Intervals, right: list[Any]) -> list[Intervals]:
+    """The solution of A x = right, by Cramer's rule."""
+    rows = range(len(A))
+    return [as_intervals(sum(cofactor(A, r, j) * right[r] for r in rows), ONE) / det for j in rows]
 
 
 def _is_pressed(forces: list[Intervals]) -> bool:

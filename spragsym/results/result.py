@@ -364,11 +364,15 @@ class Rows(Result):
     def __getitem__(self, index: Any) -> Any:
         if isinstance(index, str):
             return super().__getitem__(index)
-        said = self._schema
-        return {name: said.word(name, column[index].item()) for name, column in self.data().items()}
+        return self._row(self.data(), index)
 
     def __iter__(self) -> Iterator[dict[str, Any]]:
-        return map(self.__getitem__, range(len(self)))
+        columns = self.data()
+        return (self._row(columns, index) for index in range(len(self)))
+
+    def _row(self, columns: Mapping[str, NDArray[Any]], index: int) -> dict[str, Any]:
+        said = self._schema
+        return {name: said.word(name, column[index].item()) for name, column in columns.items()}
 
 
 @dataclass(frozen=True, eq=False)

@@ -389,6 +389,14 @@ def test_without_friction_nothing_damps_and_the_state_is_neutral() -> None:
     assert not any("grows slowly" in one for one in found.warnings)
 
 
+@pytest.mark.thorough
+def test_without_a_speed_a_state_that_diverges_is_unstable() -> None:
+    """The angle at which three states are, of which the middle one diverges, by (27) alone."""
+    found = ss.Study(brake(theta0=math.radians(30.0), V=None, d=None)).report(**QUICKLY)
+    told = [(state.undamped, state.stability) for state in found.states]
+    assert told == [("stable", "neutral"), ("divergent", "unstable"), ("stable", "neutral")]
+
+
 def test_no_text_of_a_page_is_taken_for_html() -> None:
     pytest.importorskip("jinja2")
     odd = "<b>&\"'"

@@ -2,9 +2,9 @@
 
 import uPlot from "uplot";
 import { colours } from "./colours.js";
-import { inward, outward } from "./inputs.js";
 import { createOverlay } from "./overlay.js";
 import { kept } from "./spans.js";
+import { inward, measured, outward } from "./units.js";
 
 const COLUMNS = 161;
 /** What a picture may wait for, milliseconds. */
@@ -18,7 +18,7 @@ const MARKS = {
 
 /**
  * `field()` is the parameter that is drawn along, `span()` from where to where, `states(value)` those there, `shown()` the value and
- * the first coordinate of the state of now, `go(value)` is called as the drawing is pressed.
+ * the first coordinate of the state of now, `go(value)` is called as the drawing is pressed; `coordinate` is how that is shown.
  */
 export function createAlong(box, { field, span, states, shown, go }, coordinate) {
   let [colour, points, ask, glass] = [colours(), [], 0, null];
@@ -29,7 +29,7 @@ export function createAlong(box, { field, span, states, shown, go }, coordinate)
   const plot = new uPlot({
     ...size(), legend: { show: false }, cursor: { show: false },
     scales: { x: { time: false, range: () => span() }, y: { range: () => spread() } },
-    axes: [axis(() => `${field().symbol}${field().angle ? " in degrees" : ""}`, 34), axis(coordinate, 52)],
+    axes: [axis(() => measured(field().symbol, field().unit), 34), axis(measured(coordinate.symbol, coordinate.unit), 52)],
     series: [{}, { paths: () => null, points: { show: false } }],
     hooks: { draw: [marks, () => draw()] },
   }, [[0, 1], [0, 1]], box);
@@ -40,9 +40,9 @@ export function createAlong(box, { field, span, states, shown, go }, coordinate)
   }
 
   function spread() {
-    const values = [...points.map(({ y }) => y), shown()?.[1] ?? 0];
+    const values = [...points.map(({ y }) => y), coordinate.size * (shown()?.[1] ?? 0)];
     const [low, high] = [Math.min(...values), Math.max(...values)];
-    const room = 0.06 * (high - low) || 0.1;
+    const room = 0.06 * (high - low) || 0.1 * coordinate.size;
     return [low - room, high + room];
   }
 
@@ -80,7 +80,7 @@ export function createAlong(box, { field, span, states, shown, go }, coordinate)
       const end = performance.now() + BUDGET;
       while (i < COLUMNS && performance.now() < end) {
         const x = low + ((high - low) * (i + 0.5)) / COLUMNS; // off the ends, which may not be allowed
-        points.push(...states(inward(field(), x)).map(({ q, undamped, contact }) => ({ x, y: q[0], kind: undamped, contact })));
+        points.push(...states(inward(field(), x)).map(({ q, undamped, contact }) => ({ x, y: coordinate.size * q[0], kind: undamped, contact })));
         i += 1;
       }
       if (i < COLUMNS) {
@@ -95,7 +95,7 @@ export function createAlong(box, { field, span, states, shown, go }, coordinate)
     const now = shown();
     glass?.((ctx, width, height) => {
       if (now) {
-        const [x, y] = [plot.valToPos(outward(field(), now[0]), "x"), now[1] === null ? null : plot.valToPos(now[1], "y")];
+        const [x, y] = [plot.valToPos(outward(field(), now[0]), "x"), now[1] === null ? null : plot.valToPos(coordinate.size * now[1], "y")];
         ctx.strokeStyle = colour.accent;
         ctx.lineWidth = 1.5;
         ctx.beginPath();

@@ -3,7 +3,7 @@
 import FFT from "fft.js";
 import uPlot from "uplot";
 import { colours } from "./colours.js";
-import { symbolOf } from "./symbols.js";
+import { measured } from "./units.js";
 
 /** Samples that are kept, and the fewest that give a spectrum. */
 const SAMPLES = 2048;
@@ -14,16 +14,12 @@ const STROKES = ["accent", "flutter", "divergent", "ink"];
 const LINES = [{ width: 2 }, { width: 1.5, dash: [6, 4] }, { width: 1.5, dash: [2, 3] }, { width: 1, dash: [10, 3, 2, 3] }];
 
 /**
- * `coordinates` are those of a state, whose rates follow them; `units` turn what is drawn into units of a reader's own: factors
- * and names of a length and of a time. An angle stays in radians.
+ * `coordinates` are those of a state, whose rates follow them, as `coordinatesIn` says, `time` what 1 of the model's is, and its unit.
  */
-export function createCharts({ trace, phase, spectrum }, coordinates, units = { length: [1, ""], time: [1, ""] }) {
+export function createCharts({ trace, phase, spectrum }, coordinates, [lasting, time_name]) {
   const n = coordinates.length;
-  const names = coordinates.map(({ name }) => symbolOf(name));
-  const factors = coordinates.map(({ angle }) => (angle ? 1 : units.length[0]));
-  const length_name = coordinates[0].angle ? units.length[1] && "rad" : units.length[1];
-  const [lasting, time_name] = units.time;
-  const named = (text, unit) => (unit ? `${text} in ${unit}` : text);
+  const names = coordinates.map(({ symbol }) => symbol);
+  const [first] = coordinates;
   let colour = colours();
   let history = empty();
   const transforms = new Map();
@@ -41,26 +37,26 @@ export function createCharts({ trace, phase, spectrum }, coordinates, units = { 
   const plain = { legend: { show: false }, cursor: { show: false } };
 
   const traced = new uPlot({
-    ...plain, ...size(trace), scales: { x: { time: false, range: reach(100) }, y: { range: reach(0.1) } }, axes: [axis(time_name ? named("time", time_name) : "time τ", { size: 32 }), axis(named(names.join(", "), length_name), { size: 50 })],
+    ...plain, ...size(trace), scales: { x: { time: false, range: reach(100 * lasting) }, y: { range: reach(0.1 * first.size) } }, axes: [axis(time_name ? measured("time", time_name) : "time τ", { size: 32 }), axis(measured(names.join(", "), first.unit), { size: 50 })],
     series: [{}, ...names.map((_, i) => ({ ...LINES[i % LINES.length], stroke: () => colour[STROKES[i % STROKES.length]] }))],
     hooks: { drawAxes: [marks] },
   }, [[], ...names.map(() => [])], trace);
 
   const portrait = new uPlot({
-    ...plain, ...size(phase), scales: { x: { time: false, range: () => spread(history.q[0]) }, y: { range: () => spread(history.v) } },
-    axes: [axis(named(names[0], length_name), { size: 32 }), axis(named(`${names[0]}′`, length_name && `${length_name}/${time_name}`), { size: 50 })], series: [{}, { paths: () => null, points: { show: false } }],
+    ...plain, ...size(phase), scales: { x: { time: false, range: () => spread(history.q[0], first.size) }, y: { range: () => spread(history.v, first.rate) } },
+    axes: [axis(measured(names[0], first.unit), { size: 32 }), axis(measured(`${names[0]}′`, first.rate_unit), { size: 50 })], series: [{}, { paths: () => null, points: { show: false } }],
     hooks: { draw: [orbit] },
   }, [[0, 1], [0, 1]], phase);
 
   const spectral = new uPlot({
-    ...plain, ...size(spectrum), scales: { x: { time: false, range: () => [0, time_name ? HIGHEST / (2 * Math.PI * lasting) : HIGHEST] }, y: { range: reach(0.1) } },
-    axes: [axis(time_name ? `frequency in ${time_name === "s" ? "Hz" : `1/${time_name}`}` : "angular frequency", { size: 32 }), axis(named(`amplitude of ${names[0]}`, length_name), { size: 50 })],
+    ...plain, ...size(spectrum), scales: { x: { time: false, range: () => [0, time_name ? HIGHEST / (2 * Math.PI * lasting) : HIGHEST] }, y: { range: reach(0.1 * first.size) } },
+    axes: [axis(time_name ? `frequency in ${time_name === "s" ? "Hz" : `1/${time_name}`}` : "angular frequency", { size: 32 }), axis(measured(`amplitude of ${names[0]}`, first.unit), { size: 50 })],
     series: [{}, { stroke: () => colour.accent, width: 1.5, fill: () => colour.three }],
   }, [[], []], spectrum);
 
-  function spread(values) {
-    const [low, high] = values.length ? [Math.min(...values), Math.max(...values)] : [-1, 1];
-    const room = 0.08 * (high - low) || 0.1;
+  function spread(values, size) {
+    const [low, high] = values.length ? [Math.min(...values), Math.max(...values)] : [-size, size];
+    const room = 0.08 * (high - low) || 0.1 * size;
     return [low - room, high + room];
   }
 
@@ -146,8 +142,8 @@ export function createCharts({ trace, phase, spectrum }, coordinates, units = { 
 
   return {
     add(t, state, { contact, side }) {
-      history.q.forEach((column, i) => column.push(factors[i] * state[i]));
-      const row = { t: lasting * t, v: (factors[0] / lasting) * state[n], off: !contact, ahead: side < 0 };
+      history.q.forEach((column, i) => column.push(coordinates[i].size * state[i]));
+      const row = { t: lasting * t, v: first.rate * state[n], off: !contact, ahead: side < 0 };
       Object.entries(row).forEach(([name, value]) => history[name].push(value));
       if (history.v.length > SAMPLES) {
         [...history.q, history.t, history.v, history.off, history.ahead].forEach((column) => column.shift());

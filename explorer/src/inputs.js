@@ -1,13 +1,12 @@
 // A number and a slider for each parameter.
 
-import { degrees, parsed, radians, typed, written } from "./numbers.js";
+import { parsed, typed, written } from "./numbers.js";
+import { inward, outward } from "./units.js";
 
-/** A parameter is `{ name, symbol, meaning, angle, low, high }`: the slider spans low to high, in degrees where it is an angle. */
-export const inward = ({ angle }, value) => (angle ? radians(value) : value);
-export const outward = ({ angle }, value) => (angle ? degrees(value) : value);
+/** The name of a box in the page. */
 export const idOf = ({ name, angle }) => (angle ? `${name}_deg` : name);
 
-/** What is wrong with a number, or an empty text. */
+/** What is wrong with a number that is shown, or an empty text; of `field` what `parametersIn` says, `range` is the model's. */
 export function wrong(field, value, text, range = {}) {
   const { low = -Infinity, high = Infinity, low_open, high_open } = range;
   const [least, most] = [outward(field, low), outward(field, high)].map((end) => Number(end.toPrecision(12)));
@@ -19,17 +18,17 @@ export function wrong(field, value, text, range = {}) {
       return "";
     }
   }
-  const unit = field.angle ? " degrees" : "";
+  const unit = field.unit && ` ${field.unit}`;
   const ends = Number.isFinite(high) ? `between ${least} and ${most}${unit}` : `${low_open ? "greater than" : "at least"} ${least}${unit}`;
   return `${field.symbol} must be ${ends}; ${text} is not`;
 }
 
-/** Builds the rows; typing and sliding move the store's point. `beside(name, value)` is a text that follows the number. */
-export function createInputs(box, store, fields, RANGES, beside = () => "") {
+/** Builds the rows; typing and sliding move the store's point. The model's own number stands beside one with a unit of the reader's. */
+export function createInputs(box, store, fields, RANGES) {
   const rows = fields.map(row);
 
   function row(field) {
-    const { name, symbol, meaning, low, high } = field;
+    const { name, symbol, own, one, angle, meaning, unit, low, high } = field;
     const id = idOf(field);
     const line = document.createElement("div");
     line.className = "parameter";
@@ -38,7 +37,7 @@ export function createInputs(box, store, fields, RANGES, beside = () => "") {
       <input id="${id}_slider" type="range" min="${low}" max="${high}" step="any">
       <p class="error" id="${id}_error" role="alert"></p>`;
     line.querySelector("b").textContent = symbol; // what a page says is text, and no HTML
-    line.querySelector("span").textContent = meaning + (field.angle ? ", degrees" : "");
+    line.querySelector("span").textContent = meaning + (unit && `, ${unit}`);
     line.querySelector("input[type=range]").setAttribute("aria-label", meaning);
     box.append(line);
     const [number, slider, error, aside] = ["input[type=text]", "input[type=range]", ".error", "i"].map((what) => line.querySelector(what));
@@ -96,7 +95,7 @@ export function createInputs(box, store, fields, RANGES, beside = () => "") {
     function show(always = false) {
       const value = outward(field, store.get().point[name]);
       slider.value = value;
-      aside.textContent = beside(name, store.get().point[name]);
+      aside.textContent = angle || one === 1 ? "" : `${own} = ${written(store.get().point[name], 5)}`;
       slider.setAttribute("aria-valuetext", typed(value, 5));
       if (always || (document.activeElement !== number && parsed(number.value) !== value)) {
         taken = number.value = typed(value);
@@ -108,12 +107,4 @@ export function createInputs(box, store, fields, RANGES, beside = () => "") {
   }
 
   return (always) => rows.forEach((show) => show(always));
-}
-
-/** What a parameter is in units of the reader's own, as a text that follows the number. */
-export function besides(units) {
-  return (name, value) => {
-    const unit = units?.parameters[name];
-    return unit ? `${unit[0]} = ${written(value * unit[1], 5)} ${unit[2]}` : "";
-  };
 }

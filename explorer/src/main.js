@@ -6,17 +6,17 @@ import { balanceAt } from "./balance.js";
 import { whenColoursChange } from "./colours.js";
 import { createCounts } from "./counts.js";
 import { fieldOf } from "./field.js";
-import { besides, createInputs } from "./inputs.js";
+import { createInputs } from "./inputs.js";
 import { addressed, copied, linked, unlinked } from "./link.js";
 import { createMechanism } from "./mechanism.js";
-import { degrees, radians } from "./numbers.js";
+import { degrees, typed } from "./numbers.js";
 import { createPanel } from "./panel.js";
 import { createPlane } from "./plane.js";
 import { searched } from "./searched.js";
 import { spanOf } from "./spans.js";
 import { counted, createStates, story } from "./states.js";
 import { createStore, current } from "./store.js";
-import { symbolOf } from "./symbols.js";
+import { coordinatesIn, OWN, parametersIn } from "./units.js";
 
 /** A part of the page; inputs of parameters have names of their own, which may be the same. */
 const $ = (id) => document.querySelector(`#${id}:not(#parameters #${id})`);
@@ -29,19 +29,21 @@ const SAME = 1e-9;
 const EDGE = 1e-4;
 
 export function start({ algebra, closed = null }) {
-  const { model: about, presets, units } = JSON.parse($("data").textContent);
-  const fields = about.parameters.map((entry) => ({ ...entry, symbol: symbolOf(entry.name) }));
+  const { model: about, presets, units: own } = JSON.parse($("data").textContent);
+  const units = own ?? OWN;
+  const fields = parametersIn(units, about.parameters);
+  const coordinates = coordinatesIn(units, about.coordinates);
   const named = (name) => fields.find((field) => field.name === name);
   const ranges = Object.fromEntries(fields.map(({ name, range }) => [name, range]));
   const at = (point) => balanceAt(algebra, about, point);
   const names = about.coordinates.map(({ name }) => name);
   const rest = names.map(() => 0);
   const count = at(presets[0].point).vectors(rest).length;
-  const spans = Object.fromEntries(fields.map(({ name, angle, low, high }) => [name, (angle ? radians(1) : 1) * (high - low)]));
+  const spans = Object.fromEntries(fields.map(({ name, one, low, high }) => [name, one * (high - low)]));
   const source = closed ? closed.source(at) : searched(at, about, spans);
   const store = createStore(source);
-  const inputs = createInputs($("parameters"), store, fields, ranges, besides(units));
-  const table = createStates($("states"), store, at, { ...about, springs: count, proved: Boolean(closed) }, units ?? undefined);
+  const inputs = createInputs($("parameters"), store, fields, ranges);
+  const table = createStates($("states"), store, at, { ...about, springs: count, proved: Boolean(closed) }, units);
 
   // -------------------------------------------------------------------------------------------- the mechanism
 
@@ -121,7 +123,7 @@ export function start({ algebra, closed = null }) {
 
   // ----------------------------------------------------------------------------------------------- the motion
 
-  const panel = createPanel(about.coordinates, units ?? undefined, {
+  const panel = createPanel(coordinates, units.time, {
     field: () => fieldOf(algebra, about, at(store.get().point)),
     state: () => current(store.get())?.q,
     frame: moved,
@@ -131,7 +133,7 @@ export function start({ algebra, closed = null }) {
 
   function moved(t, state, { contact }) {
     mechanism.roll(t * (store.get().point[about.belt] ?? 0));
-    draw(state.slice(0, names.length), { kind: contact ? "" : "off", note: `in motion, τ = ${t.toFixed(0)}; pale: the states` });
+    draw(state.slice(0, names.length), { kind: contact ? "" : "off", note: `in motion, ${units.time[1] ? `at ${typed(units.time[0] * t, 3)} ${units.time[1]}` : `τ = ${t.toFixed(0)}`}; pale: the states` });
   }
 
   /** The mass as it is dragged, and let go. */
@@ -183,7 +185,7 @@ export function start({ algebra, closed = null }) {
     states: (value) => source.look({ ...store.get().point, [choice.value]: value }).states,
     shown: () => store.get() && [store.get().point[choice.value], current(store.get())?.q[0] ?? null],
     go: (value) => store.move({ [choice.value]: value }),
-  }, symbolOf(names[0]) + (about.coordinates[0].angle ? " in rad" : ""));
+  }, coordinates[0]);
 
   let [sampled, searched_along] = ["", ""];
   /** What is drawn of a whole family, made anew where more has changed than what it spans. */
@@ -226,7 +228,7 @@ export function start({ algebra, closed = null }) {
   function say(now) {
     $("status").textContent = now.found.undecided;
     $("count").textContent = counted(about, now.found);
-    $("story").textContent = story(now, about, fields, units ?? undefined);
+    $("story").textContent = story(now, about, fields, units);
     $("proof").textContent = command(now.point);
     clearTimeout(quiet);
     quiet = setTimeout(() => ($("spoken").textContent = $("story").textContent), 700); // a reader hears where it ends, not all of the way

@@ -14,23 +14,23 @@ const PACE = { 1: "slower than the belt", 0: "held by friction", [-1]: "faster t
 const STOPPED = "The motion can't go on from here: a spring has no length, or the numbers leave double precision. Choose another start.";
 
 /**
- * `coordinates` are those of the model, `units` as of the charts. `on.field()` gives the field at the page's point, `on.state()` the
+ * `coordinates` and `time` are as of the charts. `on.field()` gives the field at the page's point, `on.state()` the
  * state that can be pushed, `on.frame(t, state, regime)` draws, `on.rest()` is called when the mass is back at rest, `on.begun()`
  * when a motion begins.
  */
-export function createPanel(coordinates, units, on) {
-  const names = coordinates.map(({ name }) => name);
-  const charts = createCharts({ trace: $("trace"), phase: $("phase"), spectrum: $("spectrum") }, coordinates, units);
+export function createPanel(coordinates, time, on) {
+  const charts = createCharts({ trace: $("trace"), phase: $("phase"), spectrum: $("spectrum") }, coordinates, time);
   const starts = [
-    ...names.map((name) => ({ id: `${name}0`, symbol: name, meaning: `${name} at the start`, value: 0 })),
-    ...names.map((name) => ({ id: `v${name}0`, symbol: `${name}′`, meaning: `rate of ${name} at the start`, value: 0 })),
+    ...coordinates.map(({ name, symbol, size, unit }) => ({ id: `${name}0`, symbol, size, unit, meaning: `${name} at the start` })),
+    ...coordinates.map(({ name, symbol, rate, rate_unit }) => ({ id: `v${name}0`, symbol: `${symbol}′`, size: rate, unit: rate_unit, meaning: `rate of ${name} at the start` })),
   ];
   let [moving, frames, begun] = [false, 0, false];
   const motion = createMotion({ sample: charts.add, frame: moved, stop: () => { $("motion_says").textContent = STOPPED; buttons(); } });
-  starts.forEach(({ id, symbol, meaning, value }) => {
+  starts.forEach(({ id, symbol, meaning, unit }) => {
     const label = document.createElement("label");
-    label.innerHTML = `${symbol} <input id="${id}" type="text" inputmode="decimal" autocomplete="off" aria-label="${meaning}">`;
-    label.firstElementChild.value = typed(value);
+    label.innerHTML = `${symbol} <input id="${id}" type="text" inputmode="decimal" autocomplete="off" aria-label="${meaning}"> <span></span>`;
+    label.lastElementChild.textContent = unit;
+    label.firstElementChild.value = "0";
     $("starts").append(label);
   });
 
@@ -53,16 +53,16 @@ export function createPanel(coordinates, units, on) {
   /** The state that the fields say, or null with the reason shown. */
   function said() {
     const found = [];
-    for (const { id, symbol } of starts) {
+    for (const { id, symbol, size } of starts) {
       const box = $(id);
       const value = parsed(box.value);
-      const problem = wrong({ symbol }, value, box.value);
+      const problem = wrong({ symbol, one: 1 }, value, box.value);
       box.setAttribute("aria-invalid", String(Boolean(problem)));
       if (problem) {
         $("motion_says").textContent = problem;
         return null;
       }
-      found.push(value);
+      found.push(value / size);
     }
     return found;
   }
@@ -87,7 +87,7 @@ export function createPanel(coordinates, units, on) {
   }
 
   function show(state) {
-    starts.forEach(({ id }, i) => ($(id).value = typed(state[i], 8)));
+    starts.forEach(({ id, size }, i) => ($(id).value = typed(size * state[i], 8)));
   }
 
   /** The mass is held at a place, or let go there. */
@@ -128,7 +128,7 @@ export function createPanel(coordinates, units, on) {
       begin();
     }
   };
-  $("pace").oninput = () => { motion.pace(Number($("pace").value)); $("pace_says").textContent = `${$("pace").value} units of τ a second`; };
+  $("pace").oninput = () => { motion.pace(Number($("pace").value)); $("pace_says").textContent = time[1] ? `${typed(time[0] * Number($("pace").value), 3)} ${time[1]} of the motion a second` : `${$("pace").value} units of τ a second`; };
   $("pace").oninput();
   buttons();
 

@@ -2,10 +2,10 @@
 
 import uPlot from "uplot";
 import { colours } from "./colours.js";
-import { inward, outward } from "./inputs.js";
 import { written } from "./numbers.js";
 import { createOverlay } from "./overlay.js";
 import { kept, spanOf } from "./spans.js";
+import { inward, measured, outward } from "./units.js";
 
 /** Shares of a span that a key moves. */
 const [ACROSS, UP] = [1 / 360, 1 / 200];
@@ -39,7 +39,7 @@ export function createPlane(box, store, axes) {
 
   function axis(which, room, more = {}) {
     return {
-      label: () => `${axes[which].symbol}${axes[which].angle ? " in degrees" : ""}`, labelSize: 18, size: room, labelGap: 0, stroke: () => colour.ink,
+      label: () => measured(axes[which].symbol, axes[which].unit), labelSize: 18, size: room, labelGap: 0, stroke: () => colour.ink,
       font: "12px system-ui", labelFont: "13px system-ui", grid: { stroke: () => colour.line, width: 1 }, ticks: { stroke: () => colour.line }, ...more,
     };
   }
@@ -211,7 +211,7 @@ export function createPlane(box, store, axes) {
     const [x, y] = pixel(values(point), false);
     handle.style.left = `${x}px`;
     handle.style.top = `${y}px`;
-    const words = axes.map((field, i) => `${field.meaning} ${written(values(point)[i], 5)}${field.angle ? " degrees" : ""}`);
+    const words = axes.map((field, i) => `${field.meaning} ${written(values(point)[i], 5)}${field.unit && ` ${field.unit}`}`);
     handle.setAttribute("aria-valuetext", `${words.join(", ")}, ${found.states.filter(({ contact }) => contact).length} equilibria in contact`);
     handle.setAttribute("aria-valuenow", values(point)[0].toFixed(2));
     handle.setAttribute("aria-valuemin", String(spans[0][0]));

@@ -1,6 +1,6 @@
 // The states of a model, searched by Newton's method from many starts. What is found is a state; that it is all is not proved.
 
-import { kindOf, dampedOf, solved } from "./kinds.js";
+import { kindOf, solved, stabilityOf } from "./kinds.js";
 
 /** Directions of the springs that a search looks at, all together, and how close they are to a state where all begin. */
 const STARTS = 576;

@@ -1,6 +1,6 @@
-// What a drawing spans of a parameter: in degrees for an angle, as its slider is.
+// What a drawing spans of a parameter, in the unit of its slider.
 
-import { outward } from "./inputs.js";
+import { outward } from "./units.js";
 
 /** Share of a span that a point keeps from an end that is not allowed. */
 const EDGE = 1e-4;

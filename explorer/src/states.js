@@ -3,6 +3,7 @@
 import { degrees, written } from "./numbers.js";
 import { current } from "./store.js";
 import { numbered, symbolOf } from "./symbols.js";
+import { measured, outward } from "./units.js";
 
 const SIGNS = { stable: "●", divergent: "▲", flutter: "≈" };
 const ABOUT = {
@@ -10,7 +11,6 @@ const ABOUT = {
   divergent: "unstable (divergence): pushed a little, the mass leaves without swinging",
   flutter: "unstable (flutter): pushed a little, the mass swings more and more",
 };
-const PLAIN = { length: [1, ""], force: [1, ""] };
 
 /** What a state of either side of the contact is called. */
 export const regimeOf = (about, contact) => (about.unilateral && about.gap !== null ? (contact ? "contact" : "lift-off") : "sliding");
@@ -19,7 +19,6 @@ export const regimeOf = (about, contact) => (about.unilateral && about.gap !== n
 function columns(about, units) {
   const { springs } = about;
   const [[long, length], [strong, force]] = [units.length, units.force];
-  const measured = (name, unit) => name + (unit && ` in ${unit}`);
   const each = Array.from({ length: springs }, (_, i) => i);
   const turned = (state, i) => written(degrees(Math.atan2(state.along[3 * i + 1], state.along[3 * i])), 8);
   return [
@@ -37,7 +36,7 @@ function columns(about, units) {
 }
 
 /** Fills a table from the store; `at(point)` gives the balance there, `about` says how many inclined springs there are, and whether states are proved. */
-export function createStates(table, store, at, about, units = PLAIN) {
+export function createStates(table, store, at, about, units) {
   const columned = columns(about, units);
   const titles = ["", "regime", "stability", ...columned.map(([title]) => title)];
   table.innerHTML = `<thead><tr>${titles.map((title) => `<th scope="col">${title}</th>`).join("")}</tr></thead><tbody></tbody>`;
@@ -74,14 +73,14 @@ export function counted(about, { states, lost }) {
 }
 
 /** What a reader should know now, in a few words; `fields` are the parameters. */
-export function story(now, about, fields, units = PLAIN) {
+export function story(now, about, fields, units) {
   const [long, length] = units.length;
   const [{ name, angle }] = about.coordinates;
   const where = (q) => `${symbolOf(name)} = ${written(angle ? degrees(q[0]) : long * q[0], 4)}${angle ? "°" : length && ` ${length}`}`;
   if (!now.decided || now.found.lost) {
     return `Undecided here: the states can't be told apart, as on a fold.${now.state ? ` The mass stays at its last decided state, ${where(now.state.q)}.` : ""}`;
   }
-  const placed = (at) => fields.filter((field) => field.name in at).map(({ name: key, symbol, angle: turns }) => `${symbol} = ${written(turns ? degrees(at[key]) : at[key], 4)}${turns ? "°" : ""}`).join(", ");
+  const placed = (at) => fields.filter((field) => field.name in at).map((field) => `${field.symbol} = ${written(outward(field, at[field.name]), 4)}${field.angle ? "°" : field.unit && ` ${field.unit}`}`).join(", ");
   const { last, jumps } = now;
   const jump = last ? ` It jumped from ${where(last.from)}${last.to ? ` to ${where(last.to)}` : ""} when its state ended at ${placed(last.at)}.` : "";
   const more = jumps > 1 ? ` ${jumps} jumps on this path.` : "";

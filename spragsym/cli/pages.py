@@ -148,8 +148,8 @@ def explore(
 
     It shows the mechanism, how many states there are over a plane of two parameters, the states
     along one of them and at a point, and the motion in time. A state carried along a path follows
-    its branch, and jumps where that ends. With --data, states, forces and motion are shown in the
-    units of the file too.
+    its branch, and jumps where that ends. With --data, all numbers are typed and shown in the
+    units of the file.
 
     Of the article's model the states are proved where double precision vouches for them, and its
     folds, cusps and the surface of all equilibria are drawn. Of another model they are searched by
@@ -243,4 +243,8 @@ def _units(study: Study) -> dict[str, Any]:
         "force": (scales.force, "N"),
         "parameters": parameters,
     }
-    return {"units": units, "source": f"those of {study.source}, at its {fixed}."}
+    source = (
+        f"In the units of {study.source}, at its {fixed}; the model's own number stands beside "
+        "each quantity."
+    )
+    return {"units": units, "source": source}

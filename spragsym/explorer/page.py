@@ -101,9 +101,9 @@ def explorer_page(
         Points of the user's own, each with what the page's list says. The page begins at the first;
         the model's follow.
     units : mapping of str to tuple, optional
-        Units of the user's own, in which states, forces and motion are shown: of ``length``,
-        ``time`` and ``force`` what 1 is, and the unit; and ``parameters``, of each that has a
-        quantity with a unit the name of that, what 1 is, and the unit.
+        Units of the user's own, in which all numbers are typed and shown: of ``length``, ``time``
+        and ``force`` what 1 is, and the unit; and ``parameters``, of each that has a quantity with
+        a unit the name of that, what 1 is, and the unit.
     source : str
         Where these are from, in words that the page shows.
     onsets : pair of str
@@ -137,11 +137,7 @@ def explorer_page(
         ],
         "units": units,
     }
-    beside = (
-        f'<p class="note" id="units">Beside the dimensionless numbers: {_escaped(source)}</p>'
-        if units
-        else ""
-    )
+    beside = f'<p class="note" id="units">{_escaped(source)}</p>' if units else ""
     lines = map(" ".join, zip(model.coordinates, _LINES, strict=False))
     return _filled(
         "page.html",

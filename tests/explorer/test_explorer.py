@@ -54,6 +54,26 @@ def test_the_page_is_whole_and_the_same_every_time() -> None:
         assert text.strip() in page
 
 
+def test_every_name_that_a_module_imports_is_exported_by_the_other() -> None:
+    """A page whose code imports a name that is gone stops at its first call."""
+    modules = {
+        path.resolve(): path.read_text(encoding="utf-8") for path in SOURCES.rglob("src/**/*.js")
+    }
+    exported_names = {
+        path: set(re.findall(r"^export (?:async )?(?:function|const) (\w+)", text, re.MULTILINE))
+        for path, text in modules.items()
+    }
+    seen = 0
+    for path, text in modules.items():
+        for names, other in re.findall(r"import \{([^}]*)\} from \"(\.[^\"]*)\"", text):
+            wanted = {name.split(" as ")[0].strip() for name in names.split(",") if name.strip()}
+            assert wanted <= exported_names[(path.parent / other).resolve()], (
+                f"{path.name}: {other}"
+            )
+            seen += len(wanted)
+    assert seen > 50
+
+
 def test_a_cell_of_a_notebook_shows_it_at_the_point() -> None:
     shown = ss.explore(ss.Parameters.article(theta0=0.8125, V=0.5, d=10.0))._repr_html_()
     assert shown.startswith("<iframe srcdoc=")
@@ -199,6 +219,59 @@ def test_the_lowest_fold_is_said(explorer: Explorer, changes: dict[str, float]) 
         friction, angle = re.findall(r"= ([\d.]+)", says.inner_text())
         assert float(friction) == pytest.approx(float(theirs), rel=1e-5)
         assert float(angle) == pytest.approx(math.degrees(theirs.theta0), rel=1e-4)
+
+
+@pytest.mark.thorough
+def test_data_of_ones_own_is_typed_and_shown_in_its_units(browser: Any, tmp_path: Path) -> None:
+    """Boxes, axes, states, starts and pace in newtons, millimetres and seconds, by hand."""
+    pytest.importorskip("pint", reason="pint is not installed")
+    data, out = ROOT / "spragsym" / "report" / "brake.toml", tmp_path / "mine.html"
+    CliRunner().invoke(explore, ["--data", str(data), "--out", str(out), "--no-open"])
+    context = browser.new_context(viewport={"width": 1300, "height": 1000})
+    context.add_init_script(WITHOUT_WEBGL)
+    mine = Explorer(context.new_page(), out.as_uri())
+    mine.open()
+    page, force = mine.page, 1500e3 * 0.038
+    assert [page.input_value(f"#{name}") for name in ("theta0_deg", "kappa", "sigma", "V")] == [
+        "52",
+        "420",
+        "180",
+        "1.2",
+    ]
+    page.fill("#kappa", "210")
+    row = page.inner_text("label[for=kappa]")
+    assert "F_L" in row
+    assert float(re.findall(r"κ = (\S+)", row)[0]) == pytest.approx(210 / force, rel=1e-4)
+    eq = ss.equilibria(
+        ss.Parameters(theta0=math.radians(52), mu0=0.45, kappa=210 / force, alpha=0.006, sigma=0.12)
+    )
+    place = page.locator("#states th").all_inner_texts().index("x in mm")
+    cells = page.locator(f"#states tr td:nth-child({place + 1})").all_inner_texts()
+    count = int(eq.count)
+    assert count == 3
+    assert [float(cell.replace("−", "-")) for cell in cells[:count]] == pytest.approx(
+        38 * eq["x"][:count], rel=1e-6
+    )
+    page.fill("#kappa", "-1")
+    assert "F_L must be greater than 0 N" in page.inner_text("#kappa_error")
+    page.fill("#kappa", "420")
+    assert page.inner_text("#starts label").split() == ["x", "mm"]
+    page.fill("#pace", "10")
+    second = math.sqrt(0.35 / 1500e3)
+    pace = page.inner_text("#pace_says")
+    assert float(pace.split()[0]) == pytest.approx(10 * second, rel=1e-2)
+    assert pace.split()[1] == "s"
+    page.click("#from_state")
+    state = 38 * float(
+        ss.equilibria(
+            ss.Parameters(
+                theta0=math.radians(52), mu0=0.45, kappa=420 / force, alpha=0.006, sigma=0.12
+            )
+        )["x"][0]
+    )
+    assert float(page.input_value("#x0")) == pytest.approx(state + 0.38, rel=1e-6)
+    assert mine.errors == []
+    context.close()
 
 
 @pytest.mark.thorough

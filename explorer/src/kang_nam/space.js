@@ -157,11 +157,16 @@ export function createSpace(box, store) {
     ctx.font = "36px system-ui, sans-serif";
     ctx.textAlign = "center";
     ctx.textBaseline = "middle";
+    ctx.strokeStyle = colour.panel;
+    ctx.lineWidth = 8;
+    ctx.lineJoin = "round";
+    ctx.strokeText(text, 128, 32); // a rim: read on the surface too
     ctx.fillStyle = colour.ink;
     ctx.fillText(text, 128, 32);
     const sprite = new Sprite(new SpriteMaterial({ map: new CanvasTexture(canvas), depthTest: false }));
     sprite.scale.set(0.72, 0.18, 1);
     sprite.position.copy(place);
+    sprite.renderOrder = 1;
     return sprite;
   }
 

@@ -52,3 +52,4 @@ from .results.equilibria import EquilibriumType as EquilibriumType
 from .results.files import open as open
 from .statics.equilibria import count as count
 from .statics.equilibria import equilibria as equilibria
+from .statics.options import SearchOptions as SearchOptions

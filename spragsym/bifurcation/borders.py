@@ -75,6 +75,7 @@ def borders(
                     contact=balance.contact,
                     room=OVER_BORDER,
                     beyond=contact,
+                    options=balance.options,
                 )
                 there = search(family, touch(contact))
                 kind = _kinds(family, there, other)

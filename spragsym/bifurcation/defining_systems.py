@@ -38,7 +38,6 @@ from ..numerics.arithmetic import (
     resultant,
     trimmed,
 )
-from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import (
     BoolArray,
@@ -54,6 +53,7 @@ from ..numerics.polynomials import derivative
 from ..statics.balance import ENDLESS, Balance, no_direction
 from ..statics.forces import State, Values
 from ..statics.namespaces import XP
+from ..statics.options import SearchOptions
 from ..statics.precise_balance import settled_by_digits
 from ..statics.regions import by_hand
 from ..statics.systems import Boxes, StateSystem, at_anchors
@@ -67,8 +67,6 @@ FAR = 10.0
 FLAT = 1e-100
 #: Boxes beyond which they lie around no points.
 MANY = 400
-#: Clusters of boxes that are looked at.
-CLUSTERS = 12
 #: Width and number of the arcs of directions looked at one by one: 32 are a full turn, one more
 #: covers what rounding leaves.
 ARC, ARCS = np.pi / 16, np.arange(33)
@@ -105,11 +103,13 @@ class Family:
         room: float = 0.0,
         beyond: int | None = None,
         given: FloatArray | None = None,
+        options: SearchOptions | None = None,
     ) -> Self:
         """Of a set of parameters, or a column ``given``; ``room`` is how far beyond the borders of
         contacts, or that of number ``beyond``, states count, too.
         """
-        balance, between = Balance(p.model, contact, room=room, beyond=beyond), between or {}
+        balance = Balance(p.model, contact, room=room, beyond=beyond, options=options)
+        between = between or {}
         spans, asked = ranges(p.model, vary, between), by_hand(p.model, within)
         given = given_column(p, balance.parameters, vary) if given is None else given
         # Of these nobody has said how far they are searched.
@@ -433,12 +433,10 @@ class Augmented(OfFamily):
             else out
         )
 
-    def given_up(
-        self, unknowns: Intervals, parameters: Intervals, width: float = POLE
-    ) -> BoolArray:
+    def given_up(self, unknowns: Intervals, parameters: Intervals, times: float = 1.0) -> BoolArray:
         """Boxes that the balance gives up, and those that the condition gives up."""
         at = self.state(unknowns, parameters)
-        poles: BoolArray = self.balance.at_poles(at, width)
+        poles: BoolArray = self.balance.at_poles(at, times * self.options.pole)
         return poles if self.condition.given_up is None else poles | self.condition.given_up(at)
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
@@ -456,7 +454,7 @@ def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     with quiet():
         if system.given_up(Intervals(found.left), system.fixed(found.left.shape[2])).any():
             return found  # no number of digits tells what is there
-    return settled_by_digits(system, system.family.begin, region, found, most=CLUSTERS)
+    return settled_by_digits(system, system.family.begin, region, found, most=12)
 
 
 def _regular(boxes: Boxes, spring: int) -> BoolArray:

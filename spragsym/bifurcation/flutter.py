@@ -30,7 +30,8 @@ from ..numerics.interval_arrays import (
 from ..results import Points
 from ..statics import stability
 from ..statics.balance import NOTHING
-from ..statics.precise_balance import TOLERANCE, clusters, on_its_side, refined
+from ..statics.options import SearchOptions
+from ..statics.precise_balance import clusters, on_its_side, refined
 from ..statics.search import balances_of, seen
 from ..statics.stability import (
     damped_by_friction_alone,
@@ -97,6 +98,7 @@ def flutter_onsets(
     damping: bool | None = None,
     between: Ranges | None = None,
     within: Ranges | None = None,
+    options: SearchOptions | None = None,
     method: Method = "auto",
 ) -> Onsets:
     """Onsets of flutter in contact along one parameter, the others fixed; ``complete`` says whether
@@ -112,7 +114,7 @@ def flutter_onsets(
         True for Hopf points of the full linearization, det(λ² M + λ C + K) = 0 with dampers and
         slope of the friction law; False for (27), without C, as the article's flutter. Without it
         True, unless C is 0, of several contacts for each combination of those that touch.
-    between, within, method
+    between, within, options, method
         As for :func:`spragsym.folds`; a closed form is there for (27) along θ₀.
 
     Returns
@@ -153,11 +155,12 @@ def flutter_onsets(
     ([0.101, 1.4035], ['gentle', 'dangerous'])
     """
     name = p.model.one(vary)
-    parts = [
-        _in_combination(Family.of(p, (name,), between, within, contact=balance.contact), damping)
-        for balance in balances_of(p.model, None)
-    ]
-    return Onsets(**vars(together(parts)))
+    contacts = [balance.contact for balance in balances_of(p.model, None)]
+    families = (
+        Family.of(p, (name,), between, within, contact=contact, options=options)
+        for contact in contacts
+    )
+    return Onsets(**vars(together([_in_combination(family, damping) for family in families])))
 
 
 def _in_combination(family: Family, damping: bool | None) -> Points:
@@ -332,7 +335,7 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     candidates = sightings[:-1]
     room = ROOM * scale_of(candidates)
     tried = refined(system, fixed, Roots.at(ends_around(candidates, room)))
-    sure = tried.error <= TOLERANCE
+    sure = tried.error <= system.options.tolerance
     proved, open_ = (
         on_its_side(system, fixed, Roots.at(tried.ends[:, :, some])) for some in (sure, ~sure)
     )

@@ -5,10 +5,14 @@ these are all.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from ..core.questions import Method, question
 from ..models.parameters import ParameterSet, Ranges
 from ..results import Points
+
+if TYPE_CHECKING:
+    from ..statics.options import SearchOptions
 
 
 @question
@@ -18,6 +22,7 @@ def folds(
     *,
     between: Ranges | None = None,
     within: Ranges | None = None,
+    options: SearchOptions | None = None,
     method: Method = "auto",
 ) -> Points:
     """Folds in contact along one parameter, the others fixed; ``complete`` of the result says
@@ -34,6 +39,8 @@ def folds(
         end is searched to ten times the base value, and to 10 at least, which the result says.
     within : mapping, optional
         Ranges of coordinates, as for :func:`spragsym.equilibria`.
+    options : SearchOptions, optional
+        Tolerances and limits of the search, which asks for it where a closed form would answer.
     method : {"auto", "closed", "search"}
         A closed form if the model brings one for these arguments, the closed form only, or the
         search.
@@ -79,7 +86,7 @@ def folds(
     """
     from .singularities import folds_of  # where a closed form answers nothing of it is loaded
 
-    return folds_of(p, p.model.one(vary), between, within)
+    return folds_of(p, p.model.one(vary), between, within, options)
 
 
 @question
@@ -89,6 +96,7 @@ def cusps(
     *,
     between: Ranges | None = None,
     within: Ranges | None = None,
+    options: SearchOptions | None = None,
     method: Method = "auto",
 ) -> Points:
     """Cusps in contact in the plane of two parameters, the others fixed; ``complete`` says whether
@@ -100,7 +108,7 @@ def cusps(
         Of any model, scalars; those that vary are not used.
     vary : pair of str, optional
         Two parameters; without it ``theta0`` and ``mu0``.
-    between, within, method
+    between, within, options, method
         As for :func:`spragsym.folds`.
 
     Returns
@@ -129,4 +137,4 @@ def cusps(
     """
     from .singularities import cusps_of
 
-    return cusps_of(p, p.model.two(vary), between, within)
+    return cusps_of(p, p.model.two(vary), between, within, options)

@@ -54,28 +54,15 @@ from ..statics.search import kinds_of, of_ranges, of_region, summed
 from .defining_systems import Augmented, Condition, Family, OfFamily, settled, slope
 from .lines_of_states import LINES_OF_STATES, is_affine, lines_of_states
 
-#: Boxes looked at for one search of up to three unknowns, of four, and of more, where each costs
-#: many times as much.
-BUDGET, LARGE_BUDGET, COSTLY_BUDGET = 200_000, 1_000_000, 6_000
 #: Boxes left that are listed one by one.
 MANY = 200
 #: How far beyond the border of the contact states on it are looked for.
 OVER_BORDER = 1e-3
-#: How much wider than a box the one is in which a root is proved to be the only one, relatively and
-#: absolutely.
-WIDER, ROOM = 0.25, 1e-11
 #: Where the range of a parameter begins that is larger than 0.
 LEAST = 2.0**-300
 #: Up to which value the logarithm is taken, and from which on the parameter itself; between them
 #: both are.
 HIGH, LOW = 2.0**-9, 2.0**-10
-#: Boxes looked at there.
-LOGARITHMIC_BUDGET = 100_000
-#: Half-width of the box in which directions at infinity are searched, which holds the unit sphere;
-#: boxes looked at there.
-BESIDE, FAR_BUDGET = 1.0 + 2.0**-6, 16_000
-#: Component of a unit direction at infinity below which its coordinate stays finite.
-FINITE = 1e-6
 #: What kinds of points begin with at which a state runs to infinity.
 INFINITY = "infinity"
 
@@ -110,8 +97,9 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
         # On the border the contact's force is 0: these are states where it is open, too.
         around, whole = _region(family, balance.without(condition.touching))
     system, fixed = Augmented(family, condition), family.begin
-    if budget is None:
-        budget = BUDGET if system.n <= 3 else LARGE_BUDGET if system.n == 4 else COSTLY_BUDGET
+    if budget is None and system.options.budget is None:
+        # Of more than four unknowns each costs many times as much.
+        budget = 200_000 if system.n <= 3 else 1_000_000 if system.n == 4 else 6_000
     from_least = alone and begins(system, around)
     wide = _between(around, LOW, around[1, -1, 0]) if from_least else around
     roots = certified_roots.search(system, wide, fixed, fixed, budget=budget)
@@ -267,7 +255,7 @@ def shared(system: Augmented, left: FloatArray) -> BoolArray:
     out = np.zeros(left.shape[2], dtype=np.bool_)
     if system.condition.order or not out.size:
         return out
-    wide = left + (WIDER * width_of(left) + ROOM * scale_of(left).max(axis=0))
+    wide = left + (0.25 * width_of(left) + 1e-11 * scale_of(left).max(axis=0))
     with quiet():
         alone = _one_root(system, system.fixed(out.size), wide)
         for end in system.family.spans[0]:
@@ -338,7 +326,7 @@ def _by_logarithm(system: Augmented, around: FloatArray) -> Roots:
     """
     by_logarithm, given = Logarithmic(system.family, system.condition), system.family.begin
     ends = _between(around, np.log(LEAST), np.log(HIGH))
-    found = certified_roots.search(by_logarithm, ends, given, given, budget=LOGARITHMIC_BUDGET)
+    found = certified_roots.search(by_logarithm, ends, given, given, budget=100_000)
     return replace(
         found, ends=_raised(found.ends), alone=_raised(found.alone), left=_raised(found.left)
     )
@@ -369,16 +357,18 @@ def escapes(family: Family) -> Points:
     missing: a state runs to infinity there, others may elsewhere.
     """
     balance, system, fixed = family.balance, _AtInfinity(family), family.begin
-    n, sides = balance.n, np.full((2, balance.n, 1), BESIDE)
+    # A box that holds the unit sphere.
+    n, sides = balance.n, np.full((2, balance.n, 1), 1.0 + 2.0**-6)
     sides[:, balance.around] = TURN
     found, side = Roots.none(system.n), np.empty(0, dtype=np.int64)
     with suppress(NoChart), quiet():
         found = certified_roots.search(
-            system, with_sides(sides, family.spans), fixed, fixed, budget=FAR_BUDGET
+            system, with_sides(sides, family.spans), fixed, fixed, budget=16_000
         )
         side = system.side(Intervals(found.ends), system.fixed(found.point.size))
     z = found.middle
-    away = np.where(np.abs(z[:n]) < FINITE, np.nan, np.copysign(np.inf, z[:n]))
+    # Coordinates with next to no part in the direction stay finite.
+    away = np.where(np.abs(z[:n]) < 1e-6, np.nan, np.copysign(np.inf, z[:n]))
     away[balance.around] = np.nan
     kind = np.select([side > 0, side < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
     columns = family.named(np.concatenate([away, z[n:]])) | which(balance, kind.size)

@@ -58,6 +58,7 @@ from ..statics.balance import NOTHING, Balance, PreciseBalance
 from ..statics.equilibria import equilibria
 from ..statics.forces import State, Values
 from ..statics.namespaces import XP, follows
+from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_side
 from ..statics.reference_state import nearest_state
 from ..statics.search import balances_of
@@ -82,11 +83,17 @@ UNDECIDED = "undecided"
 BEYOND = 4.0
 
 
-def folds_of(p: ParameterSet, vary: str, between: Ranges | None, within: Ranges | None) -> Points:
+def folds_of(
+    p: ParameterSet,
+    vary: str,
+    between: Ranges | None,
+    within: Ranges | None,
+    options: SearchOptions | None = None,
+) -> Points:
     """All folds and pitchforks along one parameter, and border points between combinations of
     contacts that touch; arguments as of :func:`spragsym.folds`.
     """
-    balances = balances_of(p.model, None)
+    balances = balances_of(p.model, None, options)
     parts = [_folds_in(balance, p, vary, between, within) for balance in balances]
     parts += borders(balances, p, vary, between, within)
     return replace(joined(parts), _ended=ended)
@@ -96,7 +103,9 @@ def _folds_in(
     balance: Balance, p: ParameterSet, vary: str, between: Ranges | None, within: Ranges | None
 ) -> Points:
     """Those of one combination of contacts that touch."""
-    family = Family.of(p, (vary,), between, within, contact=balance.contact)
+    family = Family.of(
+        p, (vary,), between, within, contact=balance.contact, options=balance.options
+    )
     found, pitchforks = with_pitchforks(family, search(family, FOLD))
     kind = np.repeat(["fold", "pitchfork"], [found.roots.point.size - pitchforks, pitchforks])
 
@@ -113,10 +122,14 @@ def _folds_in(
 
 
 def cusps_of(
-    p: ParameterSet, vary: Sequence[str], between: Ranges | None, within: Ranges | None
+    p: ParameterSet,
+    vary: Sequence[str],
+    between: Ranges | None,
+    within: Ranges | None,
+    options: SearchOptions | None = None,
 ) -> Points:
     """All cusps in the plane of two parameters; arguments as of :func:`spragsym.cusps`."""
-    family = Family.of(p, vary, between, within)
+    family = Family.of(p, vary, between, within, options=options)
     return arranged(family, isolated(family), "cusp")
 
 

@@ -24,7 +24,7 @@ from ..core.errors import ParameterError
 from ..core.progress import doing
 from ..models.parameters import ParameterSet
 from ..models.quantities import Unit
-from ..numerics import boxes, certified_roots
+from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import (
@@ -375,7 +375,7 @@ class ClaimOfStates(Claim):
         np.maximum.at(
             np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0)
         )
-        room = ROOM + boxes.MARGIN * np.maximum(width_of(where), 0.0)
+        room = ROOM + self.balance.options.margin * np.maximum(width_of(where), 0.0)
         where = np.where(whole, np.fmin(raised(where + room), around), np.inf)
         with quiet():
             holds = whole & self.true(balance, bounds, states)

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from ..core.options import Options, limit, option
 from . import contractors
 from .columns import ByColumn
 from .interval_arrays import (
@@ -32,27 +33,50 @@ from .jets import gradient, variables
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
 CHUNK = 2048
-#: Pieces that the region is cut into at once for no more points than these: a look at one box costs
-#: as much as at a few.
-PIECES, FEW_POINTS = 16, 4
-#: By how much of its width a box is widened before it is asked for a root: so roots on its border
-#: are inside of it.
-MARGIN = 0.05
-#: Budget of a point, if no other is given.
-BUDGET = 20000
-#: Boxes of a node of several points after which it is halved in any case.
-NODE_BUDGET = 400
-#: A box is halved unless it has become narrower than this part of itself by contraction.
-ENOUGH = 0.6
-#: Relative width of boxes that are not halved any more, if no other is given.
+#: Relative width of boxes that are as narrow as rounding lets them be.
 NARROW = 2.0**-44
-#: Relative width of boxes that are given up where rounding moves the root by as much as
-#: :data:`SPREAD`.
-SMALL = 2.0**-12
-#: Width of boxes around a pole of F that are not halved any more.
-POLE = 2.0**-7
-#: A node is halved if its parameters move the root by more than this part of the box.
-SPREAD = 0.35
+
+
+@dataclass(frozen=True)
+class BoxOptions(Options):
+    """Options of a search over boxes, which is a proof whatever they are.
+
+    Parameters
+    ----------
+    budget : int, optional
+        Boxes that are looked at for one point of the parameters, after which what is left is
+        undecided. Left out, each question has its own: 20,000 for equilibria, 200,000 for folds
+        along a parameter, 1,000,000 in four unknowns.
+    node_budget : int
+        Boxes of several points together after which these are parted in any case.
+    narrow : float, optional
+        Relative width of boxes that are not halved any more. Left out, each question has its own:
+        2⁻¹⁹ for equilibria, which are then looked at with many digits, else 2⁻⁴⁴.
+    margin : float
+        Share of its width by which a box is widened before it is asked for a root, so that roots
+        on its border are inside.
+    shrunk : float
+        Share of a box above which it is halved when contraction leaves as much.
+    spread : float
+        Share of the box by which parameters, or rounding, move the root, above which points are
+        parted or a small box is given up.
+    small : float
+        Relative width up to which a box is given up for rounding.
+    pole : float
+        Width of boxes around a pole of the forces that are not halved any more.
+    pieces : int
+        Boxes into which a region is cut at once where there are few points.
+    """
+
+    budget: int | None = limit(None)
+    node_budget: int = limit(400)
+    narrow: float | None = option(None, 2.0**-50, 0.5)
+    margin: float = option(0.05, 2.0**-20, 0.5)
+    shrunk: float = option(0.6, 0.01, 0.99)
+    spread: float = option(0.35, 0.01, 0.99)
+    small: float = option(2.0**-12, 2.0**-44, 0.5)
+    pole: float = option(2.0**-7, 0.0, 1.0)
+    pieces: int = limit(16)
 
 
 class EquationSystem:
@@ -66,6 +90,11 @@ class EquationSystem:
     order = 0
     #: Beyond these, −low and high, (2, n), F is not asked for.
     limits: Any = np.inf
+
+    @property
+    def options(self) -> BoxOptions:
+        """Options of the search for its roots."""
+        return BoxOptions()
 
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
         """F of unknowns that are intervals or jets of them, one a box; parameters of shape (P,
@@ -98,11 +127,9 @@ class EquationSystem:
         """Ends of boxes that lie in the given ones and hold the same roots, shape (2, n, N)."""
         return unknowns.ends
 
-    def given_up(
-        self, unknowns: Intervals, parameters: Intervals, width: float = POLE
-    ) -> BoolArray:
-        """Boxes up to a width that halving would never decide, as around a pole of F, shape
-        (N,).
+    def given_up(self, unknowns: Intervals, parameters: Intervals, times: float = 1.0) -> BoolArray:
+        """Boxes, up to so many times the width of the options, that halving would never decide, as
+        around a pole of F, shape (N,).
         """
         return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
@@ -139,16 +166,16 @@ def search(
     low: FloatArray,
     high: FloatArray,
     *,
-    budget: int = BUDGET,
-    narrow: float = NARROW,
+    budget: int | None = None,
+    narrow: float | None = None,
 ) -> SearchOutcome:
     """All roots for all points: the box to search is ``region``, −low and high, (2, n, points or
     1), points (parameters, points).
 
     ``budget`` is how many boxes one point may take, and ``narrow`` the relative width of boxes that
-    are not halved any more.
+    are not halved any more, else as the options of the system say.
     """
-    points = tree(low, high)
+    points, options = tree(low, high), system.options
     first = Pairs(region.max(axis=2, keepdims=True).astype(np.float64), np.zeros(1, dtype=np.int64))
     with quiet():
         beyond = np.asarray(system.limits)[..., None]
@@ -157,13 +184,14 @@ def search(
             system,
             points,
             beyond,
-            budget,
-            narrow,
+            budget or options.budget or 20_000,
+            narrow or options.narrow or NARROW,
             bool((low == high).all()),
             regions,
             system.prepared(points.bounds),
         )
-        here.run(_parted(first) if low.shape[1] <= FEW_POINTS else first)
+        # A look at one box costs as much as at a few.
+        here.run(_parted(first, options.pieces) if low.shape[1] <= 4 else first)
     unique, where, undecided = (
         first.then(*others) for first, *others in (here.unique, here.where, here.undecided)
     )
@@ -191,6 +219,7 @@ class _Search:
         self.unique: list[Pairs] = []
         self.where: list[Pairs] = []
         self.undecided: list[Pairs] = []
+        self.options = self.system.options
         self.work = np.zeros(self.points.size.size, dtype=np.int64)
 
     def run(self, start: Pairs) -> None:
@@ -214,7 +243,8 @@ class _Search:
         np.add.at(self.work, pairs.nodes, 1)
         given, pairs, parameters = self._contracted(pairs)
         # Widened, so that a root on the border of a box lies well inside, or by rounding beside it.
-        room = MARGIN * Intervals(pairs.ends).width + NARROW * scale_of(pairs.ends).max(axis=0)
+        room = self.options.margin * Intervals(pairs.ends).width
+        room = room + NARROW * scale_of(pairs.ends).max(axis=0)
         wide = np.minimum(pairs.ends + room, self.limits)
         middle = Intervals(pairs.ends).middle
         at_middle = self.system.residuals(Intervals.point(middle), parameters)
@@ -244,7 +274,11 @@ class _Search:
         )
         closed = np.logical_and.reduce(step.ends[:, :, rest] < wide[:, :, rest])
         return self._divided(
-            given, Pairs(_with_room(ends, pairs.ends, noise), pairs.nodes), noise, slopes, closed
+            given,
+            Pairs(self._with_room(ends, pairs.ends, noise), pairs.nodes),
+            noise,
+            slopes,
+            closed,
         )
 
     def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs, Intervals]:
@@ -253,7 +287,7 @@ class _Search:
         """
         parameters = self.parameters[:, given.nodes]
         after = self.system.contracted(Intervals(given.ends), parameters)
-        boxes = Intervals(_with_room(after, given.ends, 0.0))
+        boxes = Intervals(self._with_room(after, given.ends, 0.0))
         keep = np.logical_and.reduce(self.system.residuals(boxes, parameters).holds_zero())
         keep &= ~np.logical_or.reduce(width_of(after) < 0)
         rows = np.flatnonzero(keep)
@@ -274,21 +308,21 @@ class _Search:
         """
         widths = width_of(now.ends)
         single = self.points.size[now.nodes] == 1
-        spent = self.work[now.nodes] > np.where(single, self.budget, NODE_BUDGET)
+        spent = self.work[now.nodes] > np.where(single, self.budget, self.options.node_budget)
         scale = scale_of(now.ends).max(axis=0)
         # What shrinks towards an exact 0 does so down to the least of floats: it is no progress.
         ratio = np.where(widths <= NARROW * scale, 1.0, widths / width_of(before.ends))
-        stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(
-            widths <= SMALL * scale
+        moved = ~np.logical_and.reduce(noise < self.options.spread * widths)
+        stuck = np.logical_or.reduce(noise >= self.options.spread * widths) & np.logical_and.reduce(
+            widths <= self.options.small * scale
         )
         narrow = np.logical_and.reduce(widths <= self.narrow * scale)
         hard = self.system.given_up(Intervals(now.ends), self.parameters[:, now.nodes])
-        moved = ~np.logical_and.reduce(noise < SPREAD * widths)
         done = hard | (single & (spent | stuck)) | (narrow & (single | ~moved))
         self.undecided.append(now[done])
         split_node = ~single & ~done & (spent | moved)
         again = ~split_node & ~done
-        better = again & (np.where(closed, 1.0, ratio).prod(axis=0) < ENOUGH)
+        better = again & (np.where(closed, 1.0, ratio).prod(axis=0) < self.options.shrunk)
         halve = np.flatnonzero(again & ~better)
         places, children = self.points.children(now.nodes[split_node])
         halved_nodes = self._in_their_regions(
@@ -307,17 +341,18 @@ class _Search:
         ends = np.minimum(pairs.ends, self.regions[:, :, pairs.nodes])
         return Pairs(ends, pairs.nodes)[np.logical_and.reduce(width_of(ends) >= 0)]
 
+    def _with_room(
+        self, ends: FloatArray, given: FloatArray, noise: FloatArray | float
+    ) -> FloatArray:
+        """A box narrowed, but not to the last digit: a component that converges before the others
+        keeps room until all are proved.
+        """
+        return np.fmin(ends + (self.options.margin * Intervals(given).width + 4 * noise), given)
 
-def _with_room(ends: FloatArray, given: FloatArray, noise: FloatArray | float) -> FloatArray:
-    """A box narrowed, but not to the last digit: a component that converges before the others keeps
-    room until all are proved.
-    """
-    return np.fmin(ends + (MARGIN * Intervals(given).width + 4 * noise), given)
 
-
-def _parted(pairs: Pairs) -> Pairs:
+def _parted(pairs: Pairs, pieces: int) -> Pairs:
     """Pieces of boxes, halved where they are widest."""
-    while 0 < len(pairs) < PIECES:
+    while 0 < len(pairs) < pieces:
         pairs = _cut(pairs, width_of(pairs.ends).argmax(axis=0))
     return pairs
 

@@ -23,11 +23,6 @@ from .interval_arrays import (
     width_of,
 )
 
-#: Steps of interval Newton, of which each doubles the number of digits.
-STEPS = 8
-#: Relative width up to which there is no further one.
-DONE = 2.0**-50
-
 
 @dataclass(frozen=True)
 class Roots:
@@ -162,14 +157,14 @@ def _refined(
     for begin in range(0, point.size, boxes.CHUNK):
         rows = np.arange(begin, min(begin + boxes.CHUNK, point.size))
         at = system.prepared(parameters[:, point[rows]])
-        for _ in range(STEPS):
+        for _ in range(8):  # each doubles the number of digits
             before = ends[:, :, rows]
             step = stepped(system, before, at)
             empty[rows] |= contractors.apart(step.ends, before)
             new = np.fmin(step.ends, before)
             ends[:, :, rows] = new
             widths = width_of(new)
-            wide = widths > DONE * scale_of(new).max(axis=0)
+            wide = widths > 2.0**-50 * scale_of(new).max(axis=0)
             narrower = (wide & (widths < 0.75 * width_of(before))).any(axis=0)
             rows, at = rows[narrower], at[:, narrower]
             if not rows.size:

@@ -415,8 +415,9 @@ def _not_negative(ends: FloatArray) -> FloatArray:
 TRIGONOMETRIC_ERROR = 2.0**-50
 #: Beyond it cosine and sine are [−1, 1].
 LARGEST_ANGLE = 1e5
-#: Around π.
-PI = Intervals.between([np.pi], [np.nextafter(np.pi, 4.0)])
+#: Upper bound of π, and an interval around it.
+HALF_TURN = float(np.nextafter(np.pi, 4.0))
+PI = Intervals.between([np.pi], [HALF_TURN])
 #: More than the error of an angle over 2π: an extremum so near to an end counts as inside, where it
 #: hardly widens anything.
 TURN_ERROR = 1e-10

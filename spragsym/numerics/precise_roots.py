@@ -24,6 +24,7 @@ from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 
+from ..core.options import Options, limit
 from . import balls, contractors
 from .arithmetic import Matrix, is_zero, solved
 from .balls import Ball, UndecidedSign, ball
@@ -31,27 +32,27 @@ from .interval_arrays import FloatArray, Intervals, quiet
 from .jets import Jet, constant, gradient, variables
 from .polynomials import derivative, evaluate, shifted
 
-#: Steps of Newton's method.
-STEPS = 40
-#: Step of it after which there is no further one.
-ENOUGH = Fraction(1, 2**160)
 #: F of balls or of jets of balls.
 Evaluate: TypeAlias = Callable[[Sequence[Any]], Sequence[Any]]
 #: Lower and upper end of each unknown.
 Box: TypeAlias = list[tuple[Fraction, Fraction]]
-#: Times a piece of u is halved before the expansion is made anew for its halves.
-HALVINGS = 60
-#: Pieces of one expansion after which it counts as too wide.
-PIECES = 300
-#: Steps of interval Newton on one root of g.
-POLISHING = 12
-#: Times the other unknowns are given more room.
-WIDENINGS = 8
-#: Times the box itself is halved.
-DEPTH = 26
-#: Parts of the box that are looked at: both halves at each depth around two roots. A box whose
-#: halves never get simpler, as along a line of roots or around a pole, costs no more than these.
-PARTS = 120
+
+
+@dataclass(frozen=True)
+class DigitOptions(Options):
+    """Options of a search with many digits, where roots lie close together.
+
+    Parameters
+    ----------
+    depth : int
+        Times a box is halved.
+    parts : int
+        Parts of a box that are looked at: both halves at each depth around two roots. A box whose
+        halves never get simpler, as along a line of roots or around a pole, costs no more.
+    """
+
+    depth: int = limit(26)
+    parts: int = limit(120)
 
 
 class Digits(Protocol):
@@ -82,7 +83,7 @@ class Digits(Protocol):
 
 
 def narrowed(
-    system: Digits, box: FloatArray, alone: FloatArray, enough: Fraction = ENOUGH
+    system: Digits, box: FloatArray, alone: FloatArray, enough: Fraction = Fraction(1, 2**160)
 ) -> list[Ball] | None:
     """A box of balls around the root in a box of floats, None where it can't be made smaller; both
     boxes of shape (2, n).
@@ -94,7 +95,7 @@ def narrowed(
     """
     z = [ball(float(value), system.bits) for value in Intervals(box).middle]
     with suppress(UndecidedSign, ZeroDivisionError):
-        for _ in range(STEPS):
+        for _ in range(40):  # steps, each of which doubles the number of digits near the root
             Y = _inverse(as_balls(system.slopes(z), system.bits), system.bits)
             values = as_balls([system.values(z)], system.bits)[0]
             step = [_dot(row, values) for row in Y]
@@ -190,12 +191,18 @@ class Reduced:
 
 
 def reduced_roots(
-    evaluate: Evaluate, box: Sequence[tuple[Any, Any]], jacobian: FloatArray, bits: int
+    evaluate: Evaluate,
+    box: Sequence[tuple[Any, Any]],
+    jacobian: FloatArray,
+    bits: int,
+    options: DigitOptions | None = None,
 ) -> Reduced:
     """All roots in a box; ``jacobian`` is F's somewhere in it, roughly."""
+    options = options or DigitOptions()
     task, found = _task(evaluate, jacobian, range(len(box))), Reduced([], [], [])
     with balls.precision(bits):
-        task.search([(Fraction(low), Fraction(high)) for low, high in box], found)
+        whole = [(Fraction(low), Fraction(high)) for low, high in box]
+        task.search(whole, found, options)
     return found
 
 
@@ -309,12 +316,12 @@ class _Task:
         sharp = self._narrowed(at, others)
         return [self._values([at, *sharp])[0], *self._expansion(at, sharp, 2)]
 
-    def search(self, box: Box, found: Reduced) -> None:
+    def search(self, box: Box, found: Reduced, options: DigitOptions) -> None:
         """All roots of a box: of the whole if it can be settled, else of its halves in u, and of
         theirs.
         """
-        waiting = deque([(box, DEPTH)])
-        for _ in range(PARTS):
+        waiting = deque([(box, options.depth)])
+        for _ in range(options.parts):
             if not waiting:
                 return
             part, depth = waiting.popleft()
@@ -359,7 +366,7 @@ class _Task:
         """A small box around the only root in a span, by interval Newton on g; ``last`` is its
         third coefficient.
         """
-        for _ in range(POLISHING):
+        for _ in range(12):  # steps, the last of which no longer narrow it
             middle = _short((span[0] + span[1]) / 2)
             point = [*self.at(middle, others), last]
             about, off = _about(point, balls.between(span[0] - middle, span[1] - middle))
@@ -384,7 +391,7 @@ class _Task:
         given = [balls.between(*side) for number, side in enumerate(box) if number != self.along]
         # Widened, until the unknowns as functions of u stay inside; where they leave the box itself
         # no harm is done.
-        for _ in range(WIDENINGS):
+        for _ in range(8):
             wide = [value + (value - balls.middle(value)) * 3 for value in given]
             image = self._newton(u, wide)
             if all(_inside(one, other) for one, other in zip(image, wide, strict=True)):
@@ -435,7 +442,8 @@ def _isolated(
             if signs[0] != signs[1]:
                 found.append((one, two))
             continue
-        if depth > HALVINGS or looks > PIECES:
+        # Else the expansion is made anew for the halves of the box.
+        if depth > 60 or looks > 300:
             raise UndecidedSign("roots that lie close together")
         cut = one + (two - one) * Fraction(63, 128)
         stack += [(one, cut, depth + 1), (cut, two, depth + 1)]

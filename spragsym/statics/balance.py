@@ -19,15 +19,12 @@ from ..models.quantities import Unit
 from ..numerics import balls, contractors, jets
 from ..numerics.arithmetic import Matrix, is_zero
 from ..numerics.balls import ball
-from ..numerics.boxes import POLE
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
 from ..numerics.precise_roots import Digits
 from .forces import Forces, State, Values, filled
 from .namespaces import FREE
 from .systems import Boxes, Linear, StateSystem, as_linear, at_anchors
 
-#: Steps of Newton's method from the middle of a box that has one root.
-GUESSES = 4
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NOTHING = 1e-290
 #: Lengths of which nothing is left in K.
@@ -57,7 +54,9 @@ class Balance(Forces, StateSystem):
         """The balance where that contact is open and the others are as here."""
         names = zip(self.contacts, self.pushing, strict=True)
         touching = tuple(name for k, (name, one) in enumerate(names) if one and k != contact)
-        return Balance(self.model, touching, room=self.room, beyond=self.beyond)
+        return Balance(
+            self.model, touching, room=self.room, beyond=self.beyond, options=self.options
+        )
 
     @property
     def touching(self) -> str:
@@ -80,7 +79,7 @@ class Balance(Forces, StateSystem):
         """Newton's method in floats."""
         values = dict(zip(self.codes, parameters.middle, strict=True))
         q = middles
-        for _ in range(GUESSES):
+        for _ in range(4):
             at = self.at(list(q), values, xp=np)
             slopes, forces = (
                 filled(at.slopes, middles.shape[1:]),
@@ -105,13 +104,11 @@ class Balance(Forces, StateSystem):
         out = super().nothing_at(boxes)
         return out | at_anchors(boxes, ~out, no_direction)
 
-    def given_up(
-        self, unknowns: Intervals, parameters: Intervals, width: float = POLE
-    ) -> BoolArray:
+    def given_up(self, unknowns: Intervals, parameters: Intervals, times: float = 1.0) -> BoolArray:
         """Small boxes around the anchor of a spring that resists turning: its force has no bound
         there.
         """
-        return self.at_poles(self.state(unknowns, parameters), width)
+        return self.at_poles(self.state(unknowns, parameters), times * self.options.pole)
 
     def at_poles(self, at: State, width: float) -> BoolArray:
         """Whether boxes up to a width hold a pole."""

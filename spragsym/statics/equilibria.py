@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from ..core.errors import ConvergenceError
 from ..core.questions import Method, question
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.interval_arrays import Int8Array
 from ..results import Equilibria
+
+if TYPE_CHECKING:
+    from .options import SearchOptions
 
 
 @question
@@ -17,6 +21,7 @@ def equilibria(
     contact: bool | Sequence[str] | None = None,
     within: Ranges | None = None,
     *,
+    options: SearchOptions | None = None,
     method: Method = "auto",
 ) -> Equilibria:
     """All equilibria: steady sliding in contact, or at rest in lift-off, each proved, with its
@@ -36,6 +41,8 @@ def equilibria(
         Ranges of coordinates that are searched, as ``{"x": (-5.0, 5.0)}``. Without it a box that is
         proved to hold all of them; where there is no such proof, ten times the largest length that
         the model has at these parameters, or that Newton's method comes to rest at.
+    options : SearchOptions, optional
+        Tolerances and limits of the search, which asks for it where a closed form would answer.
     method : {"auto", "closed", "search"}
         A closed form if the model brings one, the closed form only, or the search.
 
@@ -81,7 +88,7 @@ def equilibria(
     """
     from .search import searched  # where a closed form answers nothing of it is loaded
 
-    return searched(p, contact, within)
+    return searched(p, contact, within, options)
 
 
 @question

@@ -29,6 +29,7 @@ from ..numerics.interval_arrays import (
 )
 from ..numerics.jets import argument, binomial_series, change_along, constant, order_of, turned
 from .namespaces import XP
+from .options import SearchOptions
 
 #: Arguments of generated functions by name, of any number type.
 Values: TypeAlias = Mapping[str, Any]
@@ -53,11 +54,13 @@ class Forces:
         law: str = "friction_at_rest",
         room: float = 0.0,
         beyond: int | None = None,
+        options: SearchOptions | None = None,
     ) -> None:
         about = model.about
         #: How far beyond the contacts' borders states count, too, or beyond that of one of them,
         #: ``beyond``: 0 but where those on it are looked for.
         self.room, self.beyond = room, beyond
+        self.search_options = options or SearchOptions()
         #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has
         #: come to rest.
         self.law = law

@@ -49,6 +49,7 @@ import numpy as np
 from ..numerics import certified_roots, contractors, jets
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import (
+    HALF_TURN,
     BoolArray,
     FloatArray,
     IntArray,
@@ -65,17 +66,9 @@ from .namespaces import XP
 from .precise_balance import once_around, refined, settled_by_digits
 from .systems import StateSystem
 
-#: Stiffness over that of the contact from which on a point is looked at in polar coordinates first.
-#: In lift-off, where nothing else may hold the mass across, the line of a single spring is the
-#: better guide however soft it is.
-STIFF = 3e3
 #: What is searched beyond φ = ±π, more than where a turn is cut, and beyond l = 0 in parts of the
 #: largest length.
 BEYOND = 2.0**-6
-#: Upper bound of π.
-HALF_TURN = 3.1415926535897936
-#: By what the tension may be larger than it can be, so that none lies on the border of the region.
-ROOM = 1.0 + 2.0**-10
 
 
 @dataclass(frozen=True)
@@ -247,7 +240,9 @@ def stiff_points(
     """Roots of points with a stiff spring that are decided around one of the springs, and which
     points these are.
     """
-    least = 0.0 if balance.springs == 1 and not balance.contact else STIFF
+    # In lift-off, where nothing else may hold the mass across, the line of a single spring is the
+    # better guide however soft it is.
+    least = 0.0 if balance.springs == 1 and not balance.contact else balance.options.stiff
     stiff = _stiffnesses(balance, given).high.max(axis=0, initial=0.0) > least
     return _of_any_spring(balance, given, regions, np.flatnonzero(stiff))
 
@@ -335,7 +330,10 @@ def _sides(
     whole = replace(nowhere, q=list(Intervals(around)))
     directions = system.turned(whole.directions[: 3 * balance.springs], 0)
     forces = stacked(system.other_forces(replace(whole, fixed=directions)), shape)
-    most = ROOM * raised(np.hypot(*(forces.magnitude[i] for i in system.chart)) / k.low, 8)
+    # More than it can be, so that no tension lies on the border of the region.
+    most = (1.0 + 2.0**-10) * raised(
+        np.hypot(*(forces.magnitude[i] for i in system.chart)) / k.low, 8
+    )
     most = np.where(np.isfinite(most) & (k.low > 0), most, np.inf)
     tight = most < 0.5 * rest.low
     longest = np.fmin(length, raised(rest.high + most))

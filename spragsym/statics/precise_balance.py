@@ -19,7 +19,6 @@ import numpy as np
 
 from ..numerics import contractors
 from ..numerics.balls import Ball, UndecidedSign
-from ..numerics.boxes import POLE
 from ..numerics.certified_roots import Roots, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, width_of
 from ..numerics.precise_roots import (
@@ -34,20 +33,6 @@ from ..numerics.vectors import BEGIN, TURN
 from .balance import PreciseBalance
 from .systems import StateSystem
 
-#: Bits of the forces where roots are looked for, and of a root that is known.
-BITS, ROOT_BITS = (160, 320), 256
-#: Bound on the error up to which a state counts as settled.
-TOLERANCE = 1e-12
-#: Clusters of boxes of a point: more lie around no equilibria.
-CLUSTERS = 24
-#: Parts that are left all over a cluster: more bits do not help, nor do they at a point with some
-#: such clusters.
-ALL_OVER, HOPELESS = 32, 3
-#: Boxes of a point, beyond which they lie along a line of roots or the search ended early: they are
-#: told as the one around them.
-FOLDED = 2000
-#: Half-width of the box around a root that is known, but not well enough.
-AROUND = 2.0**-13
 #: Where the turn ends; the search goes beyond it at both ends.
 END = BEGIN + TURN
 
@@ -55,13 +40,13 @@ END = BEGIN + TURN
 def refined(
     system: StateSystem, given: FloatArray, found: Roots, among: BoolArray | bool = False
 ) -> Roots:
-    """Roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among``
-    them.
+    """Roots in narrower boxes where the error is beyond the tolerance of the options, and others
+    ``among`` them.
     """
     ends = found.ends.copy()
-    for root in np.flatnonzero(~(found.error <= TOLERANCE) | among):
+    for root in np.flatnonzero(~(found.error <= system.options.tolerance) | among):
         box = narrowed(
-            PreciseBalance(system, given[:, found.point[root]], ROOT_BITS),
+            PreciseBalance(system, given[:, found.point[root]], system.options.root_bits),
             ends[:, :, root],
             found.alone[:, :, root],
         )
@@ -76,20 +61,22 @@ def settled_by_digits(
     around: FloatArray,
     found: Roots,
     *,
-    most: int = CLUSTERS,
+    most: int = 24,
 ) -> Roots:
     """What a search has left or knows to few digits, with many digits, one cluster after the other.
 
-    Not of points with more clusters than ``most``, nor with more boxes than :data:`FOLDED`, of
-    which the hull is left.
+    Not of points with more clusters than ``most``, if the options do not say, nor with more boxes
+    than their ``folded``, of which the hull is left.
     """
-    many = np.flatnonzero(np.bincount(found.left_point) > FOLDED)
+    options = system.options
+    most = most if options.clusters is None else options.clusters
+    many = np.flatnonzero(np.bincount(found.left_point) > options.folded)
     if many.size:
         whole = [found.left[:, :, found.left_point == point].max(axis=2) for point in many]
         told = settled_by_digits(system, given, around, found.of(many, others=True), most=most)
         return told.then(found.of(many).kept(left=slice(0)).besides(np.stack(whole, axis=2), many))
-    poor = ~(found.error <= TOLERANCE)
-    boxes = np.concatenate([found.left, found.ends[:, :, poor] + AROUND], axis=2)
+    poor = ~(found.error <= options.tolerance)
+    boxes = np.concatenate([found.left, found.ends[:, :, poor] + 2.0**-13], axis=2)
     hulls, owner = clusters(boxes, np.concatenate([found.left_point, found.point[poor]]))
     points, which, count = np.unique(owner, return_inverse=True, return_counts=True)
     few = count <= most
@@ -97,18 +84,18 @@ def settled_by_digits(
     for k, point in enumerate(owner.tolist()):
         if few[which[k]]:
             own, hull = found.of(np.array([point])), hulls[:, :, k]
-            if lost[point] < HOPELESS:
+            if lost[point] < options.open_clusters:
                 part = _or_known(own, hull, reduced(system, given[:, point], hull, point))
             else:
                 part = own.kept(contractors.within(own.ends, hull[:, :, None]), slice(0)).besides(
                     hull[:, :, None], np.array([point])
                 )
-            lost[point] += part.left_point.size > ALL_OVER
+            lost[point] += part.left_point.size > options.open_parts
             parts.append(part)
     if not parts:
         return found
     mine = found.of(points[few])
-    again = different(mine.kept(mine.error <= TOLERANCE, slice(0)).then(*parts), around)
+    again = different(mine.kept(mine.error <= options.tolerance, slice(0)).then(*parts), around)
     # Clusters are looked at in boxes that are wider than they are.
     inside = ~contractors.apart(again.left, around[:, :, again.left_point])
     return found.of(points[few], others=True).then(again.kept(left=inside))
@@ -137,13 +124,15 @@ def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: 
     with quiet():
         parameters = system.prepared_at(given[:, None])
         slopes = system.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
-        pole = bool(system.given_up(Intervals(cluster[:, :, None]), parameters, 4 * POLE)[0])
+        pole = bool(system.given_up(Intervals(cluster[:, :, None]), parameters, 4)[0])
     box = exact_ends(cluster)
     found = Reduced([], [], [box])
-    for bits in BITS if not pole and np.isfinite(slopes).all() else ():
+    options = system.options
+    for bits in (options.bits, 2 * options.bits) if not pole and np.isfinite(slopes).all() else ():
         with suppress(UndecidedSign):
-            found = reduced_roots(PreciseBalance(system, given, bits).values, box, slopes, bits)
-            if not found.left or len(found.left) > ALL_OVER:
+            precise = PreciseBalance(system, given, bits)
+            found = reduced_roots(precise.values, box, slopes, bits, options)
+            if not found.left or len(found.left) > options.open_parts:
                 break
     ends, alone, left = (
         np.concatenate([np.empty((2, len(box), 0)), *(outward(one).ends for one in boxes)], axis=2)
@@ -193,7 +182,7 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
 
     inside, beyond = beside_border(found.ends, found.point)
     for row in np.flatnonzero(~(inside | beyond)).tolist():
-        digits = PreciseBalance(system, given[:, found.point[row]], ROOT_BITS)
+        digits = PreciseBalance(system, given[:, found.point[row]], system.options.root_bits)
         with suppress(UndecidedSign, ZeroDivisionError):
             root = narrowed(digits, found.ends[:, :, row], found.alone[:, :, row])
             gaps = [] if root is None else digits.state(root).gaps()

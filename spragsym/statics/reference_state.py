@@ -31,17 +31,6 @@ from ..results import Equilibria, EquilibriumType
 from .equilibria import equilibria
 from .namespaces import XP
 
-#: Strain energies that differ by less than this, relative to the largest, are equal: those of
-#: mirror images differ by rounding.
-EQUAL_ENERGIES = 1e-9
-#: Least eigenvalue of a stiffness, over the largest, that counts as positive.
-POSITIVE = 1e-6
-#: Numbers that differ by less than so many bounds of their errors are taken as alike: their sizes
-#: and distances are rounded, too.
-ALIKE = 8.0
-#: Numbers that differ by less than this, over 1 and their size, are equal.
-EQUAL = 1e-12
-
 
 def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> IndexArray:
     """The slot of the stable equilibrium of least strain energy, for each point; where none is
@@ -133,12 +122,13 @@ def chosen_state(
         )
     convex = np.isfinite(stiffness).all(axis=(0, 1))
     roots = np.linalg.eigvalsh(np.moveaxis(np.where(convex, stiffness, 0.0), (0, 1), (-2, -1)))
-    convex &= roots[..., 0] > POSITIVE * np.abs(roots).max(axis=-1)
+    convex &= roots[..., 0] > 1e-6 * np.abs(roots).max(axis=-1)
     strain = np.where(convex, second, strain)
     strain = np.where(among & np.isfinite(strain), strain, np.inf)
     sizes = np.abs(strain).max(axis=-1, keepdims=True, initial=0.0, where=np.isfinite(strain))
     largest = np.maximum(sizes, at_origin)  # two states may both be relaxed, but for rounding
-    least = strain <= strain.min(axis=-1, keepdims=True, initial=np.inf) + EQUAL_ENERGIES * largest
+    # Strain energies of mirror images differ by rounding.
+    least = strain <= strain.min(axis=-1, keepdims=True, initial=np.inf) + 1e-9 * largest
     return least_slot(np.where(least & among, np.abs(q[0]), np.inf), np.array(q), error)
 
 
@@ -171,7 +161,8 @@ def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> In
     1
     """
     sizes = scale_of(states).max(axis=0)
-    room = ALIKE * np.nan_to_num(error * sizes).max(axis=-1, keepdims=True, initial=0.0)
+    # Some bounds of their errors: sizes and distances are rounded, too.
+    room = 8 * np.nan_to_num(error * sizes).max(axis=-1, keepdims=True, initial=0.0)
     left = np.isfinite(measure)
     for one in (measure, *-states):
         least = one.min(axis=-1, keepdims=True, initial=np.inf, where=left)
@@ -190,7 +181,7 @@ def in_order(rows: FloatArray, error: FloatArray, point: IntArray) -> IndexArray
     keys = []
     for row in rows:
         order = np.lexsort((row, point))
-        near = EQUAL * (1 + np.abs(row[order])) + error[order] * scale_of(row[order])
+        near = 1e-12 * (1 + np.abs(row[order])) + error[order] * scale_of(row[order])
         begins = np.diff(row[order], prepend=-np.inf) > near + np.roll(near, 1)
         ranks = np.empty(order.size, dtype=np.intp)
         ranks[order] = np.cumsum(begins | (np.diff(point[order], prepend=-1) != 0))

@@ -28,6 +28,7 @@ from ..models.model import Model
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors, jets
 from ..numerics.interval_arrays import (
+    HALF_TURN,
     TINY,
     BoolArray,
     FloatArray,
@@ -44,31 +45,16 @@ from .namespaces import FREE
 
 #: The plane, as far as it is looked at.
 FAR = 1e60
-#: Half-width of the region where no bound can be shown, in units of the largest length of the
-#: model.
-NEAR = 10.0
-#: Relative step of Newton's method below which it has come to rest.
-CONVERGED = 1e-9
-#: Bound on these lengths, and on what proved parts of a range may widen the region by.
-FARTHEST, MOST = 1e6, 10.0
-#: Times that a range of parameters is halved.
-PIECES = 7
-#: What the region is wider than it had to be, at each end.
-ROOM = 1e-6
+#: Bound on lengths of the model.
+FARTHEST = 1e6
 #: Length of the line of a torsion spring from which on its force is bounded, in units of the scale
 #: of length.
 LENGTH = 1.0
-#: Upper bound of the angle that it turns by.
-HALF_TURN = 3.1415926535897936
-#: Rounds of contraction: each row bounds its coordinate from those that are bounded already.
-ROUNDS = 200
-#: Ends of the cells of a coordinate, on either side of 0, and how often it is cut into them.
-CELLS, SWEEPS = (*(10.0**k for k in range(-6, 5)), 1e8, 1e15, 1e30), 4
-#: Rounds of contraction of a cell.
-CELL_ROUNDS = 8
-#: No more rounds where one leaves so much of all widths: before all are bounded, and then, since
-#: the search contracts on its own.
-ENOUGH, BOUNDED = 0.999, 0.8
+#: Ends of the cells of a coordinate, on either side of 0.
+CELLS = (*(10.0**k for k in range(-6, 5)), 1e8, 1e15, 1e30)
+#: No more rounds where one leaves so much of all widths, and all are bounded: the search contracts
+#: on its own.
+BOUNDED = 0.8
 
 
 def region(
@@ -86,7 +72,7 @@ def region(
             break
         ends[:, :, open_], proved[open_] = step(balance, bounds[:, open_], ends[:, :, open_])
     wider = np.minimum(
-        np.where(np.isfinite(ends), raised(ends + ROOM), ends), balance.border[:, :, None]
+        np.where(np.isfinite(ends), raised(ends + 1e-6), ends), balance.border[:, :, None]
     )
     if asked is None:
         return wider, proved
@@ -121,7 +107,9 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArr
         border = np.broadcast_to(balance.border[:, :, None], (2, balance.n, bounds.shape[1]))
         # A force that nothing can balance, wherever the mass is: the sum of a row that is NaN holds
         # everything.
-        ends, nowhere = _squeezed(balance, parameters, np.minimum(FAR, border), ROUNDS)
+        ends, nowhere = _squeezed(
+            balance, parameters, np.minimum(FAR, border), balance.options.rounds
+        )
         ends = _with_anchors(balance, parameters, ends, nowhere)
     return ends, _bounded(ends)
 
@@ -135,7 +123,7 @@ def _by_cells(
     A slope that is known over no large box, as of a bell of the gap, is known over a cell:
     constructive interval disjunction.
     """
-    ends = known.copy()
+    ends, options = known.copy(), balance.options
     # Points that lie together are proved together where that succeeds: first all of them, then
     # halves.
     groups, depth = [np.arange(bounds.shape[1])], 0
@@ -153,7 +141,7 @@ def _by_cells(
             else:
                 open_.append(group)
         depth += 1
-        if depth > PIECES:
+        if depth > options.halvings:
             break
         groups = [half for group in open_ for half in _in_halves(bounds, group)]
     return ends, _bounded(ends)
@@ -177,7 +165,7 @@ def _cut_in_cells(balance: Balance, bounds: Intervals, ends: FloatArray) -> Floa
     with quiet():
         parameters = balance.prepared(bounds)
         nowhere = np.zeros(count, dtype=np.bool_)
-        for _ in range(SWEEPS):
+        for _ in range(balance.options.sweeps):
             before = ends
             for place in range(balance.n):
                 point, cell = np.divmod(np.arange(count * low.size), low.size)
@@ -186,7 +174,8 @@ def _cut_in_cells(balance: Balance, bounds: Intervals, ends: FloatArray) -> Floa
                 parts[1, place] = np.minimum(parts[1, place], high[cell])
                 some = np.flatnonzero((width_of(parts) >= 0).all(axis=0))
                 point, parts = point[some], parts[:, :, some]
-                parts, empty = _squeezed(balance, parameters[:, point], parts, CELL_ROUNDS)
+                rounds = balance.options.cell_rounds
+                parts, empty = _squeezed(balance, parameters[:, point], parts, rounds)
                 hull = np.full(ends.shape, -np.inf)
                 for row in np.flatnonzero(~empty):
                     hull[:, :, point[row]] = np.maximum(hull[:, :, point[row]], parts[:, :, row])
@@ -227,7 +216,7 @@ def _squeezed(
             empty |= gone
             ends = np.where(gone, ends, less)
         widths, widths_before = width_of(ends), width_of(before)
-        if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else ENOUGH) * widths_before).all():
+        if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else 0.999) * widths_before).all():
             break
     return ends, empty
 
@@ -239,7 +228,7 @@ def _with_anchors(
     is nothing.
     """
     border = balance.border[:, :, None]
-    ends = np.where(nowhere, np.minimum(NEAR, border), ends)
+    ends = np.where(nowhere, np.minimum(balance.options.near, border), ends)
     at = balance.state(Intervals(ends), parameters)
     return np.maximum(ends, _near_anchors(at, ends))
 
@@ -258,13 +247,14 @@ def _in_pieces(
     by_scales = np.where(
         known < FAR * 1e-6,
         known,
-        np.minimum(NEAR * _scales(balance, bounds), balance.border[:, :, None]),
+        np.minimum(balance.options.near * _scales(balance, bounds), balance.border[:, :, None]),
     )
     hulls = np.full((2, balance.n, count), -np.inf)
     left, owner = bounds, np.arange(count)
-    for depth in range(PIECES + 1):
+    most = balance.options.halvings
+    for depth in range(most + 1):
         wide = np.flatnonzero((left.low < left.high).any(axis=1))
-        if not wide.size or not owner.size or depth == PIECES:
+        if not wide.size or not owner.size or depth == most:
             break
         left, owner = _halved(left, int(wide[depth % wide.size])), np.repeat(owner, 2)
         ends, proved = _by_forces(balance, left)
@@ -272,7 +262,8 @@ def _in_pieces(
             hulls[:, :, owner[part]] = np.maximum(hulls[:, :, owner[part]], ends[:, :, part])
         left, owner = left[:, ~proved], owner[~proved]
     done = np.isin(np.arange(count), owner, invert=True)
-    return np.where(done, hulls, np.maximum(by_scales, np.minimum(hulls, MOST * by_scales))), done
+    # Proved parts of a range widen the region, but not without a bound.
+    return np.where(done, hulls, np.maximum(by_scales, np.minimum(hulls, 10 * by_scales))), done
 
 
 def _halved(bounds: Intervals, row: int) -> Intervals:
@@ -305,7 +296,7 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
             for start in (origin, *(way * reach for way in _ways(balance.n))):
                 near = balance.guessed(start, parameters)
                 place = balance.guessed(near, parameters)
-                rests = np.abs(place - near).max(axis=0) <= CONVERGED * np.abs(place).max(axis=0)
+                rests = np.abs(place - near).max(axis=0) <= 1e-9 * np.abs(place).max(axis=0)
                 size = np.abs(place).max(axis=0)
                 scale = np.where(rests & (size < FARTHEST), np.maximum(scale, size), scale)
     return scale

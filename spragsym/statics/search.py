@@ -37,6 +37,7 @@ from . import stability
 from .balance import NOTHING, Balance
 from .forces import as_intervals
 from .namespaces import XP
+from .options import SearchOptions
 from .polar import around_anchors, stiff_points, turned_points
 from .precise_balance import on_its_side, once_around, refined, settled_by_digits
 from .reference_state import in_order
@@ -47,30 +48,22 @@ from .states import Held
 #: where nothing is said, or a list of names.
 Asked: TypeAlias = Touching | Sequence[str] | None
 
-#: Relative width of boxes down to which a point is searched; what is left is looked at with many
-#: digits.
-NARROW = 2.0**-19
-#: Boxes of a point that are looked at where floats only look for what is there.
-SEEN_BUDGET = 8000
-#: A box no wider than this, over the size of its coordinates, is one place to floats.
-ONE_PLACE = 1e-9
-#: A box no wider than this is around a place.
-SMALL = 1e-3
-#: A region this wide is no bound: it is what floats leave of none.
-UNBOUNDED = 1e12
 
-
-def searched(p: ParameterSet, contact: Asked, within: Ranges | None) -> Equilibria:
+def searched(
+    p: ParameterSet, contact: Asked, within: Ranges | None, options: SearchOptions | None = None
+) -> Equilibria:
     """The equilibria of :func:`spragsym.equilibria`, by a search for each combination of contacts
     that touch.
     """
-    balances, asked = balances_of(p.model, contact), by_hand(p.model, within)
+    balances, asked = balances_of(p.model, contact, options), by_hand(p.model, within)
     given = columns(p, balances[0].parameters)
     parts = [(balance, *solved(balance, given, asked)) for balance in balances]
     return _arranged(p, parts)
 
 
-def balances_of(model: Model, contact: Asked) -> list[Balance]:
+def balances_of(
+    model: Model, contact: Asked, options: SearchOptions | None = None
+) -> list[Balance]:
     """The balances of the combinations of contacts that touch that are asked for."""
     if contact is None:
         # Where all contacts are open nothing touches, unless some never open.
@@ -78,7 +71,7 @@ def balances_of(model: Model, contact: Asked) -> list[Balance]:
         combinations: list[Touching] = [key for key in model.regimes if key or always]
     else:
         combinations = [_combination(model, contact)]
-    balances = [Balance(model, key) for key in combinations]
+    balances = [Balance(model, key, options=options) for key in combinations]
     for balance in balances:
         balance.apart = len(balances) > 1
     return balances
@@ -166,7 +159,7 @@ def seen(balance: Balance, given: FloatArray, asked: FloatArray | None) -> Roots
     those it leaves are missing.
     """
     around, _ = region(balance, Intervals.point(given), asked)
-    return certified_roots.search(balance, around, given, given, budget=SEEN_BUDGET)
+    return certified_roots.search(balance, around, given, given, budget=8000)
 
 
 def solved(
@@ -197,7 +190,9 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     """
     if not given.shape[1]:
         return Roots.none(balance.n)
-    found = certified_roots.search(balance, around, given, given, narrow=NARROW)
+    # What is left is looked at with many digits.
+    narrow = balance.options.narrow or 2.0**-19
+    found = certified_roots.search(balance, around, given, given, narrow=narrow)
     told = settled_by_digits(balance, given, around, found)
     return around_anchors(balance, given, around, told)
 
@@ -263,33 +258,37 @@ def _arranged(
     return Equilibria(p, which, counts, known, undecided, remarks, Held(made, found.ends))
 
 
-ANCHOR = (
-    "at the anchor of a spring, where its force has no value: an equilibrium may be nearer to it "
-    "than floats tell"
-)
-POLE = (
-    "at an end of a spring that resists turning: its force has no bound there, and no search "
-    "decides what is beside it"
-)
-BORDER = (
-    "where the contact just touches: whether what is there lies on this side of the border is not "
-    "known"
-)
-PLACE = (
-    "no wider than one place is to floats: a double root may be there, two very near ones, or none"
-)
-LINE = (
-    "where the equations nearly hold: a line of roots, a degenerate one as of a pitchfork that "
-    "changes its side, or none"
-)
-FREE = (
-    "along which no force acts on one of the coordinates at these parameters: a line of states, "
-    "or none"
-)
-WIDE = (
-    "left from a search that ended before it was small enough to be decided: a smaller range or a "
-    "smaller box helps"
-)
+#: Where a box is that is left, and what may be there: the first that holds.
+KINDS = {
+    "free": (
+        "along which no force acts on one of the coordinates at these parameters: a line of "
+        "states, or none"
+    ),
+    "pole": (
+        "at an end of a spring that resists turning: its force has no bound there, and no search "
+        "decides what is beside it"
+    ),
+    "anchor": (
+        "at the anchor of a spring, where its force has no value: an equilibrium may be nearer to "
+        "it than floats tell"
+    ),
+    "border": (
+        "where the contact just touches: whether what is there lies on this side of the border is "
+        "not known"
+    ),
+    "place": (
+        "no wider than one place is to floats: a double root may be there, two very near ones, or "
+        "none"
+    ),
+    "line": (
+        "where the equations nearly hold: a line of roots, a degenerate one as of a pitchfork that "
+        "changes its side, or none"
+    ),
+    "wide": (
+        "left from a search that ended before it was small enough to be decided: a smaller range "
+        "or a smaller box helps"
+    ),
+}
 
 
 def summed(kinds: Sequence[str]) -> tuple[str, ...]:
@@ -329,17 +328,10 @@ def kinds_of(
         if varied is None:
             forces = balance.residuals(Intervals(left), balance.prepared_at(given))
             free = np.logical_or.reduce(forces.magnitude <= NOTHING)
-    return np.select(  # the first that holds
-        [
-            free,
-            pole,
-            anchor & (width <= SMALL),
-            border & (width <= SMALL),
-            width <= ONE_PLACE,
-            width <= SMALL,
-        ],
-        [FREE, POLE, ANCHOR, BORDER, PLACE, LINE],
-        WIDE,
+    small = width <= 1e-3
+    *kinds, wide = KINDS.values()
+    return np.select(
+        [free, pole, anchor & small, border & small, width <= 1e-9, small], kinds, wide
     ).tolist()
 
 
@@ -359,7 +351,7 @@ def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[s
     ends = zip(balance.coordinates, -hull[0], hull[1], strict=True)
     places = [
         At(name, (float(low), float(high)), unit=units[name])
-        if high - low < UNBOUNDED
+        if high - low < 1e12  # as wide is no bound: it is what floats leave of none
         else Remark(f"any {name}")
         for name, low, high in ends
     ]

@@ -19,13 +19,11 @@ from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Interval
 from ..numerics.tape import Tapes
 from .forces import State, Values
 from .namespaces import XP
+from .options import SearchOptions
 
 if TYPE_CHECKING:
     from .balance import Balance
 
-#: Sizes of a box from an anchor up to which it is asked whether any direction of the spring
-#: balances the forces.
-AWAY = 1.0
 
 #: Tapes of every model's systems, as long as its functions are loaded.
 TAPES: WeakKeyDictionary[ModuleType, dict[Hashable, Tapes]] = WeakKeyDictionary()
@@ -41,6 +39,11 @@ class StateSystem(EquationSystem):
     """
 
     balance: Balance
+
+    @property
+    def options(self) -> SearchOptions:
+        """Options of the search for states, which are those of the balance."""
+        return self.balance.search_options
 
     def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
         """The evaluation at unknowns, of any number type as the arguments are."""
@@ -223,7 +226,8 @@ def at_anchors(
     for spring in range(boxes.system.balance.springs):
         dx, dy = ends[2 * spring], ends[2 * spring + 1]
         rows = np.flatnonzero(
-            among & ~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width))
+            # No farther from the anchor than the size of the box.
+            among & ~out & (np.hypot(dx.mignitude, dy.mignitude) <= dx.width + dy.width)
         )
         if rows.size:
             out[rows] = told(boxes.some(rows), spring)

@@ -16,7 +16,7 @@ from tests.oracles.box_problems import PROBLEMS, Problem
 NONE = np.zeros((0, 1))
 
 
-def solved(problem, region=None, low=NONE, high=None, budget=boxes.BUDGET):
+def solved(problem, region=None, low=NONE, high=None, budget=20_000):
     region = problem.ends if region is None else region
     return certified_roots.search(
         problem, region, low, low if high is None else high, budget=budget

@@ -1,0 +1,57 @@
+"""Options of algorithms: frozen dataclasses of tolerances and limits, each field with the range of
+values that it may have.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields
+from numbers import Integral, Real
+from typing import Any, TypeVar
+
+from .errors import ParameterError, ParameterTypeError
+
+T = TypeVar("T")
+
+
+def option(default: T, low: float, high: float = math.inf, kind: type = Real) -> T:
+    """Field of options, from ``low`` to ``high``, both included, and whatever its default is; whole
+    numbers with the ``kind`` Integral.
+    """
+    made: Callable[..., T] = field
+    return made(default=default, metadata={"low": low, "high": high, "kind": kind})
+
+
+def limit(default: T, low: int = 1, high: float = math.inf) -> T:
+    """Field of options that is a whole number."""
+    return option(default, low, high, Integral)
+
+
+@dataclass(frozen=True)
+class Options:
+    """Base of options, whose fields are checked as they are set.
+
+    Raises
+    ------
+    ParameterTypeError
+        For a value that is no number, or no whole one where only these are allowed.
+    ParameterError
+        For a number out of its range.
+    """
+
+    def __post_init__(self) -> None:
+        for each in fields(self):
+            value = getattr(self, each.name)
+            if each.metadata and value != each.default:
+                _check(f"{type(self).__name__}: {each.name}", value, each.default, **each.metadata)
+
+
+def _check(name: str, value: Any, default: Any, low: float, high: float, kind: Any) -> None:
+    remedy = "leave it out" if default is None else f"leave it out for {default}"
+    if isinstance(value, bool) or not isinstance(value, kind):
+        what = "whole number" if kind is Integral else "number"
+        raise ParameterTypeError(f"{name} = {value!r:.60} is no {what}; {remedy}")
+    if not low <= value <= high:
+        end = f"{low:g} or more" if math.isinf(high) else f"in [{low:g}, {high:g}]"
+        raise ParameterError(f"{name} = {value!r:.60} is not {end}; {remedy}")

@@ -19,7 +19,7 @@ from ..core.errors import ConvergenceError
 from ..core.questions import Method, question
 from ..models.parameters import ParameterSet, Span
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import FloatArray, IntArray, Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
 from ..numerics.vectors import apart
 from ..results import Equilibria, Points
 from ..statics.balance import Balance
@@ -29,11 +29,14 @@ from ..statics.stability import linearization
 from .defining_systems import given_column
 from .points import INFINITY
 from .singularities import turned as turned_by_mirror
-from .tubes import Tubes
+from .tubes import Place, Tubes
 
 #: Times a step is halved where all is to be known, and steps beyond which nothing more is hoped
 #: for; halvings for what is drawn.
 HALVINGS, MANY, DRAWN = 40, 500, 3
+#: Part of the product of its rows' lengths from which on the sign of a determinant is not one of
+#: rounding.
+ROUNDING = 1e-9
 #: Of two places the one this much nearer, over the distance of the other, is that of a state there.
 CLEARLY = 0.1
 
@@ -50,12 +53,13 @@ class Along:
     at: FloatArray
     kinds: NDArray[Any]
     q: FloatArray
+    whole: bool = False  #: whether these are all of them, and states listed are all there are
 
 
 @dataclass(frozen=True)
 class _States(ByColumn):
-    """Equilibria at one value, shape (n, number), the signs of det K, and sides of the mirror: 0 on
-    it, or if there is none.
+    """Equilibria at one value, shape (n, number), the signs of det K, 0 where rounding may have
+    turned it, and sides of the mirror: 0 on it, or if there is none.
     """
 
     q: FloatArray
@@ -116,7 +120,8 @@ def linked(
             turns.kind,
             np.array([turns[name] for name in p.model.coordinates]),
         )
-    along = Along(balance_of(p.model, eq.contact), p, vary, at, kinds, q)
+    whole = bool(eq.whole.all()) and (turns is None or turns.whole)
+    along = Along(balance_of(p.model, eq.contact), p, vary, at, kinds, q, whole)
     stops = np.asarray(eq.parameters[vary]).tolist()
     steps = list(itertools.pairwise(stops))[slice(only, None if only is None else only + 1)]
     given = columns(eq.parameters, along.balance.parameters)
@@ -169,7 +174,9 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
         known = np.abs(across[turned[0]]) > 4 * eq.error[point, slot]
         sides = np.where(known, np.sign(across[turned[0]]), 0.0)
     values = np.asarray(eq.parameters[along.vary]).tolist()
-    found = _States(q, np.sign(np.linalg.det(K)), sides)
+    size = np.linalg.norm(K, axis=2).prod(axis=1)  # no determinant is larger
+    det = np.linalg.det(K)
+    found = _States(q, np.where(np.abs(det) > ROUNDING * size, np.sign(det), 0.0), sides)
     return {value: found[point == number] for number, value in enumerate(values)}
 
 
@@ -177,29 +184,62 @@ def _by_tubes(
     along: Along, steps: list[Span], states: Mapping[float, _States]
 ) -> tuple[dict[Span, dict[int, int]], set[Span]]:
     """Pairs of slots whose states a tube joins, over a fold those of states that go through; and
-    steps of which all are known.
+    steps of which all are known, whose other tubes are not followed on: they end at the fold.
     """
-    n, known = along.balance.n, {step: dict[int, int]() for step in steps}
+    n = along.balance.n
     begun = [(one, two, slot) for one, two in steps for slot in range(states[one].signs.size)]
     given = given_column(along.p, along.balance.parameters, (along.vary,))
     tubes = Tubes.of_points(along.balance, along.vary, np.repeat(given, len(begun), axis=1))
     z = np.array([[*states[one].q[:, slot], one] for one, _, slot in begun]).reshape(-1, n + 1).T
-    start = tubes.place(z)
     goal = np.array([two for _, two, _ in begun])
-    there = tubes.followed(start, goal)
-    same = there.sure & (there.v == goal) & (np.abs(z - start.z) <= start.room).all(axis=0)
-    for column in np.flatnonzero(same):
-        one, two, slot = begun[column]
-        # An angle that goes around is listed once, within one turn.
-        away = np.abs(apart(states[two].q.T, there.z[:n, column], along.balance.around))
-        slots = np.flatnonzero((away <= there.room[:n, column]).all(axis=1))
-        if slots.size == 1:
-            known[one, two][slot] = int(slots[0])
-    return known, {
-        step
-        for step, pairs in known.items()
-        if _complete(along, pairs, step, states[step[0]], states[step[1]])
-    }
+    start = tubes.place(z)
+
+    def joined(there: Place) -> dict[Span, dict[int, int]]:
+        known = {step: dict[int, int]() for step in steps}
+        same = there.sure & (there.v == goal) & (np.abs(z - start.z) <= start.room).all(axis=0)
+        for column in np.flatnonzero(same):
+            one, two, slot = begun[column]
+            # An angle that goes around is listed once, within one turn.
+            away = np.abs(apart(states[two].q.T, there.z[:n, column], along.balance.around))
+            slots = np.flatnonzero((away <= there.room[:n, column]).all(axis=1))
+            if slots.size == 1:
+                known[one, two][slot] = int(slots[0])
+        return known
+
+    def completed(known: dict[Span, dict[int, int]]) -> set[Span]:
+        return {
+            (one, two)
+            for (one, two), pairs in known.items()
+            if _complete(along, pairs, (one, two), states[one], states[two])
+        }
+
+    def needless(there: Place) -> BoolArray:
+        """Tubes of steps of which all pairs are known without them: by tubes alone where states
+        may be missing.
+        """
+        known = joined(there)
+        by_tubes = {step: len(pairs) for step, pairs in known.items()}
+        told = {
+            (one, two)
+            for one, two in completed(known)
+            if along.whole
+            or by_tubes[one, two] == min(states[end].signs.size for end in (one, two))
+        }
+        told = {step for step in told if "pitchfork" not in _kinds_within(along, step)}
+        return np.array([(one, two) in told for one, two, _ in begun])
+
+    known = joined(tubes.followed(start, goal, needless=needless))
+    return known, completed(known)
+
+
+def _within(along: Along, step: Span) -> BoolArray:
+    """Which points lie between two values, or on them."""
+    return (along.at >= min(step)) & (along.at <= max(step))
+
+
+def _kinds_within(along: Along, step: Span) -> NDArray[np.str_]:
+    """Kinds of these points."""
+    return along.kinds[_within(along, step)].astype(str)
 
 
 def _complete(
@@ -208,8 +248,8 @@ def _complete(
     """Whether all pairs of a step are known, after those are entered that signs or the mirror
     tell.
     """
-    within = (along.at >= min(step)) & (along.at <= max(step))
-    kinds, counts = along.kinds[within].astype(str), (begin.signs.size, end.signs.size)
+    within = _within(along, step)
+    kinds, counts = _kinds_within(along, step), (begin.signs.size, end.signs.size)
     if kinds.size and (kinds == "pitchfork").all():
         return _across_pitchforks(
             along.q[:, within], pairs, begin, end, [value in along.at for value in step]

@@ -19,7 +19,7 @@ each entry of the matrix for its own.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Self
 
@@ -45,7 +45,7 @@ from ..statics.forces import State, filled
 from ..statics.precise_balance import on_side
 
 #: The first step over the whole way, the least one, and most steps.
-FIRST, LEAST, MOST = 2.0**-5, 2.0**-14, 400
+FIRST, LEAST, MOST = 0.25, 2.0**-14, 400
 #: Half-width of a box at least, over its size; how often it is made wider, and by how much of its
 #: width.
 NARROW, INFLATIONS, ROOM = 1e-9, 6, 0.1
@@ -503,17 +503,29 @@ class Tubes(ByColumn):
     # ---------------------------------------------------------------------------------------------
     # the way
 
-    def followed(self, start: Place, goal: FloatArray, least: float = LEAST) -> Place:
+    def followed(
+        self,
+        start: Place,
+        goal: FloatArray,
+        least: float = LEAST,
+        needless: Callable[[Place], BoolArray] | None = None,
+    ) -> Place:
         """The state as ``vary`` moves to a goal: the last places that are proved, at the goal where
         all of the way is.
+
+        ``needless`` says of the places where they stand which of them need not be followed farther;
+        it is asked at first, and when some have come to their goals.
         """
         here = start[np.arange(goal.size)]
         way = goal - here.v
         step = FIRST * way
+        open_, arrived = here.sure.copy(), -1
         for _ in range(MOST):
-            rows = np.flatnonzero(
-                here.sure & (here.v != goal) & (np.abs(step) >= least * np.abs(way))
-            )
+            there = here.v == goal
+            if needless is not None and there.sum() > arrived:
+                open_ &= ~needless(here)
+                arrived = there.sum()
+            rows = np.flatnonzero(open_ & ~there & (np.abs(step) >= least * np.abs(way)))
             if not rows.size:
                 break
             at = here[rows]

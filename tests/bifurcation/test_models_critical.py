@@ -4,14 +4,16 @@ is which at the next.
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.bifurcation.branches import Along, _by_tubes, _states
+from spragsym.bifurcation.branches import Along, _by_tubes, _states, linked
 from spragsym.bifurcation.critical import carried
 from spragsym.bifurcation.paths import first_end
+from spragsym.bifurcation.tubes import Tubes
 from spragsym.statics.balance import Balance
 
 SEARCH = ss.load("kang_nam").search
@@ -93,3 +95,27 @@ def test_an_angle_after_a_turn_is_the_same_state() -> None:
     assert complete == set(known)
     assert pairs == {slot: slot for slot in range(int(eq.count[0]))}
     assert len(pairs) == 3
+
+
+@pytest.mark.thorough
+def test_no_tube_is_followed_to_the_fold_at_which_it_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of three states before a fold one goes on; the pairs of a step without a fold need no tube to
+    come near to one.
+    """
+    p = ss.load("cubic_contact").Parameters(theta0=0.7)
+    turns = ss.folds(p, "mu0", between={"mu0": (0.3, 1.0)})
+    (fold,) = turns["mu0"]
+    stops = fold + np.array([-0.02, -1e-3, 1e-3])
+    eq = ss.equilibria(p.replace(mu0=stops))
+    assert eq.count.tolist() == [3, 3, 1]
+    rounds, segment = list[int](), Tubes.segment
+
+    def counted(tubes: Tubes, *given: Any) -> Any:
+        rounds.append(tubes.half.shape[1])
+        return segment(tubes, *given)
+
+    monkeypatch.setattr(Tubes, "segment", counted)
+    before, over = linked(p, "mu0", eq, turns, most=0)
+    assert before == {0: 0, 1: 1, 2: 2}
+    assert len(over) == 1
+    assert len(rounds) <= 20

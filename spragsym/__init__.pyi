@@ -15,6 +15,7 @@ from .bifurcation.flutter import flutter_onsets as flutter_onsets
 from .bifurcation.folds import cusps as cusps
 from .bifurcation.folds import folds as folds
 from .bifurcation.hopf_curves import onset_curves as onset_curves
+from .bifurcation.options import ContinuationOptions as ContinuationOptions
 from .bifurcation.paths import quasi_static_path as quasi_static_path
 from .bifurcation.sticking import sticking_states as sticking_states
 from .core import errors as errors

@@ -31,14 +31,14 @@ from ..numerics.interval_arrays import (
 )
 from ..numerics.vectors import norm
 from ..results import BifurcationSet, Curve, Points
+from ..statics.options import SearchOptions
 from ..statics.precise_balance import on_side
 from ..statics.search import of_ranges
 from .defining_systems import FOLD, FOLD_ON_BORDER, TURN, Augmented, Condition, Family
 from .folds import cusps, folds
+from .options import ContinuationOptions
 from .points import OVER_BORDER, Found, isolated, listed, search
 
-#: Boxes looked at for one line of the plane.
-BUDGET = 20_000
 #: Extrema and ends of curves, as remarks call them.
 _WHERE = {
     "cusp": "of cusps",
@@ -46,23 +46,8 @@ _WHERE = {
     "end": "where curves end",
     "border": "where curves leave the contact",
 }
-#: Lines one after the other that stay undecided alone, after which no other is searched alone.
-ENOUGH = 4
 #: How near a line counts as on it, over the range of the parameter.
 ON_LINE = 1e-9
-#: How far a curve may be from the straight line between two neighbours, over the ranges of the
-#: parameters.
-SMOOTH = 2e-4
-#: Times that points are put between all neighbours.
-HALVINGS = 7
-#: Steps of Newton's method, and how far it may lead away over the distance of the neighbours.
-STEPS, NEAR = 6, 0.5
-#: First pace behind the end of a chain, over the scales, the least one, and paces that are tried.
-PACE, LEAST, PACES = 0.02, 1e-6, 60
-#: Cosine of the turn within a pace, and distance of a point from its chord, over its length.
-STRAIGHT, BESIDE = 0.9, 0.05
-#: Half-width of the box in which a point is proved, over the size of what it is made of.
-ROOM = 1e-9
 
 
 @question
@@ -73,6 +58,7 @@ def bifurcation_set(
     *,
     between: Ranges | None = None,
     within: Ranges | None = None,
+    options: ContinuationOptions | None = None,
     method: Method = "auto",
 ) -> BifurcationSet:
     """Where the number of equilibria in contact changes in the plane of two parameters: every curve
@@ -90,6 +76,8 @@ def bifurcation_set(
         how many directions θ to solve at, 2000 at least.
     between, within, method
         As for :func:`spragsym.folds`, ranges of the two.
+    options : ContinuationOptions, optional
+        Tolerances and limits of the curves, and of the search below them.
 
     Returns
     -------
@@ -122,10 +110,11 @@ def bifurcation_set(
     n = 60 if n is None else n
     vary = p.model.two(vary)
     as_count("n", n, 2)
-    family = Family.of(p, vary, between, within)
-    known = list(extrema(p, vary, between or {}, within))
+    options = options or ContinuationOptions()
+    family = Family.of(p, vary, between, within, options=options.asked)
+    known = list(extrema(p, vary, between or {}, within, options.asked))
     more = np.concatenate([rows_of(family, points) for _, points in known], axis=1)
-    found = on_lines(family, FOLD, n, more, more[-1])
+    found = on_lines(family, FOLD, n, more, more[-1], options)
     curves = [Curve(family.named(chain)) for chain in found.chains]
     complete = (
         found.whole and not found.undecided.shape[0] and all(points.complete for _, points in known)
@@ -156,6 +145,7 @@ def extrema(
     vary: Sequence[str],
     between: Ranges,
     within: Ranges | None = None,
+    options: SearchOptions | None = None,
 ) -> Iterator[tuple[str, Points]]:
     """Where curves of folds have extreme values of the second parameter or end, by kind, each
     proved; arguments as of ``folds``.
@@ -166,11 +156,11 @@ def extrema(
     """
     over, along = vary
     family, rest = (
-        Family.of(p, vary, between, within),
+        Family.of(p, vary, between, within, options=options),
         {name: ends for name, ends in between.items() if name != over},
     )
     with doing("cusps over {} and {}", *vary):
-        found = cusps(p, vary, between=between, within=within)
+        found = cusps(p, vary, between=between, within=within, options=options)
     yield "cusp", found
     # Where no state depends on one of the two, curves are straight along it.
     bends = set(vary) <= set(family.balance.balanced)
@@ -179,14 +169,11 @@ def extrema(
     low, high = family.spans[0].tolist()
     for end in (low, high):
         value = p.ranges[over].reached(end, high - low)
-        yield "end", folds(p.replace(**{over: value}), along, between=rest, within=within)
+        at_end = p.replace(**{over: value})
+        yield "end", folds(at_end, along, between=rest, within=within, options=options)
     if family.balance.opens and bends:
-        yield (
-            "border",
-            isolated(
-                Family.of(p, vary, between, within, room=OVER_BORDER), FOLD_ON_BORDER, "border"
-            ),
-        )
+        near = Family.of(p, vary, between, within, room=OVER_BORDER, options=options)
+        yield "border", isolated(near, FOLD_ON_BORDER, "border")
 
 
 def rows_of(family: Family, found: Points) -> FloatArray:
@@ -210,7 +197,12 @@ class OnLines:
 
 
 def on_lines(
-    family: Family, condition: Condition, n: int, more: FloatArray, apart: Iterable[float] = ()
+    family: Family,
+    condition: Condition,
+    n: int,
+    more: FloatArray,
+    apart: Iterable[float] = (),
+    options: ContinuationOptions | None = None,
 ) -> OnLines:
     """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points
     belong to them as well.
@@ -247,7 +239,9 @@ def on_lines(
     undecided, remarks = listed(family, np.concatenate(left, axis=2))
     reach = np.ptp(states[: balance.n], axis=1).max(initial=1e-9) if states.size else 1.0
     curves = FoldCurves(
-        Augmented(family, condition), np.append(np.full(balance.n, reach), np.ptp(spans, axis=1))
+        Augmented(family, condition),
+        np.append(np.full(balance.n, reach), np.ptp(spans, axis=1)),
+        options or ContinuationOptions(),
     )
     near = np.logical_and(
         *(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1))
@@ -268,12 +262,13 @@ def _on_each(lines: Family, condition: Condition) -> Found:
     """All points on lines, searched at once; each line of which boxes are left again alone, with
     all that decides one line.
     """
-    found = search(lines, condition, BUDGET)
+    budget = lines.balance.options.budget or 20_000
+    found = search(lines, condition, budget)
     roots, undecided = found.roots, 0
     for line in np.unique(roots.left_point)[:, None]:
-        if undecided == ENOUGH:
+        if undecided == 4:  # of lines one after the other
             break
-        alone = search(replace(lines, given=lines.given[:, line]), condition, BUDGET).roots
+        alone = search(replace(lines, given=lines.given[:, line]), condition, budget).roots
         undecided = undecided + 1 if alone.left_point.size else 0
         roots = roots.of(line, others=True).then(alone.numbered(line))
     return replace(found, roots=roots)
@@ -343,6 +338,7 @@ class FoldCurves:
 
     system: Augmented
     scale: FloatArray
+    options: ContinuationOptions
 
     @property
     def spans(self) -> FloatArray:
@@ -353,7 +349,7 @@ class FoldCurves:
         """A chain of folds, shape (n + 2, number), with further ones between neighbours, until it
         is smooth.
         """
-        for _ in range(HALVINGS):
+        for _ in range(self.options.refinements):
             place, along = states / self.scale[:, None], self.tangents(states)
             chord, centre = np.diff(place, axis=1), 0.5 * (place[:, :-1] + place[:, 1:])
             length = np.linalg.norm(chord, axis=0)
@@ -362,7 +358,8 @@ class FoldCurves:
             )
             middle = centre + 0.125 * length * (one - two)
             rows = np.flatnonzero(
-                (np.linalg.norm((middle - centre)[-2:], axis=0) > SMOOTH) & (length > 0)
+                (np.linalg.norm((middle - centre)[-2:], axis=0) > self.options.smoothness)
+                & (length > 0)
             )
             found, good = self.on_curve(
                 middle[:, rows] * self.scale[:, None], chord[:, rows] / length[rows], length[rows]
@@ -397,9 +394,9 @@ class FoldCurves:
         """
         ahead = [(k, other[:, ::way]) for k, other in enumerate(others) for way in (1, -1)]
         ahead += [(-1, chain[:, :1])] if chain.shape[1] > 2 else []
-        path, end, pace = [chain], chain[:, -1], PACE
+        path, end, pace = [chain], chain[:, -1], self.options.pace
         before = chain[:, -2] if chain.shape[1] > 1 else None
-        for _ in range(PACES):
+        for _ in range(self.options.paces):
             along = self.tangents(end[:, None])[:, 0]
             along = along * (
                 side if before is None else np.sign(along @ ((end - before) / self.scale))
@@ -410,9 +407,9 @@ class FoldCurves:
             found, good = self.on_curve(start[:, None], normal[:, None], np.array([pace]))
             if stop is not None:
                 found[stop] = start[stop]
-            if not good[0] or abs(self.tangents(found)[:, 0] @ along) < STRAIGHT:
+            if not good[0] or abs(self.tangents(found)[:, 0] @ along) < self.options.turn:
                 pace *= 0.5
-                if pace < LEAST:
+                if pace < self.options.least_pace:
                     break
                 continue
             for k, further in ahead:
@@ -450,7 +447,7 @@ class FoldCurves:
         chord, away = (two - one) / self.scale, (point - one) / self.scale
         length = norm(chord)
         share = float(away @ chord) / length**2
-        return bool(1e-9 < share <= 1 + 1e-6 and norm(away - share * chord) <= BESIDE * length)
+        return bool(1e-9 < share <= 1 + 1e-6 and norm(away - share * chord) <= 0.05 * length)
 
     def tangents(self, states: FloatArray) -> FloatArray:
         """Unit vectors along the curve, over the scales; 0 where there is none."""
@@ -471,7 +468,7 @@ class FoldCurves:
         """
         states, scale = start, self.scale[:, None]
         with quiet():
-            for _ in range(STEPS):
+            for _ in range(self.options.newton_steps):
                 slopes = self._slopes(Intervals.point(states)).middle * scale
                 off = np.concatenate(
                     [
@@ -486,7 +483,7 @@ class FoldCurves:
                     )
                     * scale
                 )
-            good = np.linalg.norm((states - start) / scale, axis=0) <= NEAR * near
+            good = np.linalg.norm((states - start) / scale, axis=0) <= 0.5 * near
             good &= ((self.spans[:, :1] <= states[-2:]) & (states[-2:] <= self.spans[:, 1:])).all(
                 axis=0
             )
@@ -507,7 +504,7 @@ class FoldCurves:
             .reshape(-1, count - 1)
             .T
         )
-        room = ROOM * scale_of(states)
+        room = self.options.half_width * scale_of(states)
         room[fixed, columns] = 0.0
         wide = ends_around(states, room)
         slopes = self._slopes(Intervals(wide)).ends[:, :, free, columns]

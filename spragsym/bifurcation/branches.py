@@ -27,18 +27,14 @@ from ..statics.equilibria import equilibria
 from ..statics.search import balance_of, columns
 from ..statics.stability import linearization
 from .defining_systems import given_column
+from .options import ContinuationOptions
 from .points import INFINITY
 from .singularities import turned as turned_by_mirror
 from .tubes import Place, Tubes
 
-#: Times a step is halved where all is to be known, and steps beyond which nothing more is hoped
-#: for; halvings for what is drawn.
-HALVINGS, MANY, DRAWN = 40, 500, 3
 #: Part of the product of its rows' lengths from which on the sign of a determinant is not one of
 #: rounding.
 ROUNDING = 1e-9
-#: Of two places the one this much nearer, over the distance of the other, is that of a state there.
-CLEARLY = 0.1
 
 
 @dataclass(frozen=True)
@@ -102,8 +98,9 @@ def linked(
     eq: Equilibria,
     turns: Points | None,
     *,
-    most: int = DRAWN,
+    most: int | None = 3,
     only: int | None = None,
+    options: ContinuationOptions | None = None,
     method: Method = "auto",
 ) -> list[dict[int, int]]:
     """For each step between values of a parameter and each slot at its beginning, the slot at its
@@ -111,7 +108,8 @@ def linked(
 
     ``turns`` are all points along it at which states vanish, None in lift-off, where there are
     none. A step is halved ``most`` times; if it is not known then it has the pairs that tubes join
-    and no others, or is an error after :data:`HALVINGS`. ``only`` one step may be asked for.
+    and no others, or is an error where it is None and the halvings of the options do
+    not tell. ``only`` one step may be asked for.
     """
     at, kinds, q = np.empty(0), np.empty(0, dtype=str), np.empty((0, 0))
     if turns is not None:
@@ -129,12 +127,14 @@ def linked(
     turned = turned_by_mirror(along.balance, ends)
     states, known = _states(along, eq, turned), dict[Span, dict[int, int]]()
     open_, halved = steps, list[tuple[Span, float]]()
-    for halvings in range(most + 1):
-        more, complete = _by_tubes(along, open_, states)
+    options = options or ContinuationOptions()
+    last = options.halvings if most is None else most
+    for halvings in range(last + 1):
+        more, complete = _by_tubes(along, open_, states, options)
         known |= more
         failed = [step for step in open_ if step not in complete]
-        hopeless = len(failed) > MANY or halvings == most
-        if failed and hopeless and most == HALVINGS:
+        hopeless = len(failed) > options.open_steps or halvings == last
+        if failed and hopeless and most is None:
             why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
             one, two = open_[0]
             raise ConvergenceError(
@@ -181,7 +181,7 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
 
 
 def _by_tubes(
-    along: Along, steps: list[Span], states: Mapping[float, _States]
+    along: Along, steps: list[Span], states: Mapping[float, _States], options: ContinuationOptions
 ) -> tuple[dict[Span, dict[int, int]], set[Span]]:
     """Pairs of slots whose states a tube joins, over a fold those of states that go through; and
     steps of which all are known, whose other tubes are not followed on: they end at the fold.
@@ -189,7 +189,8 @@ def _by_tubes(
     n = along.balance.n
     begun = [(one, two, slot) for one, two in steps for slot in range(states[one].signs.size)]
     given = given_column(along.p, along.balance.parameters, (along.vary,))
-    tubes = Tubes.of_points(along.balance, along.vary, np.repeat(given, len(begun), axis=1))
+    columns = np.repeat(given, len(begun), axis=1)
+    tubes = Tubes.of_points(along.balance, along.vary, columns, options=options)
     z = np.array([[*states[one].q[:, slot], one] for one, _, slot in begun]).reshape(-1, n + 1).T
     goal = np.array([two for _, two, _ in begun])
     start = tubes.place(z)
@@ -322,7 +323,7 @@ def clearly_nearest(q: FloatArray, places: FloatArray) -> IntArray:
     """
     away = np.linalg.norm(q[:, :, None] - places[:, None], axis=0)
     first, second = np.sort(np.pad(away, [(0, 0), (0, 1)], constant_values=np.inf), axis=1).T[:2]
-    return np.where(first <= CLEARLY * second, away.argmin(axis=1), -1)
+    return np.where(first <= 0.1 * second, away.argmin(axis=1), -1)
 
 
 def _left(taken: Container[int], states: _States) -> list[int]:

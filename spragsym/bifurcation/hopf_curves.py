@@ -34,6 +34,7 @@ from .defining_systems import (
 )
 from .flutter import Frequencies, crossing, every, form_or_why, frequencies, meeting, of_forms, told
 from .normal_forms import NormalForm
+from .options import ContinuationOptions
 from .points import arranged, matrices, nothing, search
 
 #: Points of the plane that are nearer than this share of its scales are one.
@@ -118,6 +119,7 @@ def onset_curves(
     *,
     damping: bool | None = None,
     between: Ranges | None = None,
+    options: ContinuationOptions | None = None,
 ) -> OnsetCurves:
     """Curves of Hopf points in the plane of two parameters, each point supercritical (gentle) or
     subcritical (dangerous).
@@ -135,6 +137,8 @@ def onset_curves(
         two modes meet. Without it True, unless C is 0.
     between : mapping, optional
         Ranges of the two, as ``{"mu0": (0, 1)}``.
+    options : ContinuationOptions, optional
+        Tolerances and limits of the curves, and of the search below them.
 
     Returns
     -------
@@ -168,10 +172,11 @@ def onset_curves(
     p.model.require_one_contact("onset_curves")
     vary = model_of(p).two(vary)
     as_count("n", n, 2)
-    plane = _Plane.of(p, vary, between)
+    options = options or ContinuationOptions()
+    plane = _Plane.of(p, vary, between, options=options.asked)
     if damping is None:
         damping = is_damped(plane.balance, plane.over)
-    return plane.curves(n, damping)
+    return plane.curves(n, damping, options)
 
 
 @dataclass(frozen=True)
@@ -180,7 +185,7 @@ class _Plane(Family):
     coordinates, then both parameters.
     """
 
-    def curves(self, n: int, damping: bool) -> OnsetCurves:
+    def curves(self, n: int, damping: bool, options: ContinuationOptions) -> OnsetCurves:
         """Curves of Hopf points, or without damping those on which two modes meet."""
         points, sought, said = self.sought(damping)
         whole, lines, undecided = (
@@ -190,7 +195,7 @@ class _Plane(Family):
         )
         curves, changes = list[Curve](), list[list[float]]()
         for condition, modes, ends in sought:
-            found = on_lines(self, condition, n, ends)
+            found = on_lines(self, condition, n, ends, options=options)
             for chain in found.chains:
                 known = zip(
                     _at_ends(found.curves, chain, ends).tolist(),

@@ -24,31 +24,25 @@ from ..numerics.interval_arrays import FloatArray, IntArray, scale_of
 from ..results import Equilibria, EquilibriumType, Jump, Path, Points, Result
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
+from ..statics.options import SearchOptions
 from ..statics.reference_state import chosen_state, least_slot, nearest_state
 from ..statics.search import balances_of, columns
 from ..statics.stability import with_a_zero
 from ..statics.states import as_decided, combination_of, one_each, with_state
 from .borders import BORDER, BORDER_FOLD, PASSES, combination, met_by
 from .borders import joined as together
-from .branches import HALVINGS, clearly_nearest, linked
+from .branches import clearly_nearest, linked
 from .defining_systems import Family, given_column, touch
 from .folds import folds
+from .options import ContinuationOptions
 from .points import INFINITY, OVER_BORDER, escapes, isolated, which
 from .singularities import ended
 from .tubes import Place, Tubes
 from .turning_points import turned
 
-#: Distance from a fold, over its value if that is larger than 1, at which the states beside it are
-#: looked at.
-BESIDE = 1e-3
 #: An error of a fold that is no more than rounding: other floats than its own are on one side of
 #: it.
 ROUNDED = 2.0**-52
-#: How far beyond its ends a range is searched, over the larger of 1 and the end, where as much as
-#: that is not decided.
-AROUND = 1e-6
-#: How near to a fold the place lies at which a tube turns, over the size of its coordinates.
-MATCH = 1e-6
 
 
 @dataclass(frozen=True)
@@ -76,6 +70,7 @@ def quasi_static_path(
     *,
     start: int | str = "small",
     after_jump: Choice | None = None,
+    options: ContinuationOptions | None = None,
     method: Method = "auto",
 ) -> Path:
     """Follow an equilibrium in contact as a parameter moves through ``values``, up or down, with
@@ -99,6 +94,8 @@ def quasi_static_path(
         stable one that is nearest, or the only one that is left; from infinity, where none is the
         nearest, it goes nowhere. Whether the motion settles there
         or on a limit cycle, :func:`spragsym.simulate` tells.
+    options : ContinuationOptions, optional
+        Tolerances and limits of what is followed, and of the search below it.
     method : {"auto", "closed", "search"}
         A closed form if the model brings one for these arguments, the closed form only, or the
         search.
@@ -149,7 +146,7 @@ def quasi_static_path(
             "values do not go one way; give one axis of one or more, strictly increasing or "
             "strictly decreasing"
         )
-    way = Way(p, vary, along)
+    way = Way(p, vary, along, options)
     place = way.begin(start)
     out, touching = [way.state(0, place)], [way.touching(0, place)]
     jumps = []
@@ -195,19 +192,25 @@ def first_end(
 
 @question
 def open_ends(
-    p: ParameterSet, vary: str, span: Span, turns: Points, *, method: Method = "auto"
+    p: ParameterSet,
+    vary: str,
+    span: Span,
+    turns: Points,
+    *,
+    options: SearchOptions | None = None,
+    method: Method = "auto",
 ) -> list[Points]:
     """Where states leave the contact or come into it, and where they run to infinity, if they do,
     beside the folds ``turns``.
     """
-    balances, found = balances_of(p.model, None), list[Points]()
+    balances, found = balances_of(p.model, None, options), list[Points]()
+    family_of = functools.partial(Family.of, p, (vary,), {vary: span}, options=options)
     known = {tuple(balance.pushing) for balance in balances}
     for balance in balances:
-        of = functools.partial(Family.of, p, (vary,), {vary: span}, contact=balance.contact)
         for contact in balance.opens:
             other = tuple(balance.without(contact).pushing)
             if balance.pushing[contact] and other not in known:
-                near = of(room=OVER_BORDER, beyond=contact)
+                near = family_of(contact=balance.contact, room=OVER_BORDER, beyond=contact)
                 found.append(isolated(near, touch(contact), "border"))
                 if not found[-1].decided:
                     raise ConvergenceError(
@@ -217,10 +220,7 @@ def open_ends(
     if not (
         turns.whole and np.isfinite(turns.region).all()
     ):  # states run to infinity only where nothing bounds them
-        found += [
-            escapes(Family.of(p, (vary,), {vary: span}, contact=balance.contact))
-            for balance in balances
-        ]
+        found += [escapes(family_of(contact=balance.contact)) for balance in balances]
     return found
 
 
@@ -233,15 +233,23 @@ class Way:
     meet.
     """
 
-    def __init__(self, p: ParameterSet, vary: str, along: FloatArray) -> None:
+    def __init__(
+        self,
+        p: ParameterSet,
+        vary: str,
+        along: FloatArray,
+        options: ContinuationOptions | None = None,
+    ) -> None:
+        self.options = options or ContinuationOptions()
+        self.search = self.options.asked
         #: Of every combination of contacts that touch, by the names of these, its balance.
-        self.balances = {one.touching: one for one in balances_of(p.model, None)}
+        self.balances = {one.touching: one for one in balances_of(p.model, None, self.search)}
         self.p, self.vary, self.balance = p, vary, next(iter(self.balances.values()))
         p.model.require_parameter(vary)
         try:
-            ends = self._ends(along, BESIDE)
+            ends = self._ends(along, self.options.fold_distance)
         except ConvergenceError:  # of what lies beyond the values nothing is asked
-            ends = self._ends(along, AROUND)
+            ends = self._ends(along, 1e-6)
         every = self._turns_within(along, ends)
         #: Points at which states vanish, and those at which they pass from one combination of
         #: contacts that touch into another.
@@ -255,7 +263,7 @@ class Way:
         self.error = self.turns.error * scale_of(self.at)
         self.far = np.char.startswith(self.kinds.astype(str), INFINITY)
         self.stops = self._stops(along)
-        self.eq = self._with_meetings(equilibria(p.replace(**{vary: self.stops})))
+        self.eq = self._with_meetings(self._equilibria(self.stops))
         if not self.eq.decided.all():
             first = self.stops[np.flatnonzero(~self.eq.decided)[0]]
             raise ConvergenceError(
@@ -264,6 +272,10 @@ class Way:
         #: All pairs of slots of a step on one branch, not only those that tubes join at once.
         self._links = functools.cache(self._linked)
         self.joined = self._in_combinations(most=0)
+
+    def _equilibria(self, values: ArrayLike) -> Equilibria:
+        """All equilibria at values of the parameter."""
+        return equilibria(self.p.replace(**{self.vary: values}), options=self.search)
 
     def _in_combinations(self, **how: Any) -> list[dict[int, int]]:
         """Pairs of slots on one branch for each step, or for the one that is asked for, in which no
@@ -274,7 +286,7 @@ class Way:
             eq, slots = combination_of(self.eq, touching, balance.contact)
             turns = together([self.turns, self.passes]) if len(self.balances) > 1 else self.turns
             turns = turns.select(met_by(turns, balance))
-            pairs = linked(self.p, self.vary, eq, turns, **how)
+            pairs = linked(self.p, self.vary, eq, turns, options=self.options, **how)
             found = found or [{} for _ in pairs]
             first = how.get("only") or 0
             for step, (every, part) in enumerate(zip(found, pairs, strict=True), first):
@@ -285,7 +297,7 @@ class Way:
         """All pairs of slots of a step on one branch, those that pass from one combination of
         contacts into another included.
         """
-        (found,) = self._in_combinations(most=HALVINGS, only=step)
+        (found,) = self._in_combinations(most=None, only=step)
         low, high = sorted(self.stops[step : step + 2])
         passed = self.passes.select(
             (self.passes[self.vary] >= low) & (self.passes[self.vary] <= high)
@@ -319,7 +331,7 @@ class Way:
         for stop in np.flatnonzero(~eq.decided).tolist():
             here = np.flatnonzero((self.at == self.stops[stop]) & ~self.far)
             states = self.q[:, here].T
-            room = BESIDE * scale_of(states)
+            room = self.options.fold_distance * scale_of(states)
             boxes = [box for box in eq.undecided if box.index == (stop,)]
             around = np.array(
                 [
@@ -350,14 +362,14 @@ class Way:
             max(float((along - room).min()), allowed.low),
             min(float((along + room).max()), allowed.high),
         )
-        found = folds(self.p, self.vary, between={self.vary: (low, high)})
+        found = folds(self.p, self.vary, between={self.vary: (low, high)}, options=self.search)
         if not found.decided:
             raise ConvergenceError(
                 f"folds along {self.vary} between {low:.17g} and {high:.17g} are not all "
                 "decided; ss.folds lists the boxes, "
                 "and a path needs a range without them"
             )
-        return [found, *open_ends(self.p, self.vary, (low, high), found)]
+        return [found, *open_ends(self.p, self.vary, (low, high), found, options=self.search)]
 
     def _turns_within(self, along: FloatArray, ends: list[Points]) -> Points:
         """Where states vanish on the way: one value for those that coincide within their errors,
@@ -401,7 +413,7 @@ class Way:
         nearest = np.where(apart > 4 * ROUNDED * size[:, None], apart, np.inf).min(
             axis=1, initial=np.inf
         )
-        room = np.minimum(BESIDE * size, 0.25 * nearest)
+        room = np.minimum(self.options.fold_distance * size, 0.25 * nearest)
         beside = np.concatenate([at - room, at + room])
         # Between floats next to each other there is no other.
         new = (along.min() < beside) & (beside < along.max()) & ~np.isin(beside, known)
@@ -545,13 +557,12 @@ class Way:
         away = np.abs(np.vstack([self.q, self.at])[:, here] - found.z) / scale_of(found.z)
         away = away.max(axis=0)
         nearest = int(away.argmin())
-        return int(here[nearest]) if away[nearest] <= MATCH else None
+        return int(here[nearest]) if away[nearest] <= 1e-6 else None
 
     def _standing(self, balance: Balance, stop: int, slot: int) -> tuple[Tubes, Place]:
         """A tube's beginning at a state."""
-        tubes = Tubes.of_points(
-            balance, self.vary, given_column(self.p, balance.parameters, (self.vary,))
-        )
+        given = given_column(self.p, balance.parameters, (self.vary,))
+        tubes = Tubes.of_points(balance, self.vary, given, options=self.options)
         z = np.array([*self.state(stop, slot)[:-2], self.stops[stop]])
         return tubes, tubes.place(z[:, None])
 
@@ -566,7 +577,9 @@ class Way:
         here = self._candidates(stop, goal)
         if here.size == 1:
             return int(here[0])
-        own = Balance(self.p.model, self._balance(stop, place).contact, room=OVER_BORDER)
+        own = Balance(
+            self.p.model, self._balance(stop, place).contact, room=OVER_BORDER, options=self.search
+        )
         for number in here[np.char.startswith(self.kinds[here].astype(str), BORDER)].tolist():
             tubes, start = self._standing(own, stop, place)
             there = tubes.followed(start, self.at[[number]])
@@ -621,7 +634,7 @@ class Way:
         """The slot behind the fold that ends the branch."""
         end = self.end(number)
         before = end.before
-        eq = equilibria(self.p.replace(**{self.vary: float(self.stops[stop])}))
+        eq = self._equilibria(float(self.stops[stop]))
         count = int(eq.count)
         how = {
             BORDER: "leaves the contact",
@@ -650,7 +663,7 @@ class Way:
                     f"{count - 1}"
                 )
         behind = {name: float(eq.coordinates[name][slot]) for name in before}
-        at_end = equilibria(self.p.replace(**{self.vary: end.value}))
+        at_end = self._equilibria(end.value)
         there, place = (
             (at_end, int(nearest_state(at_end, behind)))
             if at_end.decided and at_end.count

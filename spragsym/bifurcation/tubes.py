@@ -43,16 +43,8 @@ from ..numerics.interval_arrays import (
 from ..statics.balance import Balance
 from ..statics.forces import State, filled
 from ..statics.precise_balance import on_side
+from .options import ContinuationOptions
 
-#: The first step over the whole way, the least one, and most steps.
-FIRST, LEAST, MOST = 0.25, 2.0**-14, 400
-#: Half-width of a box at least, over its size; how often it is made wider, and by how much of its
-#: width.
-NARROW, INFLATIONS, ROOM = 1e-9, 6, 0.1
-#: Steps of Newton's method at the end of a step.
-STEPS = 6
-#: A slope that is not nothing.
-TINY = 1e-12
 #: A sum of a few products of floats, rounded up.
 UP = 1 + 2.0**-40
 
@@ -204,16 +196,23 @@ class Tubes(ByColumn):
     fixed: FloatArray
     centre: FloatArray
     half: FloatArray
+    options: ContinuationOptions
 
     @classmethod
     def of_points(
-        cls, balance: Balance, vary: str, fixed: FloatArray, free: tuple[str, ...] = ()
+        cls,
+        balance: Balance,
+        vary: str,
+        fixed: FloatArray,
+        free: tuple[str, ...] = (),
+        options: ContinuationOptions | None = None,
     ) -> Self:
         """At points of the parameters, boxes of zero width; the pivot is the parameter that
         varies.
         """
         centre = fixed[[balance.parameters.index(name) for name in free]]
-        return cls(balance, vary, free, balance.n, fixed, centre, np.zeros_like(centre))
+        half, options = np.zeros_like(centre), options or ContinuationOptions()
+        return cls(balance, vary, free, balance.n, fixed, centre, half, options)
 
     @property
     def n(self) -> int:
@@ -346,7 +345,7 @@ class Tubes(ByColumn):
         other step.
         """
         others, z, inverse = self.others, z.copy(), np.zeros(0)
-        for number in range(STEPS):
+        for number in range(self.options.newton_steps):
             forces, slopes = self.floats(z, slopes=number % 2 == 0)
             if number % 2 == 0:
                 inverse = contractors.inverse(slopes[:, others])
@@ -439,8 +438,9 @@ class Tubes(ByColumn):
             half > 0, half * UP + np.spacing(np.abs(z[self.pivot]) + half), 0.0
         )  # the middle is rounded
         swing = (np.abs(along) * moved + (np.abs(by_p) * self.apart()).sum(axis=1)) * UP
-        least = 2 * NARROW * scale_of(z[others])
-        reach = np.maximum(least, (1 + ROOM) * beside[others] * self.half.any(axis=0))
+        least = 2 * self.options.half_width * scale_of(z[others])
+        more = 1 + self.options.inflation
+        reach = np.maximum(least, more * beside[others] * self.half.any(axis=0))
         most, rows = np.zeros_like(reach), np.arange(half.size)
         out = Place(
             z,
@@ -452,7 +452,7 @@ class Tubes(ByColumn):
             np.zeros_like(z),
             np.zeros(half.size, dtype=np.bool_),
         )
-        for _ in range(INFLATIONS):
+        for _ in range(self.options.inflations):
             if not rows.size:
                 break
             alone = beside[:, rows]
@@ -474,7 +474,7 @@ class Tubes(ByColumn):
             left = good & ~done
             rows, reach = (
                 rows[left],
-                (1 + ROOM) * np.maximum(reach, np.maximum(*np.abs(step)))[:, left],
+                more * np.maximum(reach, np.maximum(*np.abs(step)))[:, left],
             )
         out.held[others], out.off[others] = (swing[others] + most) * UP, most * UP
         return out
@@ -485,19 +485,22 @@ class Tubes(ByColumn):
         """
         slopes, size, direction = self.over(tube), np.abs(by_s[-1]), by_s.copy()
         direction[self.pivot] = 0.0
-        known, reach = np.zeros(size.shape, dtype=np.bool_), np.tile(0.1 * size + TINY, (self.n, 1))
+        known, reach = (
+            np.zeros(size.shape, dtype=np.bool_),
+            np.tile(0.1 * size + 1e-12, (self.n, 1)),
+        )
         with quiet():
             left = [
                 slopes.taken(slopes.image(i, direction, row[self.pivot]))
                 for i, row in enumerate(slopes.rows)
             ]
-            for _ in range(INFLATIONS):
+            for _ in range(self.options.inflations):
                 # Of what dz/ds differs by from the slope in the middle; v is the last of what
                 # follows a coordinate.
                 step = slopes.newton(left, self.others, reach)
                 most = np.maximum(*step)
                 known |= contractors.inside(step, reach) & (most[-1] * UP < size)
-                reach = (1 + ROOM) * np.maximum(reach, most)
+                reach = (1 + self.options.inflation) * np.maximum(reach, most)
         return np.where(known, np.sign(by_s[-1]), 0.0)
 
     # ---------------------------------------------------------------------------------------------
@@ -507,7 +510,7 @@ class Tubes(ByColumn):
         self,
         start: Place,
         goal: FloatArray,
-        least: float = LEAST,
+        least: float | None = None,
         needless: Callable[[Place], BoolArray] | None = None,
     ) -> Place:
         """The state as ``vary`` moves to a goal: the last places that are proved, at the goal where
@@ -518,9 +521,10 @@ class Tubes(ByColumn):
         """
         here = start[np.arange(goal.size)]
         way = goal - here.v
-        step = FIRST * way
+        step = self.options.first_step * way
+        least = self.options.least_step if least is None else least
         open_, arrived = here.sure.copy(), -1
-        for _ in range(MOST):
+        for _ in range(self.options.steps):
             there = here.v == goal
             if needless is not None and there.sum() > arrived:
                 open_ &= ~needless(here)

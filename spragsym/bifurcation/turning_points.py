@@ -9,31 +9,10 @@ import numpy as np
 
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, quiet
-from .tubes import LEAST, Place, Tubes
+from .tubes import Place, Tubes
 
-#: First step towards the fold, over the size of the coordinate, and how much farther the next one
-#: may go.
-PROBE, FARTHER = 1e-4, 8.0
-#: Steps of the secant method, and how near to one another the last two are, over the size of the
-#: coordinate.
-SECANTS, MET = 40, 1e-9
-#: Half the width of the last segment, over the size of the coordinate: v differs by its square
-#: there.
-LAST = 1e-6
-#: Share of the way to the fold of a segment, the smallest one that is tried, and segments at most.
-SHARE, LEAST_SHARE, SEGMENTS = 0.65, 1e-4, 400
-#: The first step where the curve is steep, over the way there if it stayed as steep, and over the
-#: size of the coordinate at most; the least one over the first, and steps at most.
-STEEP, WIDE, SMALLEST, STEPS = 0.25, 0.1, 1e-4, 100
-#: Steps through a fold, the first one as a share of the straight way, and what counts as no size of
-#: a coordinate.
-TURNS, TURN, SMALL = 60, 0.25, 1e-3
-#: A step towards a fold that is this share of what is left to the goal is near enough to go over
-#: it.
-NEAR = 0.1
-#: For a sharp answer: a step that is this share of how far apart the folds of a part lie, and this
-#: one of the whole.
-CLOSE, SHARP = 0.05, 2.0**-12
+#: Share of the way to the fold of a segment at most.
+SHARE = 0.65
 
 
 @dataclass(frozen=True)
@@ -48,7 +27,7 @@ class Turned(ByColumn):
     sure: BoolArray
 
 
-def turned(tubes: Tubes, start: Place, forward: int, segments: int = SEGMENTS) -> Turned:
+def turned(tubes: Tubes, start: Place, forward: int) -> Turned:
     """The first folds of states at a place as v moves on, up or down, where it turns back; points
     without width.
 
@@ -64,7 +43,7 @@ def turned(tubes: Tubes, start: Place, forward: int, segments: int = SEGMENTS) -
         towards = forward * moving
         z, met = secants(some, here.z, towards)
         met &= (z - here.z)[some.pivot] * towards > 0
-        out.put(rows[met], _proved(some[met], here[met], z[:, met], moving[met], forward, segments))
+        out.put(rows[met], _proved(some[met], here[met], z[:, met], moving[met], forward))
     return out
 
 
@@ -77,10 +56,11 @@ def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
     for some, here, rows, by_v in pivots(tubes, start):
         begin, moving = start.v[rows], np.sign(by_v)
         by_s = some.tangents(here.z)[0]
-        step = np.minimum(STEEP * np.abs(by_v * by[rows]), WIDE * size_of(here.z[some.pivot]))
-        goal, least = begin + forward * by[rows], SMALLEST * step
+        # A part of the way there if the curve stayed as steep.
+        step = np.minimum(0.25 * np.abs(by_v * by[rows]), 0.1 * size_of(here.z[some.pivot]))
+        goal, least = begin + forward * by[rows], 1e-4 * step
         open_ = some.rises(here, by_s) == moving
-        for _ in range(STEPS):
+        for _ in range(tubes.options.steep_steps):
             on = np.flatnonzero(open_ & ((goal - here.v) * forward > 0) & (step > least))
             if not on.size:
                 break
@@ -137,10 +117,10 @@ def _passed(
     # All states of the place lie within the first segment.
     here, step = (
         start[np.arange(goal.size)],
-        np.maximum(TURN * straight, 2 * start.held[tubes.pivot]),
+        np.maximum(0.25 * straight, 2 * start.held[tubes.pivot]),
     )
-    for _ in range(TURNS):
-        rows = np.flatnonzero(open_ & (step > LEAST * straight))
+    for _ in range(tubes.options.turn_steps):
+        rows = np.flatnonzero(open_ & (step > tubes.options.least_step * straight))
         if not rows.size:
             break
         at, some = here[rows], tubes[rows]
@@ -149,10 +129,10 @@ def _passed(
         up[good] = some[good].rises(tube[good], by_s[:, rows[good]]) == towards[rows[good]]
         good &= np.where(rising[rows], up, tube.box().high[-1] < goal[rows])
         # Near its fold v is as wide as the parts make it: there is no nearer.
-        near = NEAR * (goal[rows] - at.v)
+        near = 0.1 * (goal[rows] - at.v)
         if sharp:
             near = np.minimum(
-                near, CLOSE * (moves[:, rows] * some.half).sum(axis=0) + SHARP * way[rows]
+                near, 0.05 * (moves[:, rows] * some.half).sum(axis=0) + 2.0**-12 * way[rows]
             )
         turns = over & rising[rows] & ~good & (np.abs(by_s[-1, rows]) * step[rows] < near)
         rising[rows[turns]] = False
@@ -193,32 +173,33 @@ def secants(tubes: Tubes, z: FloatArray, towards: FloatArray) -> tuple[FloatArra
     step ``towards`` it, and on.
     """
     size = size_of(z[tubes.pivot])
-    step = towards * PROBE * size
+    step = towards * 1e-4 * size
     by_s = tubes.tangents(z)[0]
-    for _ in range(SECANTS):
+    for _ in range(tubes.options.secant_steps):
         slope = by_s[-1]
         z = tubes.corrected(z + by_s * step)
         by_s = tubes.tangents(z)[0]
         with quiet():
             ahead = -by_s[-1] * step / (by_s[-1] - slope)
-        longest = FARTHER * np.abs(step)
+        longest = 8 * np.abs(step)
         step = np.where(np.isfinite(ahead), np.clip(ahead, -longest, longest), 0.0)
-        near = np.abs(step) <= MET * size
+        near = np.abs(step) <= 1e-9 * size
         if near.all():
             break
     return z, near & np.isfinite(z).all(axis=0)
 
 
 def _proved(
-    tubes: Tubes, here: Place, fold: FloatArray, moving: FloatArray, forward: int, segments: int
+    tubes: Tubes, here: Place, fold: FloatArray, moving: FloatArray, forward: int
 ) -> Turned:
     """Between which values v lies where it turns back, and whether that is proved."""
     by_s = tubes.tangents(here.z)[0]
     open_ = tubes.rises(here, by_s) == moving
-    last, share = LAST * size_of(fold[tubes.pivot]), np.full(moving.size, SHARE)
-    for _ in range(segments):
+    # In the last segment v differs by the square of this.
+    last, share = 1e-6 * size_of(fold[tubes.pivot]), np.full(moving.size, SHARE)
+    for _ in range(tubes.options.segments):
         rest = (fold - here.z)[tubes.pivot]
-        rows = np.flatnonzero(open_ & (np.abs(rest) > last) & (share > LEAST_SHARE))
+        rows = np.flatnonzero(open_ & (np.abs(rest) > last) & (share > 1e-4))
         if not rows.size:
             break
         good = _moved_on(tubes, here, by_s, rows, share * rest, moving)
@@ -253,4 +234,4 @@ def _moved_on(
 
 def size_of(z: FloatArray) -> FloatArray:
     """The size of coordinates, at least what counts as no size."""
-    return np.maximum(np.abs(z), SMALL)
+    return np.maximum(np.abs(z), 1e-3)

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ import numpy as np
 from ..bifurcation.defining_systems import ranges
 from ..bifurcation.paths import ModelEnd, first_end
 from ..bifurcation.tubes import Place, Tubes
-from ..bifurcation.turning_points import SEGMENTS, passed, past, turned
+from ..bifurcation.turning_points import passed, past, turned
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..core.questions import Method, model_of, question
@@ -32,8 +32,6 @@ BLOCK = 4096
 #: How often a state that is steep and does not turn back is carried past there, and how far, over
 #: the whole way.
 ROUNDS, PAST = 4, 2.0**-8
-#: Segments towards a fold where an answer in haste is asked for: beside a cusp more are needed.
-HASTY = 60
 
 
 @question
@@ -359,7 +357,9 @@ class Followed:
         1, N) or NaN, and errors.
         """
         forward = self.forward
-        rounds, segments = (1, HASTY) if hasty else (ROUNDS, SEGMENTS)
+        rounds = 1 if hasty else ROUNDS
+        if hasty:  # beside a cusp more segments are needed
+            tubes = replace(tubes, options=replace(tubes.options, segments=60))
         left, at = np.arange(goal.size), start
         decided, z, error = (
             np.zeros(goal.size, dtype=np.bool_),
@@ -373,7 +373,7 @@ class Followed:
             left, at = left[at.sure & ~arrived], at[at.sure & ~arrived]
             if not left.size:
                 break
-            fold = turned(tubes[left], at, forward, segments)
+            fold = turned(tubes[left], at, forward)
             # What turns back beyond the goal has come to it.
             near, far = np.sort(
                 [forward * (fold.low - goal[left]), forward * (fold.high - goal[left])], axis=0

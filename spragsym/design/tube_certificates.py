@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..bifurcation.tubes import LEAST, Place, Tubes
+from ..bifurcation.tubes import Place, Tubes
 from ..bifurcation.turning_points import passed, size_of
 from ..core.error_states import in_usual_state
 from ..core.errors import ParameterError
@@ -158,7 +158,8 @@ class Splitting(Claim):
         """
         tubes, start = self._begun(pieces)
         goal = pieces.high[-1]
-        reached = tubes.followed(start, goal, LEAST if (pieces.low == pieces.high).all() else WIDE)
+        least = None if (pieces.low == pieces.high).all() else WIDE
+        reached = tubes.followed(start, goal, least)
         safe, top = np.where(reached.sure, reached.v, -np.inf), np.full(goal.size, np.inf)
         width = (pieces.high - pieces.low)[:-1]
         # As far as it got, by how far each parameter moves the state.

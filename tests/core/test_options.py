@@ -6,6 +6,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.bifurcation.defining_systems import given_column
+from spragsym.bifurcation.tubes import Tubes
+from spragsym.statics.balance import Balance
 
 
 def test_values_out_of_range_are_told_with_their_range_and_the_remedy():
@@ -52,3 +55,56 @@ def test_folds_are_searched_with_options_and_told_to_be_incomplete():
     found = ss.folds(p, options=ss.SearchOptions(budget=3, pieces=1, clusters=0))
     assert not found.complete
     assert len(found.undecided)
+
+
+def test_a_path_does_not_depend_on_how_near_to_a_fold_it_is_looked_at():
+    p, values = ss.Parameters.article(), np.array([0.7, 0.9])
+    usual = ss.quasi_static_path(p, "theta0", values)
+    found = ss.quasi_static_path(
+        p, "theta0", values, options=ss.ContinuationOptions(fold_distance=1e-5)
+    )
+    assert len(found.jumps) == len(usual.jumps) == 1
+    assert abs(found.jumps[0].value - usual.jumps[0].value) < 1e-12
+    for name in p.model.coordinates:
+        assert np.abs(found[name] - usual[name]).max() < 1e-12
+
+
+def test_a_tube_comes_to_the_same_state_by_other_steps_and_stops_with_too_few():
+    p = ss.load("two_springs").Parameters(theta0=0.7)
+    balance, goal = Balance(p.model), np.array([0.9])
+    z = np.array([*(one.item(0) for one in ss.equilibria(p).coordinates.values()), 0.7])[:, None]
+
+    def end(**options):
+        given = given_column(p, balance.parameters, ("theta0",))
+        how = ss.ContinuationOptions(**options)
+        tubes = Tubes.of_points(balance, "theta0", given, options=how)
+        return tubes.followed(tubes.place(z), goal)
+
+    usual = end()
+    assert usual.sure
+    assert usual.v == goal
+    for options in ({"first_step": 2.0**-4, "inflation": 0.3}, {"newton_steps": 3}):
+        assert np.abs(end(**options).z - usual.z).max() < 1e-12
+    assert 0.7 < end(steps=1).v < 0.9
+
+
+def test_a_path_that_may_not_be_searched_says_so():
+    options = ss.ContinuationOptions(search=ss.SearchOptions(budget=1, pieces=1, clusters=0))
+    with pytest.raises(ss.errors.ConvergenceError, match="not all decided"):
+        ss.quasi_static_path(ss.Parameters.article(), "theta0", [0.7, 0.9], options=options)
+
+
+@pytest.mark.thorough
+def test_a_smoother_curve_has_more_points():
+    given = {"theta0": (0.7, 0.9), "mu0": (0.4, 0.6)}
+    coarse, fine = (
+        ss.bifurcation_set(
+            ss.Parameters.article(),
+            n=2,
+            between=given,
+            options=ss.ContinuationOptions(smoothness=smoothness),
+        )
+        for smoothness in (1e-2, 1e-4)
+    )
+    assert len(coarse) == len(fine) == 1
+    assert len(fine.curves[0]) > 2 * len(coarse.curves[0])

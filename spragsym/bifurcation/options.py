@@ -1,0 +1,88 @@
+"""Options of what is followed along a parameter or a curve."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from ..core.options import Options, limit, option
+from ..statics.options import SearchOptions
+
+
+@dataclass(frozen=True)
+class ContinuationOptions(Options):
+    """Options of paths of states, of tubes that prove them, and of curves in a plane. None of them
+    decides what is true: with smaller limits more is undecided.
+
+    Parameters
+    ----------
+    search : SearchOptions
+        Of the states and points that are looked for.
+    first_step, least_step : float
+        First and least step of a tube, over the whole way.
+    steps, turn_steps, steep_steps : int
+        Most steps of a tube along the parameter, over a fold, and where the curve is steep.
+    half_width : float
+        Least half-width of a tube, over the size of its coordinates.
+    inflations : int
+        Times that a tube is made wider before its step is halved.
+    inflation : float
+        Share of its width by which it is.
+    newton_steps, secant_steps : int
+        Steps of Newton's method in the middle of a tube, and of the secant method towards a fold.
+    segments : int
+        Most segments of a tube towards a fold.
+    fold_distance : float
+        Distance from a fold, over the larger of 1 and its value, at which the states beside it are
+        looked at.
+    halvings : int
+        Times that a step is halved to tell branches apart, where all is to be known.
+    open_steps : int
+        Steps that are left beyond which none is halved any more.
+    smoothness : float
+        How far a curve may be from the straight line between two of its points, over the ranges of
+        the parameters.
+    refinements : int
+        Times that points are put between all neighbours to that end.
+    pace, least_pace : float
+        First and least pace behind the end of a chain of points, over the ranges.
+    paces : int
+        Paces that are tried there.
+    turn : float
+        Cosine of the largest turn within a pace.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> p = ss.Parameters.article(theta0=np.radians(49.0))
+    >>> options = ss.ContinuationOptions(fold_distance=1e-4)
+    >>> path = ss.quasi_static_path(p, "mu0", np.linspace(0.0, 0.6, 7), options=options)
+    >>> len(path.jumps)
+    1
+    """
+
+    search: SearchOptions = field(default_factory=SearchOptions)
+    first_step: float = option(0.25, 2.0**-20, 1.0)
+    least_step: float = option(2.0**-14, 2.0**-40, 1.0)
+    steps: int = limit(400)
+    turn_steps: int = limit(60)
+    steep_steps: int = limit(100)
+    half_width: float = option(1e-9, 1e-14, 1e-3)
+    inflations: int = limit(6)
+    inflation: float = option(0.1, 1e-3, 1.0)
+    newton_steps: int = limit(6, 2)
+    secant_steps: int = limit(40)
+    segments: int = limit(400)
+    fold_distance: float = option(1e-3, 1e-9, 0.1)
+    halvings: int = limit(40)
+    open_steps: int = limit(500)
+    smoothness: float = option(2e-4, 1e-8, 0.1)
+    refinements: int = limit(7, 0)
+    pace: float = option(0.02, 1e-6, 0.5)
+    least_pace: float = option(1e-6, 1e-12, 0.5)
+    paces: int = limit(60)
+    turn: float = option(0.9, 0.0, 1.0)
+
+    @property
+    def asked(self) -> SearchOptions | None:
+        """Options of the search, None where they say nothing: closed forms answer then."""
+        return None if self.search == SearchOptions() else self.search

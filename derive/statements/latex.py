@@ -7,41 +7,24 @@ two ways is refused, with both readings. Nothing is evaluated.
 
 from __future__ import annotations
 
+import itertools
 import re
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from .lexer import Item, Items, nested
+import numpy as np
+
+from . import tree
+from .lexer import Cursor, Item, Items, nested, split
 from .matrices import Matrix, Value, determinant, identity, inverse, named, negative, node_of
 from .matrices import paired, product, quotient, total
 from .names import LAWS, Name, Names, moved
-from .tree import ZERO, Equation, Node, Unread, Vocabulary, printed, read_sympy
+from .tree import ONE, ZERO, Equation, Node, Unread, Vocabulary, printed, read_sympy
 
-_PLAIN = [
-    "sin",
-    "cos",
-    "tan",
-    "cot",
-    "sec",
-    "csc",
-    "sinh",
-    "cosh",
-    "tanh",
-    "exp",
-    "asin",
-    "acos",
-    "atan",
-    "asinh",
-    "acosh",
-    "atanh",
-]
 #: Functions by their print, and what SymPy calls them.
-FUNCTIONS = {
-    **{name: name for name in _PLAIN},
-    **{f"arc{name[1:]}": name for name in _PLAIN if name.startswith("a")},
-    **{"ln": "log", "sgn": "sign", "sign": "sign", "abs": "Abs", "atan2": "atan2"},
-    **{"min": "Min", "max": "Max"},
-}
+FUNCTIONS = {name: name for name in tree.FUNCTIONS.keys() - {"log", "sqrt", "Abs"}}
+FUNCTIONS |= {f"arc{name[1:]}": name for name in FUNCTIONS if name.startswith("a")}
+FUNCTIONS |= {"ln": "log", "sgn": "sign", "abs": "Abs"}
+_LONGEST = sorted(FUNCTIONS, key=len, reverse=True)
 _FRACTIONS = (r"\frac", r"\dfrac", r"\tfrac")
 _ROMAN = (r"\mathrm", r"\text", r"\mathit", r"\mathsf", r"\operatorname", r"\textrm", r"\rm")
 _BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
@@ -51,11 +34,17 @@ _MATRICES = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array", 
 _IDENTITY = Name(r"\mathbf I")
 _TIMES = (r"\cdot", r"\times", "*", r"\ast")
 _EQUAL = ("=", ":=", r"\equiv", r"\triangleq", r"\coloneqq")
-_RELATIONS = {
-    "<": "Lt", r"\lt": "Lt", r"\le": "Le", r"\leq": "Le", r"\leqslant": "Le", ">": "Gt",
-    r"\gt": "Gt", r"\ge": "Ge", r"\geq": "Ge", r"\geqslant": "Ge", r"\ne": "Ne", r"\neq": "Ne",
-    "=": "Eq",
-}  # fmt: skip
+#: What stands in the place of an exponent, and is an index.
+_STARS = ("*", "+", "-", "ast", "star")
+_PRINTED = {
+    "Lt": r"< \lt",
+    "Le": r"\le \leq \leqslant",
+    "Gt": r"> \gt",
+    "Ge": r"\ge \geq \geqslant",
+    "Ne": r"\ne \neq",
+    "Eq": "=",
+}
+_RELATIONS = {sign: name for name, signs in _PRINTED.items() for sign in signs.split()}
 _LETTERS = re.compile(
     r"\\(?:var)?(?:alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho"
     r"|sigma|tau|upsilon|phi|chi|psi|omega|Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega)"
@@ -111,40 +100,30 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
 
 
 def _pieces(items: Items) -> list[list[Item]]:
-    """Equations that stand beside or below each other."""
+    """Equations that stand beside or below each other; a line may go on with an operator."""
     pieces: list[list[Item]] = [[]]
     broken = False
     for number, it in enumerate(items):
-        if it.items is None and it.text in ("&", r"\;"):
-            continue
-        if it.items is None and it.text in ("\\\\", r"\quad", r"\qquad", ",", ";"):
-            following = items[number + 1] if number + 1 < len(items) else None
-            if it.text == "," and _digits(items[number - 1 : number]) and _digits([following]):
+        if it.text in ("\\\\", r"\quad", r"\qquad", ",", ";"):
+            around = [
+                one.text[0] for one in (*items[number - 1 : number], *items[number + 1 :][:1])
+            ]
+            if it.text == "," and len(around) == 2 and "".join(around).isdigit():
                 raise Unread("a comma between digits: a decimal comma, or two values", it.at[0])
             broken = broken or it.text == "\\\\"
             pieces.append([])
-            continue
-        ended = it.items is None and it.text == "." and number == len(items) - 1
-        if not ended:
-            first = not pieces[-1] and broken
-            goes_on = it.text in ("+", "-", *_TIMES, *_EQUAL) and it.items is None
-            rest = [one.text for one in items[number:] if one.items is None]
-            line = rest[1 : rest.index("\\\\")] if "\\\\" in rest else rest[1:]
-            if first and goes_on and (it.text in _EQUAL or not {*line} & {*_EQUAL}):
-                joined = [piece for piece in pieces[:-1] if piece]
-                pieces = [*joined[:-1], joined[-1] if joined else []]
+        elif it.text != "&" and (it.text != "." or number < len(items) - 1):
+            if broken and not pieces[-1] and it.text in ("+", "-", *_TIMES, *_EQUAL):
+                line = split(items[number + 1 :], "\\\\")[0]
+                if it.text in _EQUAL or all(one.text not in _EQUAL for one in line):
+                    pieces = [piece for piece in pieces if piece] or [[]]
             pieces[-1].append(it)
             broken = False
     pieces = [piece for piece in pieces if piece]
-    if len(pieces) > 1:
-        for piece in pieces:
-            if not any(it.text in _EQUAL for it in piece):
-                raise Unread("this part is no equation", piece[0].at[0])
+    for piece in pieces if len(pieces) > 1 else ():
+        if all(it.text not in _EQUAL for it in piece):
+            raise Unread("this part is no equation", piece[0].at[0])
     return pieces
-
-
-def _digits(items: Iterable[Item | None]) -> bool:
-    return any(it is not None and it.items is None and it.text[0].isdigit() for it in items)
 
 
 class _Reader:
@@ -155,9 +134,8 @@ class _Reader:
         self.matrices = vocabulary.matrices
         self.size = len(vocabulary.coordinates)
         for text, page in vocabulary.renamed.items():
-            key = nested(text)
-            name, place, power = self.name(key, 0)
-            if name is None or place < len(key) or power:
+            name = self.only_name(nested(text))
+            if name is None:
                 raise Unread(f"{text} under [symbols] is not one name", 0)
             self.names.renamed[name,] = self.page(page)
 
@@ -174,581 +152,499 @@ class _Reader:
 
     def equations(self, items: Items) -> list[Equation]:
         """Equations of one piece: each side with the first one."""
-        sides: list[list[Item]] = [[]]
         for it in items:
-            if it.items is None and it.text in _EQUAL:
-                sides.append([])
-            elif it.items is None and it.text in _RELATIONS:
+            if it.text in _RELATIONS and it.text not in _EQUAL:
                 raise Unread(f"{it.text} makes this no equation", it.at[0])
-            else:
-                sides[-1].append(it)
+        sides = split(items, *_EQUAL)
         values = [self.side(side, items[0].at[0], len(sides) > 1) for side in sides]
         if len(values) == 1:
-            values.append(_number("0"))
+            values.append(ZERO)
         found: list[Equation] = []
-        for number, value in enumerate(values[1:], 1):
-            zero = isinstance(value, Node) and value.kind == "number"
-            found += paired(values[number - 1 if zero else 0], value, items[0].at[0])
+        for before, value in itertools.pairwise(values):
+            is_number = isinstance(value, Node) and value.kind == "number"
+            found += paired(before if is_number else values[0], value, items[0].at[0])
         return found
 
     def side(self, items: Items, place: int, named: bool) -> Value:
         """A side of an equation; a name alone on it need not be one of the page."""
-        name, stop, power = self.name(items, 0) if items else (None, 0, None)
-        if name is not None and named and power is None:
-            argument = stop + 1 == len(items) and items[stop].text == "("
-            at = (items[0].at[0], items[-1].at[1])
-            known = self.names.known(name, at)
-            law = argument and (known is None or known.value in LAWS)
-            if stop == len(items) or law:
-                return self.matrix(known or Node("symbol", value=name.spelled, at=at))
         if not items:
             raise Unread("a side of the equation is empty", place)
+        here = Cursor(items)
+        name, power = self.name(here)
+        if name is not None and named and power is None:
+            at = (items[0].at[0], items[-1].at[1])
+            argument = here.text == "(" and here.place + 1 == len(items)
+            known = self.names.known(name, at)
+            law = argument and (known is None or known.value in LAWS)
+            if here.item is None or law:
+                return self.matrix(known or Node("symbol", value=name.spelled, at=at))
         value = self.expression(items)
-        single = isinstance(value, Matrix) and len(value.rows) == 1 == len(value.rows[0])
-        return node_of(value) if single else value
+        return node_of(value) if np.size(value) == 1 else value
 
     def matrix(self, node: Node) -> Value:
         """What a name stands for: entries, where it is one of a matrix."""
         shape = self.matrices.get(node.value) if node.kind == "symbol" else None
         return node if shape is None else named(node, shape)
 
+    def number(self, items: Items) -> Node:
+        """An expression that is no matrix."""
+        return node_of(self.expression(items))
+
     def expression(self, items: Items) -> Value:
         """A sum of terms."""
-        items = [it for it in items if not (it.items is None and it.text == "&")]
+        items = [it for it in items if it.text != "&"]
         if not items:
             raise Unread("nothing stands here", 0)
-        if len(items) == 1 and items[0].text == "{" and items[0].items is not None:
-            return self.expression(items[0].items)
-        terms: list[Value] = []
-        start = 0
+        if len(items) == 1 and items[0].text == "{":
+            return self.expression(items[0].items or ())
         signs = [number for number, it in enumerate(items) if _is_sign(items, number)]
         if signs[:1] != [0]:
             signs.insert(0, -1)
-        for one, stop in zip(signs, [*signs[1:], len(items)], strict=True):
-            start = one + 1
-            if items[one].text in (r"\pm", r"\mp") and one >= 0:
-                raise Unread("two signs at once", items[one].at[0], ("+", "-"))
-            if start == stop:
-                raise Unread("a term is missing", items[max(one, 0)].at[0])
-            value = self.term(items[start:stop])
-            minus = one >= 0 and items[one].text == "-"
-            terms.append(negative(value, items[one].at[0]) if minus else value)
+        terms: list[Value] = []
+        for one, stop in itertools.pairwise([*signs, len(items)]):
+            sign, place = (items[one].text, items[one].at[0]) if one >= 0 else ("", 0)
+            if sign in (r"\pm", r"\mp"):
+                raise Unread("two signs at once", place, ("+", "-"))
+            if one + 1 == stop:
+                raise Unread("a term is missing", place)
+            value = self.term(items[one + 1 : stop])
+            terms.append(negative(value, place) if sign == "-" else value)
         return terms[0] if len(terms) == 1 else total(terms, items[0].at[0])
 
     def term(self, items: Items) -> Value:
         """A product of factors, by juxtaposition or by a sign, over one factor behind a slash."""
         factors: list[Factor] = []
-        place, explicit = 0, True
-        while place < len(items):
-            it = items[place]
-            plain = it.items is None
-            if plain and it.text in (*_TIMES, "/") and (not factors or place + 1 == len(items)):
-                raise Unread(f"{it.text} lacks an operand", it.at[0])
-            if plain and it.text in _TIMES:
+        here, explicit = Cursor(items), True
+        while here.item is not None:
+            sign, place = here.text, here.at
+            if sign in (*_TIMES, "/"):
+                if not factors or here.place + 1 == len(items):
+                    raise Unread(f"{sign} lacks an operand", place)
+                here.take()
+                if sign == "/":
+                    return self.slash(factors, here, place)
                 if factors[-1].open == "number":
-                    raise Unread("the argument of a function ends nowhere", it.at[0])
-                place, explicit = place + 1, True
+                    raise Unread("the argument of a function ends nowhere", place)
+                explicit = True
                 continue
-            if plain and it.text == "/":
-                return self.slash(factors, items, place)
-            factor, after = self.factor(items, place)
+            factor = self.factor(here)
             if not explicit:
-                self.juxtaposed(factors[-1], factor, items, place)
+                self.juxtaposed(factors[-1], factor, sign, place)
             factors.append(factor)
-            place, explicit = after, False
+            explicit = False
         return product([it.value for it in factors])
 
-    def slash(self, factors: list[Factor], items: Items, place: int) -> Value:
+    def slash(self, factors: list[Factor], here: Cursor, place: int) -> Value:
         """What stands before a slash over the one factor behind it."""
         above = product([it.value for it in factors])
         if factors[-1].open:
             name = printed(node_of(factors[-1].value))
-            raise Unread(f"the slash divides {name} or its argument", items[place].at[0])
-        below, after = self.factor(items, place + 1)
-        if after < len(items):
-            one, other = (printed(node_of(it)) for it in (above, below.value))
+            raise Unread(f"the slash divides {name} or its argument", place)
+        below = self.factor(here).value
+        if here.item is not None:
+            one, other = (printed(node_of(it)) for it in (above, below))
             raise Unread(
                 "what stands behind the fraction is in its denominator, or is not",
-                items[after].at[0],
+                here.at,
                 (f"({one})/({other})*…", f"({one})/({other}*…)"),
             )
-        return quotient(above, node_of(below.value))
+        return quotient(above, node_of(below))
 
-    def juxtaposed(self, before: Factor, factor: Factor, items: Items, place: int) -> None:
+    def juxtaposed(self, before: Factor, factor: Factor, sign: str, at: int) -> None:
         """Refuse factors that stand beside each other and may be something else than a product."""
-        at, value = items[place].at[0], factor.value
-        if isinstance(value, Node) and value.kind == "number" and value.value != "pi":
+        value = factor.value if isinstance(factor.value, Node) else Node("matrix")
+        if value.kind == "number" and value.value != "pi":
             raise Unread("a number behind a factor: an index, a digit, or a product", at)
-        if items[place].text in _FRACTIONS and _numeric(before.value) and _numeric(value):
+        if sign in _FRACTIONS and _numeric(before.value) and _numeric(value):
             raise Unread("a mixed number, or a product", at)
-        moves = items[place].text in (r"\dot", r"\ddot") or (
-            isinstance(value, Node) and value.kind == "symbol" and value.value in self.rates
-        )
-        function = isinstance(value, Node) and value.kind in ("call", "pow") and factor.open
-        if before.open and not ((moves or function) and before.open != "number"):
+        is_rate = value.kind == "symbol" and value.value in self.names.next.values()
+        moves = sign in (r"\dot", r"\ddot") or is_rate
+        function = value.kind in ("call", "pow") and factor.open
+        if before.open and (before.open == "number" or not (moves or function)):
             call = node_of(before.value)
-            one = printed(node_of(value)) if isinstance(value, Node) else "…"
+            one = "…" if value.kind == "matrix" else printed(value)
             inner = call if call.kind == "call" else call.args[0]
-            more = replace(inner, args=(node_of(product([inner.args[0], value])),))
+            more = replace(inner, args=(node_of(product([inner.args[0], factor.value])),))
             readings = (f"{printed(call)}*{one}", printed(more))
             raise Unread("the argument of a function ends here, or goes on", at, readings)
 
-    @property
-    def rates(self) -> set[str]:
-        """Rates and accelerations."""
-        return {*self.names.next.values()}
+    def factor(self, here: Cursor) -> Factor:
+        """The factor that stands here."""
+        begin, start, text = here.place, here.at, here.text
+        if (text in _FRACTIONS or text == "d") and (found := self.derivative(here)):
+            return found
+        if function := self.function(here):
+            return self.call(function, here, start)
+        if text == r"\det":
+            here.take()
+            inner = _bracket(here.item, ("(", "["))
+            if inner is None:
+                raise Unread(f"{text} is not read", start)
+            inside = self.expression(inner)
+            here.take()
+            if isinstance(inside, Node):
+                raise Unread("the determinant of what is no matrix", start)
+            return self.powered(replace(determinant(inside), at=(start, here.end)), here, start)
+        name, power = self.name(here)
+        if name is None:
+            return self.powered(self.base(here), here, start)
+        raised = [it.at[0] for it in here.items[begin : here.place] if it.text == "^"]
+        stop = raised[-1] if power is not None and raised else here.end
+        return self.named(name, power, here, (start, stop))
 
-    def factor(self, items: Items, place: int) -> tuple[Factor, int]:
-        """A factor from here, and the place behind it."""
-        it = items[place]
-        if (it.items is None and it.text in _FRACTIONS) or it.text == "d":
-            found = self.derivative(items, place)
-            if found is not None:
-                return found
-        if function := self.function(items, place):
-            return self.call(*function, items, place)
-        if it.items is None and it.text == r"\det" and _bracket(items, place + 1, ("(", "[")):
-            inside = self.expression(_bracket(items, place + 1, ("(", "[")) or ())
-            if not isinstance(inside, Matrix):
-                raise Unread("the determinant of what is no matrix", it.at[0])
-            whole = replace(determinant(inside), at=(it.at[0], items[place + 1].at[1]))
-            return self.powered(whole, items, place + 2, it.at[0])
-        name, after, power = self.name(items, place)
-        if name is not None:
-            raised = [one.at[0] for one in items[place:after] if one.text == "^"]
-            stop = raised[-1] if power is not None and raised else items[after - 1].at[1]
-            return self.named(name, power, items, after, (it.at[0], stop))
-        value, after = self.base(items, place)
-        return self.powered(value, items, after, it.at[0])
-
-    def named(
-        self, name: Name, power: Items | None, items: Items, place: int, at: tuple[int, int]
-    ) -> tuple[Factor, int]:
+    def named(self, name: Name, power: Items | None, here: Cursor, at: tuple[int, int]) -> Factor:
         """A name with its exponent, or as a function of time."""
-        bracket = _bracket(items, place)
-        euler = name == Name("e") and self.names.known(name, at) is None
-        if power is not None and name == Name("e") and not euler:
-            exponent = printed(node_of(self.expression(power)))
-            readings = (f"exp({exponent})", f"e**({exponent})")
-            raise Unread("e is Euler's number or a name of the page", at[0], readings)
-        if euler and power is not None:
-            value = Node("call", (node_of(self.expression(power)),), "exp", at)
-            return Factor(value), place
-        if name == _IDENTITY and self.names.known(name, at) is None and power is None:
-            return Factor(identity(self.size)), place
+        known = self.names.known(name, at)
+        if name == Name("e") and power is not None:
+            exponent = self.number(power)
+            if known is not None:
+                readings = (f"exp({printed(exponent)})", f"e**({printed(exponent)})")
+                raise Unread("e is Euler's number or a name of the page", at[0], readings)
+            return Factor(Node("call", (exponent,), "exp", at))
+        if name == _IDENTITY and known is None and power is None:
+            return Factor(identity(self.size))
         node = self.names.of(name, at)
-        if isinstance(matrix := self.matrix(node), Matrix):
-            return Factor(self.matrix_power(matrix, power or (), at[0])), place
-        if bracket is not None and power is None:
-            if self.is_time(bracket):
-                return self.powered(node, items, place + 1, at[0])
-            self.product_only(node, bracket, items[place].at[0])
+        if not isinstance(matrix := self.matrix(node), Node):
+            return Factor(self.matrix_power(matrix, power or (), at[0]))
+        bracket = _bracket(here.item)
+        if bracket is not None and self.is_time(bracket):
+            here.take()
+        elif bracket is not None and power is None:
+            self.product_only(node, bracket, here.at)
         if power is None:
-            return Factor(node), place
-        place += bracket is not None and self.is_time(bracket)
-        return Factor(_power(node, node_of(self.expression(power)), at)), place
+            return self.powered(node, here, at[0]) if bracket is not None else Factor(node)
+        return Factor(_power(node, self.number(power), at))
 
     def is_time(self, items: Items) -> bool:
         """Whether a bracket holds the time alone."""
-        only = len(items) == 1 and items[0].items is None
-        return only and items[0].text.removeprefix("\\") in self.names.times()
+        return len(items) == 1 and items[0].text.removeprefix("\\") in self.names.times()
 
     def product_only(self, node: Node, bracket: Items, place: int) -> None:
         """Refuse f(x), a product or a function of x."""
-        if any(it.items is None and it.text == "," for it in bracket):
+        if any(it.text == "," for it in bracket):
             raise Unread(f"{node.value} is no function that is known", place)
-        inside = node_of(self.expression(bracket))
+        inside = self.number(bracket)
         bare = inside.args[0] if inside.kind == "neg" else inside
         if bare.kind in ("symbol", "number") or node.value in LAWS:
             text = printed(inside)
             readings = (f"{node.value}*({text})", f"{node.value}({text})")
             raise Unread("a product, or a function of what stands in brackets", place, readings)
 
-    def powered(self, value: Value, items: Items, place: int, start: int) -> tuple[Factor, int]:
+    def powered(self, value: Value, here: Cursor, start: int) -> Factor:
         """A value with primes and an exponent behind it."""
-        while place < len(items) and items[place].items is None and items[place].text == "'":
-            value, place = self.names.rate(node_of(value)), place + 1
-        if place < len(items) and items[place].items is None and items[place].text == "_":
-            raise Unread("an index behind what has no name", items[place].at[0])
-        if place < len(items) and items[place].items is None and items[place].text == "^":
-            exponent, place = _argument(items, place + 1)
-            if isinstance(value, Matrix):
-                return Factor(self.matrix_power(value, exponent, start)), place
-            at = (start, items[place - 1].at[1])
-            value = _power(value, node_of(self.expression(exponent)), at)
-        if place < len(items) and items[place].text == "^" and items[place].items is None:
-            raise Unread("two exponents", items[place].at[0])
-        return Factor(value), place
+        while here.text == "'":
+            here.take()
+            value = self.names.rate(node_of(value))
+        if here.text == "_":
+            raise Unread("an index behind what has no name", here.at)
+        if here.text == "^":
+            here.take()
+            exponent = _argument(here)
+            if not isinstance(value, Node):
+                return Factor(self.matrix_power(value, exponent, start))
+            value = _power(value, self.number(exponent), (start, here.end))
+        if here.text == "^":
+            raise Unread("two exponents", here.at)
+        return Factor(value)
 
     def matrix_power(self, matrix: Matrix, exponent: Items, start: int) -> Matrix:
         """A matrix transposed, inverted or as it stands."""
         match [it.text for it in _flat(exponent)]:
             case []:
                 return matrix
-            case ["T"] | [r"\top"] | ["t"]:
-                return Matrix(tuple(zip(*matrix.rows, strict=True)))
-            case ["-", "1"] if len(matrix.rows) == len(matrix.rows[0]):
+            case ["T" | r"\top" | "t"]:
+                return matrix.T
+            case ["-", "1"] if len(matrix) == len(matrix.T):
                 return inverse(matrix)
         raise Unread("only the transpose and the inverse of a matrix are read", start)
 
-    def base(self, items: Items, place: int) -> tuple[Value, int]:
+    def base(self, here: Cursor) -> Value:
         """A number, a bracket, a root, a fraction or an environment."""
-        it = items[place]
-        if it.items is None:
-            if it.text[0].isdigit() or it.text[0] == ".":
-                return Node("number", value=it.text, at=it.at), place + 1
-            if it.text in _FRACTIONS:
-                above, middle = _argument(items, place + 1)
-                below, after = _argument(items, middle)
-                value = quotient(self.expression(above), node_of(self.expression(below)))
-                return replace(node_of(value), at=(it.at[0], items[after - 1].at[1])), after
-            if it.text == r"\sqrt":
-                return self.root(items, place)
-            raise Unread(f"{it.text} is not read", it.at[0])
+        it = here.take()
+        if it.text in _FRACTIONS:
+            value = quotient(self.expression(_argument(here)), self.number(_argument(here)))
+            return replace(node_of(value), at=(it.at[0], here.end))
+        if it.text == r"\sqrt":
+            return self.root(here, it.at[0])
+        if it.text[0].isdigit() or it.text[0] == ".":
+            return Node("number", value=it.text, at=it.at)
+        inside = it.items or ()
         if it.text in ("|", "|bare"):
-            return Node("call", (node_of(self.expression(it.items)),), "Abs", it.at), place + 1
+            return Node("call", (self.number(inside),), "Abs", it.at)
+        if it.text == r"\{" and [one.text for one in inside] in (["array"], ["matrix"]):
+            it = inside[0]
         if it.text in _MATRICES:
-            return self.environment(it, pieces=False), place + 1
+            return self.environment(it)
         if it.text not in ("(", "[", "{", r"\{"):
             raise Unread(f"{it.text} is not read", it.at[0])
-        if it.text == r"\{" and [one.text for one in it.items] in (["array"], ["matrix"]):
-            return self.environment(it.items[0], pieces=False), place + 1
-        value = self.expression(it.items)
-        summed = isinstance(value, Node) and value.kind in ("add", "neg")
-        if it.text == "{" and summed and len(items) > 1:
+        whole = self.expression(inside)
+        summed = isinstance(whole, Node) and whole.kind in ("add", "neg")
+        if it.text == "{" and summed and len(here.items) > 1:
             raise Unread("braces do not print; write brackets", it.at[0])
-        return value, place + 1
+        return whole
 
-    def root(self, items: Items, place: int) -> tuple[Value, int]:
+    def root(self, here: Cursor, start: int) -> Node:
         """A square root, or one of another degree."""
-        start, degree = items[place].at[0], None
-        if items[place + 1 : place + 2] and items[place + 1].text == "[":
-            degree = node_of(self.expression(items[place + 1].items or ()))
-            place += 1
-        argument, after = _argument(items, place + 1)
-        value = node_of(self.expression(argument))
-        at = (start, items[after - 1].at[1])
+        degree = self.number(here.take().items or ()) if here.text == "[" else None
+        value = self.number(_argument(here))
+        at = (start, here.end)
         if degree is None:
-            return Node("call", (value,), "sqrt", at), after
-        return Node("pow", (value, Node("div", (_number("1"), degree), at=at)), at=at), after
+            return Node("call", (value,), "sqrt", at)
+        return Node("pow", (value, Node("div", (ONE, degree), at=at)), at=at)
 
-    def environment(self, item: Item, *, pieces: bool) -> Value:
+    def environment(self, item: Item) -> Value:
         """A matrix, or a choice by conditions."""
-        inner = list(item.items or ())
-        if item.text == "array":
-            inner = inner[1:]
-        rows: list[list[list[Item]]] = [[[]]]
-        for it in inner:
-            if it.items is None and it.text == "\\\\":
-                rows.append([[]])
-            elif it.items is None and it.text == "&":
-                rows[-1].append([])
-            else:
-                rows[-1][-1].append(it)
-        rows = [row for row in rows if row != [[]]]
+        inner = (item.items or ())[item.text == "array" :]
+        rows = [split(row, "&") for row in split(inner, "\\\\") if row]
         if item.text == "cases" and all(len(row) == 2 for row in rows):
             return self.choice(rows, item)
-        if any(len(row) != len(rows[0]) for row in rows):
+        if len({*map(len, rows)}) != 1:
             raise Unread("rows of different length", item.at[0])
-        read = (tuple(node_of(self.expression(cell)) for cell in row) for row in rows)
-        return Matrix(tuple(read))
+        return np.array([[self.number(cell) for cell in row] for row in rows])
 
     def choice(self, rows: list[list[list[Item]]], item: Item) -> Node:
         """Values with the conditions under which they hold."""
         pairs = []
         for value, condition in rows:
-            value = value[:-1] if value and value[-1].text == "," else value
-            pair = (node_of(self.expression(value)), self.condition(condition, item.at[0]))
+            value = value[: len(value) - (value[-1:] != [] and value[-1].text == ",")]
+            pair = (self.number(value), self.condition(condition, item.at[0]))
             pairs.append(Node("call", pair, "Tuple", (value[0].at[0], condition[-1].at[1])))
         return Node("call", tuple(pairs), "Piecewise", item.at)
 
     def condition(self, items: Items, place: int) -> Node:
         """A relation, or a chain of them, behind a word as "if"."""
-        kept: list[Item] = []
-        words = ""
-        for it in items:
-            if it.items is None and it.text in (
-                r"\quad",
-                r"\qquad",
-                r"\text",
-                r"\mathrm",
-                ",",
-                ".",
-            ):
-                continue
-            following = it.items is not None and it.text == "{" and not kept
-            if following or (not kept and it.text in ("i", "f")):
-                words += "".join(one.text for one in _flat([it]))
-                continue
-            kept.append(it)
-        if words in ("otherwise", "else") and not kept:
+        unread = (r"\quad", r"\qquad", r"\text", r"\mathrm", ",", ".")
+        kept = [it for it in items if it.text not in unread]
+        count = next((n for n, it in enumerate(kept) if it.text not in ("{", "i", "f")), len(kept))
+        word = "".join(it.text for it in _flat(kept[:count]))
+        if word in ("otherwise", "else") and count == len(kept):
             return Node("call", (ZERO, ZERO), "Eq", (place, place))
-        if words not in ("", "if", "for", "when", "where"):
-            raise Unread(f"the word {words} is not read", place)
-        parts: list[list[Item]] = [[]]
-        signs: list[str] = []
-        for it in kept:
-            if it.items is None and it.text in _RELATIONS:
-                signs.append(_RELATIONS[it.text])
-                parts.append([])
-            else:
-                parts[-1].append(it)
+        if word not in ("", "if", "for", "when", "where"):
+            raise Unread(f"the word {word} is not read", place)
+        signs = [_RELATIONS[it.text] for it in kept if it.text in _RELATIONS]
         if not signs:
             raise Unread("a condition without a relation", place)
-        values = [node_of(self.expression(part)) for part in parts]
-        pairs = zip(signs, values, values[1:], strict=False)
-        relations = tuple(Node("call", (a, b), sign, (a.at[0], b.at[1])) for sign, a, b in pairs)
+        values = map(self.number, split(kept[count:], *_RELATIONS))
+        relations = tuple(
+            Node("call", (a, b), sign, (a.at[0], b.at[1]))
+            for sign, (a, b) in zip(signs, itertools.pairwise(values), strict=True)
+        )
         return relations[0] if len(relations) == 1 else Node("call", relations, "And")
 
-    def function(self, items: Items, place: int) -> tuple[str, int] | None:
-        """A function that stands here, by SymPy's name, and the place behind it."""
-        it = items[place]
-        if it.items is None and it.text == r"\log":
-            raise Unread(r"\log is natural or decadic; print \ln", it.at[0], ("log", "log10"))
-        if it.items is None and it.text.removeprefix("\\") in FUNCTIONS and len(it.text) > 1:
-            return FUNCTIONS[it.text.removeprefix("\\")], place + 1
-        if it.items is None and it.text in _ROMAN and place + 1 < len(items):
-            word = re.sub(r"[\W_]", "", "".join(one.text for one in _flat([items[place + 1]])))
-            return (FUNCTIONS[word], place + 2) if word in FUNCTIONS else None
-        letters = ""
-        for one in items[place : place + 5]:
-            if one.items is not None or not re.fullmatch("[a-z]", one.text):
-                break
-            letters += one.text
-        for word in sorted(FUNCTIONS, key=len, reverse=True):
-            if letters.startswith(word):
-                if {*word} <= self.names.symbols:
-                    product = "*".join(word)
-                    raise Unread(f"{word} or a product", it.at[0], (word, product))
-                return FUNCTIONS[word], place + len(word)
-        return None
+    def function(self, here: Cursor) -> str:
+        """A function that stands here, by SymPy's name; empty, and nothing is taken, for none."""
+        text, following = here.text, here.items[here.place :][:6]
+        if text == r"\log":
+            raise Unread(r"\log is natural or decadic; print \ln", here.at, ("log", "log10"))
+        count, word = 1, text.removeprefix("\\")
+        if text in _ROMAN:
+            count, word = 2, re.sub(r"[\W_]", "", "".join(it.text for it in _flat(following[:2])))
+        elif word not in FUNCTIONS:
+            letters = "".join(
+                it.text if re.fullmatch("[a-z]", it.text) else " " for it in following
+            )
+            word = next((it for it in _LONGEST if letters.startswith(it)), "")
+            if word and {*word} <= self.names.symbols:
+                raise Unread(f"{word} or a product", here.at, (word, "*".join(word)))
+            count = len(word)
+        if word not in FUNCTIONS:
+            return ""
+        here.place += count
+        return FUNCTIONS[word]
 
-    def call(self, name: str, place: int, items: Items, start: int) -> tuple[Factor, int]:
+    def call(self, name: str, here: Cursor, begin: int) -> Factor:
         """A function with its argument, in brackets or without."""
-        power, begin = None, items[start].at[0]
-        if place < len(items) and items[place].items is None and items[place].text == "^":
-            exponent, place = _argument(items, place + 1)
-            power = node_of(self.expression(exponent))
+        power, is_open = None, ""
+        if here.text == "^":
+            here.take()
+            power = self.number(_argument(here))
             if power.kind == "neg":
                 readings = (f"a{name}(…)", f"1/{name}(…)")
                 raise Unread("the inverse function, or its reciprocal", begin, readings)
-        if place >= len(items):
+        if here.item is None:
             raise Unread(f"{name} without an argument", begin)
-        bracket = _bracket(items, place, (*"([", r"\{"))
-        braces = items[place].items is not None and items[place].text == "{"
-        if bracket is not None or braces:
-            inside = bracket if bracket is not None else items[place].items or ()
-            groups: list[list[Item]] = [[]]
-            for it in inside:
-                if it.items is None and it.text == ",":
-                    groups.append([])
-                else:
-                    groups[-1].append(it)
-            arguments = tuple(node_of(self.expression(group)) for group in groups)
-            place, is_open = place + 1, ""
+        bracket = _bracket(here.item, ("(", "[", r"\{"))
+        if bracket is not None or here.text == "{":
+            whole = here.take().items or ()
+            arguments = tuple(map(self.number, split(whole if bracket is None else bracket, ",")))
+            if len(arguments) > 1:
+                raise Unread(f"{name} of {len(arguments)} arguments", begin)
         else:
-            argument, place, is_open = self.bare_argument(name, items, place)
+            argument, is_open = self.bare_argument(name, here)
             arguments = (argument,)
-        value = Node("call", arguments, name, (begin, items[place - 1].at[1]))
-        following = items[place] if place < len(items) else None
-        if following is not None and following.items is None and following.text in ("^", "'"):
-            if bracket is None or following.text == "'" or power is not None:
+        value = Node("call", arguments, name, (begin, here.end))
+        if here.text in ("^", "'"):
+            if bracket is None or here.text == "'" or power is not None:
                 raise Unread(f"what is attached belongs to {name} or to its argument", begin)
-            return self.powered(value, items, place, begin)
-        if power is not None:
-            value = _power(value, power, value.at)
-        return Factor(value, is_open), place
+            return self.powered(value, here, begin)
+        return Factor(value if power is None else _power(value, power, value.at), is_open)
 
-    def bare_argument(self, name: str, items: Items, place: int) -> tuple[Node, int, str]:
+    def bare_argument(self, name: str, here: Cursor) -> tuple[Node, str]:
         """An argument without brackets: a number, a name, or a number times one of these."""
-        start = place
-        if self.function(items, place) or items[place].text in ("+", "-"):
-            raise Unread(f"the argument of {name} has no brackets", items[place].at[0])
-        factor, place = self.factor(items, place)
-        argument = node_of(factor.value)
-        if argument.kind == "pow" and items[start].items is None:
+        start, is_group = here.at, here.item is not None and here.item.items is not None
+        if self.function(replace(here)) or here.text in ("+", "-"):
+            raise Unread(f"the argument of {name} has no brackets", start)
+        argument = node_of(self.factor(here).value)
+        if argument.kind == "pow" and not is_group:
             readings = (f"{name}({printed(argument)})", f"{name}({printed(argument.args[0])})**…")
-            raise Unread(
-                f"the exponent is of {name} or of its argument", items[start].at[0], readings
-            )
+            raise Unread(f"the exponent is of {name} or of its argument", start, readings)
         if not _numeric(argument):
-            return argument, place, "argument"
-        following = items[place] if place < len(items) else None
-        closed = following is None or (
-            following.items is None
-            and (following.text in (*_TIMES, "/") or self.function(items, place) is not None)
-        )
-        if following is None:
-            return argument, place, "number"
-        if closed:
-            raise Unread(f"the argument of {name} ends nowhere", following.at[0])
-        factor, place = self.factor(items, place)
-        more = node_of(factor.value)
+            return argument, "argument"
+        if here.item is None:
+            return argument, "number"
+        start = here.at
+        if here.text in (*_TIMES, "/") or self.function(replace(here)):
+            raise Unread(f"the argument of {name} ends nowhere", start)
+        more = node_of(self.factor(here).value)
         if more.kind == "pow":
-            raise Unread(f"the exponent is of {name} or of its argument", following.at[0])
-        return node_of(product([argument, more])), place, "argument"
+            raise Unread(f"the exponent is of {name} or of its argument", start)
+        return node_of(product([argument, more])), "argument"
 
-    def derivative(self, items: Items, place: int) -> tuple[Factor, int] | None:
+    def derivative(self, here: Cursor) -> Factor | None:
         """A derivative by time, as a fraction of differentials or its operator."""
-        start = items[place].at[0]
-        if items[place].text in _FRACTIONS:
-            above, middle = _argument(items, place + 1)
-            below, after = _argument(items, middle)
+        begin, start, following = here.place, here.at, here.items[here.place :]
+        is_fraction = here.text != "d"
+        if is_fraction:
+            here.take()
+            above, below = _argument(here), _argument(here)
         else:
-            texts = [it.text if it.items is None else "" for it in items[place:]]
-            if "/" not in texts:
-                return None
-            middle = place + texts.index("/")
-            above = list(items[place:middle])
-            after = middle + (5 if "^" in texts[texts.index("/") :][:4] else 3)
-            below = list(items[middle + 1 : after])
-        up, down = _flat(above), _flat(below)
-        texts = [it.text for it in down]
-        if len(texts) < 2 or texts[0] not in ("d", r"\partial") or up[0].text != texts[0]:
+            above, *behind = split(following, "/")
+            below = (
+                behind[0][: 4 if "^" in [it.text for it in behind[0][:3]] else 2] if behind else []
+            )
+            here.place += len(above) + 1 + len(below)
+        up, down = ([it.text for it in _flat(part)] for part in (above, below))
+        if len(down) < 2 or down[0] not in ("d", r"\partial") or up[:1] != down[:1]:
+            here.place = begin
             return None
-        if texts[0] == r"\partial":
+        if down[0] == r"\partial":
             raise Unread("a partial derivative is not read", start)
-        if texts[1].removeprefix("\\") not in self.names.times():
-            raise Unread(f"a derivative by {texts[1]}, or a fraction", start)
-        order = 2 if texts[2:] == ["^", "2"] else 1
-        if (order == 1 and texts[2:]) or (order == 2 and [it.text for it in up[1:3]] != ["^", "2"]):
+        if down[1].removeprefix("\\") not in self.names.times():
+            raise Unread(f"a derivative by {down[1]}, or a fraction", start)
+        squared = down[2:] == ["^", "2"]
+        if (down[2:] and not squared) or (squared and up[1:3] != ["^", "2"]):
             raise Unread("a derivative of this order is not read", start)
-        what: Items = _inside(above)[1 + 2 * (order == 2) :]
-        if items[place].text == "d" and not what:
-            raise Unread("a derivative of what stands behind it; print it as a fraction", start)
+        what = _inside(above)[3 if squared else 1 :]
         if what:
-            value = node_of(self.expression(what))
+            value = self.number(what)
+        elif not is_fraction:
+            raise Unread("a derivative of what stands behind it; print it as a fraction", start)
+        elif here.item is None:
+            raise Unread("a derivative of nothing", start)
         else:
-            if after >= len(items):
-                raise Unread("a derivative of nothing", start)
-            bracketed = items[after].text == "("
-            factor, stop = self.factor(items, after)
-            value = node_of(factor.value)
-            clear = bracketed or _bracket(items, stop - 1) is not None
-            if value.kind == "pow" or (stop < len(items) and not clear):
-                raise Unread("the derivative ends nowhere; print brackets", items[after].at[0])
-            after = stop
-        for _ in range(order):
+            place, bracketed = here.at, here.text == "("
+            value = node_of(self.factor(here).value)
+            clear = bracketed or _bracket(here.items[here.place - 1]) is not None
+            if value.kind == "pow" or not (here.item is None or clear):
+                raise Unread("the derivative ends nowhere; print brackets", place)
+        for _ in range(1 + squared):
             value = self.names.rate(value)
-        return self.powered(moved(value, (start, items[after - 1].at[1])), items, after, start)
+        return self.powered(moved(value, (start, here.end)), here, start)
 
-    def name(self, items: Items, place: int) -> tuple[Name | None, int, Items | None]:
-        """A name with indices and primes, the place behind it, and its exponent."""
-        it = items[place]
-        order, after = 0, place + 1
+    def only_name(self, items: Items) -> Name | None:
+        """The name that stands alone, without an exponent."""
+        here = Cursor(items)
+        name, power = self.name(here)
+        return name if here.item is None and power is None else None
+
+    def name(self, here: Cursor) -> tuple[Name | None, Items | None]:
+        """A name with indices and primes, and its exponent; where none is, nothing is taken."""
+        begin, it = here.place, here.item
+        if it is None:
+            return None, None
+        here.take()
+        name: Name | None = None
         if it.items is not None:
-            inner = it.items if it.text == "{" else ()
-            name, stop, power = self.name(inner, 0) if inner else (None, 0, None)
-            if name is None or stop < len(inner) or power is not None:
-                return None, place, None
+            name = self.only_name(it.items) if it.text == "{" else None
         elif it.text in (r"\dot", r"\ddot"):
-            argument, after = _argument(items, after)
-            name, stop, power = self.name(argument, 0)
-            if name is None or stop < len(argument) or power is not None:
+            name = self.only_name(_argument(here))
+            if name is None:
                 raise Unread("dots on what is no name", it.at[0])
             name = replace(name, order=name.order + it.text.count("d"))
         elif it.text in (*_ROMAN, *_BOLD, *_ACCENTS):
-            argument, after = _argument(items, after)
-            word = "".join(one.text.removeprefix("\\") for one in _flat(argument))
+            word = "".join(one.text.removeprefix("\\") for one in _flat(_argument(here)))
             style = "" if it.text in _ROMAN else _ACCENTS.get(it.text, it.text) + " "
             name = Name(f"{style}{word}")
-        elif count := self.names.word(items, place):
-            name, after = (
-                Name("".join(one.text for one in items[place : place + count])),
-                place + count,
-            )
+        elif count := self.names.word(here.items, begin):
+            here.place = begin + count
+            name = Name("".join(one.text for one in here.items[begin : here.place]))
         elif _LETTERS.fullmatch(it.text):
             name = Name(it.text.removeprefix("\\"))
-        else:
-            return None, place, None
+        if name is None:
+            here.place = begin
+            return None, None
         exponent: Items | None = None
-        while after < len(items) and items[after].items is None and items[after].text in "_^'":
-            sign, place = items[after].text, items[after].at[0]
+        while here.text in ("_", "^", "'"):
+            sign, place = here.text, here.at
+            here.take()
             if sign == "'":
-                order, after = order + 1, after + 1
+                name = replace(name, order=name.order + 1)
                 continue
-            argument, after = _argument(items, after + 1)
+            argument = _argument(here)
             texts = [one.text for one in _flat(argument)]
             label = "".join(text.removeprefix("\\") for text in texts)
-            primes = len([text for text in texts if text in (r"\prime", "'")])
+            primes = texts.count(r"\prime") + texts.count("'")
             if sign == "_":
                 if name.sub:
                     raise Unread("two indices", place)
                 name = replace(name, sub=label)
             elif primes and texts[:primes] == texts[:1] * primes:
-                order += primes
-                exponent = list(argument)[primes:] or exponent
-            elif (argument and argument[0].text in _ROMAN) or label in (
-                "*",
-                "+",
-                "-",
-                "ast",
-                "star",
-            ):
+                name = replace(name, order=name.order + primes)
+                exponent = argument[primes:] or exponent
+            elif label in _STARS or (argument and argument[0].text in _ROMAN):
                 name = replace(name, sup=label)
             elif exponent is not None:
                 raise Unread("two exponents", place)
             else:
                 exponent = argument
-        return replace(name, order=name.order + order), after, exponent
+        return name, exponent
 
 
-def _argument(items: Items, place: int) -> tuple[Items, int]:
+def _argument(here: Cursor) -> Items:
     """The argument of a command: a group, or the next token."""
-    if place >= len(items):
-        raise Unread("an argument is missing", items[-1].at[1])
-    it = items[place]
+    it = here.take()
     if it.items is not None and it.text == "{":
-        return it.items, place + 1
-    if it.items is None and it.text in (*_ROMAN, *_BOLD, *_ACCENTS) and place + 1 < len(items):
-        return items[place : place + 2], place + 2
+        return it.items
+    if it.text in (*_ROMAN, *_BOLD, *_ACCENTS) and here.item is not None:
+        return [it, here.take()]
     if it.items is not None or it.text in (*_FRACTIONS, r"\sqrt", r"\dot", r"\ddot", "^", "_"):
         raise Unread("an argument without braces", it.at[0])
-    return [it], place + 1
+    return [it]
 
 
 def _flat(items: Items) -> list[Item]:
     """Tokens without braces and styles."""
     flat: list[Item] = []
     for it in items:
-        if it.items is not None and it.text == "{":
-            flat += _flat(it.items)
-        elif it.items is not None or it.text not in _ROMAN:
+        if it.text == "{":
+            flat += _flat(it.items or ())
+        elif it.text not in _ROMAN:
             flat.append(it)
     return flat
 
 
 def _inside(items: Items) -> Items:
     """Items without a style on the first of them: \\mathrm{d} x as d x."""
-    if items and items[0].items is None and items[0].text in _ROMAN:
+    if items and items[0].text in _ROMAN:
         return [*_flat(items[1:2]), *items[2:]]
     return items
 
 
-def _bracket(items: Items, place: int, kinds: tuple[str, ...] = ("(",)) -> Items | None:
+def _bracket(it: Item | None, kinds: tuple[str, ...] = ("(",)) -> Items | None:
     """What stands in a bracket here, with braces around it or without."""
-    it = items[place] if 0 <= place < len(items) else None
     while it is not None and it.text == "{" and it.items is not None and len(it.items) == 1:
         it = it.items[0]
-    return it.items if it is not None and it.items is not None and it.text in kinds else None
+    return it.items if it is not None and it.text in kinds else None
 
 
 def _is_sign(items: Items, number: int) -> bool:
     """Whether a sign stands between terms, not in an exponent or behind another operator."""
-    it = items[number]
-    if it.items is not None or it.text not in ("+", "-", r"\pm", r"\mp"):
+    if items[number].text not in ("+", "-", r"\pm", r"\mp"):
         return False
-    before = items[number - 1] if number else None
-    if before is not None and before.items is None:
-        if before.text in ("^", "_"):
-            return False
-        if before.text in (*_TIMES, "/"):
-            raise Unread("a sign behind an operator; print brackets", it.at[0])
-    return True
-
-
-def _number(text: str) -> Node:
-    return Node("number", value=text)
+    before = items[number - 1].text if number else ""
+    if before in (*_TIMES, "/"):
+        raise Unread("a sign behind an operator; print brackets", items[number].at[0])
+    return before not in ("^", "_")
 
 
 def _numeric(value: Value) -> bool:

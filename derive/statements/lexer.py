@@ -25,6 +25,53 @@ class Item:
 
 Items = Sequence[Item]
 
+
+def split(items: Items, *signs: str) -> list[list[Item]]:
+    """What stands between signs."""
+    parts: list[list[Item]] = [[]]
+    for it in items:
+        if it.text in signs:
+            parts.append([])
+        else:
+            parts[-1].append(it)
+    return parts
+
+
+@dataclass
+class Cursor:
+    """A place among items."""
+
+    items: Items
+    place: int = 0
+
+    @property
+    def item(self) -> Item | None:
+        """What stands here, or nothing behind the last one."""
+        return self.items[self.place] if self.place < len(self.items) else None
+
+    @property
+    def text(self) -> str:
+        """The token or the bracket that stands here."""
+        return "" if self.item is None else self.item.text
+
+    @property
+    def at(self) -> int:
+        """Where in the print this is."""
+        return self.end if self.item is None else self.item.at[0]
+
+    @property
+    def end(self) -> int:
+        """Where in the print what stands before ends."""
+        return self.items[self.place - 1].at[1]
+
+    def take(self) -> Item:
+        """What stands here; the place moves behind it."""
+        if self.item is None:
+            raise Unread("an argument is missing", self.end)
+        self.place += 1
+        return self.items[self.place - 1]
+
+
 _ALIGNED = r"(?:aligned|align|alignat|equation|gather|gathered|multline|split|eqnarray)\*?"
 #: Parts of the source that print nothing, or only lay the equations out.
 _UNPRINTED = re.compile(

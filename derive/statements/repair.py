@@ -19,6 +19,7 @@ from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
+import sympy as sp
 
 from .tree import (
     FUNCTIONS,
@@ -139,11 +140,8 @@ _RELATIONS = {
     "Eq": np.equal,
     "And": np.multiply,
 }
-_NUMPY = {"Abs": "abs", "asin": "arcsin", "acos": "arccos", "atan": "arctan"}
-_NUMERIC = {
-    name: (lambda x: 1 / np.tan(x)) if name == "cot" else getattr(np, _NUMPY.get(name, name))
-    for name in FUNCTIONS
-}
+_X = sp.Symbol("x")
+_NUMERIC = {name: sp.lambdify(_X, of(_X), "numpy") for name, of in FUNCTIONS.items()}
 
 
 def _applied(tree: Node, parts: Sequence[Values]) -> Values:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 import sympy as sp
@@ -80,25 +80,10 @@ def printed(node: Node) -> str:
 
 
 #: Functions that a print may hold, by SymPy's names.
-FUNCTIONS = {
-    name: getattr(sp, name)
-    for name in (
-        "sin",
-        "cos",
-        "tan",
-        "cot",
-        "exp",
-        "log",
-        "sqrt",
-        "Abs",
-        "sign",
-        "sinh",
-        "cosh",
-        "tanh",
-        "asin",
-        "acos",
-        "atan",
-    )
+FUNCTIONS: Mapping[str, Callable[..., sp.Expr]] = {
+    **{it.__name__: it for it in (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.exp, sp.log)},
+    **{it.__name__: it for it in (sp.sinh, sp.cosh, sp.tanh, sp.asinh, sp.acosh, sp.atanh)},
+    **{it.__name__: it for it in (sp.sqrt, sp.asin, sp.acos, sp.atan, sp.Abs, sp.sign)},
 }
 #: Relations in the conditions of a choice.
 RELATIONS = {name: getattr(sp, name) for name in ("Lt", "Le", "Gt", "Ge", "Ne", "Eq")}

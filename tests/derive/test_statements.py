@@ -216,8 +216,9 @@ def test_every_function_is_evaluated_in_numbers_and_exactly() -> None:
     vocabulary = Vocabulary(frozenset({"x"}), (), {})
     for name, function in FUNCTIONS.items():
         (equation,) = read_sympy(f"{name}(x)", vocabulary)
-        value = evaluated(equation.left, {"x": np.array([0.3, 0.7])})
-        assert np.allclose(value, [float(function(it)) for it in (0.3, 0.7)]), name
+        inside = np.array([0.3, 0.7]) + (name == "acosh")
+        value = evaluated(equation.left, {"x": inside})
+        assert np.allclose(value, [float(function(it)) for it in inside]), name
 
 
 def test_an_entry_that_is_not_judged_leaves_its_statement_unread() -> None:

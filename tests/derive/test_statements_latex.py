@@ -7,6 +7,7 @@ import random
 import pytest
 import sympy as sp
 
+from spragsym.derive.statements import latex, tree
 from spragsym.derive.statements.latex import read_latex
 from spragsym.derive.statements.tree import Unread, Vocabulary, printed, to_sympy
 
@@ -54,6 +55,7 @@ READ = {
     ],
     r"x(t) = \theta(t)": ["x = theta"],
     r"\sqrt[3]{x} + \sqrt{y}": ["x**(1/3) + sqrt(y) = 0"],
+    r"\sec\theta + \operatorname{arccosh} x + arcsin y": ["sec(theta) + acosh(x) + asin(y) = 0"],
 }
 
 
@@ -93,6 +95,12 @@ def test_a_print_is_read(text: str, expected: list[str]) -> None:
         r"\boldsymbol{x} a = 0",
         r"a = x + ",
         r"x^23",
+        r"a + \sin(x, y)",
+        r"\max(x, y)",
+        r"\det x",
+        r"\ddot{} + a",
+        r"\frac{}{dt} x",
+        r"\begin{bmatrix}\end{bmatrix} = 0",
     ],
 )
 def test_what_can_be_read_in_two_ways_or_not_at_all_is_refused(text: str) -> None:
@@ -100,6 +108,11 @@ def test_what_can_be_read_in_two_ways_or_not_at_all_is_refused(text: str) -> Non
     with pytest.raises(Unread) as refusal:
         read_latex(text, WORDS)
     assert 0 <= refusal.value.place <= len(text)
+
+
+def test_what_a_print_calls_a_function_can_be_evaluated() -> None:
+    """A function that is read has a meaning: another one would end a check with an error."""
+    assert {*latex.FUNCTIONS.values()} <= tree.FUNCTIONS.keys()
 
 
 def test_both_readings_are_told() -> None:

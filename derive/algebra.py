@@ -144,7 +144,7 @@ def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
 
 def equal(left: sp.Expr, right: sp.Expr, circles: Circles) -> bool:
     """Whether :func:`difference` is 0, without its form."""
-    return _vanishes(gap(left, right, circles), circles)
+    return not _reduced(gap(left, right, circles), circles)[0]
 
 
 def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
@@ -152,38 +152,34 @@ def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
     circles, with the unknowns of :func:`gap`.
     """
     found = gap(left, right, circles)
-    if _vanishes(found, circles):
-        return sp.S.Zero
-    order, roots = found.order, found.roots
-    numerator, denominator = sp.fraction(sp.together(found.value))
-    for base, root in reversed(roots.items()):
-        numerator, further = sp.fraction(sp.together(_without_powers(numerator, root, base, order)))
-        denominator *= further
-    numerator = reduce_circles(numerator, circles)
-    known = {root: sp.Pow(base, sp.Rational(1, order)) for base, root in reversed(roots.items())}
-    shown = numerator / sp.factor(denominator)
-    for root, value in known.items():
-        shown = shown.subs(root, value)
+    numerator, factors = _reduced(found, circles)
+    below = (sp.factor(factor.as_expr()) ** power for factor, power in factors.items())
+    shown = numerator.as_expr() / sp.Mul(*below)
+    for base, root in reversed(found.roots.items()):
+        shown = shown.subs(root, sp.Pow(base, sp.Rational(1, found.order)))
     # The outermost first, for its arguments hold the others.
     return shown.subs([(dummy, node) for node, dummy in reversed(found.unknowns.items())])
 
 
-def _vanishes(found: Gap, circles: Circles) -> bool:
-    """Whether a difference is 0, in polynomials with whole coefficients."""
+def _reduced(found: Gap, circles: Circles) -> tuple[PolyElement, Factors]:
+    """Numerator of a difference, 0 exactly where that is, and the factors of its denominator: in
+    polynomials with whole coefficients.
+    """
     values = (found.value, *found.roots, *found.roots.values(), *itertools.chain(*circles))
     atoms = set().union(*(value.atoms() for value in values))
     powers = set().union(*(value.atoms(sp.Pow) for value in values))
     names = {atom for atom in atoms if not atom.is_Rational}
     names |= {power for power in powers if not power.exp.is_Integer}
     ring = PolyRing(sorted(names, key=sp.default_sort_key), sp.ZZ, lex)
-    numerator, _ = _quotient(found.value, ring)
+    numerator, denominator = _quotient(found.value, ring)
+    factors = Counter(denominator)
     for base, root in reversed(found.roots.items()):
-        above, factors = _quotient(base, ring)
-        below = _multiplied(ring.one, factors)
-        numerator = _lowered(numerator, ring(root), found.order, above, below)
+        above, below = _quotient(base, ring)
+        numerator, most = _lowered(numerator, ring(root), found.order, above, below)
+        factors.update({factor: power * most for factor, power in below.items()})
     for cosine, sine in circles:
-        numerator = _lowered(numerator, ring(cosine), 2, 1 - ring(sine) ** 2, ring.one)
-    return not numerator
+        numerator, _ = _lowered(numerator, ring(cosine), 2, 1 - ring(sine) ** 2, {})
+    return numerator, factors
 
 
 def _quotient(value: sp.Expr, ring: PolyRing) -> tuple[PolyElement, Factors]:
@@ -219,11 +215,11 @@ def _multiplied(polynomial: PolyElement, factors: Factors) -> PolyElement:
 
 
 def _lowered(
-    polynomial: PolyElement, name: PolyElement, order: int, above: PolyElement, below: PolyElement
-) -> PolyElement:
-    """A polynomial times a power of ``below``, modulo name^order = above/below."""
+    polynomial: PolyElement, name: PolyElement, order: int, above: PolyElement, below: Factors
+) -> tuple[PolyElement, int]:
+    """A polynomial times a power of ``below``, modulo name^order = above/below; and the power."""
     ring = polynomial.ring
-    place = ring.gens.index(name)
+    place, divisor = ring.gens.index(name), _multiplied(ring.one, below)
     parts: dict[int, dict[tuple[int, ...], int]] = {}
     for powers, value in polynomial.terms():
         times, rest = divmod(powers[place], order)
@@ -231,18 +227,10 @@ def _lowered(
         part[(*powers[:place], rest, *powers[place + 1 :])] = value
     most = max(parts, default=0)
     terms = (
-        ring.from_dict(part) * above**times * below ** (most - times)
+        ring.from_dict(part) * above**times * divisor ** (most - times)
         for times, part in parts.items()
     )
-    return sum(terms, ring.zero)
-
-
-def _without_powers(polynomial: sp.Expr, root: sp.Symbol, base: sp.Expr, order: int) -> sp.Expr:
-    """Normal form modulo root^order = base."""
-    terms = sp.Poly(sp.expand(polynomial), root).terms()
-    return sp.Add(
-        *(value * base ** (power // order) * root ** (power % order) for (power,), value in terms)
-    )
+    return sum(terms, ring.zero), most
 
 
 def manifestly_positive(polynomial: sp.Expr) -> bool:

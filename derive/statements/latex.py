@@ -16,7 +16,7 @@ import numpy as np
 from . import tree
 from .lexer import Cursor, Item, Items, nested, split
 from .matrices import Matrix, Value, determinant, identity, inverse, named, negative, node_of
-from .matrices import paired, product, quotient, total
+from .matrices import paired, product, quotient, shape_of, total
 from .names import LAWS, Name, Names, moved
 from .tree import ONE, ZERO, Equation, Node, Unread, Vocabulary, printed, read_sympy
 
@@ -179,7 +179,7 @@ class _Reader:
             if here.item is None or law:
                 return self.matrix(known or Node("symbol", value=name.spelled, at=at))
         value = self.expression(items)
-        return node_of(value) if np.size(value) == 1 else value
+        return node_of(value) if {*shape_of(value)} == {1} else value
 
     def matrix(self, node: Node) -> Value:
         """What a name stands for: entries, where it is one of a matrix."""

@@ -35,11 +35,16 @@ def identity(size: int) -> Matrix:
     return np.array([ZERO, ONE])[np.eye(size, dtype=int)]
 
 
+def shape_of(value: Value) -> Shape:
+    """Rows and columns; none of a number."""
+    return () if isinstance(value, Node) else value.shape
+
+
 def node_of(value: Value) -> Node:
     """A number, or the one entry of a matrix."""
     if isinstance(value, Node):
         return value
-    entry: Node = value.flat[0]
+    entry: Node = value.item(0)
     if value.size > 1:
         raise Unread("a matrix where a number has to stand", entry.at[0])
     return entry
@@ -67,7 +72,7 @@ def negative(value: Value, start: int) -> Value:
 
 def total(terms: Sequence[Value], place: int) -> Value:
     """A sum of numbers, or of matrices of one shape."""
-    shape, *others = {np.shape(it) for it in terms}
+    shape, *others = set(map(shape_of, terms))
     if others:
         raise Unread("terms of different shapes", place)
     if shape:
@@ -130,7 +135,7 @@ def paired(left: Value, right: Value, place: int) -> list[Equation]:
     """Equations of two sides, entry by entry; a name stands for the matrix on the other side."""
     if isinstance(left, Node) and isinstance(right, Node):
         return [Equation(left, right)]
-    shape = max(np.shape(left), np.shape(right))
+    shape = max(shape_of(left), shape_of(right))
     sides = (_shaped(side, shape, place) for side in (left, right))
     return [Equation(*pair) for pair in zip(*(it.flat for it in sides), strict=True)]
 

@@ -80,7 +80,7 @@ def printed(node: Node) -> str:
 
 
 #: Functions that a print may hold, by SymPy's names.
-FUNCTIONS: Mapping[str, Callable[..., sp.Expr]] = {
+FUNCTIONS: dict[str, Callable[..., sp.Expr]] = {
     **{it.__name__: it for it in (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.exp, sp.log)},
     **{it.__name__: it for it in (sp.sinh, sp.cosh, sp.tanh, sp.asinh, sp.acosh, sp.atanh)},
     **{it.__name__: it for it in (sp.sqrt, sp.asin, sp.acos, sp.atan, sp.Abs, sp.sign)},

@@ -6,12 +6,12 @@ import itertools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar, cast
 
 import sympy as sp
 
 from .. import laws, linearization, mechanics, physical_checks, statics, units
-from ..algebra import Row
+from ..algebra import Names, Row
 from ..mechanics import DEPTH, MU, PUSHING, Mechanics, number
 from ..model import Page, expression_of
 from ..motion import Motion
@@ -22,6 +22,7 @@ NORMAL, LAMBDA, TIME = sp.Symbol("N", real=True), sp.Symbol("lam"), sp.Symbol("t
 #: Sides of the contact on which a statement is meant.
 CONTACT, LIFT_OFF, BOTH = "contact", "lift-off", "both"
 
+T = TypeVar("T")
 #: Applied forces that may be counted in an energy one by one; of more all are, or none.
 MOST_FORCES = 3
 
@@ -79,14 +80,21 @@ class Derivation:
     scaled: bool
 
     @cached_property
-    def found(self) -> dict[str, Object | NoObject]:
-        """Objects that were asked for, and why those that the page does not have are none."""
+    def found(self) -> dict[tuple[str, str], object]:
+        """What was asked for by its word and the rest, or why the page does not have it."""
         return {}
 
-    @cached_property
-    def directions(self) -> dict[str, tuple[sp.Matrix, sp.Matrix, sp.Symbol]]:
-        """D, b and L by the side of the contact, once they were asked for."""
-        return {}
+    def kept(self, word: str, rest: str, derive: Callable[[], T]) -> T:
+        """What is derived, once; and once only why it can't be."""
+        if (word, rest) not in self.found:
+            try:
+                self.found[word, rest] = derive()
+            except (NoObject, ArithmeticError) as error:
+                self.found[word, rest] = NoObject(str(error))
+        found = self.found[word, rest]
+        if isinstance(found, NoObject):
+            raise found
+        return cast(T, found)
 
     @cached_property
     def plain(self) -> dict[sp.Expr, sp.Expr]:
@@ -418,23 +426,18 @@ def _pushing(it: Derivation, name: str, side: str) -> Object:
 
 def _direction(it: Derivation, name: str, side: str) -> Object:
     """Parts of D (cos θ, sin θ)ᵀ = b, the equilibrium in length L and inclination θ of the line."""
-    if side not in it.directions:
-        it.directions[side] = balance_in_direction(it, side)
-    D, b, length = it.directions[side]
+    D, b, length = it.kept("balance in direction", side, lambda: balance_in_direction(it, side))
     word, _, place = name.partition(" ")
     by, values = "objects.balance_in_direction", {"matrix": D, "slope": D.diff(length), "side": b}
-    any_D, any_b = (
-        sp.Matrix(2, 2, sp.symbols("D_11 D_12 D_21 D_22")),
-        sp.Matrix(sp.symbols("b_1:3")),
-    )
-    parts = dict(zip((*any_D, *any_b), (*D, *b), strict=True))
-    cleared = (any_D.adjugate() * any_b).dot(any_D.adjugate() * any_b) - any_D.det() ** 2
     if word in ("norm", "eliminated") and not place:  # 1 = bᵀ (D Dᵀ)⁻¹ b, and times det² D
-        short = cleared / any_D.det() ** 2 if word == "norm" else cleared
+        cleared, determinant, parts = _cleared(D, b)
+        short = cleared / determinant**2 if word == "norm" else cleared
         entry = short.subs(parts)
         return Object((entry,), by, steady=True, side=side, short=(short, parts))
     if word == "coefficient" and place.isdigit():
-        entry = sp.Poly(cleared.subs(parts), length).coeff_monomial(length ** int(place))
+        entry = it.kept("polynomial", side, lambda: _polynomial(D, b, length)).coeff_monomial(
+            length ** int(place)
+        )
         return Object((entry,), by, names=frozenset({name}), steady=True, side=side)
     if word not in values or (place and word != "side") or place not in ("", "1", "2"):
         raise NoObject(
@@ -446,6 +449,21 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
     shape = None if place else values[word].shape
     names = frozenset({name})
     return Object(entries, by, index=index, names=names, steady=True, side=side, shape=shape)
+
+
+def _cleared(D: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Expr, Names]:
+    """|adj(D) b|² − det² D and det D in names of their entries, and what these are."""
+    matrix, side = (
+        sp.Matrix(2, 2, sp.symbols("D_11 D_12 D_21 D_22")),
+        sp.Matrix(sp.symbols("b_1:3")),
+    )
+    scaled, parts = matrix.adjugate() * side, dict(zip((*matrix, *side), (*D, *b), strict=True))
+    return scaled.dot(scaled) - matrix.det() ** 2, matrix.det(), parts
+
+
+def _polynomial(D: sp.Matrix, b: sp.Matrix, length: sp.Symbol) -> sp.Poly:
+    cleared, _, parts = _cleared(D, b)
+    return sp.Poly(cleared.subs(parts), length)
 
 
 def balance_in_direction(it: Derivation, side: str) -> tuple[sp.Matrix, sp.Matrix, sp.Symbol]:
@@ -513,12 +531,4 @@ def derived(it: Derivation, about: str) -> Object:
     side = where or CONTACT
     if word not in OBJECTS or side not in (CONTACT, LIFT_OFF, BOTH):
         raise NoObject(f"{about!r} is no object; there are {', '.join(OBJECTS)}")
-    if about not in it.found:
-        try:
-            it.found[about] = OBJECTS[word](it, rest.strip(), side)
-        except (NoObject, ArithmeticError) as error:
-            it.found[about] = NoObject(str(error))
-    found = it.found[about]
-    if isinstance(found, NoObject):
-        raise found
-    return found
+    return it.kept(word, f"{rest.strip()}, {side}", lambda: OBJECTS[word](it, rest.strip(), side))

@@ -127,15 +127,16 @@ def compared(
 
 
 def repaired(paper: Paper, model: Model) -> Paper:
-    """A paper with its misprints, against a page, repaired."""
-    rows = {row.id: row for row in check(paper, model).rows}
-    statements = [
-        replace(it, text=row.repaired, is_latex=False, transcribed="", form=row.form)
-        if (row := rows[it.id]).status == "misprint"
-        else it
-        for it in paper.statements
-    ]
-    return replace(paper, statements=tuple(statements))
+    """A paper whose expected misprints are repaired, against a page."""
+    _, found = opened(paper, model)
+    items = [item for item in found if isinstance(item, Item)]
+    conventions, statements = _settled(items), {it.id: it for it in paper.statements}
+    for item in items:
+        if item.statement.expect == "misprint" and (row := judged(item, conventions)).repaired:
+            statements[row.id] = replace(
+                item.statement, text=row.repaired, is_latex=False, transcribed="", form=row.form
+            )
+    return replace(paper, statements=tuple(statements.values()))
 
 
 def uncompared(verdict: Verdict) -> Row:

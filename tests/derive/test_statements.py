@@ -331,7 +331,7 @@ def test_two_edits_and_a_lost_term_with_brackets_are_found(
 def test_a_paper_is_repaired_and_held_against_another_page() -> None:
     """A repaired misprint is confirmed by its page, and fails without a repair by another one."""
     text = "m*ax - k_x*x + k/2*(x - y) = mu*N"
-    statement = papers.Statement("s", "motion x", text, is_latex=False, form="units")
+    statement = papers.Statement("s", "motion x", text, False, form="units", expect="misprint")
     paper = papers.Paper("", "", {}, (statement,))
     right = verdicts.repaired(paper, COUPLING)
     (row,) = verdicts.check(right, COUPLING, repair=False).rows

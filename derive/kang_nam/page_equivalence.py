@@ -82,7 +82,10 @@ def _in_direction() -> bool:
         ours = (*ours_D.subs(length, nm.L), *ours_b)
         pairs += zip(ours, (*D.subs(case), *b.subs(case)), strict=True)
     return all(
-        unit_circles.equal(mechanics.in_article(it.model, one).subs(directions), other)
+        unit_circles.equal(
+            mechanics.in_article(it.model, one.subs(MU, it.friction_at_rest)).subs(directions),
+            other,
+        )
         for one, other in pairs
     )
 

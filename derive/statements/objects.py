@@ -426,7 +426,8 @@ def _pushing(it: Derivation, name: str, side: str) -> Object:
 
 def _direction(it: Derivation, name: str, side: str) -> Object:
     """Parts of D (cos θ, sin θ)ᵀ = b, the equilibrium in length L and inclination θ of the line."""
-    D, b, length = it.kept("balance in direction", side, lambda: balance_in_direction(it, side))
+    in_mu = it.kept("balance in direction", side, lambda: balance_in_direction(it, side))
+    (D, b), length = (part.subs(MU, it.friction_at_rest) for part in in_mu[:2]), in_mu[2]
     word, _, place = name.partition(" ")
     by, values = "objects.balance_in_direction", {"matrix": D, "slope": D.diff(length), "side": b}
     if word in ("norm", "eliminated") and not place:  # 1 = bᵀ (D Dᵀ)⁻¹ b, and times det² D
@@ -435,9 +436,9 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
         entry = short.subs(parts)
         return Object((entry,), by, steady=True, side=side, short=(short, parts))
     if word == "coefficient" and place.isdigit():
-        entry = it.kept("polynomial", side, lambda: _polynomial(D, b, length)).coeff_monomial(
-            length ** int(place)
-        )
+        polynomial = it.kept("polynomial", side, lambda: _polynomial(*in_mu))
+        power = polynomial.coeff_monomial(length ** int(place))
+        entry = power.subs(MU, it.friction_at_rest)
         return Object((entry,), by, names=frozenset({name}), steady=True, side=side)
     if word not in values or (place and word != "side") or place not in ("", "1", "2"):
         raise NoObject(
@@ -467,7 +468,7 @@ def _polynomial(D: sp.Matrix, b: sp.Matrix, length: sp.Symbol) -> sp.Poly:
 
 
 def balance_in_direction(it: Derivation, side: str) -> tuple[sp.Matrix, sp.Matrix, sp.Symbol]:
-    """D and b of two coordinates at steady sliding, and L: linear in the direction of a line."""
+    """D and b of two coordinates, in MU, and L: linear in the direction of a line."""
     if len(it.model.lines) != 1 or len(it.model.coordinates) != 2 or len(it.geometry) != 2:
         raise NoObject("only two coordinates and one line that is named L, theta have a direction")
     (line,), ((length, angle),) = it.model.lines, it._lines
@@ -477,8 +478,7 @@ def balance_in_direction(it: Derivation, side: str) -> tuple[sp.Matrix, sp.Matri
     gaps = [end - L * way for end, way in zip(ends, direction, strict=True)]
     placed = sp.solve(gaps, it.model.coordinates, dict=True)
     named = {sp.cos(theta): direction[0], sp.sin(theta): direction[1]}
-    mu = it.friction_at_rest
-    rows = sp.Matrix([it.spelled(row, side).subs(MU, mu) for row in it.model.residuals])
+    rows = sp.Matrix([it.spelled(row, side) for row in it.model.residuals])
     if len(placed) != 1:
         raise NoObject("the coordinates do not follow from length and inclination of the line")
     turned = rows.subs(named).subs(placed[0]).applyfunc(sp.expand)

@@ -218,12 +218,16 @@ def _item(
     bound = {name: value for name, value in bound.items() if stem(name) in stems}
     for name, value in bound.items():
         values[name] = numeric(value, list(values))(values)
+    defined: dict[str, Node] = {}  # not those in names that this form lacks
+    for name, tree in book.defined.items():
+        if symbols(tree) <= values.keys() | defined.keys():
+            defined[name] = tree
     names = list(values)
     sides = [one.right if held.is_value and one.left.kind == "symbol" else one for one in equations]
     for side in sides:
         parts = (side,) if isinstance(side, Node) else (side.left, side.right)
         unknown = {name for part in parts for name in symbols(part)} - values.keys()
-        if unknown := unknown - book.defined.keys():
+        if unknown := unknown - defined.keys():
             name = min(unknown)
             raise Unread(f"{name} is no name of the page; say what it is under [symbols]")
     targets = tuple(numeric(entry, names)(values) for entry in held.entries)
@@ -238,7 +242,7 @@ def _item(
         targets,
         readings,
         bound,
-        dict(book.defined),
+        defined,
         letters,
         book,
     )

@@ -179,8 +179,7 @@ def _printed_values(item: Item, conventions: Conventions) -> dict[str, Values]:
             for name in (str(rate), str(second)):
                 values[name] = convention.sign * item.values[name]
     for name, tree in item.defined.items():
-        if symbols(tree) <= values.keys():
-            values[name] = evaluated(tree, values)
+        values[name] = evaluated(tree, values)
     return values
 
 
@@ -278,8 +277,7 @@ def _names(item: Item, conventions: Conventions) -> dict[str, sp.Expr]:
             names |= {str(it): convention.sign * it for it in (rate, second)}
     names |= item.bound
     for name, tree in item.defined.items():
-        if symbols(tree) <= names.keys():
-            names[name] = to_sympy(tree, names)
+        names[name] = to_sympy(tree, names)
     return names
 
 

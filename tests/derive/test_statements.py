@@ -230,6 +230,22 @@ def test_an_entry_that_is_not_judged_leaves_its_statement_unread() -> None:
     assert _judged("stiffness", text, "units", COUPLING).status == "unread"
 
 
+def test_a_name_whose_definition_has_no_meaning_in_a_form_is_unread() -> None:
+    """A definition in quantities with units is none in the scaled form; one of it may be used."""
+    texts = [
+        ("definition", "h = k_c*x", "units"),
+        ("motion x", "ax + h = 0", "scaled"),
+        ("equilibrium x", "h + mu0*N = 0", "units"),
+    ]
+    statements = tuple(
+        papers.Statement(about, about, text, False, form=form) for about, text, form in texts
+    )
+    rows = verdicts.check(papers.Paper("", "", {}, statements), COUPLING).rows
+    assert [row.status for row in rows][:2] == ["definition", "unread"]
+    assert "h is no name" in rows[1].evidence
+    assert rows[2].status in ("failed", "misprint")
+
+
 @pytest.mark.thorough
 def test_names_of_values_stand_for_what_is_derived() -> None:
     """A mistake is found where it stands, and not where the name is used."""

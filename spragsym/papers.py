@@ -78,8 +78,8 @@ class PaperCheck:
         return all(row.is_expected for row in self.rows)
 
     def as_dict(self) -> dict[str, Any]:
-        """Verdicts for JSON, without what is empty."""
-        rows = [{key: it for key, it in asdict(row).items() if it} for row in self.rows]
+        """Verdicts for JSON: of each row all fields, which are empty where they do not apply."""
+        rows = [asdict(row) for row in self.rows]
         head = {"paper": self.paper, "model": self.model, "conventions": list(self.conventions)}
         return {**head, "rows": rows}
 

@@ -188,7 +188,8 @@ class _Reader:
 
     def number(self, items: Items) -> Node:
         """An expression that is no matrix."""
-        return node_of(self.expression(items))
+        value = self.expression(items)
+        return node_of(value, items[0].at[0])
 
     def expression(self, items: Items) -> Value:
         """A sum of terms."""
@@ -208,8 +209,8 @@ class _Reader:
             if one + 1 == stop:
                 raise Unread("a term is missing", place)
             value = self.term(items[one + 1 : stop])
-            terms.append(negative(value, place) if sign == "-" else value)
-        return terms[0] if len(terms) == 1 else total(terms, items[0].at[0])
+            terms.append(_over(negative(value), items[one:stop]) if sign == "-" else value)
+        return terms[0] if len(terms) == 1 else _over(total(terms, items[0].at[0]), items)
 
     def term(self, items: Items) -> Value:
         """A product of factors, by juxtaposition or by a sign, over one factor behind a slash."""
@@ -222,7 +223,7 @@ class _Reader:
                     raise Unread(f"{sign} lacks an operand", place)
                 here.take()
                 if sign == "/":
-                    return self.slash(factors, here, place)
+                    return _over(self.slash(factors, here, place), items)
                 if factors[-1].open == "number":
                     raise Unread("the argument of a function ends nowhere", place)
                 explicit = True
@@ -232,7 +233,8 @@ class _Reader:
                 self.juxtaposed(factors[-1], factor, sign, place)
             factors.append(factor)
             explicit = False
-        return product([it.value for it in factors])
+        whole = product([it.value for it in factors])
+        return whole if len(factors) == 1 else _over(whole, items)
 
     def slash(self, factors: list[Factor], here: Cursor, place: int) -> Value:
         """What stands before a slash over the one factor behind it."""
@@ -313,7 +315,7 @@ class _Reader:
             self.product_only(node, bracket, here.at)
         if power is None:
             return self.powered(node, here, at[0]) if bracket is not None else Factor(node)
-        return Factor(_power(node, self.number(power), at))
+        return Factor(_power(node, self.number(power), (at[0], here.end)))
 
     def is_time(self, items: Items) -> bool:
         """Whether a bracket holds the time alone."""
@@ -645,6 +647,12 @@ def _is_sign(items: Items, number: int) -> bool:
     if before in (*_TIMES, "/"):
         raise Unread("a sign behind an operator; print brackets", items[number].at[0])
     return before not in ("^", "_")
+
+
+def _over(value: Value, items: Items) -> Value:
+    """A value at the place of all that it was read from, brackets too."""
+    at = (items[0].at[0], items[-1].at[1])
+    return replace(value, at=at) if isinstance(value, Node) and value.kind != "number" else value
 
 
 def _numeric(value: Value) -> bool:

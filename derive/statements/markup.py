@@ -3,34 +3,26 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from .papers import Statement
-from .repair import Edit, Repair
+from .repair import Edit
 from .tree import ONE, ZERO, to_latex
 
 
 def repaired_print(
-    statement: Statement, left: str, repair: Repair, letters: Mapping[str, str]
-) -> str:
-    """The print after a repair, or the repaired tree where the edits have no place in it."""
-    text = statement.text
-    if statement.is_latex and not statement.transcribed:
-        found = [replace(edit, at=at) for edit in repair.edits for at in (edit.at, *edit.also)]
-        edits = sorted(found, key=lambda it: it.at, reverse=True)
-        apart = all(one.at[0] >= other.at[1] for one, other in itertools.pairwise(edits))
-        if apart and all(edit.at != (0, 0) for edit in edits):
-            marked: str | None = text
-            for edit in edits:
-                marked = marked and _edited(marked, edit, letters)
-            if marked:
-                return marked
-    shown = to_latex(repair.tree, letters)
-    if not left:
-        return f"{shown} = 0"
-    name = letters.get(left, left)
-    return f"{name} = {shown}"
+    statement: Statement, edits: Sequence[Edit], letters: Mapping[str, str]
+) -> str | None:
+    """The print after edits, where each has its place in it."""
+    found = [replace(edit, at=at) for edit in edits for at in (edit.at, *edit.also)]
+    found.sort(key=lambda it: it.at, reverse=True)
+    apart = all(one.at[0] >= other.at[1] for one, other in itertools.pairwise(found))
+    is_placed = apart and all(edit.at != (0, 0) for edit in found)
+    marked = statement.text if statement.is_latex and not statement.transcribed else None
+    for edit in found:
+        marked = _edited(marked, edit, letters) if marked and is_placed else None
+    return marked
 
 
 def _edited(text: str, edit: Edit, letters: Mapping[str, str]) -> str | None:

@@ -40,13 +40,13 @@ def shape_of(value: Value) -> Shape:
     return () if isinstance(value, Node) else value.shape
 
 
-def node_of(value: Value) -> Node:
+def node_of(value: Value, place: int = 0) -> Node:
     """A number, or the one entry of a matrix."""
     if isinstance(value, Node):
         return value
-    entry: Node = value.item(0)
     if value.size > 1:
-        raise Unread("a matrix where a number has to stand", entry.at[0])
+        raise Unread("a matrix where a number has to stand", place)
+    entry: Node = value.item(0)
     return entry
 
 
@@ -59,15 +59,15 @@ def _each(do: Callable[..., Value], *matrices: Value) -> Matrix:
 def quotient(above: Value, below: Node) -> Value:
     """A number or a matrix over a number."""
     if isinstance(above, Node):
-        return Node("div", (above, below), at=(above.at[0], below.at[1]))
-    return _each(lambda it: Node("div", (it, below), at=it.at), above)
+        return Node("div", (above, below), at=above.at)
+    return _each(lambda it: quotient(it, below), above)
 
 
-def negative(value: Value, start: int) -> Value:
+def negative(value: Value) -> Value:
     """A value with a minus before it."""
     if isinstance(value, Node):
-        return Node("neg", (value,), at=(start, value.at[1]))
-    return _each(lambda it: it if it is ZERO else negative(it, it.at[0]), value)
+        return Node("neg", (value,), at=value.at)
+    return _each(lambda it: it if it is ZERO else negative(it), value)
 
 
 def total(terms: Sequence[Value], place: int) -> Value:
@@ -100,7 +100,7 @@ def product(values: Sequence[Value]) -> Value:
 
 def _joined(kind: str, parts: Sequence[Value]) -> Value:
     nodes = tuple(map(node_of, parts))
-    return Node(kind, nodes, at=(nodes[0].at[0], nodes[-1].at[1])) if nodes[1:] else nodes[0]
+    return Node(kind, nodes) if nodes[1:] else nodes[0]
 
 
 def determinant(matrix: Matrix) -> Node:
@@ -128,7 +128,7 @@ def _minor(matrix: Matrix, i: int, j: int) -> Node:
 
 
 def _signed(value: Value, place: int) -> Value:
-    return negative(value, 0) if place % 2 and value is not ZERO else value
+    return negative(value) if place % 2 and value is not ZERO else value
 
 
 def paired(left: Value, right: Value, place: int) -> list[Equation]:

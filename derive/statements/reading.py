@@ -126,7 +126,7 @@ def _bind(statement: Statement, book: Book) -> None:
     if left.strip() in book.renamed:
         return
     try:
-        (equation,) = _equations(f"{left} = 0", statement, it, book, {})
+        (equation,) = equations_of(f"{left} = 0", statement, it, book, matrices=False)
         held = derived(it, statement.about)
     except (Unread, NoObject, ArithmeticError, ValueError):
         return
@@ -141,18 +141,17 @@ def _bind(statement: Statement, book: Book) -> None:
             book.letters[entry] = f"{letter}_{{{entry.rpartition('_')[2]}}}"
 
 
-def _equations(
-    text: str,
-    statement: Statement,
-    it: Derivation,
-    book: Book,
-    matrices: Mapping[str, tuple[int, int]],
+def equations_of(
+    text: str, statement: Statement, it: Derivation, book: Book, *, matrices: bool = True
 ) -> list[Equation]:
+    """Equations of a text in the language of a statement, with the names of its paper."""
+    objects = book.objects(it) if matrices else ()
+    shapes = {name: held.shape for name, held in objects if held.shape is not None}
     is_scale = statement.word == "scale"
     names = {*it.names} - ({str(TIME)} if not is_scale else set())
     known = frozenset(names | book.defined.keys() | book.bound.keys() | book.values(it).keys())
     coordinates = tuple(map(str, it.model.coordinates))
-    vocabulary = Vocabulary(known, coordinates, book.renamed, matrices)
+    vocabulary = Vocabulary(known, coordinates, book.renamed, shapes)
     if statement.is_latex and not statement.transcribed:
         from .latex import read_latex
 
@@ -170,8 +169,7 @@ def prepared(statement: Statement, book: Book) -> Item | Verdict:
         it = book.forms["units" if statement.word == "scale" else form]
         try:
             held = None if statement.word == "definition" else derived(it, statement.about)
-            matrices = {name: one.shape for name, one in book.objects(it) if one.shape is not None}
-            equations = _equations(statement.judged, statement, it, book, matrices)
+            equations = equations_of(statement.judged, statement, it, book)
             return _item(statement, it, held, equations, book)
         except Unread as error:
             place = f"at {error.place}, {statement.judged[error.place :][:20]!r}: "

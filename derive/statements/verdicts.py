@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
@@ -19,10 +20,11 @@ from . import samples
 from .markup import repaired_print
 from .objects import BOTH, CONTACT, LAMBDA, LIFT_OFF, NORMAL, TIME, Derivation
 from .papers import Paper, Statement
-from .reading import Item, Verdict, opened
+from .reading import Item, Verdict, equations_of, opened
 from .repair import COST, Edit, Pool, Repair, Search, Values, evaluated, same, stem
 from .samples import numeric
-from .tree import Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols, to_sympy
+from .tree import Equation, Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols
+from .tree import to_latex, to_sympy
 
 #: Repairs of one statement that are tried for a proof.
 MOST_PROOFS = 12
@@ -214,19 +216,13 @@ def _components(
     for equation, place in zip(item.equations, item.held.index, strict=True):
         sign = _signs(item, conventions, place)
         target, entry = sign * item.targets[place], sign * item.held.entries[place]
+        if (side := judged_side(item, equation)) is None:
+            continue
+        tree, left = side
         if item.held.is_value:
-            tree, left = equation.right, printed(equation.left)
-            if left not in item.held.names and not _is_new(item, equation.left):
-                if printed(equation.right) != "0":
-                    continue  # 2 T = … is no value of T
-                tree, left = equation.left, ""  # an expression alone is the value
             meant = tuple(one.entry for one in item.held.readings)
             found.append(Component(tree, item.readings or (target,), meant or (entry,), left))
             continue
-        tree = equation.left
-        if printed(equation.right) != "0":
-            right = equation.right
-            tree = Node("add", (equation.left, Node("neg", (right,), at=right.at)))
         tried = [sp.S.One, sp.S.NegativeOne]
         plain = any(same(evaluated(tree, values), way * target) for way in (1, -1))
         if factors and not plain and item.held.factor in ("parameters", "monomial"):
@@ -241,6 +237,17 @@ def _components(
             )
         )
     return found
+
+
+def judged_side(item: Item, equation: Equation) -> tuple[Node, str] | None:
+    """What of an equation is held against the object, and the name that it gives to it."""
+    left, right = equation.left, equation.right
+    is_zero = printed(right) == "0"
+    if not item.held.is_value and not is_zero:
+        return Node("add", (left, Node("neg", (right,), at=right.at))), ""
+    if item.held.is_value and (printed(left) in item.held.names or _is_new(item, left)):
+        return right, printed(left)
+    return (left, "") if is_zero else None  # 2 T = … is no value of T; an expression alone is
 
 
 def _is_new(item: Item, left: Node) -> bool:
@@ -495,7 +502,7 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
         status = "definition" if statement.word == "definition" else "confirmed"
         return replace(row, status=status, evidence=f"{held.by}, equal by exact algebra{counted}")
     trees = [_said(part.left, best.tree) for part, best, _ in edited]
-    texts = [repaired_print(statement, part.left, best, item.letters) for part, best, _ in edited]
+    texts = [_repaired_latex(item, part.left, best, values) for part, best, _ in edited]
     evidence = f"what is repaired equals {held.by} by exact algebra{counted}"
     return replace(
         row,
@@ -548,6 +555,19 @@ def _marked(text: str, edits: Iterable[Edit]) -> str:
     for place, mark in sorted(marks, reverse=True):
         marked = f"{marked[:place]}{mark}{marked[place:]}"
     return marked if places else ""
+
+
+def _repaired_latex(item: Item, left: str, repair: Repair, values: Mapping[str, Values]) -> str:
+    """The print with its edits, where it is read as the repair; else the repair in LaTeX."""
+    text = repaired_print(item.statement, repair.edits, item.letters)
+    right = evaluated(repair.tree, values)
+    with suppress(Unread, ValueError):
+        for equation in equations_of(text, item.statement, item.it, item.book) if text else ():
+            side = judged_side(item, equation)
+            if side is not None and same(evaluated(side[0], values), right):
+                return text
+    shown = to_latex(repair.tree, item.letters)
+    return f"{item.letters.get(left, left)} = {shown}" if left else f"{shown} = 0"
 
 
 def _recorded(edit: Edit) -> dict[str, object]:

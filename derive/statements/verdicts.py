@@ -563,8 +563,8 @@ def _repaired_latex(item: Item, left: str, repair: Repair, values: Mapping[str, 
     right = evaluated(repair.tree, values)
     with suppress(Unread, ValueError):
         for equation in equations_of(text, item.statement, item.it, item.book) if text else ():
-            side = judged_side(item, equation)
-            if side is not None and same(evaluated(side[0], values), right):
+            tree, _ = judged_side(item, equation) or (equation.left, "")
+            if symbols(tree) <= values.keys() and same(evaluated(tree, values), right):
                 return text
     shown = to_latex(repair.tree, item.letters)
     return f"{item.letters.get(left, left)} = {shown}" if left else f"{shown} = 0"

@@ -559,10 +559,10 @@ def _marked(text: str, edits: Iterable[Edit]) -> str:
 
 def _repaired_latex(item: Item, left: str, repair: Repair, values: Mapping[str, Values]) -> str:
     """The print with its edits, where it is read as the repair; else the repair in LaTeX."""
-    text = repaired_print(item.statement, repair.edits, item.letters)
+    text = repaired_print(item.statement, repair.edits, item.letters) or ""
     right = evaluated(repair.tree, values)
     with suppress(Unread, ValueError):
-        for equation in equations_of(text, item.statement, item.it, item.book) if text else ():
+        for equation in equations_of(text, item.statement, item.it, item.book):
             tree, _ = judged_side(item, equation) or (equation.left, "")
             if symbols(tree) <= values.keys() and same(evaluated(tree, values), right):
                 return text

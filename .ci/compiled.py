@@ -12,7 +12,7 @@ import sysconfig
 
 from spragsym.kang_nam.quartic import compiled
 from spragsym.motion import with_compiled
-from spragsym.numerics import tape
+from spragsym.numerics import contractors, tape
 
 #: Source file, whether its module is there, and what serves without it.
 EXTENSIONS = (
@@ -23,6 +23,7 @@ EXTENSIONS = (
         "motion is integrated by heyoka or SciPy",
     ),
     ("spragsym/numerics/_tape.c", tape.available, "boxes are searched by NumPy"),
+    ("spragsym/numerics/_contractors.c", contractors.available, "boxes are judged by NumPy"),
 )
 
 

@@ -227,7 +227,7 @@ def _by_tubes(
             or by_tubes[one, two] == min(states[end].signs.size for end in (one, two))
         }
         told = {step for step in told if "pitchfork" not in _kinds_within(along, step)}
-        return np.array([(one, two) in told for one, two, _ in begun])
+        return np.array([(one, two) in told for one, two, _ in begun], dtype=np.bool_)
 
     known = joined(tubes.followed(start, goal, needless=needless))
     return known, completed(known)

@@ -28,6 +28,15 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/* For processors with wider registers too: the same operations, none contracted. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__)
+#define WIDER __attribute__((target_clones("avx2", "default")))
+#define PART static inline __attribute__((always_inline))
+#else
+#define WIDER
+#define PART static inline
+#endif
+
 #define BLOCK 256
 #define EPS 0x1p-52
 #define TINY 0x1p-1000
@@ -74,44 +83,46 @@ typedef struct {
     double ends[2][BLOCK];
 } slot;
 
-static inline double least(double a, double b) {
-    return (a <= b || a != a) ? a : b;
+PART double least(double a, double b) {
+    const double known = a <= b ? a : b;
+    return a != a ? a : known;
 }
 
-static inline double most(double a, double b) {
-    return (a >= b || a != a) ? a : b;
+PART double most(double a, double b) {
+    const double known = a >= b ? a : b;
+    return a != a ? a : known;
 }
 
-static inline double raised(double end, double ulps) {
+PART double raised(double end, double ulps) {
     return (fabs(end) * (ulps * EPS) + TINY) + end;
 }
 
-static inline double mignitude(double a, double b) {
+PART double mignitude(double a, double b) {
     return most(-least(a, b), 0.0);
 }
 
-static void negative(const slot *restrict a, slot *restrict to, int n) {
+PART void negative(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         to->ends[0][i] = a->ends[1][i];
         to->ends[1][i] = a->ends[0][i];
     }
 }
 
-static void absolute(const slot *restrict a, slot *restrict to, int n) {
+PART void absolute(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         to->ends[0][i] = -mignitude(a->ends[0][i], a->ends[1][i]);
         to->ends[1][i] = most(a->ends[0][i], a->ends[1][i]);
     }
 }
 
-static void sum(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
+PART void sum(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         to->ends[0][i] = raised(a->ends[0][i] + b->ends[0][i], 1.0);
         to->ends[1][i] = raised(a->ends[1][i] + b->ends[1][i], 1.0);
     }
 }
 
-static void product(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
+PART void product(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double same_0 = a->ends[0][i] * b->ends[0][i];
         const double same_1 = a->ends[1][i] * b->ends[1][i];
@@ -123,7 +134,7 @@ static void product(const slot *restrict a, const slot *restrict b, slot *restri
 }
 
 /* Times a number: exact for 1 and −1, and for 0 unless an end bounds nothing. */
-static void scaled(const slot *restrict a, double factor, slot *restrict to, int n) {
+PART void scaled(const slot *restrict a, double factor, slot *restrict to, int n) {
     const double size = fabs(factor);
     const int turned = !(factor >= 0.0);
     for (int end = 0; end < 2; end++) {
@@ -146,7 +157,7 @@ static void scaled(const slot *restrict a, double factor, slot *restrict to, int
 }
 
 /* By intervals that end at 0 for divisors other than 0; unknown where 0 is inside. */
-static inline void beside_zero(double a_0, double a_1, double b_0, double b_1, double to[2]) {
+PART void beside_zero(double a_0, double a_1, double b_0, double b_1, double to[2]) {
     const int positive = b_0 == 0.0 && b_1 > 0.0;
     const int turned = b_1 == 0.0 && b_0 > 0.0;
     const double far = turned ? b_0 : b_1;
@@ -158,7 +169,7 @@ static inline void beside_zero(double a_0, double a_1, double b_0, double b_1, d
                                                        high / far;
 }
 
-static void quotient(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
+PART void quotient(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
     int zeros = 0;
     for (int i = 0; i < n; i++) {
         zeros |= !(b->ends[0][i] < 0.0 || b->ends[1][i] < 0.0);
@@ -181,7 +192,7 @@ static void quotient(const slot *restrict a, const slot *restrict b, slot *restr
     }
 }
 
-static void square(const slot *restrict a, slot *restrict to, int n) {
+PART void square(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double low = mignitude(a->ends[0][i], a->ends[1][i]);
         const double high = most(a->ends[0][i], a->ends[1][i]);
@@ -191,7 +202,7 @@ static void square(const slot *restrict a, slot *restrict to, int n) {
 }
 
 /* A product of n numbers in any order is off by less than n units. */
-static void odd_power(const slot *restrict a, int power, slot *restrict to, int n) {
+PART void odd_power(const slot *restrict a, int power, slot *restrict to, int n) {
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < n; i++) {
             double value = a->ends[end][i];
@@ -203,7 +214,7 @@ static void odd_power(const slot *restrict a, int power, slot *restrict to, int 
     }
 }
 
-static void square_root(const slot *restrict a, slot *restrict to, int n) {
+PART void square_root(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double low = sqrt(-a->ends[0][i]);
         const double high = a->ends[0][i] > 0.0 ? NAN : sqrt(a->ends[1][i]);
@@ -213,7 +224,7 @@ static void square_root(const slot *restrict a, slot *restrict to, int n) {
 }
 
 /* A lower end beyond the largest number is at least that; of 0 the value is 1, exactly. */
-static void exponential(const slot *restrict a, slot *restrict to, int n) {
+PART void exponential(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double low = most(-exp(-a->ends[0][i]), -DBL_MAX);
         const double high = exp(a->ends[1][i]);
@@ -222,7 +233,7 @@ static void exponential(const slot *restrict a, slot *restrict to, int n) {
     }
 }
 
-static void logarithm(const slot *restrict a, slot *restrict to, int n) {
+PART void logarithm(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double low = -log(-a->ends[0][i]);
         const double high = log(a->ends[1][i]);
@@ -232,7 +243,7 @@ static void logarithm(const slot *restrict a, slot *restrict to, int n) {
 }
 
 /* Odd functions that grow, 0 at 0, and not beyond a bound. */
-static void growing(double (*function)(double), double bound, const slot *restrict a, slot *restrict to, int n) {
+PART void growing(double (*function)(double), double bound, const slot *restrict a, slot *restrict to, int n) {
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < n; i++) {
             const double at = a->ends[end][i];
@@ -241,7 +252,7 @@ static void growing(double (*function)(double), double bound, const slot *restri
     }
 }
 
-static void sign(const slot *restrict a, slot *restrict to, int n) {
+PART void sign(const slot *restrict a, slot *restrict to, int n) {
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < n; i++) {
             const double at = a->ends[end][i];
@@ -252,7 +263,7 @@ static void sign(const slot *restrict a, slot *restrict to, int n) {
 }
 
 /* A cosine that has its maxima at 2π (peak + n). */
-static void wave(double (*function)(double), double peak, const slot *restrict a, slot *restrict to, int n) {
+PART void wave(double (*function)(double), double peak, const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double low = -a->ends[0][i];
         const double high = a->ends[1][i];
@@ -268,7 +279,7 @@ static void wave(double (*function)(double), double peak, const slot *restrict a
     }
 }
 
-static void not_negative(const slot *restrict a, slot *restrict to, int n) {
+PART void not_negative(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         to->ends[0][i] = least(a->ends[0][i], 0.0);
         to->ends[1][i] = a->ends[1][i];
@@ -276,7 +287,7 @@ static void not_negative(const slot *restrict a, slot *restrict to, int n) {
 }
 
 /* a/√(a² + b²), which grows with a, and with |b| goes to 0; three roundings of a sum of squares, and two more. */
-static void component(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
+PART void component(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double near = mignitude(b->ends[0][i], b->ends[1][i]);
         const double far = most(b->ends[0][i], b->ends[1][i]);
@@ -291,13 +302,13 @@ static void component(const slot *restrict a, const slot *restrict b, slot *rest
 }
 
 /* No angle is larger than π. */
-static inline double bounded_by_pi(double end) {
+PART double bounded_by_pi(double end) {
     return least(raised(end, FUNCTION_ULPS), raised(PI, 1.0));
 }
 
 /* Of vectors that meet the ray of negative cosines: all, or those with a sine of one sign, whose angle is least in size at the
  * greatest cosine. */
-static inline void across_the_ray(int which, double cosine, double low, double high, double to[2]) {
+PART void across_the_ray(int which, double cosine, double low, double high, double to[2]) {
     if (which == ANGLE) {
         to[0] = NAN;
         to[1] = NAN;
@@ -313,7 +324,7 @@ static inline void across_the_ray(int which, double cosine, double low, double h
 }
 
 /* Over a rectangle off the ray least and greatest at corners. */
-static void angle(int which, const slot *restrict sine, const slot *restrict cosine, slot *restrict to, int n) {
+PART void angle(int which, const slot *restrict sine, const slot *restrict cosine, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double x[2] = {-cosine->ends[0][i], cosine->ends[1][i]};
         const double y[2] = {-sine->ends[0][i], sine->ends[1][i]};
@@ -331,7 +342,7 @@ static void angle(int which, const slot *restrict sine, const slot *restrict cos
     }
 }
 
-static void load(const Py_buffer *from, Py_ssize_t row, Py_ssize_t begin, slot *to, int n) {
+PART void load(const Py_buffer *from, Py_ssize_t row, Py_ssize_t begin, slot *to, int n) {
     for (int end = 0; end < 2; end++) {
         const char *at = (const char *)from->buf + end * from->strides[0] + row * from->strides[1] + begin * from->strides[2];
         for (int i = 0; i < n; i++, at += from->strides[2]) {
@@ -340,7 +351,7 @@ static void load(const Py_buffer *from, Py_ssize_t row, Py_ssize_t begin, slot *
     }
 }
 
-static void block(const int32_t *code, Py_ssize_t operations, const double *numbers, const Py_buffer *inputs, const Py_buffer *out,
+WIDER static void block(const int32_t *code, Py_ssize_t operations, const double *numbers, const Py_buffer *inputs, const Py_buffer *out,
     slot *slots, Py_ssize_t begin, int n) {
     const Py_ssize_t every = out->shape[2];
     for (Py_ssize_t k = 0; k < operations; k++, code += 4) {

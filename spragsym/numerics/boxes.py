@@ -17,11 +17,11 @@ from typing import Any
 import numpy as np
 
 from ..core.options import Options, limit, option
-from . import contractors
 from .columns import ByColumn
 from .interval_arrays import (
     BoolArray,
     FloatArray,
+    Int8Array,
     IntArray,
     Intervals,
     matrix,
@@ -30,11 +30,10 @@ from .interval_arrays import (
     width_of,
 )
 from .jets import gradient, variables
+from .verdicts import NARROW, Looked, Rules, Verdict, judged, with_room
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
 CHUNK = 2048
-#: Relative width of boxes that are as narrow as rounding lets them be.
-NARROW = 2.0**-44
 
 
 @dataclass(frozen=True)
@@ -207,8 +206,7 @@ class _Search:
     limits: FloatArray
     budget: int
     narrow: float
-    #: Whether points are points. Over a box of them roots are as wide as it makes them, and what is
-    #: cut closely has no room for these.
+    #: Whether points are points.
     sharp: bool
     #: What is searched for the points of each node, where that is not the same for all points.
     regions: FloatArray | None
@@ -219,7 +217,10 @@ class _Search:
         self.unique: list[Pairs] = []
         self.where: list[Pairs] = []
         self.undecided: list[Pairs] = []
-        self.options = self.system.options
+        options = self.system.options
+        self.rules = Rules(
+            options.margin, options.spread, options.small, self.narrow, options.shrunk, self.sharp
+        )
         self.work = np.zeros(self.points.size.size, dtype=np.int64)
 
     def run(self, start: Pairs) -> None:
@@ -243,42 +244,31 @@ class _Search:
         np.add.at(self.work, pairs.nodes, 1)
         given, pairs, parameters = self._contracted(pairs)
         # Widened, so that a root on the border of a box lies well inside, or by rounding beside it.
-        room = self.options.margin * Intervals(pairs.ends).width
+        room = self.rules.margin * Intervals(pairs.ends).width
         room = room + NARROW * scale_of(pairs.ends).max(axis=0)
         wide = np.minimum(pairs.ends + room, self.limits)
         middle = Intervals(pairs.ends).middle
-        at_middle = self.system.residuals(Intervals.point(middle), parameters)
-        slopes = self.system.jacobian(Intervals(wide), parameters)
-        step = contractors.newton(at_middle, slopes, middle, contractors.distance(wide, middle))
-        proved = contractors.inside(step.ends, wide)
-        self.unique.append(Pairs(wide, pairs.nodes)[proved])
-        self.where.append(Pairs(step.ends, pairs.nodes)[proved])
-        rest = np.flatnonzero(~proved & ~step.none & ~contractors.apart(step.ends, pairs.ends))
-        ends = step.ends[:, :, rest]
-        if self.sharp:
-            middle, before = middle[:, rest], pairs.ends[:, :, rest]
-            reach = contractors.distance(before, middle)
-            by_rows, none = contractors.by_each_row(
-                at_middle[:, rest], slopes[:, :, rest], middle, reach
-            )
-            ends = np.fmin(ends, by_rows)
-            some = np.flatnonzero(
-                ~(none | np.logical_or.reduce(width_of(ends) < 0) | contractors.apart(ends, before))
-            )
-            ends, rest = ends[:, :, some], rest[some]
-        given, pairs, noise, slopes = (
-            given[rest],
-            pairs[rest],
-            step.noise[:, rest],
-            slopes[:, :, rest],
+        single = self.points.size[pairs.nodes] == 1
+        found = judged(
+            Looked(
+                given.ends,
+                pairs.ends,
+                wide,
+                middle,
+                self.system.residuals(Intervals.point(middle), parameters),
+                self.system.jacobian(Intervals(wide), parameters),
+                single,
+                self.work[pairs.nodes]
+                > np.where(single, self.budget, self.system.options.node_budget),
+            ),
+            self.rules,
         )
-        closed = np.logical_and.reduce(step.ends[:, :, rest] < wide[:, :, rest])
+        proved = found.verdicts == Verdict.PROVED
+        self.unique.append(Pairs(wide, pairs.nodes)[proved])
+        self.where.append(Pairs(found.step, pairs.nodes)[proved])
+        left = np.flatnonzero(found.verdicts > Verdict.PROVED)
         return self._divided(
-            given,
-            Pairs(self._with_room(ends, pairs.ends, noise), pairs.nodes),
-            noise,
-            slopes,
-            closed,
+            Pairs(found.left, pairs.nodes)[left], found.verdicts[left], found.along[left]
         )
 
     def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs, Intervals]:
@@ -287,7 +277,7 @@ class _Search:
         """
         parameters = self.parameters[:, given.nodes]
         after = self.system.contracted(Intervals(given.ends), parameters)
-        boxes = Intervals(self._with_room(after, given.ends, 0.0))
+        boxes = Intervals(with_room(after, given.ends, 0.0, self.rules.margin))
         keep = np.logical_and.reduce(self.system.residuals(boxes, parameters).holds_zero())
         keep &= ~np.logical_or.reduce(width_of(after) < 0)
         rows = np.flatnonzero(keep)
@@ -300,37 +290,20 @@ class _Search:
         rows = rows[left]
         return given[rows], Pairs(ends[:, :, left], given.nodes[rows]), parameters[:, left]
 
-    def _divided(
-        self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: BoolArray
-    ) -> Pairs:
+    def _divided(self, now: Pairs, verdicts: Int8Array, along: IntArray) -> Pairs:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much
         narrower.
         """
-        widths = width_of(now.ends)
-        single = self.points.size[now.nodes] == 1
-        spent = self.work[now.nodes] > np.where(single, self.budget, self.options.node_budget)
-        scale = scale_of(now.ends).max(axis=0)
-        # What shrinks towards an exact 0 does so down to the least of floats: it is no progress.
-        ratio = np.where(widths <= NARROW * scale, 1.0, widths / width_of(before.ends))
-        moved = ~np.logical_and.reduce(noise < self.options.spread * widths)
-        stuck = np.logical_or.reduce(noise >= self.options.spread * widths) & np.logical_and.reduce(
-            widths <= self.options.small * scale
-        )
-        narrow = np.logical_and.reduce(widths <= self.narrow * scale)
         hard = self.system.given_up(Intervals(now.ends), self.parameters[:, now.nodes])
-        done = hard | (single & (spent | stuck)) | (narrow & (single | ~moved))
-        self.undecided.append(now[done])
-        split_node = ~single & ~done & (spent | moved)
-        again = ~split_node & ~done
-        better = again & (np.where(closed, 1.0, ratio).prod(axis=0) < self.options.shrunk)
-        halve = np.flatnonzero(again & ~better)
-        places, children = self.points.children(now.nodes[split_node])
-        halved_nodes = self._in_their_regions(
-            Pairs(now.ends[:, :, np.flatnonzero(split_node)[places]], children)
-        )
-        return halved_nodes.then(
-            now[better], _halves(now[halve], slopes[:, :, halve], closed[:, halve])
-        )
+        verdicts[hard] = Verdict.UNDECIDED
+        self.undecided.append(now[verdicts == Verdict.UNDECIDED])
+        better, halve = now[verdicts == Verdict.AGAIN], np.flatnonzero(verdicts == Verdict.HALVED)
+        left = better.then(_cut(now[halve], along[halve]))
+        parted = np.flatnonzero(verdicts == Verdict.PARTED)
+        if not parted.size:
+            return left
+        places, children = self.points.children(now.nodes[parted])
+        return self._in_their_regions(Pairs(now.ends[:, :, parted[places]], children)).then(left)
 
     def _in_their_regions(self, pairs: Pairs) -> Pairs:
         """What is left of boxes in the regions of their nodes: that of one point may be wide, and
@@ -341,35 +314,12 @@ class _Search:
         ends = np.minimum(pairs.ends, self.regions[:, :, pairs.nodes])
         return Pairs(ends, pairs.nodes)[np.logical_and.reduce(width_of(ends) >= 0)]
 
-    def _with_room(
-        self, ends: FloatArray, given: FloatArray, noise: FloatArray | float
-    ) -> FloatArray:
-        """A box narrowed, but not to the last digit: a component that converges before the others
-        keeps room until all are proved.
-        """
-        return np.fmin(ends + (self.options.margin * Intervals(given).width + 4 * noise), given)
-
 
 def _parted(pairs: Pairs, pieces: int) -> Pairs:
     """Pieces of boxes, halved where they are widest."""
     while 0 < len(pairs) < pieces:
         pairs = _cut(pairs, width_of(pairs.ends).argmax(axis=0))
     return pairs
-
-
-def _halves(pairs: Pairs, slopes: Intervals, closed: BoolArray) -> Pairs:
-    """Both halves of each box, cut where the residuals change most in proportion to all that they
-    change.
-
-    A component that interval Newton maps into the interior is not what keeps the box open.
-    """
-    widths = width_of(pairs.ends)
-    change = slopes.magnitude * widths[None]
-    share = (change / change.sum(axis=1, keepdims=True)).sum(axis=0)
-    known = np.isfinite(share).all(axis=0)
-    # What is as narrow as rounding allows gets no narrower by halving.
-    done = closed | (widths <= NARROW * scale_of(pairs.ends).max(axis=0))
-    return _cut(pairs, np.where(done, -1.0, np.where(known, share, widths)).argmax(axis=0))
 
 
 def _cut(pairs: Pairs, along: IntArray) -> Pairs:

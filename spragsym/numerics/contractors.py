@@ -13,6 +13,7 @@ For a system F of n equations, a box X, its middle m, enclosures J of the Jacobi
 """
 
 from dataclasses import dataclass
+from types import ModuleType
 
 import numpy as np
 
@@ -28,6 +29,21 @@ from .interval_arrays import (
     scaled,
     width_of,
 )
+
+try:
+    from . import _contractors as compiled
+except ImportError:  # there was no compiler
+    compiled = None  # type: ignore[assignment]  # a module or nothing
+
+
+def available() -> bool:
+    """Whether the extension module was built."""
+    return compiled is not None
+
+
+def compiled_for(n: int) -> ModuleType | None:
+    """The extension module for so many unknowns, if it was built."""
+    return None if compiled is None or n > compiled.MOST else compiled
 
 
 @dataclass(frozen=True)
@@ -49,6 +65,8 @@ def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: Floa
     """The step of interval Newton, from F(m), shape (n, N), J, shape (n, n, N), m and r, shape (n,
     N).
     """
+    if (step := _compiled(values, slopes, middle, reach, rows=False)) is not None:
+        return step
     Y = inverse(slopes.middle)
     return _solved(
         product(Y, slopes.ends), product(Y, values.ends[:, :, None])[:, :, 0], middle, reach
@@ -59,7 +77,31 @@ def by_rows(
     values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray
 ) -> FloatArray:
     """The operator with the unit matrix for Y: ends of its result."""
-    return _solved(slopes.ends, values.ends, middle, reach).ends
+    step = _compiled(values, slopes, middle, reach, rows=True)
+    return (_solved(slopes.ends, values.ends, middle, reach) if step is None else step).ends
+
+
+def _compiled(
+    values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray, rows: bool
+) -> Newton | None:
+    """The step by compiled code, if it was built, with an inverse or by ``rows``."""
+    n, count = middle.shape
+    extension = compiled_for(n)
+    if extension is None:
+        return None
+    ends, noise, none = np.empty((2, n, count)), np.empty((n, count)), np.empty(count, np.bool_)
+    extension.newton(
+        np.ascontiguousarray(values.ends),
+        np.ascontiguousarray(slopes.ends),
+        np.ascontiguousarray(middle),
+        np.ascontiguousarray(reach),
+        n,
+        rows,
+        ends,
+        noise,
+        none,
+    )
+    return Newton(ends, noise, none)
 
 
 def by_each_row(
@@ -112,8 +154,8 @@ def no_unit_vector(rest: Intervals, factors: Intervals) -> BoolArray:
     since |u_i| ≤ 1.
     """
     m = factors.middle
-    gram = np.einsum("kiN,kjN->ijN", m, m)
-    P = np.einsum("ijN,kjN->ikN", inverse(gram), m)
+    gram = (m[:, :, None] * m[:, None]).sum(axis=0)
+    P = (inverse(gram)[:, None] * m[None]).sum(axis=2)
     off = product(P, factors.ends)
     off[:, [0, 1], [0, 1]] = raised(off[:, [0, 1], [0, 1]] + np.array([1.0, -1.0])[:, None, None])
     slack = np.maximum(off[0], off[1]).sum(axis=1) * (1 + 4 * EPS)
@@ -155,14 +197,22 @@ def inverse(matrices: FloatArray) -> FloatArray:
 
 
 def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
-    stacked = np.moveaxis(matrices, -1, 0)
-    scale = np.abs(stacked).max(axis=(1, 2))
-    # Of what is not finite or all zeros the determinant is no number.
-    alike = stacked / scale[:, None, None]
-    regular = np.abs(np.linalg.det(alike)) > 1e-200
-    # Scaled for the inverse, too: pivots of tiny matrices may vanish.
-    inverses = np.linalg.inv(np.where(regular[:, None, None], alike, np.eye(matrices.shape[0])))
-    return np.moveaxis(inverses / np.where(regular, scale, 1.0)[:, None, None], 0, -1)
+    """By Gauss's and Jordan's elimination with the largest pivot of each column."""
+    n, _, count = matrices.shape
+    every, known = np.arange(count), np.isfinite(matrices).all(axis=(0, 1))
+    unit = np.broadcast_to(np.eye(n)[:, :, None], matrices.shape)
+    # Of what is not finite there is no inverse, nor of a 0.
+    work = np.concatenate([np.where(known, matrices, 0.0), unit], axis=1)
+    for k in range(n):
+        pivot = k + np.abs(work[k:, k]).argmax(axis=0)
+        row = work[pivot, :, every].T
+        work[pivot, :, every] = work[k].T
+        factors = work[:, k] / row[k]
+        factors[k] = 0.0
+        work -= factors[:, None] * row
+        work[k] = row
+    diagonal = np.arange(n)
+    return work[:, n:] / work[diagonal, diagonal][:, None]
 
 
 def product(Y: FloatArray, ends: FloatArray) -> FloatArray:

@@ -228,7 +228,12 @@ def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_pa
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
     assert sorted(extensions(wheel)) == [
         f"spragsym/{name}{suffix}"
-        for name in ("kang_nam/quartic/_compiled", "motion/_carried", "numerics/_tape")
+        for name in (
+            "kang_nam/quartic/_compiled",
+            "motion/_carried",
+            "numerics/_contractors",
+            "numerics/_tape",
+        )
     ]
     assert not wheel.name.endswith("-none-any.whl")
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from spragsym.numerics import boxes, certified_roots, contractors
+from spragsym.numerics import boxes, certified_roots, contractors, verdicts
 from spragsym.numerics.boxes import tree
 from spragsym.numerics.interval_arrays import Intervals, stacked
 
@@ -279,7 +279,8 @@ def test_halves_make_up_the_box():
         np.zeros((2, 100), dtype=bool),
         np.stack([np.ones(100, dtype=bool), np.zeros(100, dtype=bool)]),
     ):
-        halves = boxes._halves(pairs, slopes, closed)
+        along = verdicts._most_told(pairs.ends, slopes, closed)
+        halves = boxes._cut(pairs, along)
         assert halves.nodes.tolist() == [*range(100), *range(100)]
         lower, upper = halves.ends[:, :, :100], halves.ends[:, :, 100:]
         cut = (lower != pairs.ends).any(axis=0)

@@ -1,0 +1,34 @@
+"""Made from ``_contractors.c`` on installation, if there is a C compiler."""
+
+from typing import Any as Buffer
+
+MOST: int
+
+def newton(
+    values: Buffer,
+    slopes: Buffer,
+    middle: Buffer,
+    reach: Buffer,
+    n: int,
+    rows: bool,
+    ends: Buffer,
+    noise: Buffer,
+    none: Buffer,
+) -> None: ...
+def judged(
+    values: Buffer,
+    slopes: Buffer,
+    middle: Buffer,
+    given: Buffer,
+    boxes: Buffer,
+    wide: Buffer,
+    n: int,
+    sharp: bool,
+    single: Buffer,
+    spent: Buffer,
+    rules: tuple[float, float, float, float, float],
+    step: Buffer,
+    left: Buffer,
+    verdicts: Buffer,
+    along: Buffer,
+) -> None: ...

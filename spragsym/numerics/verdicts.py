@@ -1,0 +1,194 @@
+"""What becomes of the boxes of a search: one holds no root, or exactly one, or is to be cut."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+
+from . import contractors
+from .interval_arrays import (
+    BoolArray,
+    FloatArray,
+    Int8Array,
+    IntArray,
+    Intervals,
+    scale_of,
+    width_of,
+)
+
+#: Relative width of boxes that are as narrow as rounding lets them be.
+NARROW = 2.0**-44
+
+
+class Verdict(IntEnum):
+    """No root; exactly one; not known, and no use to cut it; its points are to be parted; it has
+    become narrower; it is to be halved.
+    """
+
+    DROPPED = 0
+    PROVED = 1
+    UNDECIDED = 2
+    PARTED = 3
+    AGAIN = 4
+    HALVED = 5
+
+
+@dataclass(frozen=True)
+class Rules:
+    """Of :class:`spragsym.numerics.boxes.BoxOptions` those that are asked here, and ``sharp`` where
+    points are points. Over a box of them roots are as wide as it makes them, and what is cut
+    closely has no room for these.
+    """
+
+    margin: float
+    spread: float
+    small: float
+    narrow: float
+    shrunk: float
+    sharp: bool
+
+
+@dataclass(frozen=True)
+class Looked:
+    """N boxes that are looked at, each −low and high, shape (2, n, N): as they were ``given``, as
+    they are contracted, and ``wide``, with room around; F at ``middle`` and slopes over ``wide``.
+
+    ``single`` and ``spent``, shape (N,): of one point, and looked at often enough.
+    """
+
+    given: FloatArray
+    ends: FloatArray
+    wide: FloatArray
+    middle: FloatArray
+    values: Intervals
+    slopes: Intervals
+    single: BoolArray
+    spent: BoolArray
+
+
+@dataclass(frozen=True)
+class Judged:
+    """Ends of interval Newton's step, where the root of a proved box lies; of boxes that are to be
+    looked at again what is left; a :class:`Verdict` each; and the unknown in which one is cut.
+    """
+
+    step: FloatArray
+    left: FloatArray
+    verdicts: Int8Array
+    along: IntArray
+
+
+def judged(boxes: Looked, rules: Rules) -> Judged:
+    """Verdicts by compiled code, where it was built."""
+    n, count = boxes.middle.shape
+    extension = contractors.compiled_for(n)
+    if extension is None:
+        return by_numpy(boxes, rules)
+    step, left = np.empty((2, 2, n, count))
+    verdicts, along = np.empty(count, dtype=np.int8), np.empty(count, dtype=np.int64)
+    extension.judged(
+        np.ascontiguousarray(boxes.values.ends),
+        np.ascontiguousarray(boxes.slopes.ends),
+        np.ascontiguousarray(boxes.middle),
+        np.ascontiguousarray(boxes.given),
+        np.ascontiguousarray(boxes.ends),
+        np.ascontiguousarray(boxes.wide),
+        n,
+        rules.sharp,
+        boxes.single,
+        boxes.spent,
+        (rules.margin, rules.spread, rules.small, rules.narrow, rules.shrunk),
+        step,
+        left,
+        verdicts,
+        along,
+    )
+    return Judged(step, left, verdicts, along)
+
+
+def by_numpy(boxes: Looked, rules: Rules) -> Judged:
+    """The same by NumPy."""
+    middle, wide = boxes.middle, boxes.wide
+    found = contractors.newton(
+        boxes.values, boxes.slopes, middle, contractors.distance(wide, middle)
+    )
+    proved = contractors.inside(found.ends, wide)
+    rest = np.flatnonzero(~proved & ~found.none & ~contractors.apart(found.ends, boxes.ends))
+    ends = found.ends[:, :, rest]
+    if rules.sharp:
+        middle, before = middle[:, rest], boxes.ends[:, :, rest]
+        by_rows, none = contractors.by_each_row(
+            boxes.values[:, rest],
+            boxes.slopes[:, :, rest],
+            middle,
+            contractors.distance(before, middle),
+        )
+        ends = np.fmin(ends, by_rows)
+        some = np.flatnonzero(
+            ~(none | np.logical_or.reduce(width_of(ends) < 0) | contractors.apart(ends, before))
+        )
+        ends, rest = ends[:, :, some], rest[some]
+    noise = found.noise[:, rest]
+    now = with_room(ends, boxes.ends[:, :, rest], noise, rules.margin)
+    closed = np.logical_and.reduce(found.ends[:, :, rest] < wide[:, :, rest])
+    verdicts, along = proved.astype(np.int8), np.zeros(proved.size, dtype=np.int64)
+    left = np.zeros_like(boxes.ends)
+    left[:, :, rest] = now
+    verdicts[rest] = _divided(boxes, rest, now, noise, closed, rules)
+    cut = verdicts[rest] == Verdict.HALVED
+    along[rest[cut]] = _most_told(now[:, :, cut], boxes.slopes[:, :, rest[cut]], closed[:, cut])
+    return Judged(found.ends, left, verdicts, along)
+
+
+def with_room(
+    ends: FloatArray, given: FloatArray, noise: FloatArray | float, margin: float
+) -> FloatArray:
+    """A box narrowed, but not to the last digit: a component that converges before the others keeps
+    room until all are proved.
+    """
+    return np.fmin(ends + (margin * Intervals(given).width + 4 * noise), given)
+
+
+def _divided(
+    boxes: Looked,
+    rows: IntArray,
+    now: FloatArray,
+    noise: FloatArray,
+    closed: BoolArray,
+    rules: Rules,
+) -> IntArray:
+    """What is to be done with boxes that are neither dropped nor proved."""
+    widths = width_of(now)
+    single, spent = boxes.single[rows], boxes.spent[rows]
+    scale = scale_of(now).max(axis=0)
+    # What shrinks towards an exact 0 does so down to the least of floats: it is no progress.
+    before = width_of(boxes.given[:, :, rows])
+    ratio = np.where(widths <= NARROW * scale, 1.0, widths / before)
+    moved = ~np.logical_and.reduce(noise < rules.spread * widths)
+    stuck = np.logical_or.reduce(noise >= rules.spread * widths) & np.logical_and.reduce(
+        widths <= rules.small * scale
+    )
+    narrow = np.logical_and.reduce(widths <= rules.narrow * scale)
+    done = (single & (spent | stuck)) | (narrow & (single | ~moved))
+    better = np.where(closed, 1.0, ratio).prod(axis=0) < rules.shrunk
+    return np.select(  # the first that holds
+        [done, ~single & (spent | moved), better],
+        [Verdict.UNDECIDED, Verdict.PARTED, Verdict.AGAIN],
+        Verdict.HALVED,
+    )
+
+
+def _most_told(now: FloatArray, slopes: Intervals, closed: BoolArray) -> IntArray:
+    """The unknown in which the residuals change most in proportion to all that they change.
+
+    A component that interval Newton maps into the interior is not what keeps the box open.
+    """
+    widths = width_of(now)
+    change = slopes.magnitude * widths[None]
+    share = (change / change.sum(axis=1, keepdims=True)).sum(axis=0)
+    known = np.isfinite(share).all(axis=0)
+    # What is as narrow as rounding allows gets no narrower by halving.
+    done = closed | (widths <= NARROW * scale_of(now).max(axis=0))
+    return np.where(done, -1.0, np.where(known, share, widths)).argmax(axis=0)

@@ -61,7 +61,7 @@ def main(arguments: list[str] | None = None) -> int:
     )
     options = parser.parse_args(arguments)
     readable()
-    _step("equations of motion (1)–(11)", mechanics.motion)
+    _step("equations of motion (8)–(11)", mechanics.motion)
     _step("balance and matrix form (12)–(25)", equilibrium.matrix_form)
     identities = _step("elimination (20)–(26), f, the quartic in t", elimination.identities)
     _step("stability (27)–(29)", stability.stiffness)

@@ -162,7 +162,7 @@ def _fault(part: Node, above: Node | None, it: Derivation, rng: np.random.Genera
         case 0 if above is not None and above.kind == "add":
             return part.args[0] if part.kind == "neg" else Node("neg", (part,))
         case 1 if part.kind == "symbol":
-            dims = it.dimensions
+            dims = {} if it.scaled else it.kinds
             alike = [
                 name
                 for name in (*it.parameters, *map(str, it.model.coordinates))

@@ -1,4 +1,4 @@
-"""The equations of motion of the article, (1)–(11), from its page.
+"""The equations of motion of the article, (8)–(11), from its page.
 
 The assumptions stand in ``derive/models/kang_nam.py``: where the springs are held, the preload, the
 contact law, the friction law. The general way derives from them, as from any page; here stands what
@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from .. import laws, mechanics, pages, physical_checks, units
+from .. import laws, pages
 from ..emit.quantities import Quantity
 from ..mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, number
 from ..model import Datum, Page, expression_of
@@ -25,9 +25,6 @@ AT_REST = dict.fromkeys((AX, AY, nm.vx, nm.vy), 0)
 
 #: What becomes of the parameters of the published model.
 PUBLISHED = (nm.theta0, *nm.PARAMETERS, nm.V, nm.creep)
-
-#: Where a quantity with a unit has the letter of the number that it becomes.
-_WITH_UNITS = {nm.V: nm.V_dim, nm.creep: nm.d_dim}
 
 
 # ------------------------------------------------------------------------------------------------
@@ -78,23 +75,10 @@ def _require(model: Mechanics) -> None:
             )
 
 
-@cache
-def _with_units() -> Mechanics:
-    return mechanics.of(page(), units=True)
-
-
 def symbol_of(datum: Datum) -> sp.Symbol:
     """The number that a quantity of the page becomes, in the nomenclature where it is there."""
     entry = nm.quantities().get(datum.becomes)
     return number(datum) if entry is None else entry.symbol
-
-
-def _measured(datum: Datum) -> sp.Symbol:
-    """The quantity with its unit."""
-    if datum.unit in ("1", "rad"):
-        return symbol_of(datum)
-    entry = nm.quantities().get(str(datum.symbol))
-    return datum.symbol if entry is None else _WITH_UNITS.get(entry.symbol, entry.symbol)
 
 
 def further_parameters() -> tuple[sp.Symbol, ...]:
@@ -112,8 +96,8 @@ def quantities() -> dict[str, Quantity]:
             Quantity(symbol, it.latex, f"{it.meaning}, over its scale", domain=it.domain),
         )
     for it in page().parameters:
-        symbol = _measured(it)
-        found.setdefault(str(symbol), Quantity(symbol, it.latex, it.meaning, it.unit, it.domain))
+        measured = Quantity(it.symbol, it.latex, it.meaning, it.unit, it.domain)
+        found.setdefault(str(it.symbol), measured)
     return found
 
 
@@ -122,18 +106,9 @@ def in_article(model: Mechanics, expression: sp.Expr) -> sp.Expr:
     the inclined spring.
     """
     names: dict[sp.Basic, sp.Expr] = {MU: nm.mu, PUSHING: nm.nbar, SIDE: nm.side}
-    scaled = {number(datum): symbol_of(datum) for datum in page().parameters}
-    names |= (
-        scaled
-        if model is of_page()
-        else {datum.symbol: _measured(datum) for datum in page().parameters}
-    )
-    known = {
-        *(unit.symbol for unit in page().units),
-        *model.coordinates,
-        *model.rates,
-        *(part for angle in model.angles for part in (angle.c, angle.s)),
-    }
+    names |= {number(datum): symbol_of(datum) for datum in page().parameters}
+    known = {*model.coordinates, *model.rates}
+    known |= {part for angle in model.angles for part in (angle.c, angle.s)}
     names |= {symbol: nm.quantities()[str(symbol)].symbol for symbol in known}
     directions: dict[sp.Basic, sp.Expr] = {}
     for line in model.lines:
@@ -145,28 +120,11 @@ def in_article(model: Mechanics, expression: sp.Expr) -> sp.Expr:
 # the inclined spring
 
 
-def _length(model: Mechanics) -> sp.Expr:
-    (line,) = model.lines
-    return in_article(model, line.length)
-
-
-def measured_length() -> sp.Expr:
-    """Distance from the spring's anchor, at L_0 (cos θ₀, sin θ₀), to the mass at (x, y):
-    (4)–(6).
-    """
-    return _length(_with_units())
-
-
-def compression() -> sp.Expr:
-    """Δ of (3), by which the inclined spring is shorter than undeformed."""
-    (line,) = _with_units().lines
-    return in_article(_with_units(), line.rest - line.l)
-
-
 @cache
 def spring_length() -> sp.Expr:
-    """The same distance over L_0."""
-    return _length(of_page())
+    """Distance over L_0 from the spring's anchor to the mass at (x, y): (4)–(6)."""
+    (line,) = of_page().lines
+    return in_article(of_page(), line.length)
 
 
 def replace_length(expression: sp.Expr) -> sp.Expr:
@@ -195,65 +153,34 @@ class Motion(NamedTuple):
     y: sp.Expr
 
 
-def _motion(model: Mechanics, contact: sp.Symbol) -> Motion:
-    general = General(model)
-    accelerations = dict(zip(general.named, (AX, AY), strict=True))
-    along, across = (
-        sp.expand(in_article(model, row.subs(accelerations))) for row in general.balance(contact)
-    )
-    return Motion(along, across)
-
-
-@cache
-def measured_motion() -> Motion:
-    """(1) and (2), for a contact force N and a friction coefficient μ yet to be given."""
-    return _motion(_with_units(), nm.N)
-
-
 @cache
 def motion() -> Motion:
     """The dimensionless equations of motion, (8) and (9), at rest (12) and (13), in x, y and the
-    spring length L.
+    spring length L, for a contact force n and a friction coefficient μ yet to be given.
     """
-    return _motion(of_page(), nm.n)
-
-
-@cache
-def scales() -> dict[str, sp.Expr]:
-    """Scales of length, time and force of the text after (9): the products of the units of measure
-    with these dimensions.
-    """
-    named = {"length": units.LENGTH, "time": units.TIME, "force": units.FORCE}
-    return {
-        name: in_article(_with_units(), physical_checks.scale(page(), dimension))
-        for name, dimension in named.items()
-    }
+    general = General(of_page())
+    accelerations = dict(zip(general.named, (AX, AY), strict=True))
+    along, across = (
+        sp.expand(in_article(of_page(), row.subs(accelerations))) for row in general.balance(nm.n)
+    )
+    return Motion(along, across)
 
 
 # ------------------------------------------------------------------------------------------------
 # contact and friction
 
 
-def _contact(model: Mechanics) -> sp.Expr:
-    """The contact's force below the gap, and above it."""
-    contact = model.contact
-    assert contact.gap is not None
-    pushing, gap = (
-        in_article(model, part) for part in (contact.law.subs(DEPTH, -contact.gap), contact.gap)
-    )
-    return sp.Piecewise((pushing, gap < 0), (sp.S.Zero if contact.unilateral else pushing, True))
-
-
-@cache
-def contact_force() -> sp.Expr:
-    """N(y), (7): the belt pushes when the mass dips below it and never pulls."""
-    return _contact(_with_units())
-
-
 @cache
 def contact_law() -> sp.Expr:
-    """n(y), (11): the contact force over its scale; less its slope is n̄, (29)."""
-    return _contact(of_page())
+    """n(y), (11), below the gap and above it: the belt pushes when the mass dips below it and never
+    pulls. Less its slope is n̄, (29).
+    """
+    contact = of_page().contact
+    assert contact.gap is not None
+    pushing, gap = (
+        in_article(of_page(), part) for part in (contact.law.subs(DEPTH, -contact.gap), contact.gap)
+    )
+    return sp.Piecewise((pushing, gap < 0), (sp.S.Zero if contact.unilateral else pushing, True))
 
 
 @cache

@@ -13,7 +13,7 @@ import sympy as sp
 from .. import laws, linearization, mechanics, physical_checks, statics, units
 from ..algebra import Names, Row
 from ..mechanics import DEPTH, MU, PUSHING, Mechanics, number
-from ..model import Page, expression_of
+from ..model import Datum, Page, expression_of
 from ..motion import Motion
 from ..units import Dimension
 
@@ -120,6 +120,10 @@ class Derivation:
         known = {DEPTH: -gap, PUSHING: pushing if self.model.contact.unilateral else sp.S.One}
         return sp.sympify(expression).subs(known).subs(self.plain)
 
+    def steady(self, expression: sp.Expr, side: str = CONTACT) -> sp.Expr:
+        """The same, with the friction at steady sliding."""
+        return self.spelled(expression, side).subs(MU, self.friction_at_rest)
+
     def expanded(self, expression: sp.Expr) -> sp.Expr:
         """With lengths and inclinations of lines in coordinates."""
         return expression.subs({sp.Symbol(name): it for name, it in self.geometry.items()})
@@ -209,7 +213,7 @@ class Derivation:
     def kinds(self) -> dict[str, Dimension]:
         """The dimension of every name; of a number that of the quantity behind it."""
         data = (*self.page.units, *self.page.parameters)
-        known = {it.becomes if self.scaled else str(it.symbol): units.read(it.unit) for it in data}
+        known = {self.name_of(it): units.read(it.unit) for it in data}
         for entry, second in zip(self.page.coordinates, self.accelerations, strict=True):
             dimension = units.read(entry.unit)
             for symbol in (entry.symbol, entry.rate, second):
@@ -217,27 +221,19 @@ class Derivation:
                 dimension = units.times(dimension, units.TIME, -1)
         for name in self.geometry:
             known[name] = units.LENGTH if name.startswith("L") else units.NONE
-        return {
-            "N": units.FORCE,
-            "mu": units.NONE,
-            "lam": units.times(units.NONE, units.TIME, -1),
-            str(TIME): units.TIME,
-        } | known
+        rate = units.times(units.NONE, units.TIME, -1)
+        return {"N": units.FORCE, "mu": units.NONE, "lam": rate, str(TIME): units.TIME} | known
 
     @cached_property
     def turning(self) -> tuple[str, ...]:
         """Names of angles of which a print may take cosine and sine."""
-        entries = [
-            (it.becomes if self.scaled else str(it.symbol), it.unit) for it in self.page.parameters
-        ]
-        entries += [(str(it.symbol), it.unit) for it in self.page.coordinates]
-        angles = [name for name, unit in entries if unit == "rad"]
+        angles = [self.name_of(it) for it in self.page.parameters if it.unit == "rad"]
+        angles += [str(it.symbol) for it in self.page.coordinates if it.unit == "rad"]
         return (*angles, *(name for name in self.geometry if name.startswith("theta")))
 
-    @property
-    def dimensions(self) -> dict[str, Dimension]:
-        """The dimension of every name; none where all are numbers."""
-        return {} if self.scaled else self.kinds
+    def name_of(self, datum: Datum) -> str:
+        """What a quantity of the page is called in this form."""
+        return datum.becomes if self.scaled else str(datum.symbol)
 
     def measured(self, length: sp.Expr) -> sp.Expr:
         """A quantity of the page in this form."""
@@ -333,10 +329,8 @@ def _balance(it: Derivation, name: str, side: str) -> Object:
 
 
 def _equilibrium(it: Derivation, name: str, side: str) -> Object:
-    mu = it.spelled(laws.friction_at_rest(it.model.friction))
-    rows = tuple(it.spelled(row, side).subs(MU, mu) for row in it.model.residuals)
     return Object(
-        rows,
+        tuple(it.steady(row, side) for row in it.model.residuals),
         "mechanics.Mechanics.residuals",
         "covector",
         it.places(name),
@@ -350,8 +344,6 @@ def _entries(
     of: Callable[[Derivation], sp.Matrix], letter: str, by: str
 ) -> Callable[[Derivation, str, str], Object]:
     def derived(it: Derivation, name: str, side: str) -> Object:
-        mu = it.spelled(laws.friction_at_rest(it.model.friction))
-        matrix = of(it).applyfunc(lambda entry: it.spelled(entry, side).subs(MU, mu))
         n = len(it.model.coordinates)
         places = [int(part) - 1 for part in name.split() if part.isdigit()]
         if places and (len(places) != 2 or not all(0 <= place < n for place in places)):
@@ -360,7 +352,7 @@ def _entries(
         mark = "".join(str(place + 1) for place in places)
         names = frozenset({f"{letter}_{mark}", f"{letter}{mark}"} if places else {letter})
         shape = None if places else (n, n)
-        entries = tuple(matrix)
+        entries = tuple(it.steady(entry, side) for entry in of(it))
         return Object(entries, by, "form", index, names=names, steady=True, side=side, shape=shape)
 
     return derived
@@ -369,16 +361,14 @@ def _entries(
 def _characteristic(it: Derivation, name: str, side: str) -> Object:
     mass, C = it.model.mass, linearization.damping(it.model)
     K = sp.Matrix(statics.jacobian(it.model))
-    mu = it.spelled(laws.friction_at_rest(it.model.friction))
-    whole = (LAMBDA**2 * mass + LAMBDA * C + K).applyfunc(lambda entry: it.spelled(entry, side))
-    polynomial = whole.subs(MU, mu).det(method="laplace")
+    whole = LAMBDA**2 * mass + LAMBDA * C + K
+    polynomial = whole.applyfunc(lambda entry: it.steady(entry, side)).det(method="laplace")
     by = "linearization.damping, statics.jacobian"
     return Object((polynomial,), by, factor="parameters", steady=True, side=side)
 
 
 def _threshold(it: Derivation, name: str, side: str) -> Object:
-    mu = it.spelled(laws.friction_at_rest(it.model.friction))
-    K = sp.Matrix(statics.jacobian(it.model)).applyfunc(it.spelled).subs(MU, mu)
+    K = sp.Matrix(statics.jacobian(it.model)).applyfunc(it.steady)
     if K.applyfunc(it.expanded).has(*it.model.coordinates):
         raise NoObject("the threshold depends on the state; only those of linear forces are judged")
     A = it.model.mass.inv() * K

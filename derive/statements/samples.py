@@ -24,10 +24,7 @@ def drawn(it: Derivation, held: Object, is_base: bool = False) -> dict[str, Valu
     Parameters are random, or those that the page gives as its base values.
     """
     rng = np.random.default_rng(20201)
-    base = {
-        entry.becomes if it.scaled else str(entry.symbol): entry.base
-        for entry in it.page.parameters
-    }
+    base = {it.name_of(entry): entry.base for entry in it.page.parameters}
     size = 2 * PAIRS
     found: dict[str, Values] = {}
     for name, symbol in it.parameters.items():

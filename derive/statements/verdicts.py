@@ -15,7 +15,6 @@ from sympy.core.relational import Relational
 from .. import algebra, units
 from ..mechanics import MU, PUSHING
 from ..pages import Model
-from ..units import Dimension
 from . import samples
 from .markup import repaired_print
 from .objects import BOTH, CONTACT, LAMBDA, LIFT_OFF, NORMAL, TIME, Derivation
@@ -32,8 +31,6 @@ MOST_PROOFS = 12
 MOST_TERMS = 40
 #: Factors of a residual that are tried with two edits.
 MOST_FACTORS = 4
-#: A quantity that goes to infinity, where the limit is tried in numbers.
-FAR = 1e6
 #: Operations in a difference that is shown.
 LARGEST_SHOWN = 3000
 #: Cost of a residual that is the derived one times a factor of parameters.
@@ -688,23 +685,11 @@ def _in_limit(item: Item, conventions: Conventions, part: Component, limit: str)
     factors = [names.get(name.strip()) for name in what.split("*")]
     if not all(isinstance(it, sp.Symbol) for it in factors):
         return False
-    far = {
-        str(it): np.full(2 * samples.PAIRS, FAR if end.strip() == "oo" else 1 / FAR)
-        for it in factors
-    }
-    for exact in (it.subs(laws) for it in part.exact):
-        close = [
-            np.abs(ours - theirs) <= (np.abs(ours) + np.abs(theirs)) / np.sqrt(FAR)
-            for name, size in far.items()
-            for at in [{**item.values, name: size}]
-            for ours, theirs in [(numeric(it, [*at])(at) for it in (value, exact))]
-        ]
-        gaps = (value - exact, item.it.expanded(value - exact))
-        if np.all(close) and any(
-            all(_has_limit_zero(gap, name, end.strip()) for name in far)
-            for gap in map(normal_form, gaps)
-        ):
-            return True
+    for exact in part.exact:
+        gap = value - exact.subs(laws)
+        for form in map(normal_form, (gap, item.it.expanded(gap))):
+            if all(_has_limit_zero(form, it.name, end.strip()) for it in factors):
+                return True
     return False
 
 
@@ -725,13 +710,13 @@ def _has_limit_zero(gap: sp.Expr, name: str, end: str) -> bool:
 
 def _units_problem(item: Item, parts: Iterable[Component]) -> str:
     """What does not balance in a print with units."""
-    known = dict(item.it.dimensions)
+    names: dict[str, sp.Expr] = {name: sp.Symbol(name) for name in item.values}
+    known = {symbol: item.it.kinds.get(name, units.NONE) for name, symbol in names.items()}
+    for name, tree in item.defined.items():
+        names[name] = to_sympy(tree, names, evaluate=False)
     for part in parts:
         try:
-            dims = known | {
-                n: _dimension(tree, known) or units.NONE for n, tree in item.defined.items()
-            }
-            found = _dimension(part.tree, dims)
+            found = units.of(to_sympy(part.tree, names, evaluate=False), known)
         except units.UnitsError as error:
             return f"units: {error}"
         expected = item.held.unit
@@ -741,30 +726,6 @@ def _units_problem(item: Item, parts: Iterable[Component]) -> str:
                 f"{units.spelled(expected)}"
             )
     return ""
-
-
-def _dimension(tree: Node, known: Mapping[str, Dimension]) -> Dimension | None:
-    """The dimension of a tree, None for zero; a :class:`derive.units.UnitsError` if none."""
-    names = {name: sp.Symbol(f"u_{name}") for name in symbols(tree)}
-    dimensions = {names[name]: known.get(name, units.NONE) for name in names}
-    match tree.kind:
-        case "number":
-            return None if tree.value == "0" else units.NONE
-        case "add":
-            whole: Dimension | None = None
-            for part in tree.args:
-                one = _dimension(part, known)
-                if whole is not None and one is not None and one != whole:
-                    raise units.UnitsError(
-                        f"{printed(part)} is in {units.spelled(one)}, and is added to what is in "
-                        f"{units.spelled(whole)}"
-                    )
-                whole = one if whole is None else whole
-            return whole
-        case "neg":
-            return _dimension(tree.args[0], known)
-        case _:
-            return units.of(to_sympy(tree, names), dimensions)
 
 
 def _said_once(rows: Sequence[Row]) -> list[Row]:

@@ -183,9 +183,9 @@ def _named_in(page: str) -> int:
                 encoding="utf-8"
             ), name
         else:
-            assert callable(
-                getattr(importlib.import_module(f"spragsym.derive.kang_nam.{module}"), name)
-            ), name
+            own = (ROOT / "derive/kang_nam" / f"{module}.py").is_file()
+            home = f"spragsym.derive.{'kang_nam.' if own else ''}{module}"
+            assert callable(getattr(importlib.import_module(home), name)), name
     return len(named)
 
 

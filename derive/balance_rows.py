@@ -7,7 +7,7 @@ import itertools
 import sympy as sp
 
 from . import symmetry
-from .algebra import difference, expanded
+from .algebra import equal, expanded
 from .mechanics import Mechanics
 
 
@@ -43,4 +43,4 @@ def symmetric(model: Mechanics, stiffness: sp.Matrix) -> bool:
     """
     K = stiffness.subs(dict.fromkeys(model.coefficients, 0))
     circles = tuple((line.c, line.s) for line in model.lines)
-    return all(difference(K[i, j], K[j, i], circles) == 0 for i in range(K.rows) for j in range(i))
+    return all(equal(K[i, j], K[j, i], circles) for i in range(K.rows) for j in range(i))

@@ -16,14 +16,9 @@ def reduce_circles(polynomial: sp.Expr) -> sp.Expr:
     return algebra.reduce_circles(polynomial, nm.UNIT_CIRCLES)
 
 
-def difference(left: sp.Expr, right: sp.Expr) -> sp.Expr:
-    """``left − right`` in the normal form of :func:`derive.algebra.difference`."""
-    return algebra.difference(left, right, nm.UNIT_CIRCLES)
-
-
 def equal(left: sp.Expr, right: sp.Expr) -> bool:
     """Whether two expressions are the same function of θ and θ₀."""
-    return difference(left, right) == 0
+    return algebra.equal(left, right, nm.UNIT_CIRCLES)
 
 
 def rotate_derivative(expression: sp.Expr) -> sp.Expr:

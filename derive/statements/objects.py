@@ -79,6 +79,11 @@ class Derivation:
     model: Mechanics
     scaled: bool
 
+    @property
+    def form(self) -> str:
+        """As files of statements say it."""
+        return "scaled" if self.scaled else "units"
+
     @cached_property
     def found(self) -> dict[tuple[str, str], object]:
         """What was asked for by its word and the rest, or why the page does not have it."""
@@ -453,8 +458,9 @@ def _cleared(D: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Expr, Names]:
 
 
 def _polynomial(D: sp.Matrix, b: sp.Matrix, length: sp.Symbol) -> sp.Poly:
-    cleared, _, parts = _cleared(D, b)
-    return sp.Poly(cleared.subs(parts), length)
+    """|adj(D) b|² − det² D as a polynomial in L."""
+    d11, d12, d21, d22, b1, b2 = (sp.Poly(entry, length) for entry in (*D, *b))
+    return (d22 * b1 - d12 * b2) ** 2 + (d11 * b2 - d21 * b1) ** 2 - (d11 * d22 - d12 * d21) ** 2
 
 
 def balance_in_direction(it: Derivation, side: str) -> tuple[sp.Matrix, sp.Matrix, sp.Symbol]:

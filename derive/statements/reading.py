@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 import sympy as sp
@@ -29,17 +30,17 @@ class Book:
 
     forms: Mapping[str, Derivation]
     renamed: Mapping[str, str]
-    bound: dict[str, str] = field(default_factory=dict)  #: name to what it is about
+    #: names by the statements that give them
+    bound: dict[str, Statement] = field(default_factory=dict)
     defined: dict[str, Node] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)  #: LaTeX of names, as printed
 
     def objects(self, it: Derivation) -> Iterator[tuple[str, Object]]:
         """Names that are bound to objects that the page has in this form."""
-        for name, about in self.bound.items():
-            try:
-                yield name, derived(it, about)
-            except (NoObject, ArithmeticError):
-                continue
+        for name, statement in self.bound.items():
+            if statement.form in ("", it.form):
+                with suppress(NoObject, ArithmeticError):
+                    yield name, derived(it, statement.about)
 
     def values(self, it: Derivation) -> dict[str, sp.Expr]:
         """Bound names, and those of the entries of matrices, as derived."""
@@ -132,7 +133,7 @@ def _bind(statement: Statement, book: Book) -> None:
         return
     name = equation.left.value
     if equation.left.kind == "symbol" and held.is_value and name not in known | held.names:
-        book.bound[name] = statement.about
+        book.bound[name] = statement
         letter = left.strip()
         if statement.is_latex:
             book.letters[name] = letter

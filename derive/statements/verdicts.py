@@ -455,7 +455,7 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
     entries = [held.entries[place] for place in held.index]
     row = replace(
         _begun(statement),
-        form="scaled" if item.it.scaled else "units",
+        form=item.it.form,
         read="; ".join(_said(part.left, part.tree) for part in parts),
         derived="; ".join(map(str, entries)),
         derived_latex=_joined(map(item.latex, entries)),

@@ -682,13 +682,13 @@ def _in_limit(item: Item, conventions: Conventions, part: Component, limit: str)
     names = _names(item, conventions)
     laws = {NORMAL: item.it.normal, MU: item.it.friction}
     value = to_sympy(part.tree, names).subs(laws)
-    factors = [names.get(name.strip()) for name in what.split("*")]
-    if not all(isinstance(it, sp.Symbol) for it in factors):
+    factors = [names.get(name.strip(), sp.nan) for name in what.split("*")]
+    if not all(it.is_Symbol for it in factors):
         return False
     for exact in part.exact:
         gap = value - exact.subs(laws)
         for form in map(normal_form, (gap, item.it.expanded(gap))):
-            if all(_has_limit_zero(form, it.name, end.strip()) for it in factors):
+            if all(_has_limit_zero(form, str(it), end.strip()) for it in factors):
                 return True
     return False
 

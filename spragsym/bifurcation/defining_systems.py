@@ -29,6 +29,7 @@ from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors
 from ..numerics.arithmetic import (
     Matrix,
+    Number,
     Polynomial,
     characteristic,
     cofactor,
@@ -352,7 +353,7 @@ def change(K: Matrix, column: int) -> Any:
     return sum(moved)
 
 
-def slope(value: Any, variable: int) -> Any:
+def slope(value: Number, variable: int) -> Any:
     """The derivative of what may be a number."""
     return value.differentiated(variable) if isinstance(value, Jet) else 0
 

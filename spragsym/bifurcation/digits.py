@@ -15,7 +15,7 @@ from ..core.questions import Method, question
 from ..models.forces import columns_of
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import balls, certified_roots
-from ..numerics.arithmetic import cofactor
+from ..numerics.arithmetic import Number, cofactor
 from ..numerics.balls import FIRST_BITS, XP, UndecidedSign, as_mpf, as_numbers, with_enough_bits
 from ..numerics.certified_roots import Roots
 from ..numerics.decimals import float_above
@@ -141,7 +141,7 @@ def _columns(at: State) -> list[Any]:
     return [value for c, s, length in springs for value in (_angle(c, s), length)]
 
 
-def _angle(c: Any, s: Any) -> Any:
+def _angle(c: Number, s: Number) -> Any:
     """The angle of a direction, π where the digits do not tell it from −π."""
     with suppress(UndecidedSign):
         return XP.atan2(s, c)

@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from ..numerics import balls
-from ..numerics.arithmetic import Matrix, determinant, is_zero
+from ..numerics.arithmetic import Matrix, Number, determinant, is_zero
 from ..numerics.balls import UndecidedSign, ball
 from ..numerics.interval_arrays import (
     BoolArray,
@@ -140,7 +140,7 @@ def _none_from(
     return any(_root_alone(one, k, [of[j] for of in signs]) for j, one in enumerate(minors))
 
 
-def _root_alone(minor: Any, k: int, signs: Sequence[int]) -> bool:
+def _root_alone(minor: Number, k: int, signs: Sequence[int]) -> bool:
     """Proof that a determinant is 0 at the end and nowhere else in the box, by its derivatives."""
     orders = range(len(signs))
     first = next((m for m in orders if not _is_nothing(_slope(minor, k, m))), 0)
@@ -159,7 +159,7 @@ def _minors(K: Matrix, f: Sequence[Any]) -> list[Any]:
     return [determinant(K), *map(determinant, replaced)]
 
 
-def _slope(value: Any, k: int, order: int) -> Any:
+def _slope(value: Number, k: int, order: int) -> Any:
     """A derivative by the k-th parameter, of a jet or a number."""
     if isinstance(value, Jet):
         return value.derivative(*[k] * order)
@@ -171,6 +171,6 @@ def _signs(values: Sequence[Any], count: int) -> Int8Array:
     return stacked([constant(value) for value in values], (count,)).signs
 
 
-def _is_nothing(value: Any) -> bool:
+def _is_nothing(value: Number) -> bool:
     """The number 0, exactly."""
     return not any(balls.ends(constant(value)))

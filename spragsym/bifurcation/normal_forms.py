@@ -29,7 +29,7 @@ import numpy as np
 from ..models import Model
 from ..models.field import undecorated
 from ..numerics import balls
-from ..numerics.arithmetic import Complex, Matrix, as_complex, solved
+from ..numerics.arithmetic import Complex, Matrix, Number, as_complex, solved
 from ..numerics.balls import XP, Ball, UndecidedSign, ball
 from ..numerics.interval_arrays import ComplexArray, FloatArray
 from ..numerics.jets import Jet, constant, gradient, variables
@@ -199,7 +199,7 @@ class _Point:
         mode = self.motion.mode_at_rest(floats, self.motion.constants(given.tolist()))
         self.mode = self.motion.exact(mode)
 
-    def field(self, u: Sequence[Any], parameter: Any) -> list[Any]:
+    def field(self, u: Sequence[Any], parameter: Number) -> list[Any]:
         """F: the rates, then the accelerations, with the law of friction shifted to that of the
         equilibrium.
         """
@@ -274,7 +274,7 @@ class _Point:
             return True
         return False
 
-    def _values(self, parameter: Any) -> Mapping[str, Any]:
+    def _values(self, parameter: Number) -> Mapping[str, Any]:
         """Arguments of generated functions by name."""
         return self.values | self.balance.with_angles({self.vary: parameter}, XP)
 
@@ -402,7 +402,7 @@ def _floats(values: Sequence[Any]) -> ComplexArray:
     return np.array([complex(_float(z.re)[0], _float(z.im)[0]) for z in map(as_complex, values)])
 
 
-def _float(value: Any) -> tuple[float, float]:
+def _float(value: Number) -> tuple[float, float]:
     """The nearest float, and a bound on its distance from everything in the ball."""
     low, high = balls.ends(_ball(value))
     middle = float((low + high) / 2)

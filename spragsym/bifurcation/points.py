@@ -26,7 +26,7 @@ from ..core.progress import doing
 from ..core.remarks import At, Remark
 from ..display import own_name
 from ..numerics import boxes, certified_roots, contractors
-from ..numerics.arithmetic import determinant
+from ..numerics.arithmetic import Number, determinant
 from ..numerics.certified_roots import Roots, distinct, stepped
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import (
@@ -441,6 +441,6 @@ class _AtInfinity(OfFamily):
         return ratio.signs.prod(axis=0)
 
 
-def _regular(row: Any) -> Any:
+def _regular(row: Number) -> Any:
     """A number but for its power of w."""
     return row.value if isinstance(row, Scaled) else row

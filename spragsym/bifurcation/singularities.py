@@ -34,7 +34,7 @@ import numpy as np
 from ..core.errors import ConvergenceError
 from ..models.parameters import Ranges
 from ..numerics import balls, certified_roots, contractors
-from ..numerics.arithmetic import cofactor, determinant
+from ..numerics.arithmetic import Number, cofactor, determinant
 from ..numerics.balls import UndecidedSign
 from ..numerics.certified_roots import Roots, different
 from ..numerics.interval_arrays import (
@@ -404,7 +404,7 @@ def _normal_form(family: Family, box: Intervals) -> tuple[int, bool]:
     return side, first * _sign(curved) < 0
 
 
-def _sign(value: Any) -> int:
+def _sign(value: Number) -> int:
     """1 or −1 where it is known, else 0."""
     return int(stacked([value], (1,)).signs[0, 0])
 

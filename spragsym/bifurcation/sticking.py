@@ -158,7 +158,7 @@ def _held(model: Model) -> Any:
     return kind
 
 
-def _turns(own: Any, place: int) -> Points:
+def _turns(own: ParameterSet, place: int) -> Points:
     """Where a coordinate turns back along the states."""
     family = Family.of(own, (HELD,))
 

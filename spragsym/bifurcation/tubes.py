@@ -27,7 +27,7 @@ import numpy as np
 
 from ..numerics import contractors
 from ..numerics.affine import AFFINE, UNIT, Affine
-from ..numerics.arithmetic import Matrix
+from ..numerics.arithmetic import Matrix, Number
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import (
     BoolArray,
@@ -162,7 +162,7 @@ class Slopes:
             left.append(total)
         return left
 
-    def image(self, row: int, direction: FloatArray, start: Any = None) -> Any:
+    def image(self, row: int, direction: FloatArray, start: Number | None = None) -> Any:
         """A row times a vector, shape (n + 1, N), and more: what is 0 for all boxes is left out."""
         terms = (self.rows[row][j] * part for j, part in enumerate(direction) if part.any())
         return sum(terms, self.zero if start is None else start)

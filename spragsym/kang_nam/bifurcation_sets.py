@@ -29,6 +29,7 @@ from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import RANGES, FloatArray, Parameters, Ranges, as_count
 from ..numerics import polynomials
+from ..numerics.arithmetic import Number
 from ..numerics.chains import link, walked
 from ..numerics.columns import ByColumn, picked
 from ..numerics.interval_arrays import BoolArray, IntArray, quiet
@@ -357,7 +358,7 @@ class Directions(NamedTuple):
         return self.number[np.searchsorted(self.events, t)]
 
 
-def fold_polynomial(c: Any, s: Any, fixed: Any) -> tuple[Any, ...]:
+def fold_polynomial(c: Number, s: Number, fixed: Fixed) -> tuple[Any, ...]:
     """The condition for a fold at (cos θ, sin θ), a quartic in tan(θ₀/2) > 0, lowest power
     first.
     """

@@ -11,6 +11,7 @@ from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import Parameters, Ranges
 from ..numerics import balls, polynomials
+from ..numerics.arithmetic import Number
 from ..numerics.balls import Interval, as_mpf, as_numbers, atan2, decided, sign, with_enough_bits
 from ..numerics.polynomials import RootOf, roots_on_the_line
 from ..results import Points
@@ -165,7 +166,7 @@ def _angle_or_level(cosine: Interval, sine: Interval, level: bool) -> Interval:
     return balls.exact(Fraction(0)) if decided(cosine, "cos θ = 0") > 0 else balls.pi()
 
 
-def _cusp_length(s: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any) -> Any:
+def _cusp_length(s: Number, kappa: Number, alpha: Number, sigma: Number, beta: Number) -> Any:
     """L on a cusp: (σ s + B s₀ + κ)/(q s) with −b/p for B s₀ + κ, which is a s³ + m s² c over p
     there.
     """

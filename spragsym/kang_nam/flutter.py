@@ -29,6 +29,7 @@ from ..core.questions import NotInClosedForm
 from ..generated import stability as _stability
 from ..models.parameters import FloatArray, Parameters, Ranges, as_count
 from ..numerics import balls, polynomials
+from ..numerics.arithmetic import Number
 from ..numerics.balls import Interval, UndecidedSign, atan2, decided, sign, with_enough_bits
 from ..numerics.interval_arrays import IntArray, quiet
 from ..numerics.polynomials import (
@@ -263,7 +264,7 @@ class Elimination:
         places = [*upright, *real_roots(self.simple, zero, one, bits)]
         return [RootOf(self.simple, low, high) for low, high in places if low < 1]
 
-    def length(self, c: Any, s: Any, values: tuple[Any, ...]) -> tuple[Any, Any]:
+    def length(self, c: Number, s: Number, values: tuple[Any, ...]) -> tuple[Any, Any]:
         """X and Y of L = X/Y."""
         if self.alpha:
             X, Y, _ = _stability.flutter_elimination(c, s, *values)
@@ -288,7 +289,7 @@ class Elimination:
         return multiplicity
 
 
-def direction(v: Any) -> tuple[Any, Any]:
+def direction(v: Number) -> tuple[Any, Any]:
     """cos θ and sin θ at v = tan((θ − π/2)/2): θ is a quarter turn more than the angle whose half
     has the tangent v.
     """
@@ -352,7 +353,7 @@ def _at_length(
     u1, w1, u2, w2 = _stability.reference_lines(c, s, *values)
     s0 = u1 + w1 * L
 
-    def sine(c: Any, s: Any, X: Any, Y: Any) -> Any:
+    def sine(c: Number, s: Number, X: Number, Y: Number) -> Any:
         u1, w1, _, _ = _stability.reference_lines(c, s, *elimination.values)
         return u1 * Y + w1 * X
 
@@ -363,7 +364,7 @@ def _at_length(
         cosines = [(u2 + w2 * L) / springs[0]]
     else:
 
-        def gap(c: Any, s: Any, X: Any, Y: Any) -> Any:
+        def gap(c: Number, s: Number, X: Number, Y: Number) -> Any:
             return Y * Y - sine(c, s, X, Y) ** 2
 
         above = elimination.sign_of(

@@ -21,7 +21,7 @@ import numpy as np
 from ..models.parameters import NAMES, FloatArray
 from ..numerics import balls, bernstein
 from ..numerics.affine import Rounded, as_number, cosine_and_sine
-from ..numerics.arithmetic import Polynomial
+from ..numerics.arithmetic import Number, Polynomial
 from ..numerics.balls import Ball, as_floats, ends
 from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array, quiet, scale_of
 from ..numerics.polynomials import on_circle
@@ -267,7 +267,7 @@ def _sharpened(
 
     level = None if vary == "theta0" else cos_sin(given["theta0"])
 
-    def with_value(v: Any) -> tuple[Any, ...]:
+    def with_value(v: Number) -> tuple[Any, ...]:
         return *(level or cos_sin(v)), *(v if name == vary else given[name] for name in LINEAR)
 
     t, value = near

@@ -22,6 +22,7 @@ from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
 from ..models.parameters import NAMES, RANGES, Parameters, Ranges, Span
 from ..numerics import balls, polynomials
+from ..numerics.arithmetic import Number
 from ..numerics.balls import (
     Interval,
     UndecidedSign,
@@ -206,7 +207,7 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
 
 
 def lines_and_sextic(
-    vary: str, c0: Any, s0: Any, others: Sequence[Any]
+    vary: str, c0: Number, s0: Number, others: Sequence[Any]
 ) -> tuple[Any, Any, polynomials.Polynomial]:
     """a, b, d and m of f = f(0) + λ f_λ without the parameter λ that varies, and of f_λ; and f′ f_λ
     − f f_λ′ times (1 + t²)³.
@@ -322,7 +323,7 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
         e0, e1, e2 = _catastrophe.fold_quadratic(c, s, kappa, sigma, beta)
         return Fraction(e0 + mu0 * (e1 + mu0 * e2))
 
-    def sine(c: Any, s: Any) -> Any:
+    def sine(c: Number, s: Number) -> Any:
         return _catastrophe.fold_sine(c, s, *given)
 
     polynomial = polynomials.interpolate(in_t(eliminated, _HALF), _DEGREE)

@@ -15,7 +15,6 @@ between two directions decide, and no fold need be found.
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any
 
 import numpy as np
 
@@ -205,7 +204,7 @@ def _walk(
     return jumped
 
 
-def point_at(given: Mapping[str, FloatArray], i: Any) -> dict[str, float]:
+def point_at(given: Mapping[str, FloatArray], i: int | np.intp) -> dict[str, float]:
     """One of many points."""
     return {name: float(column[i]) for name, column in given.items()}
 

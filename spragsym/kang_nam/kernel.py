@@ -11,6 +11,7 @@ from ..generated import equilibrium as _equilibrium
 from ..generated import stability as _stability
 from ..generated.kernel import depressed as depressed
 from ..models.parameters import NAMES
+from ..numerics.arithmetic import Number
 
 #: Parameters in which f is linear: all but θ₀.
 LINEAR = NAMES[1:]
@@ -33,7 +34,7 @@ stiffness = unwrap(_stability.stiffness)
 _invariants = unwrap(_stability.invariants)
 
 
-def f_along(vary: str, cos0: Any, sin0: Any, *values: Any) -> tuple[Any, Any]:
+def f_along(vary: str, cos0: Number, sin0: Number, *values: Any) -> tuple[Any, Any]:
     """a, b, d and m of f and of its slope by a parameter but θ₀, in which f is linear; ``values``
     have 0 for that one.
     """
@@ -57,7 +58,7 @@ def cos_sin(angle: Any) -> tuple[Any, Any]:
     return np.cos(angle), np.sin(angle)
 
 
-def landing(t: Any, trig: tuple[Any, ...], sqrt: Callable[[Any], Any]) -> Any:
+def landing(t: Number, trig: tuple[Any, ...], sqrt: Callable[[Any], Any]) -> Any:
     """tan(θ/2) of the third equilibrium where t = tan(θ/2) is a double root of the quartic in t,
     for any kind of numbers.
 

@@ -20,7 +20,7 @@ from typing import Any, Self
 import numpy as np
 
 from . import interval_arrays
-from .arithmetic import Arithmetic, repeated_product
+from .arithmetic import Arithmetic, Number, repeated_product
 from .interval_arrays import FUNCTION_ULPS, FloatArray, Int8Array, Intervals, quiet, raised
 from .jets import Functions, Jet
 
@@ -41,10 +41,10 @@ class _Zero(Arithmetic):
     def __neg__(self) -> Self:
         return self
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: Number) -> Any:
         return other
 
-    def __mul__(self, other: Any) -> Self:
+    def __mul__(self, other: Number) -> Self:
         return self
 
     __truediv__ = __mul__
@@ -71,14 +71,14 @@ class Rounded(Arithmetic):
         """How far from ``value`` the numbers reach."""
         return (_spread(self) + self.error) * _SLACK
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: Number) -> Any:
         if not isinstance(other, Rounded):
             return _rounded(self.value + other, self.terms, self.error)
         return _rounded(
             self.value + other.value, self.terms + other.terms, self.error + other.error
         )
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: Number) -> Any:
         if not isinstance(other, Rounded):
             return _rounded(self.value - other, self.terms, self.error)
         return _rounded(
@@ -122,7 +122,7 @@ class Rounded(Arithmetic):
         found.error = np.where(least > 0, error, np.inf)
         return found
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: Number) -> Any:
         return Rounded(other) / self
 
     __pow__ = repeated_product
@@ -205,7 +205,7 @@ def _rounded(value: Any, terms: Any, error: Any) -> Rounded:
     return Affine(value, terms, (error + UNIT * (np.abs(terms).sum(axis=0) + abs(value))) * _SLACK)
 
 
-def as_number(value: Any) -> Rounded:
+def as_number(value: Number) -> Rounded:
     """A number itself, and an int or float as one that is exact."""
     return value if isinstance(value, Rounded) else Rounded(value)
 
@@ -264,7 +264,7 @@ class _AffineFunctions(Functions):
     #: π.
     pi = Affine.between(interval_arrays.PI)
 
-    def sign(self, value: Any) -> Affine:
+    def sign(self, value: Number) -> Affine:
         """−1, 0, 1."""
         return Affine.between(self.taken(value).interval().sign())
 

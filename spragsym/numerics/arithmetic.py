@@ -6,7 +6,25 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Self, TypeAlias
+from typing import Any, Protocol, Self, TypeAlias
+
+
+class Number(Protocol):
+    """A number of any type that generated algebra takes: a float, an array, a rational, an
+    interval, a ball, an affine number, or a jet of them. What an operation with another one gives
+    is up to both.
+    """
+
+    def __neg__(self) -> Any: ...
+    def __add__(self, other: Any, /) -> Any: ...
+    def __radd__(self, other: Any, /) -> Any: ...
+    def __sub__(self, other: Any, /) -> Any: ...
+    def __rsub__(self, other: Any, /) -> Any: ...
+    def __mul__(self, other: Any, /) -> Any: ...
+    def __rmul__(self, other: Any, /) -> Any: ...
+    def __truediv__(self, other: Any, /) -> Any: ...
+    def __pow__(self, power: int, /) -> Any: ...
+
 
 #: Rows of entries of any number type.
 Matrix: TypeAlias = Sequence[Sequence[Any]]
@@ -34,25 +52,25 @@ class Arithmetic:
     def __neg__(self) -> Self:
         raise NotImplementedError
 
-    def __add__(self, other: Any) -> Self:
+    def __add__(self, other: Number) -> Self:
         raise NotImplementedError
 
-    def __mul__(self, other: Any) -> Self:
+    def __mul__(self, other: Number) -> Self:
         raise NotImplementedError
 
     def __pos__(self) -> Self:
         return self
 
-    def __radd__(self, other: Any) -> Self:
+    def __radd__(self, other: Number) -> Self:
         return self.__add__(other)
 
-    def __rmul__(self, other: Any) -> Self:
+    def __rmul__(self, other: Number) -> Self:
         return self.__mul__(other)
 
-    def __sub__(self, other: Any) -> Self:
+    def __sub__(self, other: Number) -> Self:
         return self.__add__(-other)
 
-    def __rsub__(self, other: Any) -> Self:
+    def __rsub__(self, other: Number) -> Self:
         return (-self).__add__(other)
 
 
@@ -85,7 +103,7 @@ class Polynomial(Arithmetic):
         """The coefficients, with zeros up to that number."""
         return self.coefficients + [0] * (size - len(self.coefficients))
 
-    def __add__(self, other: Any) -> Polynomial:
+    def __add__(self, other: Number | Polynomial) -> Polynomial:
         two = other.coefficients if isinstance(other, Polynomial) else [other]
         size = max(len(self.coefficients), len(two))
         return Polynomial(
@@ -95,7 +113,7 @@ class Polynomial(Arithmetic):
     def __neg__(self) -> Polynomial:
         return Polynomial([-value for value in self.coefficients])
 
-    def __mul__(self, other: Any) -> Polynomial:
+    def __mul__(self, other: Number | Polynomial) -> Polynomial:
         two = other.coefficients if isinstance(other, Polynomial) else [other]
         out: list[Any] = [0] * (len(self.coefficients) + len(two) - 1)
         for i, a in enumerate(self.coefficients):
@@ -155,7 +173,7 @@ def resultant(one: Sequence[Any], two: Sequence[Any]) -> Any:
 Choice = Callable[[list[list[Any]], int], None]
 
 
-def is_zero(value: Any) -> bool:
+def is_zero(value: Number) -> bool:
     """0 by structure."""
     return isinstance(value, int) and value == 0
 
@@ -195,14 +213,14 @@ class Complex(Arithmetic):
     def __neg__(self) -> Complex:
         return Complex(-self.re, -self.im)
 
-    def __mul__(self, other: Any) -> Complex:
+    def __mul__(self, other: Number | Complex) -> Complex:
         if not isinstance(other, Complex):
             return Complex(self.re * other, self.im * other)
         return Complex(
             self.re * other.re - self.im * other.im, self.re * other.im + self.im * other.re
         )
 
-    def __truediv__(self, other: Any) -> Complex:
+    def __truediv__(self, other: Number | Complex) -> Complex:
         if not isinstance(other, Complex):
             return Complex(self.re / other, self.im / other)
         square = other.squared()
@@ -220,6 +238,6 @@ class Complex(Arithmetic):
         return Complex(self.re, -self.im)
 
 
-def as_complex(value: Any) -> Complex:
+def as_complex(value: Number) -> Complex:
     """A real number with the imaginary part 0, and a complex one itself."""
     return value if isinstance(value, Complex) else Complex(value, 0)

@@ -26,7 +26,7 @@ from typing import Any, TypeAlias, TypeVar
 import mpmath
 
 from ..core.errors import ConvergenceError
-from .arithmetic import Arithmetic
+from .arithmetic import Arithmetic, Number
 from .jets import Functions
 
 #: A :class:`Ball`, or what is made of balls and numbers beside them.
@@ -112,7 +112,7 @@ class Ball(Arithmetic):
             return NotImplemented
         return _quotient(self, other)
 
-    def __rtruediv__(self, other: Any) -> Ball:
+    def __rtruediv__(self, other: Number) -> Ball:
         dividend = _as_ball(other, self.bits)
         return NotImplemented if dividend is None else _quotient(dividend, self)
 
@@ -145,7 +145,7 @@ def ball(value: float, bits: int) -> Ball:
     return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
 
 
-def _as_ball(value: Any, bits: int) -> Ball | None:
+def _as_ball(value: Number, bits: int) -> Ball | None:
     """A number that is exactly an integer over a power of two."""
     return ball(value, bits) if isinstance(value, int | float) else None
 

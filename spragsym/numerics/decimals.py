@@ -11,6 +11,8 @@ from typing import Any, NamedTuple
 
 import mpmath
 
+from .arithmetic import Number
+
 #: Significant digits of a bound.
 BOUND_DIGITS = 2
 
@@ -39,7 +41,7 @@ def exactly(value: Any) -> Fraction:
     )
 
 
-def around(value: Any, error: Any, digits: int | None = None) -> Decimal:
+def around(value: Number, error: Number, digits: int | None = None) -> Decimal:
     """A number that is known to ``error``, in decimals, with a bound that covers the rounding too.
 
     ``digits`` are significant ones; by default as many as the error leaves: one beyond its first.
@@ -63,7 +65,7 @@ def around(value: Any, error: Any, digits: int | None = None) -> Decimal:
     return Decimal(text, upward(abs(Fraction(text) - middle) + half))
 
 
-def upward(bound: Any) -> str:
+def upward(bound: Number) -> str:
     """A bound ≥ 0 in few decimals, as ``f"{bound:.1e}"`` writes it, but never less than it is.
 
     >>> upward(1.6449e-14), upward(0.0), upward(float("inf")), upward(9.99)

@@ -17,6 +17,7 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import NDArray
 
 from ..generated import double_double
+from .arithmetic import Number
 from .interval_arrays import Shape
 
 Array = NDArray[Any]
@@ -80,16 +81,16 @@ def _of(pair: double_double.Wide) -> DoubleDouble:
     return out
 
 
-def _wide(value: Any) -> DoubleDouble:
+def _wide(value: Number) -> DoubleDouble:
     """A double-double as it is, anything else as an exact number."""
     return value if isinstance(value, DoubleDouble) else DoubleDouble(value)
 
 
-def _is_power_of_two(value: Any) -> bool:
+def _is_power_of_two(value: Number) -> bool:
     return isinstance(value, int | float) and math.frexp(abs(value))[0] == 0.5
 
 
-def _sum(one: Any, other: Any) -> DoubleDouble:
+def _sum(one: Number, other: Number) -> DoubleDouble:
     one, other = (one, other) if isinstance(one, DoubleDouble) else (other, one)
     return _of(
         dd.dd_add(one, other) if isinstance(other, DoubleDouble) else dd.dd_add_double(one, other)
@@ -115,7 +116,7 @@ def _quotient(one: Any, other: Any) -> DoubleDouble:
     )
 
 
-def _less(one: Any, other: Any) -> Array:
+def _less(one: Number, other: Number) -> Array:
     return np.asarray(dd.dd_less(_wide(one), _wide(other)))
 
 

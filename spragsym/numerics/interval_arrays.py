@@ -26,7 +26,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .arithmetic import Arithmetic, Matrix
+from .arithmetic import Arithmetic, Matrix, Number
 
 FloatArray: TypeAlias = NDArray[np.float64]
 BoolArray: TypeAlias = NDArray[np.bool_]
@@ -196,7 +196,7 @@ class Intervals(Arithmetic):
         one, two = _aligned(self.ends, other.ends)
         return Intervals(raised(one + two))
 
-    def __mul__(self, other: Any) -> Intervals:
+    def __mul__(self, other: Number) -> Intervals:
         if isinstance(other, Intervals):
             return (
                 self.squared()
@@ -217,7 +217,7 @@ class Intervals(Arithmetic):
             return Intervals(ends * 0.0)
         return Intervals(ends if abs(factor) == 1 else raised(ends * abs(factor)))
 
-    def __truediv__(self, other: Any) -> Intervals:
+    def __truediv__(self, other: Number) -> Intervals:
         if not isinstance(other, Intervals):
             return NotImplemented if (point := _point(other)) is None else self / point
         one, two = _aligned(self.ends, other.ends)
@@ -226,7 +226,7 @@ class Intervals(Arithmetic):
             quotient = np.where(zero, _beside_zero(one, two), quotient)
         return Intervals(raised(quotient))
 
-    def __rtruediv__(self, other: Any) -> Intervals:
+    def __rtruediv__(self, other: Number) -> Intervals:
         return NotImplemented if (point := _point(other)) is None else point / self
 
     def squared(self) -> Intervals:
@@ -234,7 +234,7 @@ class Intervals(Arithmetic):
         low, high = self.mignitude, self.magnitude
         return Intervals(_not_negative(raised(np.stack([-(low * low), high * high]))))
 
-    def __pow__(self, power: Any) -> Intervals:
+    def __pow__(self, power: Number) -> Intervals:
         if not isinstance(power, int):
             return NotImplemented
         if power < 0:
@@ -335,7 +335,7 @@ def exactly(number: float) -> float:
     return value
 
 
-def _point(value: Any) -> Intervals | None:
+def _point(value: Number) -> Intervals | None:
     """A number or an array of floats as intervals without width."""
     if isinstance(value, int | float):
         number = exactly(value)

@@ -15,7 +15,7 @@ from itertools import cycle, islice
 from math import comb, factorial, prod
 from typing import Any, TypeAlias
 
-from .arithmetic import Arithmetic, is_zero, repeated_product
+from .arithmetic import Arithmetic, Number, is_zero, repeated_product
 
 #: Numbers of the variables of a product, ascending: () is the constant, (0, 0, 2) is x₀² x₂.
 Term: TypeAlias = tuple[int, ...]
@@ -38,7 +38,7 @@ class Jet(Arithmetic):
         self.terms, self.order = dict(terms), order
 
     @classmethod
-    def variable(cls, value: Any, number: int, order: int) -> Jet:
+    def variable(cls, value: Number, number: int, order: int) -> Jet:
         """The variable of that number at a value."""
         return cls({(): value, (number,): 1} if order else {(): value}, order)
 
@@ -69,7 +69,7 @@ class Jet(Arithmetic):
     def __neg__(self) -> Jet:
         return Jet({term: -coefficient for term, coefficient in self.terms.items()}, self.order)
 
-    def __add__(self, other: Any) -> Jet:
+    def __add__(self, other: Number) -> Jet:
         if not isinstance(other, Jet):
             return (
                 self if is_zero(other) else Jet({**self.terms, (): self.value + other}, self.order)
@@ -81,7 +81,7 @@ class Jet(Arithmetic):
                 terms[term] = terms[term] + coefficient if term in terms else coefficient
         return Jet(terms, order)
 
-    def __mul__(self, other: Any) -> Jet:
+    def __mul__(self, other: Number) -> Jet:
         if other is self:
             return self**2
         if not isinstance(other, Jet):
@@ -99,14 +99,14 @@ class Jet(Arithmetic):
                     terms[term] = terms[term] + a * b if term in terms else a * b
         return Jet(terms, order)
 
-    def __truediv__(self, other: Any) -> Jet:
+    def __truediv__(self, other: Number) -> Jet:
         if isinstance(other, Jet):
             return self.__mul__(other.reciprocal())
         return Jet(
             {term: coefficient / other for term, coefficient in self.terms.items()}, self.order
         )
 
-    def __rtruediv__(self, other: Any) -> Jet:
+    def __rtruediv__(self, other: Number) -> Jet:
         return self.reciprocal().__mul__(other)
 
     def __pow__(self, power: int) -> Jet:
@@ -155,7 +155,7 @@ class Jet(Arithmetic):
         return self.composed(_SERIES[name](self.value, value, self.order))
 
 
-def _sqrt(_: Any, y: Any, order: int) -> list[Any]:
+def _sqrt(_: Any, y: Number, order: int) -> list[Any]:
     factors = binomial_series(Fraction(1, 2), order)[1:]
     return [y, *(factor / y ** (2 * k - 1) for k, factor in enumerate(factors, 1))]
 
@@ -168,7 +168,7 @@ def _log(x: Any, y: Any, order: int) -> list[Any]:
     ]
 
 
-def _tanh(_: Any, value: Any, order: int) -> list[Any]:
+def _tanh(_: Any, value: Number, order: int) -> list[Any]:
     """From y′ = 1 − y²."""
     y = [value]
     for k in range(order):
@@ -179,7 +179,7 @@ def _tanh(_: Any, value: Any, order: int) -> list[Any]:
     return y
 
 
-def _atan(x: Any, y: Any, order: int) -> list[Any]:
+def _atan(x: Number, y: Number, order: int) -> list[Any]:
     """From (1 + x²) y′ = 1."""
     inverse = 1 / (1 + x**2)
     slope: list[Any] = []
@@ -232,11 +232,11 @@ class Functions:
             name, (self.cos(at), self.sin(at)) if name in ("cos", "sin") else self.of(name, at)
         )
 
-    def sign(self, value: Any) -> Any:
+    def sign(self, value: Number) -> Any:
         """−1, 0, 1."""
         return (value if isinstance(value, Jet) else self.taken(value)).sign()
 
-    def atan2(self, sine: Any, cosine: Any) -> Any:
+    def atan2(self, sine: Number, cosine: Number) -> Any:
         """Angle of the vector (cosine, sine), from −π to π."""
         if isinstance(sine, Jet) or isinstance(cosine, Jet):
             return argument(*turned(sine, cosine)) + self.atan2(constant(sine), constant(cosine))
@@ -260,7 +260,7 @@ def order_of(*parts: Any) -> int:
     return max((part.order for part in parts if isinstance(part, Jet)), default=0)
 
 
-def turned(sine: Any, cosine: Any) -> tuple[Jet, Jet]:
+def turned(sine: Number, cosine: Number) -> tuple[Jet, Jet]:
     """How the vector (cosine, sine) changes, as a multiple 1 + u + i v of its value, of any
     length.
     """
@@ -268,13 +268,13 @@ def turned(sine: Any, cosine: Any) -> tuple[Jet, Jet]:
     return change_along(cosine, sine, c, s, c * c + s * s)
 
 
-def change_along(dx: Any, dy: Any, c: Any, s: Any, size: Any) -> tuple[Jet, Jet]:
+def change_along(dx: Number, dy: Number, c: Number, s: Number, size: Number) -> tuple[Jet, Jet]:
     """How the vector (dx, dy) changes along (c, s) and across it, over a size."""
     hx, hy = (change(part, order_of(dx, dy)) for part in (dx, dy))
     return (hx * c + hy * s) / size, (hy * c - hx * s) / size
 
 
-def change(value: Any, order: int) -> Jet:
+def change(value: Number, order: int) -> Jet:
     """The part of it that is not constant."""
     terms = value.terms if isinstance(value, Jet) else {}
     return Jet({term: coefficient for term, coefficient in terms.items() if term}, order)
@@ -296,12 +296,12 @@ def variables(values: Sequence[Any], order: int) -> list[Jet]:
     return [Jet.variable(value, number, order) for number, value in enumerate(values)]
 
 
-def gradient(value: Any, count: int) -> list[Any]:
+def gradient(value: Number, count: int) -> list[Any]:
     """First derivatives by the variables 0 to count − 1, of a jet or of a constant."""
     return [value.derivative(number) if isinstance(value, Jet) else 0 for number in range(count)]
 
 
-def constant(value: Any) -> Any:
+def constant(value: Number) -> Any:
     """The value of a jet, and a number itself."""
     return value.value if isinstance(value, Jet) else value
 
@@ -311,7 +311,7 @@ def _times(one: Jet, other: Jet) -> Jet:
     return one * Jet(other.terms, other.order)
 
 
-def _power(value: Any, power: int) -> Any:
+def _power(value: Number, power: int) -> Any:
     """A power; of python-flint's balls by products, since its own is no number where a ball holds
     0.
     """

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from . import balls
+from .arithmetic import Number
 from .balls import Ball, Interval, UndecidedSign
 from .interval_arrays import FloatArray
 
@@ -26,7 +27,7 @@ Coefficient: TypeAlias = Any
 Polynomial: TypeAlias = tuple[Coefficient, ...]
 
 
-def evaluate(polynomial: Sequence[Coefficient], t: Any) -> Any:
+def evaluate(polynomial: Sequence[Coefficient], t: Number) -> Any:
     """Horner's rule."""
     value = polynomial[-1]
     for coefficient in reversed(polynomial[:-1]):
@@ -303,7 +304,7 @@ def _common(low: Fraction, high: Fraction) -> tuple[int, int, int]:
     return common, int(low * common), int((high - low) * common)
 
 
-def shifted(coefficients: Sequence[Any], by: Any = 1) -> list[Any]:
+def shifted(coefficients: Sequence[Any], by: Number = 1) -> list[Any]:
     """Coefficients of the polynomial at u + ``by``."""
     values = list(coefficients)
     for start in range(len(values)):
@@ -369,7 +370,7 @@ class OnCircle(NamedTuple):
     scale: Any
 
 
-def on_circle(t: Any) -> OnCircle:
+def on_circle(t: Number) -> OnCircle:
     """The direction θ with tan(θ/2) = t, exactly for a rational t."""
     scale = 1 + t * t
     return OnCircle((1 - t) * (1 + t) / scale, 2 * t / scale, scale)

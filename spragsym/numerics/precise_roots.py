@@ -26,7 +26,7 @@ import numpy as np
 
 from ..core.options import Options, limit
 from . import balls, contractors
-from .arithmetic import Matrix, is_zero, solved
+from .arithmetic import Matrix, Number, is_zero, solved
 from .balls import Ball, UndecidedSign, ball
 from .interval_arrays import FloatArray, Intervals, quiet
 from .jets import Jet, constant, gradient, variables
@@ -362,7 +362,7 @@ class _Task:
         sides = [span, *map(balls.ends, others)]
         return self._ordered(sides)
 
-    def _polished(self, span: tuple[Fraction, Fraction], others: list[Ball], last: Any) -> Box:
+    def _polished(self, span: tuple[Fraction, Fraction], others: list[Ball], last: Number) -> Box:
         """A small box around the only root in a span, by interval Newton on g; ``last`` is its
         third coefficient.
         """
@@ -458,7 +458,7 @@ def _about(c: Sequence[Any], h: Ball) -> tuple[list[Any], Ball]:
     return shifted(c, middle), h - middle
 
 
-def _less(value: Any, factors: Sequence[Any], steps: Sequence[Any]) -> Any:
+def _less(value: Number, factors: Sequence[Any], steps: Sequence[Any]) -> Any:
     """value − Σ factor step."""
     for factor, step in zip(factors, steps, strict=True):
         value = value - factor * step

@@ -18,6 +18,7 @@ from typing import Any, NoReturn, TypeAlias
 
 import numpy as np
 
+from .arithmetic import Number
 from .interval_arrays import Intervals, Shape, exactly, stacked
 
 try:
@@ -100,7 +101,7 @@ class Recorded(Intervals):
     def _noted(self, name: str, other: int = 0) -> Recorded:
         return Recorded(self.recording, self.recording.noted(name, self.place, other), self.size)
 
-    def _of(self, value: Any) -> Recorded | None:
+    def _of(self, value: Number) -> Recorded | None:
         """An operand: a recorded interval, or a number or interval that is the same in all
         boxes.
         """
@@ -120,7 +121,7 @@ class Recorded(Intervals):
         low, high = (self.recording.number(float(end)) for end in ends)
         return Recorded(self.recording, self.recording.noted("constant", low, high), self.size)
 
-    def _with(self, name: str, other: Any) -> Any:
+    def _with(self, name: str, other: Number) -> Any:
         operand = self._of(other)
         return NotImplemented if operand is None else self._noted(name, operand.place)
 
@@ -130,32 +131,32 @@ class Recorded(Intervals):
     def __abs__(self) -> Recorded:
         return self._noted("absolute")
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: Number) -> Any:
         if isinstance(other, int | float) and other == 0:
             return self
         return self._with("sum", other)
 
-    def __radd__(self, other: Any) -> Any:
+    def __radd__(self, other: Number) -> Any:
         return self.__add__(other)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: Number) -> Any:
         if other is self:
             return self.squared()
         if isinstance(other, int | float):
             return self._noted("scaled", self.recording.number(exactly(other)))
         return self._with("product", other)
 
-    def __rmul__(self, other: Any) -> Any:
+    def __rmul__(self, other: Number) -> Any:
         return self.__mul__(other)
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: Number) -> Any:
         return self._with("quotient", other)
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: Number) -> Any:
         operand = self._of(other)
         return NotImplemented if operand is None else operand._noted("quotient", self.place)
 
-    def __pow__(self, power: Any) -> Any:
+    def __pow__(self, power: Number) -> Any:
         if isinstance(power, int) and power == 0:
             return self._of(1)
         if isinstance(power, int) and power > 2 and power % 2:
@@ -290,7 +291,7 @@ def recorded(rows: Rows, *given: Intervals, vanishing: Sequence[bool] = ()) -> T
     return _assembled(recording, found)
 
 
-def _place(recording: Recording, entry: Any, shape: Shape) -> int:
+def _place(recording: Recording, entry: Number, shape: Shape) -> int:
     """The number of a result, or of an entry that is the same in all boxes."""
     operand = Recorded(recording, 0, shape)._of(entry)
     assert operand is not None

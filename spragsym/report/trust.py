@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-from typing import Any
 
 from ..core.errors import ParameterError
 from ..models.load import shipped
 from ..models.quantities import quantities
 
 
-def trusted_model(name: Any, trust: bool | str) -> str:
+def trusted_model(name: object, trust: bool | str) -> str:
     """The name of a model; a folder whose code is not trusted is refused."""
     if not isinstance(name, str):
         raise ParameterError(f'{name!r} is no name; write model = "kang_nam"')

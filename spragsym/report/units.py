@@ -16,6 +16,7 @@ import numpy as np
 from ..core.errors import ParameterError
 from ..models.parameters import FINITE, Range
 from ..models.quantities import factor
+from ..numerics.arithmetic import Number
 
 #: Numbers by name: quantities in SI, or coordinates.
 Numbers: TypeAlias = Mapping[str, float]
@@ -88,7 +89,7 @@ class Measured:
         low, high = (self.value + sign * WITHIN * self.sd for sign in (-1, 1))
         return self if self.cut else replace(self, low=low, high=high)
 
-    def cdf(self, value: Any) -> Any:
+    def cdf(self, value: Number) -> Any:
         """The share of its distribution within its ends up to a value."""
         if not self.varies:
             return 1.0 * (np.asarray(value) >= self.value)
@@ -105,7 +106,7 @@ class Measured:
             self.value + self.sd * ndtri(value) if self.sd else value, self.low, self.high
         )
 
-    def _below(self, value: Any) -> Any:
+    def _below(self, value: Number) -> Any:
         from scipy.special import ndtr  # heavy, and a refusal does not need it
 
         return ndtr((value - self.value) / self.sd) if self.sd else value

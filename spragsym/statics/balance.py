@@ -17,7 +17,7 @@ import numpy as np
 from ..models.model import Model
 from ..models.quantities import Unit
 from ..numerics import balls, contractors, jets
-from ..numerics.arithmetic import Matrix, is_zero
+from ..numerics.arithmetic import Matrix, Number, is_zero
 from ..numerics.balls import ball
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
 from ..numerics.precise_roots import Digits
@@ -326,14 +326,14 @@ class BalanceInUnits(Balance):
         return slopes[name] * values[self.factors[name]] if name in self.factors else slopes[name]
 
 
-def _power(value: Any, power: float, xp: Any) -> Any:
+def _power(value: Number, power: float, xp: Any) -> Any:
     whole = int(power)
     if whole == power:
         return value**whole if whole > 0 else 1 / value**-whole
     return xp.exp(power * xp.log(value))
 
 
-def _times(value: Any, factor: Any) -> Any:
+def _times(value: Number, factor: Number) -> Any:
     """Their product; what is 0, and an end that is, stays so."""
     if is_zero(value):
         return value

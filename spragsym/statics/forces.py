@@ -15,7 +15,7 @@ from ..models.field import undecorated
 from ..models.forces import named
 from ..models.model import Model, Touching
 from ..numerics import jets
-from ..numerics.arithmetic import Matrix, is_zero
+from ..numerics.arithmetic import Matrix, Number, is_zero
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
@@ -287,7 +287,7 @@ class State:
             return [*parts, *(self.turnings or ())]
         return parts + self._turnings(steps, parts)
 
-    def direction(self, dx: Any, dy: Any) -> tuple[Any, Any, Any]:
+    def direction(self, dx: Number, dy: Number) -> tuple[Any, Any, Any]:
         """Cosine, sine and length of a vector: of boxes sharp enclosures, of narrow numbers
         quotients.
         """
@@ -416,12 +416,12 @@ class State:
         return self.call("mirror", self.q, kind="statics")
 
 
-def _is_none(stiffness: Any) -> bool:
+def _is_none(stiffness: Number) -> bool:
     """0 everywhere, and no unknown."""
     return is_zero(stiffness) or (isinstance(stiffness, Intervals) and stiffness.is_nothing())
 
 
-def direction(dx: Any, dy: Any, shape: Shape) -> tuple[Any, Any, Any]:
+def direction(dx: Number, dy: Number, shape: Shape) -> tuple[Any, Any, Any]:
     """Cosine, sine and length of the vector (dx, dy): arrays of intervals of that shape, or jets of
     them.
 
@@ -466,13 +466,13 @@ def turning(
     return phi
 
 
-def _at(dx: Any, dy: Any, shape: Shape) -> tuple[Intervals, Intervals, Intervals]:
+def _at(dx: Number, dy: Number, shape: Shape) -> tuple[Intervals, Intervals, Intervals]:
     """Direction and length without their changes."""
     along, across = (as_intervals(constant(part), shape) for part in (dx, dy))
     return *unit_vector(along, across), length(along, across)
 
 
-def as_intervals(value: Any, shape: Shape) -> Intervals:
+def as_intervals(value: Number, shape: Shape) -> Intervals:
     """A number, or intervals of some shape, as an array of intervals of that shape."""
     if isinstance(value, Intervals) and value.shape == shape:
         return value

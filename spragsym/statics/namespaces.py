@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..numerics import interval_arrays
-from ..numerics.arithmetic import Arithmetic, is_zero
+from ..numerics.arithmetic import Arithmetic, Number, is_zero
 from ..numerics.interval_arrays import Intervals
 from ..numerics.jets import Functions, Jet, constant
 
@@ -40,23 +40,23 @@ class LawFunctions(Functions):
     #: π.
     pi = interval_arrays.PI
 
-    def of(self, name: str, value: Any) -> Any:
+    def of(self, name: str, value: Number) -> Any:
         """A function of one number or jet."""
         if name in ("sqrt", "log"):
             value = _not_negative(value)
         return super().of(name, value)
 
-    def exp(self, value: Any) -> Any:
+    def exp(self, value: Number) -> Any:
         """Exponential: 1 of the number 0."""
         return 1 if isinstance(value, int | float) and value == 0 else self.of("exp", value)
 
 
-def _enclosed(value: Any) -> Any:
+def _enclosed(value: Number) -> Any:
     """A number as an interval, so that a function of it is one that is rounded outward."""
     return Intervals.point([float(value)]) if isinstance(value, int | float) else value
 
 
-def _not_negative(value: Any) -> Any:
+def _not_negative(value: Number) -> Any:
     if isinstance(value, Jet):
         return Jet({**value.terms, (): _not_negative(_enclosed(value.value))}, value.order)
     return value.not_negative() if isinstance(value, Intervals) else value
@@ -65,7 +65,7 @@ def _not_negative(value: Any) -> Any:
 class FreeWaves(LawFunctions):
     """Functions with cosines and sines as free numbers from −1 to 1, the same for every value."""
 
-    def of(self, name: str, value: Any) -> Any:
+    def of(self, name: str, value: Number) -> Any:
         """A function of one number or jet."""
         return (
             Intervals(np.ones_like(self.taken(constant(value)).ends))
@@ -90,10 +90,10 @@ class Scaled(Arithmetic):
     __slots__ = ("order", "value", "w")
     __array_ufunc__ = None
 
-    def __init__(self, value: Any, order: int, w: Any) -> None:
+    def __init__(self, value: Number, order: int, w: Number) -> None:
         self.value, self.order, self.w = value, order, w
 
-    def _of(self, other: Any) -> Scaled:
+    def _of(self, other: Number) -> Scaled:
         return other if isinstance(other, Scaled) else Scaled(other, 0, self.w)
 
     def finite(self) -> Any:
@@ -108,7 +108,7 @@ class Scaled(Arithmetic):
     def __abs__(self) -> Scaled:
         return Scaled(abs(self.finite()), 0, self.w)
 
-    def __add__(self, other: Any) -> Scaled:
+    def __add__(self, other: Number) -> Scaled:
         other = self._of(other)
         if is_zero(other.value):
             return self
@@ -120,17 +120,17 @@ class Scaled(Arithmetic):
             self.w,
         )
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: Number) -> Any:
         other = self._of(other)
         if is_zero(other.value):
             return 0
         return Scaled(self.value * other.value, self.order + other.order, self.w)
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: Number) -> Any:
         other = self._of(other)
         return Scaled(self.value / other.value, self.order - other.order, self.w)
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: Number) -> Any:
         return self._of(other) / self
 
     def __pow__(self, power: int) -> Any:
@@ -143,7 +143,7 @@ class _ScaledFunctions:
     pi = XP.pi
 
     @staticmethod
-    def sqrt(value: Any) -> Any:
+    def sqrt(value: Number) -> Any:
         """Square root of an even order: half of it."""
         if not isinstance(value, Scaled):
             return XP.sqrt(value)
@@ -152,7 +152,7 @@ class _ScaledFunctions:
         return Scaled(XP.sqrt(value.value), value.order // 2, value.w)
 
     @staticmethod
-    def atan2(sine: Any, cosine: Any) -> Any:
+    def atan2(sine: Number, cosine: Number) -> Any:
         """Angle; of no number that runs to infinity."""
         raise NoChart
 
@@ -182,7 +182,7 @@ class Parity(Arithmetic):
     def __init__(self, odd: bool | None) -> None:
         self.odd = odd
 
-    def __add__(self, other: Any) -> Parity:
+    def __add__(self, other: Number) -> Parity:
         if not isinstance(other, Parity):
             return self if other == 0 or self.odd is False else Parity(None)
         return self if self.odd == other.odd else Parity(None)
@@ -193,14 +193,14 @@ class Parity(Arithmetic):
     def __abs__(self) -> Parity:
         return Parity(None if self.odd is None else False)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: Number) -> Any:
         if not isinstance(other, Parity):
             return self if other != 0 else 0
         return Parity(None if None in (self.odd, other.odd) else self.odd != other.odd)
 
     __truediv__ = __mul__
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: Number) -> Any:
         return self * other
 
     def __pow__(self, power: int) -> Parity:

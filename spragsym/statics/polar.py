@@ -47,6 +47,7 @@ from typing import Any
 import numpy as np
 
 from ..numerics import certified_roots, contractors, jets
+from ..numerics.arithmetic import Number
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import (
     HALF_TURN,
@@ -121,7 +122,7 @@ class Polar(StateSystem):
         at.fixed = self.turned(itertools.chain(*lines), angle)
         return at
 
-    def turned(self, directions: Iterable[Any], angle: Any) -> list[Any]:
+    def turned(self, directions: Iterable[Any], angle: Number) -> list[Any]:
         """Directions with the angle behind by which the torsion spring turns; without stiffness it
         does not matter.
         """

@@ -27,6 +27,7 @@ from ..core.errors import ParameterError
 from ..models.model import Model
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors, jets
+from ..numerics.arithmetic import Number
 from ..numerics.interval_arrays import (
     HALF_TURN,
     TINY,
@@ -342,7 +343,7 @@ class _Pressed:
     then cut off at 0.
     """
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: Number) -> Any:
         return other
 
     __rmul__ = __mul__
@@ -354,7 +355,7 @@ class _Pressed:
 class _Nothing:
     """1 − pushing and multiples of its square: 0, which cuts off at 0 what it is added to."""
 
-    def __mul__(self, other: Any) -> _Nothing:
+    def __mul__(self, other: Number) -> _Nothing:
         return self
 
     def __truediv__(self, other: int) -> _Nothing:

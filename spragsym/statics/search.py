@@ -220,7 +220,7 @@ def _arranged(
     count = np.bincount(point, minlength=size)
     slots = max(1, int(count.max(initial=0)))
 
-    def placed(values: NDArray[Any], empty: Any) -> NDArray[Any]:
+    def placed(values: NDArray[Any], empty: float | str) -> NDArray[Any]:
         out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)
         out[point, slot] = values
         return out.reshape(*shape, slots, *values.shape[1:])

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from ..models.model import Touching
 from ..numerics import balls
-from ..numerics.arithmetic import Matrix, characteristic, determinant, hurwitz, is_zero
+from ..numerics.arithmetic import Matrix, Number, characteristic, determinant, hurwitz, is_zero
 from ..numerics.balls import UndecidedSign, ball
 from ..numerics.interval_arrays import (
     BoolArray,
@@ -268,7 +268,7 @@ def decay(
     every second coefficient is 0.
     """
 
-    def asked(shift: Any) -> Ask:
+    def asked(shift: Number) -> Ask:
         return lambda at, taken: _routh_twice(
             shift, *map(taken, (at.mass(), at.damping(), at.stiffness()))
         )
@@ -291,7 +291,7 @@ def _types(at: State, taken: Taken) -> Matrix:
     return invariants(taken(at.stiffness()), taken(at.mass()))
 
 
-def _routh_twice(shift: Any, M: Matrix, C: Matrix, K: Matrix) -> Matrix:
+def _routh_twice(shift: Number, M: Matrix, C: Matrix, K: Matrix) -> Matrix:
     """:func:`_routh` for the imaginary axis, and for the line right of it by ``shift``."""
     moved = [
         [k + shift * (c + shift * m) for m, c, k in zip(*rows, strict=True)]

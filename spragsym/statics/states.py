@@ -95,7 +95,7 @@ def combination_of(
     count = mine.sum(axis=-1)
     there = np.arange(max(1, int(count.max(initial=0)))) < count[:, None]
 
-    def taken(name: str, empty: Any) -> NDArray[Any]:
+    def taken(name: str, empty: float) -> NDArray[Any]:
         column = eq[name if name in model.coordinates else own_name(model, name)]
         out = np.full(there.shape, empty, dtype=column.dtype)
         out[there] = column[mine]

@@ -68,7 +68,7 @@ def _solved(
     u: np.floating[Any],
     out: Slots,
     begin: int,
-    safe: Any,
+    safe: BoolArray | np.bool_,
 ) -> IntArray:
     """First the roots that every point has, one in contact and two in lift-off, then all of points
     that have two more.

@@ -3,7 +3,7 @@
 import sympy as sp
 
 from . import laws
-from .mechanics import SLIP, Mechanics, number
+from .mechanics import SLIP, Mechanics, NormalForce, number
 from .motion import Motion
 
 
@@ -16,10 +16,12 @@ def equations(model: Mechanics) -> list[str]:
     accelerations = sp.Matrix(model.coordinates).applyfunc(
         lambda symbol: sp.Symbol(rf"\ddot{{{names[symbol]}}}")
     )
+    either = [contact for contact in model.contacts if contact.either_face]
+    signs = {one.pushing: (1 + _sign(one)) / 2 for one in either}
     directions = (*(line.c for line in model.lines), *(line.s for line in model.lines))
     lines = []
     for row, inertia in enumerate(model.mass * accelerations):
-        force = sp.expand(-motion.pull[row])
+        force = sp.expand(-motion.pull[row].subs(signs))
         text = _latex(sp.collect(force, (*model.coordinates, *model.rates, *directions)), names)
         lines.append(
             f"{_latex(inertia, names)} {text if text.startswith('-') else f'+ {text}'} = 0"
@@ -39,6 +41,9 @@ def equations(model: Mechanics) -> list[str]:
             law = friction.ahead.subs(SLIP, sp.Symbol("v", positive=True))
             mu, slip = names[friction.mu], _latex(laws.slip(friction), names)
             lines.append(rf"{mu}(v) = {_latex(law, names)}, \quad v = {slip} > 0")
+    for contact in model.contacts:
+        if contact.either_face and contact.border is not None:
+            lines.append(f"N{_below(contact.name)} = {_latex(-contact.border, names)}")
     for contact in model.contacts:
         if not contact.in_coordinates and contact.gap is not None:
             lines.append(f"{names[contact.depth]} = {_latex(-contact.gap, names)}")
@@ -66,7 +71,13 @@ def _names(model: Mechanics) -> dict[sp.Symbol, str]:
     for contact in model.contacts:
         below = _below(contact.name)
         names |= {contact.pushing: r"\overline{n}" + below, contact.depth: r"\delta" + below}
+        names[_sign(contact)] = rf"(\operatorname{{sgn}} N{below})"
     return names
+
+
+def _sign(contact: NormalForce) -> sp.Symbol:
+    """The sign of its force, which tells the face that it presses on."""
+    return sp.Symbol(f"_sign_{contact.name}", real=True)
 
 
 def _below(name: str) -> str:

@@ -233,7 +233,8 @@ def _motion(model: pages.Model, data: Data | None, inputs: Collection[str]) -> t
         given=tuple(map(given, (*it.parameters, *measures))),
         step=float(f"{0.1 * time.nominal:.0e}"),
         borders=(
-            *(["gap"] if it.contact.unilateral and it.contact.gap is not None else []),
+            *(["gap"] if it.contact.unilateral else []),
+            *(["face"] if it.contact.either_face else []),
             *(["slip"] if it.friction.along is not None else []),
             *(["ahead", "behind"] if it.holds else []),
             *(f"turning{count}" for count, _ in enumerate(it.torsions, 1)),
@@ -284,7 +285,7 @@ _EXAMPLES = {
 def _examples(model: pages.Model) -> dict[str, dict[str, str]]:
     """By language, an example: a motion at the base values."""
     it = model.mechanics
-    count, opens = len(it.coordinates), it.contact.unilateral and it.contact.gap is not None
+    count, opens = len(it.coordinates), it.contact.unilateral
     values = {number(datum): repr(_base(it, datum)) for datum in it.parameters}
     common = {
         "count": str(count),

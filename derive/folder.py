@@ -30,7 +30,7 @@ from .emit.function import Module
 from .emit.quantities import interval
 from .emit import python
 from .emit.python import algebra
-from .mechanics import SIDE, Line, Mechanics, on
+from .mechanics import SIDE, Line, Mechanics, NormalForce, on
 from .model import Datum, Friction, Page, acceleration_of
 from .pages import Model
 
@@ -142,7 +142,7 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
         entries[str(torsion.way)] = f"{counted}; of torsion spring {count}"
     return entries | {
         **{str(it.mu): f"friction coefficient{on(it)}" for it in model.frictions},
-        **{str(it.pushing): f"1 in contact, 0 in lift-off{on(it)}" for it in model.contacts},
+        **{str(it.pushing): _sides(it) for it in model.contacts},
         str(
             SIDE
         ): f"1 where the belt is ahead, −1 where the mass is{', 0 where it sticks' * model.holds}",
@@ -155,6 +155,13 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
             for symbol in laws.near(9)
         },
     }
+
+
+def _sides(contact: NormalForce) -> str:
+    """In words: the two regimes of a contact, as PUSHING tells them."""
+    if contact.either_face:
+        return f"1 where N ≥ 0, 0 where N ≤ 0{on(contact)}"
+    return f"1 in contact, 0 in lift-off{on(contact)}"
 
 
 def description(model: Model) -> dict[str, Any]:
@@ -228,6 +235,7 @@ def description(model: Model) -> dict[str, Any]:
                 "name": contact.name,
                 "gap": None if contact.gap is None else str(contact.gap),
                 "unilateral": contact.unilateral,
+                "border": None if contact.border is None else str(contact.border),
                 "polynomial": contact.polynomial,
                 "line": contact.line,
             }

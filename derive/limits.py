@@ -43,8 +43,8 @@ EITHER_FACE = Limit(
     "a given normal force that is not seen to press, N >= 0, for all parameters of their domains "
     "and at all places",
     'give domains that decide it, as "> 0", or a form that does, as F_L*exp(y/L_0) in the place of '
-    "F_L + k*y; what presses on either of two faces, in a slot or on a hoop, is two contacts, "
-    "page.contact(gap, law, name=…) each, by a coordinate across the faces",
+    "F_L + k*y; what presses on either of two faces, in a slot or on a hoop, rubs with |N|: "
+    "page.normal_force(N, unilateral=False)",
 )
 PLANE = Limit(
     "friction in a plane, whose direction turns with the sliding",

@@ -17,7 +17,7 @@ def damping(model: Mechanics) -> sp.Matrix:
         if friction.along is not None:
             mu = laws.smooth_friction(friction, felt=True).subs(SIDE, 1)
             slopes = sp.Matrix([friction.along]).jacobian(model.coordinates).T
-            C -= friction.normal.force * slopes * sp.Matrix([mu]).jacobian(model.rates)
+            C -= friction.normal.rubbing * slopes * sp.Matrix([mu]).jacobian(model.rates)
     return C.subs(still).applyfunc(model.tidy)
 
 

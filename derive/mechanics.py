@@ -140,11 +140,17 @@ def _of(symbol: sp.Symbol, name: str) -> sp.Symbol:
 
 @dataclass(frozen=True)
 class NormalForce:
-    """The normal force of a contact: its law in :attr:`depth` behind a gap, or a given force."""
+    """The normal force of a contact: its law in :attr:`depth` behind a gap, or a given force.
+
+    Two regimes meet at its border. One that opens has its force where the gap is not positive and
+    none beyond. One that presses on either of two faces, as in a slot, has the same force N in
+    both, and rubs with the size of N: PUSHING tells the sign of N.
+    """
 
     name: str  #: empty of the only contact
     gap: sp.Expr | None
-    unilateral: bool
+    unilateral: bool  #: whether it opens
+    either_face: bool  #: whether it rubs on either of two faces
     law: sp.Expr  #: in the penetration
     #: Whether the law stands in coordinates, else in the penetration: see :func:`_in_coordinates`.
     in_coordinates: bool
@@ -178,6 +184,18 @@ class NormalForce:
     def force(self) -> sp.Expr:
         """The force, with PUSHING."""
         return self.pushing * self.push if self.unilateral else self.push
+
+    @property
+    def rubbing(self) -> sp.Expr:
+        """The force with which it rubs, with PUSHING."""
+        return (2 * self.pushing - 1) * self.push if self.either_face else self.force
+
+    @cached_property
+    def border(self) -> sp.Expr | None:
+        """Not positive where PUSHING is 1, not negative where it is 0; None of one regime."""
+        if self.either_face:
+            return -self.push if self.gap is None else -self.push.subs(self.depth, -self.gap)
+        return self.gap if self.unilateral else None
 
     @cached_property
     def energy(self) -> sp.Expr:
@@ -425,7 +443,7 @@ class Mechanics:
                     row -= contact.force * sp.diff(contact.gap, symbol)
             for friction in self.frictions:
                 if friction.along is not None:
-                    row -= friction.mu * friction.normal.force * sp.diff(friction.along, symbol)
+                    row -= friction.mu * friction.normal.rubbing * sp.diff(friction.along, symbol)
             rows.append(sp.collect(expanded(row), (*self.coordinates, *self.directions)))
         return tuple(rows)
 
@@ -617,7 +635,7 @@ def _applied(page: Page, scaled: _Scaled) -> Row:
 def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
     """The normal force of every contact of the page; of a page without one, of None, 0."""
     if not page.contacts:
-        return {None: NormalForce("", None, False, sp.S.Zero, False, 0)}
+        return {None: NormalForce("", None, False, False, sp.S.Zero, False, 0)}
     found: dict[Contact | None, NormalForce] = {}
     for contact in page.contacts:
         name = contact.name if len(page.contacts) > 1 else ""
@@ -625,7 +643,10 @@ def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
         gap = None if contact.gap is None else scaled(contact.gap)
         law = scaled(expression_of(contact.law(depth)))
         told = _in_coordinates(page, gap, law, depth)
-        found[contact] = NormalForce(name, gap, contact.unilateral, law, told, contact.line)
+        opens = contact.unilateral and gap is not None
+        rubs = any(friction.on in (None, contact) for friction in page.frictions)
+        either = rubs and not contact.unilateral
+        found[contact] = NormalForce(name, gap, opens, either, law, told, contact.line)
     return found
 
 

@@ -167,7 +167,8 @@ class Force:
 class Contact:
     """A normal force: a law of the penetration −gap, or a given force where ``gap`` is None.
 
-    ``unilateral`` contact has no force where the gap is positive. Of several each has a ``name``.
+    ``unilateral`` contact has no force where the gap is positive, and none of a given force ever
+    pulls; other contact never opens. Of several each has a ``name``.
     """
 
     gap: sp.Expr | None
@@ -430,7 +431,9 @@ class Page:
         self, gap: sp.Expr, law: Law, unilateral: bool = True, *, name: str = ""
     ) -> Contact:
         """A normal force as a ``law`` of the penetration −gap; where the gap is positive there is
-        none, if ``unilateral``, and the law is ≥ 0 for all parameters of their domains.
+        none, if ``unilateral``, and the law is ≥ 0 for all parameters of their domains. One that is
+        not never opens, as in a slot: where N is negative the mass is pressed on the opposite face,
+        and friction is that of the size of N.
 
         A page with several contacts gives each a ``name``; without friction on it, one is a stop.
         """
@@ -439,13 +442,14 @@ class Page:
         self._check_speeds(distance, "the gap")
         return self._pressed(Contact(distance, law, unilateral, _line(), name))
 
-    def normal_force(self, force: sp.Expr, *, name: str = "") -> Contact:
+    def normal_force(self, force: sp.Expr, unilateral: bool = True, *, name: str = "") -> Contact:
         """A given normal force, in the place of a contact law: N ≥ 0 for all parameters of their
-        domains and at all places.
+        domains and at all places; of any sign if not ``unilateral``, and then friction is that of
+        the size of N.
         """
         given = expression_of(force)
         self._check_speeds(given, "the normal force", limits.NORMAL_SPEED)
-        return self._pressed(Contact(None, lambda depth: given, False, _line(), name))
+        return self._pressed(Contact(None, lambda depth: given, unilateral, _line(), name))
 
     def _pressed(self, contact: Contact) -> Contact:
         _check_texts(name=contact.name)

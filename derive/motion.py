@@ -62,7 +62,7 @@ class Motion:
         """
         if not self.model.holds:
             return {}
-        force = (1 - STUCK) * MU * self.model.contact.force + STUCK * self.holding
+        force = (1 - STUCK) * MU * self.model.contact.rubbing + STUCK * self.holding
         return {**self.inverted, STUCK: 1 - SIDE**2, MU: self.friction, FRICTION: force}
 
     def margins(self, force: sp.Expr) -> Row:
@@ -70,7 +70,7 @@ class Motion:
         positive while friction holds.
         """
         ahead, behind = (
-            coefficient * self.model.contact.force
+            coefficient * self.model.contact.rubbing
             for coefficient in laws.static_coefficients(self.model.friction)
         )
         return ahead - force, behind + force
@@ -205,7 +205,7 @@ class Motion:
         """
         if not self.model.holds:
             return self.model.derivative(self.friction, symbol)
-        slipping = self.model.derivative(self.friction * self.model.contact.force, symbol)
+        slipping = self.model.derivative(self.friction * self.model.contact.rubbing, symbol)
         changes = zip(self.along, self.slopes(symbol, sp.S.Zero), strict=True)
         change = self.model.derivative(self.rate(self.borders[1], self.named), symbol) - sum(
             a * b for a, b in changes
@@ -296,7 +296,7 @@ class Motion:
     @cached_property
     def friction_force(self) -> sp.Expr:
         """In MU."""
-        return sp.S.Zero if self.model.friction.along is None else MU * self.model.contact.force
+        return sp.S.Zero if self.model.friction.along is None else MU * self.model.contact.rubbing
 
     @cached_property
     def damper_power(self) -> sp.Expr:
@@ -333,7 +333,7 @@ class Motion:
         change = sp.S.Zero
         for symbol, rate, pull in zip(it.coordinates, it.rates, self.pull, strict=True):
             change += it.derivative(self.stored, symbol) * rate + rate * pull  # vᵀ M q″
-        rubbing = sum((one.mu * one.normal.force * one.rate for one in it.frictions), sp.S.Zero)
+        rubbing = sum((one.mu * one.normal.rubbing * one.rate for one in it.frictions), sp.S.Zero)
         powers = rubbing + self.damper_power + self.applied_power
         turned = {
             node: sp.Dummy(real=True) for pair in waves(sp.Tuple(change, powers)) for node in pair
@@ -348,10 +348,10 @@ class Motion:
 
     @cached_property
     def borders(self) -> Row:
-        """What is zero on a kink of the field: every gap, every sliding speed."""
+        """What is zero on a kink of the field: the border of every contact, every sliding speed."""
         it = self.model
         return (
-            *(contact.gap if contact.unilateral else sp.S.One for contact in it.contacts),
+            *(sp.S.One if contact.border is None else contact.border for contact in it.contacts),
             *(
                 laws.slip(friction) if friction.along is not None else sp.S.One
                 for friction in it.frictions
@@ -484,7 +484,7 @@ def module(model: Mechanics) -> Module:
     signs = {
         # A law with a root has no slope at its border, which is then lift-off's.
         below: 1 + reached(-borders[0]) if model.contact.polynomial else 1 - reached(borders[0]),
-        PUSHING: below / 2 if model.contact.unilateral else sp.S.One,
+        PUSHING: below / 2 if model.contact.border is not None else sp.S.One,
         SIDE: motion.side,
     }
     kinked = {**signs, **dict.fromkeys(felt, sp.S.One), **shorthands}
@@ -624,7 +624,7 @@ def _stored(motion: Motion, moving: Symbols) -> tuple[Function, ...]:
 
 
 def _kinks(motion: Motion) -> tuple[Function, ...]:
-    """Every gap and every sliding speed."""
+    """Every contact's border and every sliding speed."""
     model, accelerations = motion.model, motion.named
     place = (*model.coordinates, *model.rates)
     gaps, slips = ("gap, slip", "gap and the sliding speed")

@@ -215,7 +215,8 @@ def _check_contact(model: Mechanics, contact: NormalForce) -> None:
             "the normal force is 0, so that nothing pushes and nothing rubs; give one that is "
             "positive",
         )
-    if contact.line and contact.gap is None and not signs.is_nonnegative(model, contact.law):
+    given = contact.line and contact.gap is None and not contact.either_face
+    if given and not signs.is_nonnegative(model, contact.law):
         where = signs.witness(model, contact.law)
         pulls = f" pulls: {where}; " if where else ": "
         raise PageError(contact.line, f"the normal force {contact.law}{pulls}{limits.EITHER_FACE}")

@@ -9,7 +9,7 @@ import sympy as sp
 from .algebra import Row, Symbols, expanded
 from . import laws, balance_rows, symmetry
 from .emit.function import Function, Module, of_page, rows
-from .mechanics import FrictionForce, Mechanics, named, number, on
+from .mechanics import FrictionForce, Mechanics, NormalForce, named, number, on
 
 
 def parameters(model: Mechanics) -> Symbols:
@@ -134,10 +134,10 @@ def module(model: Mechanics) -> Module:
             *(
                 function(
                     named("contact_gap", contact),
-                    f"The gap{on(contact)}: contact where it is not positive.",
+                    _border(contact),
                     place,
-                    sp.S.Zero if contact.gap is None else contact.gap,
-                    "gap",
+                    contact.border or contact.gap or sp.S.Zero,
+                    "minus N" if contact.either_face else "gap",
                 )
                 for contact in model.contacts
             ),
@@ -210,6 +210,12 @@ def module(model: Mechanics) -> Module:
             *apart,
         ),
     )
+
+
+def _border(contact: NormalForce) -> str:
+    if contact.either_face:
+        return f"Minus the normal force{on(contact)}: the mass is on the opposite face where > 0."
+    return f"The gap{on(contact)}: contact where it is not positive."
 
 
 def _friction(model: Mechanics, friction: FrictionForce) -> tuple[Function, ...]:

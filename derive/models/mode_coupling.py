@@ -14,7 +14,8 @@ form.
      ============================>  V
                  belt
 
-A mass is pressed on a belt by F_L and always touches it, through the contact stiffness k_c. Springs
+A mass is pressed on a belt by F_L and always touches it, through the contact stiffness k_c; where
+the contact would pull, it is an opposite face that presses and rubs, as in a slot. Springs
 k_x and k_y tie it to the ground along the belt and across it, and a third one, k, under 45°,
 couples the two: its length changes by (x − y)/√2. All of it is linear. In units of k_c the
 stiffness matrix is, with α = k_x/k_c, β = k_y/k_c and σ = k/k_c,

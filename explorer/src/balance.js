@@ -52,7 +52,7 @@ export function balanceAt(algebra, about, point) {
     const normal = algebra.contact_force?.(...q, ...motion, pushing(contact)) ?? 0;
     const springs = tensions.map((tension, i) => [tension * along[3 * i], tension * along[3 * i + 1]]);
     return {
-      tensions, normal, friction: mu * normal,
+      tensions, normal, friction: mu * Math.abs(normal),
       vectors: { springs, normal: less(smooth, alone), friction: less(all, smooth), others: less(springs.reduce((sum, one) => sum.map((value, k) => value + one[k]), alone), [0, 0]) },
     };
   }

@@ -14,7 +14,7 @@ const STILL = 2e-12;
 export function fieldOf(algebra, about, balance) {
   const n = about.coordinates.length;
   const near = Array(about.layers).fill(1);
-  const lifts = about.unilateral && about.gap !== null;
+  const lifts = Boolean(about.apart);
   const holds = Boolean(algebra.grip);
 
   function called(name, state, { contact, side, ways }) {

@@ -92,7 +92,7 @@ function starts(balance, about, contact) {
 
 /** Whether a state lies on the side of the contact that it was searched on. */
 export function belongs(balance, about, q, contact) {
-  if (!about.unilateral || about.gap === null) {
+  if (!about.apart) {
     return true;
   }
   const gap = balance.gap(q);
@@ -116,7 +116,7 @@ export function described(balance, q, contact, told = null) {
  * States found at a point, on both sides of the contact or on some, in contact first, by ascending first coordinate. Where they can't be told apart the list is empty and has
  * `undecided`.
  */
-export function search(balance, about, sides = about.unilateral && about.gap !== null ? [true, false] : [true]) {
+export function search(balance, about, sides = about.apart ? [true, false] : [true]) {
   const found = [];
   for (const contact of sides) {
     const mine = [];

@@ -13,7 +13,7 @@ const ABOUT = {
 };
 
 /** What a state of either side of the contact is called. */
-export const regimeOf = (about, contact) => (about.unilateral && about.gap !== null ? (contact ? "contact" : "lift-off") : "sliding");
+export const regimeOf = (about, contact) => (about.apart ? (contact ? "contact" : about.apart) : "sliding");
 
 /** Columns of the table: each a title and what it says of a state, `of` being what acts on it. */
 function columns(about, units) {
@@ -65,7 +65,7 @@ export function counted(about, { states, lost }) {
   if (lost) {
     return "undecided";
   }
-  const sides = about.unilateral && about.gap !== null ? [true, false] : [true];
+  const sides = about.apart ? [true, false] : [true];
   return sides.map((contact) => {
     const side = regimeOf(about, contact);
     return `${states.filter((state) => state.contact === contact).length} ${side === "sliding" ? side : `in ${side}`}`;

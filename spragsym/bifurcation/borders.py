@@ -21,7 +21,7 @@ import numpy as np
 
 from ..core.errors import ConvergenceError
 from ..display import own_name
-from ..models.model import Touching
+from ..models.model import Touching, label_of
 from ..models.parameters import Ranges
 from ..numerics.arithmetic import determinant
 from ..numerics.interval_arrays import (
@@ -80,7 +80,7 @@ def borders(
                 there = search(family, touch(contact))
                 kind = _kinds(family, there, other)
                 at = own_name(p.model, "at_border")
-                more = {at: np.full(kind.size, balance.contacts[contact])}
+                more = {at: np.full(kind.size, label_of(p.model.contacts[contact]))}
                 found.append(arranged(family, there, kind, more))
     return found
 
@@ -88,7 +88,7 @@ def borders(
 def combination(points: Points, row: int) -> Touching:
     """The contacts that touch at a point."""
     model = points.parameters.model
-    if len(model.contacts) == 1:
+    if not model.has_regimes:
         return True
     return tuple(str(points[own_name(model, "touching")][row]).split(", "))
 
@@ -97,12 +97,13 @@ def met_by(points: Points, balance: Balance) -> BoolArray:
     """Points that a state of one combination of contacts may come to: those of its own, and borders
     at which one more contact is regained.
     """
-    if len(balance.contacts) == 1:
+    if not balance.model.has_regimes:
         return np.ones(len(points), dtype=np.bool_)
     at_border = points[own_name(balance.model, "at_border")]
     every = zip(points[own_name(balance.model, "touching")], at_border, strict=True)
-    own = set(balance.touching.split(", "))
-    names = [(set(touching.split(", ")), {at}) for touching, at in every]
+    labels = {label_of(entry) for entry in balance.model.contacts}
+    own = {*balance.touching.split(", ")} & labels
+    names = [({*touching.split(", ")} & labels, {at}) for touching, at in every]
     return np.array([own in (names, names - at) for names, at in names], dtype=np.bool_)
 
 
@@ -207,7 +208,8 @@ def _at_border(points: Points, row: int) -> tuple[str, str]:
     p, contact = points.parameters.of(model.search), combination(points, row)
     family = Family.of(p, points.vary, contact=contact)
     closed = family.balance
-    number = closed.contacts.index(points[own_name(model, "at_border")][row])
+    labels = [label_of(entry) for entry in model.contacts]
+    number = labels.index(points[own_name(model, "at_border")][row])
     z = np.array([float(points[name][row]) for name in (*closed.coordinates, *points.vary)])
     ends = ends_around(z, points.error[row] * scale_of(z))[:, :, None]
     with quiet():

@@ -155,7 +155,7 @@ def flutter_onsets(
     ([0.101, 1.4035], ['gentle', 'dangerous'])
     """
     name = p.model.one(vary)
-    contacts = [balance.contact for balance in balances_of(p.model, None)]
+    contacts = [balance.contact for balance in balances_of(p.model, None, within)]
     families = (
         Family.of(p, (name,), between, within, contact=contact, options=options)
         for contact in contacts

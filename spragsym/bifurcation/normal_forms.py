@@ -235,7 +235,7 @@ class _Point:
         constants = self._constants(self.values)
         gap, slip = undecorated(self.model.algebra.borders)(*self.state, *constants, xp=XP)
         contact = self.model.contact
-        if contact["unilateral"] and not balls.sign(gap) < 0:
+        if contact["border"] and not balls.sign(gap) * (2 * self.mode[0] - 1) < 0:
             line = contact["line"]
             raise UndecidedSign(
                 f"the state lies on the border of contact, where the law of line {line} of "

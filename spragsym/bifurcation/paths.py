@@ -203,7 +203,7 @@ def open_ends(
     """Where states leave the contact or come into it, and where they run to infinity, if they do,
     beside the folds ``turns``.
     """
-    balances, found = balances_of(p.model, None, options), list[Points]()
+    balances, found = balances_of(p.model, None, options=options), list[Points]()
     family_of = functools.partial(Family.of, p, (vary,), {vary: span}, options=options)
     known = {tuple(balance.pushing) for balance in balances}
     for balance in balances:
@@ -243,7 +243,9 @@ class Way:
         self.options = options or ContinuationOptions()
         self.search = self.options.asked
         #: Of every combination of contacts that touch, by the names of these, its balance.
-        self.balances = {one.touching: one for one in balances_of(p.model, None, self.search)}
+        self.balances = {
+            one.touching: one for one in balances_of(p.model, None, options=self.search)
+        }
         self.p, self.vary, self.balance = p, vary, next(iter(self.balances.values()))
         p.model.require_parameter(vary)
         try:

@@ -194,7 +194,7 @@ def arranged(
 
 def which(balance: Balance, size: int) -> dict[str, Any]:
     """Columns that say which contacts touch, and which only just, of a model with several."""
-    if len(balance.contacts) == 1:
+    if not balance.model.has_regimes:
         return {}
     touching, at_border = (own_name(balance.model, name) for name in ("touching", "at_border"))
     return {touching: np.full(size, balance.touching), at_border: np.full(size, "")}

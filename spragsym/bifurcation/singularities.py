@@ -93,7 +93,7 @@ def folds_of(
     """All folds and pitchforks along one parameter, and border points between combinations of
     contacts that touch; arguments as of :func:`spragsym.folds`.
     """
-    balances = balances_of(p.model, None, options)
+    balances = balances_of(p.model, None, within, options)
     parts = [_folds_in(balance, p, vary, between, within) for balance in balances]
     parts += borders(balances, p, vary, between, within)
     return replace(joined(parts), _ended=ended)

@@ -7,10 +7,11 @@ curves, which begin and end at h = ±1 or where the contact opens, and may turn 
 On a curve a coordinate is least and largest at its ends, or where it turns back itself: there the
 slopes of the forces by the other coordinates and h are singular.
 
-|F| ≤ μ_s N holds nothing where N ≤ 0. A contact that opens has no such state, and one that never
-does, a slot, rubs with |N| on either face, by which the same states stick. A given normal force is
-nowhere negative, or its page is refused: states in which it is 0 are left out. It is so all along a
-curve, since a state with N = 0 is one without friction, at every h.
+|F| ≤ μ_s N holds nothing where N ≤ 0. A contact that opens has no such state, and one that presses
+on either of two faces rubs with |N|, by which the same states stick as by N, with shares of the
+other sign. Any other given normal force is nowhere negative, or its page is refused: states in
+which it is 0 are left out. It is so all along a curve, since a state with N = 0 is one without
+friction, at every h.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ import numpy as np
 
 from ..core.errors import ConvergenceError, ModelError, ParameterError
 from ..core.questions import Method, question
-from ..models.model import Model, parameter_class
+from ..models.model import Model, parameter_class, presses_either
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import determinant
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, quiet, scale_of
@@ -151,6 +152,9 @@ def _held(model: Model) -> Any:
         "high_open": False,
     }
     about["parameters"] = [*about["parameters"], share]
+    about["contacts"] = [
+        {**entry, "border": None} if presses_either(entry) else entry for entry in model.contacts
+    ]
     about["arguments"] = arguments | {name: [*arguments["motion"], HELD] for name in law}
     kind: Any = parameter_class(about, model.where)
     module: Any = SimpleNamespace(**vars(algebra) | law)
@@ -233,7 +237,8 @@ def _sets(p: ParameterSet, way: Way, turns: Sequence[Points]) -> StickingStates:
         for slot in sorted({*range(eq.count[stop])} - {*goals}):
             link(stop, slot, stop - 1, ~way.vanishing(stop, slot, stop - 1))
     error = np.concatenate([eq.error[eq.states], way.turns.error])
-    pressed = _pressed(way, q, error)
+    either = presses_either(p.model.contact)
+    pressed = np.ones(error.shape, dtype=np.bool_) if either else _pressed(way, q, error)
     sets = [labels == label for label in np.unique(labels[pressed])]
     if any(not pressed[one].all() for one in sets):
         raise ConvergenceError("the normal force is 0 in some of connected states of sticking")

@@ -19,6 +19,7 @@ import numpy as np
 
 from ..core.errors import ConvergenceError, ModelError
 from ..models.forces import named
+from ..models.model import presses_either
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import cofactor, determinant, is_zero
 from ..numerics.interval_arrays import Intervals, quiet
@@ -129,7 +130,12 @@ def _balanced(p: ParameterSet) -> _Balanced:
             else (at.call(named("friction_at_speed", one), ()),) * 2
             for one in balance.rubbing
         ]
-        normal = [at.contact_force(balance.contacts.index(one), 1) for one in holding]
+        numbers = [balance.contacts.index(one) for one in holding]
+        normal = [
+            abs(force) if presses_either(p.model.contacts[k]) else force
+            for k in numbers
+            for force in (as_intervals(at.contact_force(k, 1), ONE),)
+        ]
         slopes = [gradient(row, balance.n + len(balance.rubbing)) for row in rows]
         pairs = [tuple(pair) for pair in coefficients]
         K, C = [row[: balance.n] for row in slopes], [row[balance.n :] for row in slopes]
@@ -137,7 +143,7 @@ def _balanced(p: ParameterSet) -> _Balanced:
             constant(row) + sum(mid * C[r][i] for i, (mid, _) in enumerate(pairs))
             for r, row in enumerate(rows)
         ]
-    return _Balanced(balance, K, C, balanced, pairs, [as_intervals(force, ONE) for force in normal])
+    return _Balanced(balance, K, C, balanced, pairs, normal)
 
 
 def _solution(A: list[list[Any]], det: Intervals, right: list[Any]) -> list[Intervals]:

@@ -324,7 +324,7 @@ def cycles(
     phases = case.rows(
         {"t": modes.t, "duration": modes.duration},
         type(modes),
-        state=["contact" if held else "lift-off" for held in modes.contact],
+        state=["contact" if held else case.model.regimes[False] for held in modes.contact],
         slip=[slips[side] for side in modes.side.tolist()],
     )
     if prove:

@@ -150,6 +150,8 @@ class Field:
         process; empty where none does.
     ways : int
         How many numbers at the end of a mode go with the place alone.
+    faces : int
+        How many at its beginning do: 1 of a contact that presses on either of two faces.
     curved : bool
         Whether a level is no linear function of the state.
     around : tuple of int
@@ -186,6 +188,7 @@ class Field:
     forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
     where: str = ""
     ways: int = 0
+    faces: int = 0
     curved: bool = False
     around: tuple[int, ...] = ()
     model: Any = None
@@ -205,13 +208,12 @@ class Field:
         return replace(self, lead=lead, natural=natural)
 
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
-        """The first mode, but for its last numbers, which are as at the state."""
-        first = self.modes[0]
-        return (
-            first[: -self.ways] + self.initial_mode(state, constants)[-self.ways :]
-            if self.ways
-            else first
-        )
+        """The first mode, but for the numbers that go with the place, which are as at the state."""
+        first, last = self.modes[0], len(self.modes[0]) - self.ways
+        if not (self.ways or self.faces):
+            return first
+        here = self.initial_mode(state, constants)
+        return here[: self.faces] + first[self.faces : last] + here[last:]
 
     @cached_property
     def holding(self) -> tuple[Border, ...]:
@@ -289,6 +291,7 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
         lambda mode: (*mode[:2], *(1,) * motion.layers, *mode[motion.turn :]),
         where=model.where,
         ways=motion.torsions,
+        faces=motion.faces,
         forces=tuple(forces.told_of(model).items()),
         curved=model.about.get("curved", False),
         around=tuple(
@@ -354,7 +357,9 @@ class _Motion:
         self.turns = int(
             self.rooted and self.contact["unilateral"] and self.contact["gap"] in model.coordinates
         )
-        lifts = self.contact["gap"] is not None and self.contact["unilateral"]
+        lifts = self.contact["border"] is not None
+        #: How many numbers at the beginning of a mode go with the place alone.
+        self.faces = int(lifts and not self.contact["unilateral"])
         sizes = levels or (1.0, 1.0)
         #: How far before its border a law that is no polynomial is left, for it may have no
         #: continuation beyond; and up to which sliding speed nothing slides.
@@ -405,7 +410,7 @@ class _Motion:
         turn = [2 * (state[n + self._gap] >= 0) - 1] if self.turns else []
         ways = (2 * (sine >= 0) - 1 for sine, _ in self._turned(state, constants))
         # A law that is no polynomial begins without contact on the border itself.
-        pushing = 1 * (gap <= -self.shift) if self.contact["unilateral"] else 1
+        pushing = 1 * (gap <= -self.shift) if self.contact["border"] else 1
         mode = pushing, side, *near, *turn, *ways
         return self.held(mode, state, constants) if self.holds and abs(slip) <= self.still else mode
 
@@ -455,8 +460,8 @@ class _Motion:
 
     def borders(self) -> Iterator[Border]:
         """All borders between modes."""
-        of_gap, of_slip, reach = self.contact["gap"], self.model.friction_law, self.reach
-        if of_gap is not None and self.contact["unilateral"]:
+        of_gap, of_slip, reach = self.contact["border"], self.model.friction_law, self.reach
+        if of_gap is not None:
             levels = self._generated("borders", "border_rates", 0, shift=lambda _: self.shift)
             sign, opened = _side(0, 1)
 
@@ -469,7 +474,9 @@ class _Motion:
                 *levels,
                 sign,
                 lifted,
-                crossings=("contact_lost", "contact_regained"),
+                crossings=("face_left", "face_regained")
+                if self.faces
+                else ("contact_lost", "contact_regained"),
             )
         if of_slip is not None:
             along = of_slip["along"]

@@ -27,6 +27,20 @@ from .parameters import ANGLE, FINITE, FloatArray, ParameterSet, Range, as_numbe
 Touching: TypeAlias = bool | tuple[str, ...]
 
 
+#: The face that a contact presses on where N is negative.
+OPPOSITE = "opposite face"
+
+
+def presses_either(contact: Mapping[str, Any]) -> bool:
+    """Whether a contact presses on either of two faces, and rubs on both."""
+    return contact["border"] is not None and not contact["unilateral"]
+
+
+def label_of(contact: Mapping[str, Any]) -> str:
+    """The name of a contact, in words where it has none."""
+    return contact["name"] or "face"
+
+
 class Model:
     """A loaded model: its names, parameters, generated functions and closed forms.
 
@@ -174,16 +188,25 @@ class Model:
         """What ``contact`` may be for equilibria, and what each is called.
 
         True where all contacts touch, False where none of those that can open does, else the names
-        of those of them that do.
+        of those of them that do. One that presses on either of two faces, as in a slot, "touches"
+        on its own face, where N is not negative.
         """
-        if all(entry["gap"] is None for entry in self.contacts):
+        if all(entry["gap"] is None and not entry["border"] for entry in self.contacts):
             return {True: "sliding" if self.frictions else "rest"}
-        opening = [entry["name"] for entry in self.contacts if entry["unilateral"]]
+        opening = [label_of(entry) for entry in self.contacts if entry["border"]]
         found: dict[Touching, str] = {True: "contact"}
         for count in reversed(range(1, len(opening))):
             for some in itertools.combinations(opening, count):
                 found[some] = f"contact of {', '.join(some)} alone"
-        return found | ({False: "lift-off"} if opening else {})
+        apart = "lift-off" if any(entry["unilateral"] for entry in self.contacts) else OPPOSITE
+        return found | ({False: apart} if opening else {})
+
+    @property
+    def has_regimes(self) -> bool:
+        """Whether equilibria are those of more regimes than one: of several contacts, or of one
+        that presses on either of two faces.
+        """
+        return len(self.contacts) > 1 or presses_either(self.contacts[0])
 
     @property
     def base(self) -> dict[str, float]:

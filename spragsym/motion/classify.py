@@ -25,7 +25,7 @@ from .regimes import Outcome, Regime
 from .return_map import NOISE, Onward, leads, on_cycle
 
 #: Events of the contact.
-CONTACT = [Event.CONTACT_LOST, Event.CONTACT_REGAINED]
+CONTACT = [Event.CONTACT_LOST, Event.CONTACT_REGAINED, Event.FACE_LEFT, Event.FACE_REGAINED]
 
 #: Fewest maxima of x in a window from which a decay is read.
 FEW = 8

@@ -48,8 +48,10 @@ MOST, STABLE = 1e6, 0.5
 class Event(IntEnum):
     """Which border of the piecewise smooth field the motion crosses at an event.
 
-    The first two are of the contact. The mass overtakes the belt, or the belt the mass, where the
-    sliding speed passes 0; where friction holds the mass there, it sticks, until it slips.
+    The first two are of the contact. One that presses on either of two faces leaves its own face
+    where the normal force passes 0, and regains it. The mass overtakes the belt, or the belt the
+    mass, where the sliding speed passes 0; where friction holds the mass there, it sticks, until it
+    slips.
     """
 
     CONTACT_LOST = 0
@@ -58,6 +60,8 @@ class Event(IntEnum):
     BELT_OVERTAKES = 3
     STICK = 4
     SLIP = 5
+    FACE_LEFT = 6
+    FACE_REGAINED = 7
 
 
 @dataclass(frozen=True)

@@ -494,11 +494,9 @@ class Trajectory(Named):
         return [float(value) for value in self.model.arguments(self.p, "motion")]
 
     def _levels(self) -> tuple[FloatArray, FloatArray]:
-        """Gap and sliding speed at the samples; the gap is negative of a contact that always
-        pushes.
-        """
+        """The contact's border, negative where there is none, and sliding speed at the samples."""
         gap, slip = self.model.algebra.borders(*self.state, *self._arguments())
-        return gap if self.model.contact["unilateral"] else np.full_like(slip, -1.0), slip
+        return gap if self.model.contact["border"] else np.full_like(slip, -1.0), slip
 
     def _sides(self) -> IndexArray:
         """The sign of the sliding speed at the samples, 0 where the mass sticks."""
@@ -518,7 +516,9 @@ class Trajectory(Named):
         """
         sides = self._sides()
         lifted, stuck = (np.diff(part.astype(int)) for part in (self._levels()[0] > 0, sides == 0))
-        changes = (lifted, 1), (np.diff(sides), -2), (stuck, 1)
+        none = np.zeros_like(lifted)
+        opens, turns = (none, lifted) if self.model.field.faces else (lifted, none)
+        changes = (opens, 1), (np.diff(sides), -2), (stuck, 1), (turns, 1)
         return np.array(
             [
                 np.count_nonzero(change == way * first)

@@ -83,7 +83,8 @@ class EquilibriumBranch(Result):
     stable : ndarray of bool, shape (n,)
         Whether small deviations decay, or at least do not grow.
     mode : str
-        ``"contact"`` or ``"lift-off"``.
+        ``"contact"`` or ``"lift-off"``; of a contact that presses on either of two faces
+        ``"opposite face"``.
     """
 
     values: FloatArray
@@ -409,7 +410,9 @@ def _equilibria(
                 [max(value.real for value in rest.eigenvalues(each)) < NEUTRAL for each in line]
             )
             values = np.array([each.value for each in line])
-            branch = EquilibriumBranch(values, states, stable, "contact" if contact else "lift-off")
+            branch = EquilibriumBranch(
+                values, states, stable, "contact" if contact else model.regimes[False]
+            )
             yield branch, list(_labels(rest, line, len(found)))
             found.append((contact, line))
 

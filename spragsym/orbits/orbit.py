@@ -324,7 +324,8 @@ class Phases(Result):
     t, duration : ndarray, shape (k,)
         When each begins, from the state of the cycle on, and how long it lasts.
     contact : ndarray of int, shape (k,)
-        1 in contact, 0 in lift-off.
+        1 in contact, 0 in lift-off; of a contact that presses on either of two faces 1 where N is
+        not negative, 0 on the opposite one.
     side : ndarray of int, shape (k,)
         1 where the belt is ahead, −1 where the mass is, 0 where it sticks.
     """
@@ -332,7 +333,7 @@ class Phases(Result):
     schema = (
         Column("t", "s", "begin of the mode"),
         Column("duration", "s", "duration of the mode"),
-        Column("contact", "1", "1 in contact, 0 in lift-off"),
+        Column("contact", "1", "1 in contact, 0 in lift-off or on the opposite face"),
         Column("side", "1", "1 where the belt is ahead, -1 where the mass is, 0 where it sticks"),
     )
 

@@ -81,7 +81,7 @@ _LINEARIZED: Mapping[str, tuple[str, Any]] = {
 def _names(model: Model, more: tuple[str, ...]) -> tuple[str, ...]:
     """Names of all columns: where states are, forces, and ours."""
     made = (each.name for each in Equilibria.schema if each.of is not None)
-    several = ["touching"] if len(model.contacts) > 1 else []
+    several = ["touching"] if model.has_regimes else []
     ours = (own_name(model, name) for name in (*several, *_KNOWN, *_LINEARIZED, *made, *more))
     return tuple(dict.fromkeys([*model.places, *told_of(model), *model.parameters, *ours]))
 
@@ -111,7 +111,8 @@ class Equilibria(OfStates):
         Why the result is not complete: what is known of these boxes, and what was searched where
         that is not everything.
     touching : ndarray of str
-        Of a model with several contacts: those that touch, as ``"front, rear"``.
+        Of a model with several contacts: those that touch, as ``"front, rear"``. Of one that
+        presses on either of two faces: ``"face"``, where N is not negative, or ``"opposite face"``.
     stability : ndarray of str
         Small deviations in the motion that the page describes, by det(λ² M + λ C + K) = 0, with
         dampers and slope of the friction law: ``"stable"``, they decay; ``"unstable"``, they grow;

@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..models.model import Model
+from ..models.model import OPPOSITE, Model, label_of, presses_either
 from ..models.quantities import Unit
 from ..numerics import balls, contractors, jets
 from ..numerics.arithmetic import Matrix, Number, is_zero
@@ -52,17 +52,21 @@ class Balance(Forces, StateSystem):
 
     def without(self, contact: int) -> Balance:
         """The balance where that contact is open and the others are as here."""
-        names = zip(self.contacts, self.pushing, strict=True)
-        touching = tuple(name for k, (name, one) in enumerate(names) if one and k != contact)
+        each = zip(self.model.contacts, self.pushing, strict=True)
+        touching = tuple(label_of(it) for k, (it, one) in enumerate(each) if one and k != contact)
         return Balance(
             self.model, touching, room=self.room, beyond=self.beyond, options=self.options
         )
 
     @property
     def touching(self) -> str:
-        """Names of the contacts that touch."""
-        names = zip(self.contacts, self.pushing, strict=True)
-        return ", ".join(name for name, one in names if one)
+        """Names of the contacts that touch, and of those whose opposite face does."""
+        each = zip(self.model.contacts, self.pushing, strict=True)
+        return ", ".join(
+            label_of(it) if one else f"{OPPOSITE} of {it['name']}".removesuffix(" of ")
+            for it, one in each
+            if one or presses_either(it)
+        )
 
     def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
         """The forces."""

@@ -36,7 +36,9 @@ def equilibria(
         n̄ = 1 and n̄ = 0 of the article. Of several contacts, that open, True is for all of them,
         False for none, and names are for these and no others, as ``("front",)``. Left out, states
         in which at least one touches: each combination is searched and proved on its own, and the
-        column ``touching`` says which it is.
+        column ``touching`` says which it is. A contact that presses on either of two faces, as in
+        a slot, rubs with the size of N: True is for states with N ≥ 0, False for those with N ≤ 0,
+        left out both are searched.
     within : mapping, optional
         Ranges of coordinates that are searched, as ``{"x": (-5.0, 5.0)}``. Without it a box that is
         proved to hold all of them; where there is no such proof, ten times the largest length that

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..models.field import undecorated
 from ..models.forces import named
-from ..models.model import Model, Touching
+from ..models.model import Model, Touching, label_of
 from ..numerics import jets
 from ..numerics.arithmetic import Matrix, Number, is_zero
 from ..numerics.interval_arrays import (
@@ -95,13 +95,13 @@ class Forces:
         #: Of every contact whether it touches; one that does not open always does.
         self.pushing = [
             int(
-                not entry["unilateral"]
-                or (entry["name"] in contact if isinstance(contact, tuple) else contact)
+                not entry["border"]
+                or (label_of(entry) in contact if isinstance(contact, tuple) else contact)
             )
             for entry in model.contacts
         ]
-        #: Numbers of the contacts that open, and which of them touch.
-        self.opens = [k for k, entry in enumerate(model.contacts) if entry["unilateral"]]
+        #: Numbers of the contacts that open or press on either face, and which of them touch.
+        self.opens = [k for k, entry in enumerate(model.contacts) if entry["border"]]
         self.closed = [bool(self.pushing[k]) for k in self.opens]
         self.rooms = [room if beyond in (None, k) else 0.0 for k in self.opens]
         #: Whether a state on a border does not count where that contact is open.
@@ -110,7 +110,7 @@ class Forces:
         #: that is a coordinate.
         self.border = np.full((2, self.n), np.inf)
         for k in self.opens:
-            if (gap := model.contacts[k]["gap"]) in self.coordinates:
+            if (gap := model.contacts[k]["border"]) in self.coordinates:
                 self.border[self.pushing[k], self.coordinates.index(gap)] = 0.0
         #: Numbers of coordinates that are angles after a turn of which all is as before: one turn
         #: of each is searched.

@@ -134,12 +134,12 @@ def chosen_state(
 
 def _pushing(model: Model, p: ParameterSet, q: Sequence[FloatArray]) -> list[Any]:
     """Of every contact whether it touches in states: the only one does in all of them."""
-    if len(model.contacts) == 1:
+    if not model.has_regimes:
         return [1]
     statics = [value[..., None] for value in model.arguments(p)]
     return [
         np.less_equal(getattr(model.algebra, named("contact_gap", entry["name"]))(*q, *statics), 0)
-        if entry["unilateral"]
+        if entry["border"]
         else 1
         for entry in model.contacts
     ]

@@ -383,7 +383,10 @@ def _presses(balance: Forces) -> list[int]:
     return [
         k
         for k, touches, room in closed
-        if touches and not room and balance.model.contacts[k]["gap"] not in balance.coordinates
+        if touches
+        and not room
+        and balance.model.contacts[k]["unilateral"]
+        and balance.model.contacts[k]["gap"] not in balance.coordinates
     ]
 
 

@@ -15,7 +15,7 @@ from ..core.remarks import At, Remark
 from ..display import own_name
 from ..models import Model
 from ..models.field import SETTLED
-from ..models.model import Touching
+from ..models.model import Touching, label_of
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
@@ -55,16 +55,18 @@ def searched(
     """The equilibria of :func:`spragsym.equilibria`, by a search for each combination of contacts
     that touch.
     """
-    balances, asked = balances_of(p.model, contact, options), by_hand(p.model, within)
+    balances, asked = balances_of(p.model, contact, within, options), by_hand(p.model, within)
     given = columns(p, balances[0].parameters)
     parts = [(balance, *solved(balance, given, asked)) for balance in balances]
     return _arranged(p, parts)
 
 
 def balances_of(
-    model: Model, contact: Asked, options: SearchOptions | None = None
+    model: Model, contact: Asked, within: Ranges | None = None, options: SearchOptions | None = None
 ) -> list[Balance]:
-    """The balances of the combinations of contacts that touch that are asked for."""
+    """The balances of the combinations of contacts that touch that are asked for, without those
+    whose states all lie outside of the ranges ``within``.
+    """
     if contact is None:
         # Where all contacts are open nothing touches, unless some never open.
         always = not all(entry["unilateral"] for entry in model.contacts)
@@ -74,7 +76,11 @@ def balances_of(
     balances = [Balance(model, key, options=options) for key in combinations]
     for balance in balances:
         balance.apart = len(balances) > 1
-    return balances
+    asked = by_hand(model, within)
+    if asked is None:
+        return balances
+    inside = [one for one in balances if (width_of(np.minimum(asked, one.border)) >= 0).all()]
+    return inside or balances[:1]
 
 
 def balance_of(model: Model, contact: Asked) -> Balance:
@@ -84,8 +90,8 @@ def balance_of(model: Model, contact: Asked) -> Balance:
     balance, *others = balances_of(model, contact)
     if others:
         raise ParameterError(
-            f"contact is left out: this model has the contacts {', '.join(balance.contacts)}; say "
-            "which of them touch, as contact=True for all"
+            f"contact is left out: say {', '.join(map(repr, model.regimes))}, for states in "
+            f"{', '.join(model.regimes.values())}"
         )
     return balance
 
@@ -94,7 +100,7 @@ def _combination(model: Model, contact: Asked) -> Touching:
     """A combination of contacts that touch as :attr:`spragsym.models.Model.regimes` has it."""
     names = [entry["name"] for entry in model.contacts]
     if isinstance(contact, list | tuple) and len(names) > 1 and {*contact} <= {*names}:
-        opening = [entry["name"] for entry in model.contacts if entry["unilateral"]]
+        opening = [label_of(entry) for entry in model.contacts if entry["border"]]
         some = tuple(name for name in opening if name in contact)
         return some if 0 < len(some) < len(opening) else bool(some) or not opening
     if not isinstance(contact, int | np.bool_) or contact not in (0, 1):
@@ -246,7 +252,7 @@ def _arranged(
         "region": searched.reshape(*shape, balance.n, 2),
         "whole": whole.reshape(shape),
     }
-    if len(balance.contacts) > 1:
+    if p.model.has_regimes:
         ours["touching"] = placed(np.array(touching, dtype=np.str_)[order], "")
     made = {
         **{own_name(p.model, name): column for name, column in ours.items()},

@@ -78,7 +78,7 @@ def one_each(
         own_name(p.model, "error"): np.broadcast_to(error, p.shape),
         own_name(p.model, "marginal"): ~known,
     }
-    contact = None if len(p.model.contacts) > 1 else True
+    contact = None if p.model.has_regimes else True
     return Equilibria(p, contact, ones, known, (), (), Held(picked(columns, (..., None))))
 
 

@@ -40,7 +40,8 @@ def test_equilibria_have_the_same_keys_and_are_those_of_python(name: str, run: R
     rows = [(state, eq, slot) for state, eq in _states(p) for slot in range(int(eq.count))]
     assert len(told["equilibria"]) == len(rows) > 0
     for row, (state, eq, slot) in zip(told["equilibria"], rows, strict=True):
-        assert list(row)[:2] == ["state", "stability"]
+        touching = ["touching"] * model.has_regimes
+        assert list(row)[: 2 + len(touching)] == ["state", *touching, "stability"]
         last = ("growth", "error", "undamped", "marginal")
         assert list(row)[-4:] == [own_name(model, one) for one in last]
         assert row["state"] == state
@@ -207,7 +208,8 @@ def test_paths_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -
     places = [_title(model, column) for column in found.state_columns]
     assert [row[vary] for row in told["states"]] == pytest.approx(found.values, rel=1e-15)
     for row in told["states"]:
-        assert list(row) == [vary, "stability", "undamped", "growth", *places]
+        more = ["touching"] * model.has_regimes
+        assert list(row) == [vary, "stability", "undamped", "growth", *places, *more]
     for column, place in zip(found.state_columns, places, strict=True):
         unit = math.degrees(1.0) if place.endswith("_deg") else 1.0
         assert [row[place] for row in told["states"]] == pytest.approx(

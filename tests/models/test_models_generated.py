@@ -166,7 +166,7 @@ def test_the_kinked_field_is_that_of_the_regime(model: Generated) -> None:
                 z[model.n] = p["V"] + 1
             taken = model.arguments("motion", p)
             gap, slip = model.algebra.borders(*z, *taken, xp=XP)
-            pushing = 1 if gap < 0 or not model.about["contacts"][0]["unilateral"] else 0
+            pushing = 1 if gap < 0 or not model.about["contacts"][0]["border"] else 0
             felt = [1] * (model.about["layers"] + len(model.about["torsions"]))
             regime = model.algebra.regime_rhs(*z, *taken, pushing, int(mp.sign(slip)), *felt, xp=XP)
             for ours, theirs in zip(model.algebra.rhs(*z, *taken, xp=XP), regime, strict=True):

@@ -9,7 +9,7 @@ mu0 : friction coefficient at full slip, dimensionless
 V : belt speed, dimensionless
 d : steepness of the friction law in creep, dimensionless
 mu : friction coefficient
-pushing : 1 in contact, 0 in lift-off
+pushing : 1 where N ≥ 0, 0 where N ≤ 0
 vx : rate of x
 vy : rate of y
 side : 1 where the belt is ahead, −1 where the mass is
@@ -33,7 +33,8 @@ def geometry(x, y, alpha, sigma, beta):
 
 
 def contact_gap(x, y, alpha, sigma, beta):
-    """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 0."""
+    """Minus the normal force: the mass is on the opposite face where > 0. Returns minus N. Source: the page. Operations:
+    0."""
     return y
 
 
@@ -60,9 +61,9 @@ def friction_by_parameters(mu0, alpha, sigma, beta, V, d):
 
 
 def forces(x, y, alpha, sigma, beta, mu, pushing):
-    """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 12."""
+    """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 15."""
     w0 = sigma/2
-    return (x*(alpha + w0) + y*(mu - w0), -w0*x + y*(beta + w0 + 1) + 1)
+    return (x*(alpha + w0) + y*(2*mu*pushing - mu - w0), -w0*x + y*(beta + w0 + 1) + 1)
 
 
 def stiffnesses(x, y, alpha, sigma, beta):
@@ -82,23 +83,23 @@ def contact_force(x, y, mu0, alpha, sigma, beta, V, d, pushing):
 
 def forces_apart(x, y, alpha, sigma, beta, mu, pushing):
     """The forces without those springs; each adds its tension times (c ∂dx + s ∂dy). Returns (F_1, …). Source: the page.
-    Operations: 12."""
+    Operations: 15."""
     w0 = sigma/2
-    return (x*(alpha + w0) + y*(mu - w0), -w0*x + y*(beta + w0 + 1) + 1)
+    return (x*(alpha + w0) + y*(2*mu*pushing - mu - w0), -w0*x + y*(beta + w0 + 1) + 1)
 
 
 def forces_jacobian(x, y, alpha, sigma, beta, mu, pushing):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
-    Operations: 6."""
+    Operations: 9."""
     w0 = sigma/2
-    return ((alpha + w0, mu - w0), (-w0, beta + w0 + 1))
+    return ((alpha + w0, 2*mu*pushing - mu - w0), (-w0, beta + w0 + 1))
 
 
 def forces_by_parameters(x, y, alpha, sigma, beta, mu, pushing):
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
-    Source: the page. Operations: 4."""
+    Source: the page. Operations: 7."""
     w0 = x/2 - y/2
-    return ((x, w0, 0, y), (0, -w0, y, 0))
+    return ((x, w0, 0, y*(2*pushing - 1)), (0, -w0, y, 0))
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
@@ -109,8 +110,8 @@ def mass_matrix(x, y, mu0, alpha, sigma, beta, V, d):
 
 def damping(x, y, mu0, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
-    6."""
-    return ((-d*mu0*y*xp.exp(-V*d), 0), (0, 0))
+    8."""
+    return ((d*mu0*y*(1 - 2*pushing)*xp.exp(-V*d), 0), (0, 0))
 
 
 def friction_slope(mu0, alpha, sigma, beta, V, d, *, xp=numpy):
@@ -127,51 +128,55 @@ def friction_slope_by_sizes(mu0, alpha, sigma, beta, V, d):
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def rhs(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, *, xp=numpy):
     """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
-    the page. Operations: 26."""
+    the page. Operations: 35."""
     near1 = 1
     w0 = V - vx
     side = xp.sign(2*xp.sign(w0) + 1)
     mu = mu0*side*(-near1*xp.exp(-d*side*w0) + 1)
+    _below = xp.sign(1 - 2*xp.sign(y)) + 1
+    pushing = _below/2
     w1 = sigma/2
-    return (-x*(alpha + w1) - y*(mu - w1), sigma*x/2 - y*(beta + w1 + 1) - 1)
+    return (-x*(alpha + w1) - y*(2*mu*pushing - mu - w1), sigma*x/2 - y*(beta + w1 + 1) - 1)
 
 
 def regime_rhs(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
-    """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 22."""
+    """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 25."""
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
     w0 = sigma/2
-    return (-x*(alpha + w0) - y*(mu - w0), sigma*x/2 - y*(beta + w0 + 1) - 1)
+    return (-x*(alpha + w0) - y*(2*mu*pushing - mu - w0), sigma*x/2 - y*(beta + w0 + 1) - 1)
 
 
 def regime_jacobian(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …). Source: the
-    page. Operations: 18."""
+    page. Operations: 23."""
     w0 = near1*xp.exp(-d*side*(V - vx))
     mu = mu0*side*(1 - w0)
     w1 = sigma/2
-    return ((-alpha - w1, -mu + w1, d*mu0*w0*y, 0), (w1, -beta - w1 - 1, 0, 0))
+    w2 = 2*pushing
+    return ((-alpha - w1, -mu*w2 + mu + w1, d*mu0*w0*y*(w2 - 1), 0), (w1, -beta - w1 - 1, 0, 0))
 
 
 def regime_by_parameters(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
-    Operations: 20."""
-    w0 = V - vx
-    w1 = near1*xp.exp(-d*side*w0)
-    w2 = x/2 - y/2
-    w3 = mu0*w1*y
-    return ((side*y*(w1 - 1), -x, -w2, 0, -d*w3, -w0*w3), (0, 0, w2, -y, 0, 0))
+    Operations: 28."""
+    w0 = 2*pushing
+    w2 = near1*xp.exp(-d*side*(V - vx))
+    w3 = x/2 - y/2
+    w4 = 1 - w0
+    w5 = mu0*w2*y
+    return ((side*y*(w0*w2 - w0 - w2 + 1), -x, -w3, 0, d*w4*w5, w5*(V*w4 + vx*w0 - vx)), (0, 0, w3, -y, 0, 0))
 
 
 def borders(x, y, vx, vy, mu0, alpha, sigma, beta, V, d):
     """The gap and the sliding speed, each zero on a kink of the field; 1 where there is none. Returns gap, slip. Source: the
     page. Operations: 1."""
-    return (1, V - vx)
+    return (y, V - vx)
 
 
 def border_rates(x, y, vx, vy, ax, ay, mu0, alpha, sigma, beta, V, d):
     """How the borders change along a motion with the given accelerations. Returns rates of gap, slip. Source: the page.
     Operations: 1."""
-    return (0, -ax)
+    return (vy, -ax)
 
 
 def layers(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, side):
@@ -206,9 +211,9 @@ def strain_energy(x, y, mu0, alpha, sigma, beta, V, d, pushing):
 
 
 def friction_force(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
-    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 10."""
+    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 13."""
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
-    return -mu*y
+    return -mu*y*(2*pushing - 1)
 
 
 def power_besides_friction(x, y, vx, vy, mu0, alpha, sigma, beta, V, d):

@@ -60,6 +60,7 @@ _CALLED = {
 #: Outputs that a border brings.
 _FLAGGED = {
     "gap": ("mode.contact", "whether there is contact"),
+    "face": ("mode.face", "whether the normal force is not negative"),
     "slip": ("mode.belt_ahead", "whether the belt is ahead"),
     "ahead": ("mode.sticks", "whether friction holds the mass"),
 }
@@ -179,7 +180,7 @@ def _model(material: Material, seen: Motion, words: Mapping[str, str]) -> str:
         "coordinates": count,
         "parameters": parameters,
         "units": len(seen.given) - parameters,
-        "lifts": "gap" in seen.borders,
+        "lifts": bool({"gap", "face"} & {*seen.borders}),
         "slides": "slip" in seen.borders,
         "holds": "ahead" in seen.borders,
         "layers": layers,

@@ -8,6 +8,7 @@ ceiling on its right; springs and dampers with two ends go where their ends are 
 with θ₀ = 55°.
 """
 
+import cmath
 import math
 import textwrap
 from pathlib import Path
@@ -16,14 +17,14 @@ import sympy as sp
 
 from .algebra import Pair, Symbols
 from . import pages
-from .model import Coordinate, Element, Page, Point
-from .shapes import Axis, Place, Sheet, arrow, damper, spring, wall
+from .model import Contact, Coordinate, Element, Page, Point
+from .shapes import Axis, Sheet, arrow, damper, spring, wall
 
 #: Where the documentation has them.
 IMAGES = Path(__file__).parent.parent / "docs" / "images" / "models"
 
-_MASS = 48.0, 30.0  #: half its width and half its height
-_BALL = 32.0
+_MASS = 48 + 30j  #: half its width and half its height
+_BALL = 32 + 32j
 _CONTACT = 34.0  #: between the mass and the belt
 _LENGTH = 190.0  #: of an inclined spring of undeformed length 1
 _WALL = -190.0
@@ -148,7 +149,7 @@ def _along(page: Page, coordinate: Coordinate) -> list[Element]:
     return [it for it in page.elements if it.along == coordinate.symbol]
 
 
-def _draw(sheet: Sheet, part: Element, axis: Axis, beside: Place, anchor: str = "middle") -> None:
+def _draw(sheet: Sheet, part: Element, axis: Axis, beside: complex, anchor: str = "middle") -> None:
     """A spring or a damper, with its letter."""
     (damper if part.what == "damper" else spring)(sheet, axis)
     sheet.name(_letter(part.strength), beside, anchor=anchor)
@@ -158,8 +159,8 @@ def _draw(sheet: Sheet, part: Element, axis: Axis, beside: Place, anchor: str = 
 # mass and belt
 
 
-def _half(page: Page) -> Place:
-    return (_BALL, _BALL) if _is_ball(page) else _MASS
+def _half(page: Page) -> complex:
+    return _BALL if _is_ball(page) else _MASS
 
 
 def _is_ball(page: Page) -> bool:
@@ -173,56 +174,40 @@ def _is_ball(page: Page) -> bool:
 
 
 def _body(sheet: Sheet, page: Page) -> None:
-    width, height = _half(page)
+    half = _half(page)
     if _is_ball(page):
-        sheet.circle((0.0, 0.0), width, style="ink body")
+        sheet.circle(0, half.real, style="ink body")
     else:
-        sheet.line(
-            (-width, -height),
-            (width, -height),
-            (width, height),
-            (-width, height),
-            style="ink body",
-            closed=True,
-        )
-    sheet.name(
-        "m"
-        if page.inertia is None
-        else _letter(sp.diff(page.inertia[0], page.coordinates[0].rate, 2)),
-        (0.0, 7.0),
-    )
+        sheet.box(-half, half, style="ink body")
+    rate = page.coordinates[0].rate
+    mass = "m" if page.inertia is None else _letter(sp.diff(page.inertia[0], rate, 2))
+    sheet.name(mass, 7j)
+
+
+def _terms(contact: Contact) -> list[sp.Expr]:
+    """Terms of the contact law by their powers, at a penetration of 1."""
+    depth = sp.Dummy(positive=True)
+    terms = sp.Add.make_args(sp.expand(sp.sympify(contact.law(depth))))
+    powers = {it: sp.degree(it, depth) if it.is_polynomial(depth) else 0 for it in terms}
+    return [it.subs(depth, 1) for it in sorted(terms, key=powers.__getitem__)]
 
 
 def _belt(sheet: Sheet, page: Page) -> None:
     """Belt and rollers, with the contact between them and the mass."""
-    height = _half(page)[1]
+    height = _half(page).imag
     elastic = page.normal is not None and page.normal.gap is not None
     top = height + (_CONTACT if elastic else 0.0)
-    left, right = -130.0, 150.0
-    sheet.line(
-        (left, top),
-        (right, top),
-        (right, top + 14),
-        (left, top + 14),
-        style="ink belt",
-        closed=True,
-    )
+    sheet.box(complex(-130, top), complex(150, top + 14), style="ink belt")
     if page.sliding is not None:
-        arrow(sheet, (60.0, top + 34), (140.0, top + 34))
-        sheet.name(_letter(page.sliding.belt), (152.0, top + 40), anchor="start")
+        arrow(sheet, complex(60, top + 34), complex(140, top + 34))
+        sheet.name(_letter(page.sliding.belt), complex(152, top + 40), anchor="start")
     if page.normal is None or not elastic:
         return
     for x in (-16.0, 16.0):
-        spring(sheet, Axis((x, height), (x, top - 3)), turns=3, width=6.0)
-    sheet.line((-26.0, top - 3), (26.0, top - 3))
-    depth = sp.Dummy(positive=True)
-    law = sp.sympify(page.normal.law(depth))
-    terms = sorted(
-        sp.Add.make_args(sp.expand(law)),
-        key=lambda term: sp.degree(term, depth) if term.is_polynomial(depth) else 0,
-    )
-    letters = ", ".join(_letter(term.subs(depth, 1)) for term in terms)
-    sheet.name(letters, (-34.0, height + 0.5 * _CONTACT + 7), anchor="end")
+        spring(sheet, Axis(complex(x, height), complex(x, top - 3)), turns=3, width=6.0)
+    sheet.line(complex(-26, top - 3), complex(26, top - 3))
+    letters = ", ".join(map(_letter, _terms(page.normal)))
+    sheet.name(letters, complex(-34, height + 0.5 * _CONTACT + 7), anchor="end")
 
 
 # ------------------------------------------------------------------------------------------------
@@ -233,28 +218,25 @@ def _tied_to_ground(sheet: Sheet, page: Page, coordinate: Coordinate) -> None:
     """What is along a coordinate of the mass: to the wall or to the ceiling. A trolley's is drawn
     with the trolley.
     """
-    parts, (width, _) = _along(page, coordinate), _half(page)
+    parts, width = _along(page, coordinate), _half(page).real
     if not parts:
         return
     if coordinate == page.coordinates[0]:
         rows = _rows(len(parts), 46.0)
         for part, y in zip(parts, rows, strict=True):
-            _draw(sheet, part, Axis((_WALL, y), (-width, y)), (0.5 * (_WALL - width), y - 17))
-        wall(sheet, (_WALL, 0.0), 18.0 + 0.5 * (rows[-1] - rows[0]), (-1.0, 0.0))
+            beside = complex(0.5 * (_WALL - width), y - 17)
+            _draw(sheet, part, Axis(complex(_WALL, y), complex(-width, y)), beside)
+        wall(sheet, _WALL, 18.0 + 0.5 * (rows[-1] - rows[0]), -1)
         return
     rows = _rows(len(parts), 40.0)
     arm = width + 78.0 + rows[-1]
-    sheet.line((width, 0.0), (arm + rows[-1], 0.0))
+    sheet.line(width, arm + rows[-1])
     for part, x in zip(parts, rows, strict=True):
-        beside = arm + x + (-14 if x < 0 else 14), 0.5 * _CEILING + 6
-        _draw(
-            sheet,
-            part,
-            Axis((arm + x, 0.0), (arm + x, _CEILING)),
-            beside,
-            "end" if x < 0 else "start",
-        )
-    wall(sheet, (arm, _CEILING), 18.0 + 0.5 * (rows[-1] - rows[0]), (0.0, -1.0))
+        place, way = arm + x, -1 if x < 0 else 1
+        beside = complex(place + 14 * way, 0.5 * _CEILING + 6)
+        axis = Axis(place, complex(place, _CEILING))
+        _draw(sheet, part, axis, beside, "end" if x < 0 else "start")
+    wall(sheet, complex(arm, _CEILING), 18.0 + 0.5 * (rows[-1] - rows[0]), -1j)
 
 
 def _rows(count: int, apart: float) -> list[float]:
@@ -263,20 +245,20 @@ def _rows(count: int, apart: float) -> list[float]:
 
 def _between_ends(sheet: Sheet, page: Page) -> None:
     """Springs and dampers from the mass to an anchor; those with the same anchor side by side."""
-    values, height = _values(page), _half(page)[1]
+    values, top = _values(page), -1j * _half(page).imag
 
     def anchor(part: Element) -> Point:
         return next(end for end in part.ends or () if set(end) != set(page.places[:2]))
 
-    def place_of(part: Element) -> Place:
+    def place_of(part: Element) -> complex:
         x, y = (float(component.subs(values)) for component in anchor(part))
-        return _LENGTH * x, -_LENGTH * y - height
+        return _LENGTH * complex(x, -y) + top
 
-    shared: dict[Place, list[Element]] = {}
+    shared: dict[complex, list[Element]] = {}
     for part in (it for it in (*page.springs, *page.dampers) if it.ends is not None):
         shared.setdefault(place_of(part), []).append(part)
     for count, (place, parts) in enumerate(shared.items()):
-        axis = Axis((0.0, -height), place)
+        axis = Axis(top, place)
         _side_by_side(sheet, axis, parts)
         moving = [it for it in page.coordinates[2:] if anchor(parts[0])[0].has(it.symbol)]
         if moving:
@@ -290,23 +272,17 @@ def _between_ends(sheet: Sheet, page: Page) -> None:
             _angle(sheet, axis)
 
 
-def _anchor(sheet: Sheet, place: Place) -> None:
+def _anchor(sheet: Sheet, place: complex) -> None:
     sheet.circle(place, 5.0)
-    wall(sheet, (place[0], place[1] - 8), 16.0, (0.0, -1.0))
+    wall(sheet, place - 8j, 16.0, -1j)
 
 
-def _turning(sheet: Sheet, place: Place, letter: str) -> None:
+def _turning(sheet: Sheet, place: complex, letter: str) -> None:
     """A torsion spring at an anchor: two arcs around it, and its letter."""
     for radius in (11.0, 17.0):
-        angles = (math.radians(10.0 * turn) for turn in range(17))
-        sheet.line(
-            *(
-                (place[0] + radius * math.cos(it), place[1] + radius * math.sin(it))
-                for it in angles
-            ),
-            style="ink thin",
-        )
-    sheet.name(letter, (place[0] + 24, place[1] + 12), anchor="start")
+        arc = (place + cmath.rect(radius, math.radians(10.0 * turn)) for turn in range(17))
+        sheet.line(*arc, style="ink thin")
+    sheet.name(letter, place + 24 + 12j, anchor="start")
 
 
 def _side_by_side(sheet: Sheet, axis: Axis, parts: list[Element]) -> None:
@@ -319,38 +295,29 @@ def _side_by_side(sheet: Sheet, axis: Axis, parts: list[Element]) -> None:
             sheet.line(outer, inner.at(bar))
             sheet.line(inner.at(bar, rows[0]), inner.at(bar, rows[-1]))
     for part, aside in zip(parts, rows, strict=True):
-        x, y = inner.at(0.6 * inner.length, aside - 18 if aside <= 0 else aside + 18)
-        _draw(sheet, part, inner.shifted(aside), (x, y + 6), "end" if aside <= 0 else "start")
+        beside = inner.at(0.6 * inner.length, aside - 18 if aside <= 0 else aside + 18) + 6j
+        _draw(sheet, part, inner.shifted(aside), beside, "end" if aside <= 0 else "start")
 
 
 def _angle(sheet: Sheet, axis: Axis) -> None:
-    (x, y), end = axis.start, axis.end
-    angle = math.atan2(y - end[1], end[0] - x)
-    sheet.line((x, y), (x + 62, y), style="ink thin dash")
-    sheet.arc((x, y), 46.0, angle)
-    sheet.name("theta", (x + 60 * math.cos(0.4 * angle), y - 60 * math.sin(0.4 * angle) + 6))
+    start, angle = axis.start, -cmath.phase(axis.end - axis.start)
+    sheet.line(start, start + 62, style="ink thin dash")
+    sheet.arc(start, 46.0, angle)
+    sheet.name("theta", start + cmath.rect(60, -0.4 * angle) + 6j)
 
 
-def _trolley(sheet: Sheet, page: Page, place: Place, coordinate: Coordinate) -> None:
+def _trolley(sheet: Sheet, page: Page, place: complex, coordinate: Coordinate) -> None:
     """An anchor that moves along the belt: a car on a rail, with what ties it to the ground."""
-    x, y = place
-    sheet.line(
-        (x - 24, y - 12),
-        (x + 24, y - 12),
-        (x + 24, y + 4),
-        (x - 24, y + 4),
-        style="ink body",
-        closed=True,
-    )
-    for wheel in (-14.0, 14.0):
-        sheet.circle((x + wheel, y - 17), 5.0)
-    sheet.line((x - 60, y - 23), (x + 70, y - 23))
-    arrow(sheet, (x + 34, y - 4), (x + 70, y - 4))
-    sheet.name(str(coordinate.symbol), (x + 76, y + 2), anchor="start")
+    sheet.box(place - 24 - 12j, place + 24 + 4j, style="ink body")
+    for wheel in (-14, 14):
+        sheet.circle(place + wheel - 17j, 5.0)
+    sheet.line(place - 60 - 23j, place + 70 - 23j)
+    arrow(sheet, place + 34 - 4j, place + 70 - 4j)
+    sheet.name(str(coordinate.symbol), place + 76 + 2j, anchor="start")
     for part in _along(page, coordinate):
-        end = x - 150.0
-        _draw(sheet, part, Axis((end, y - 4), (x - 24, y - 4)), (0.5 * (end + x - 24), y + 24))
-        wall(sheet, (end, y - 4), 18.0, (-1.0, 0.0))
+        end = place - 150 - 4j
+        _draw(sheet, part, Axis(end, place - 24 - 4j), place - 87 + 24j)
+        wall(sheet, end, 18.0, -1)
 
 
 def _slopes(page: Page, energy: sp.Expr) -> list[sp.Expr]:
@@ -390,20 +357,11 @@ def _leaning(sheet: Sheet, page: Page) -> None:
             continue
         along = math.atan2(float(ratio), 1.0)
         along += math.pi * (math.sin(along) < 0)  # upwards
-        start = 0.0, -_half(page)[1]
-        axis = Axis(
-            start,
-            (
-                start[0] + 0.7 * _LENGTH * math.cos(along),
-                start[1] - 0.7 * _LENGTH * math.sin(along),
-            ),
-        )
+        start = -1j * _half(page).imag
+        axis = Axis(start, start + cmath.rect(0.7 * _LENGTH, -along))
         spring(sheet, axis)
-        x, y = axis.at(0.5 * axis.length, -26.0)
-        letter = _letter(
-            energy.subs({symbol: index + 1 for index, symbol in enumerate(page.places[:2])})
-        )
-        sheet.name(letter, (x, y), anchor="end")
+        at = {symbol: index + 1 for index, symbol in enumerate(page.places[:2])}
+        sheet.name(_letter(energy.subs(at)), axis.at(0.5 * axis.length, -26.0), anchor="end")
         _anchor(sheet, axis.end)
 
 
@@ -415,42 +373,38 @@ def _forces(sheet: Sheet, page: Page) -> None:
     """Applied forces as arrows towards the mass or away from it, each with its symbols but those of
     its direction.
     """
-    values = _values(page)
-    width, height = _half(page)
+    values, half = _values(page), _half(page)
     given = [force.components for force in page.forces if len(force.place) == 2]
     given += [force for energy, _ in page.energies if (force := _weight(page, energy))]
     if page.normal is not None and page.normal.gap is None:
         given.append((sp.S.Zero, -sp.sympify(page.normal.law(sp.Dummy(positive=True)))))
     for place, components in enumerate(given):
         x, y = (float(component.subs(values)) for component in components)
-        size = math.hypot(x, y) or 1.0
+        across = complex(x, -y) / (math.hypot(x, y) or 1.0)
         bare = sp.Add(*components).replace(
             lambda node: isinstance(node, sp.sin | sp.cos), lambda node: sp.S.One
         )
-        letter = _letter(bare)
-        across = (x / size, -y / size)
         if place == 0:  # onto the mass, on the side that no spring leans to
             side = 1.0 if any(not _weight(page, energy) for energy, _ in page.energies) else -1.0
-            end = (
-                side * 0.92 * width,
-                -height - 4,
-            )  # near the edge, beside a second spring that leans to it
-            start = end[0] - 52 * across[0], end[1] - 52 * across[1]
-            beside = start[0] + side * 8, start[1] + 16
+            # near the edge, beside a second spring that leans to it
+            end = complex(side * 0.92 * half.real, -half.imag - 4)
+            start = end - 52 * across
+            beside = start + side * 8 + 16j
         else:
-            side, start = 1.0, (0.85 * width, 0.0)
-            end = start[0] + 56 * across[0], start[1] + 56 * across[1]
-            beside = end[0] + 12, end[1] + 2
+            side, start = 1.0, complex(0.85 * half.real)
+            end = start + 56 * across
+            beside = end + 12 + 2j
         arrow(sheet, start, end, style="ink force")
-        sheet.name(letter, beside, anchor="end" if side < 0 else "start", style="force-name")
+        anchor = "end" if side < 0 else "start"
+        sheet.name(_letter(bare), beside, anchor=anchor, style="force-name")
 
 
 def _axes(sheet: Sheet, names: list[str]) -> None:
     """The coordinates of the mass, beside the belt."""
-    x, y = -188.0, 108.0
-    for name, (dx, dy) in zip(names, ((38.0, 0.0), (0.0, -38.0)), strict=False):
-        arrow(sheet, (x, y), (x + dx, y + dy))
-        sheet.name(name, (x + 1.25 * dx + 2, y + 1.25 * dy + (6 if dx else 0)))
+    start = -188 + 108j
+    for name, way in zip(names, (38 + 0j, -38j), strict=False):
+        arrow(sheet, start, start + way)
+        sheet.name(name, start + 1.25 * way + 2 + (6j if way.real else 0))
 
 
 def every_drawing() -> dict[str, str]:

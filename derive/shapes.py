@@ -1,14 +1,14 @@
 """What mechanisms are drawn of, as SVG: springs, dampers, walls, arrows, names with indices.
-Lengths are pixels, y runs down.
+
+A place of the plane is a complex number. Lengths are pixels, y runs down.
 """
 
 from __future__ import annotations
 
+import cmath
 import math
 from dataclasses import dataclass, field
 from xml.sax.saxutils import escape
-
-Place = tuple[float, float]
 
 #: Colours by light and by dark; the card behind the drawing makes it readable on a page of either
 #: kind.
@@ -51,35 +51,35 @@ class Sheet:
     """Elements in the order in which they are drawn, and the room that they take."""
 
     elements: list[str] = field(default_factory=list)
-    places: list[Place] = field(default_factory=list)
+    places: list[complex] = field(default_factory=list)
 
-    def line(self, *points: Place, style: str = "ink", closed: bool = False) -> None:
+    def line(self, *points: complex, style: str = "ink", closed: bool = False) -> None:
         """A line through points."""
-        steps = "L".join(f"{_number(x)} {_number(y)}" for x, y in points)
+        steps = "L".join(map(_pair, points))
         self.elements.append(f'<path class="{style}" d="M{steps}{"Z" if closed else ""}"/>')
         self.places += points
 
-    def circle(self, centre: Place, radius: float, style: str = "ink") -> None:
+    def box(self, corner: complex, other: complex, style: str) -> None:
+        """A rectangle between two corners."""
+        across = complex(other.real, corner.imag), complex(corner.real, other.imag)
+        self.line(corner, across[0], other, across[1], style=style, closed=True)
+
+    def circle(self, centre: complex, radius: float, style: str = "ink") -> None:
         """A circle."""
-        x, y = centre
-        self.elements.append(
-            f'<circle class="{style}" cx="{_number(x)}" cy="{_number(y)}" r="{_number(radius)}"/>'
-        )
-        self.places += [(x - radius, y - radius), (x + radius, y + radius)]
+        x, y = _number(centre.real), _number(centre.imag)
+        self.elements.append(f'<circle class="{style}" cx="{x}" cy="{y}" r="{_number(radius)}"/>')
+        self.places += [centre - radius * (1 + 1j), centre + radius * (1 + 1j)]
 
-    def arc(self, centre: Place, radius: float, angle: float) -> None:
+    def arc(self, centre: complex, radius: float, angle: float) -> None:
         """From the horizontal to an angle above it."""
-        x, y = centre
-        end = x + radius * math.cos(angle), y - radius * math.sin(angle)
-        sweep = f"A{_number(radius)} {_number(radius)} 0 0 0 {_number(end[0])} {_number(end[1])}"
-        self.elements.append(
-            f'<path class="ink thin" d="M{_number(x + radius)} {_number(y)}{sweep}"/>'
-        )
-        self.places += [(x + radius, y), end]
+        ends = centre + radius, centre + cmath.rect(radius, -angle)
+        size = _number(radius)
+        sweep = f"{_pair(ends[0])}A{size} {size} 0 0 0 {_pair(ends[1])}"
+        self.elements.append(f'<path class="ink thin" d="M{sweep}"/>')
+        self.places += ends
 
-    def name(self, text: str, place: Place, anchor: str = "middle", style: str = "") -> None:
+    def name(self, text: str, place: complex, anchor: str = "middle", style: str = "") -> None:
         """A name, its index lowered; Greek letters by their English names."""
-        x, y = place
         words = []
         for word in text.split():
             stem, _, index = word.partition("_")
@@ -93,35 +93,28 @@ class Sheet:
             )
             words.append(escape(_GREEK.get(stem, stem)) + lowered)
         kind = f' class="{style}"' if style else ""
-        self.elements.append(
-            f'<text{kind} x="{_number(x)}" y="{_number(y)}" '
-            f'text-anchor="{anchor}">{" ".join(words)}</text>'
-        )
+        at = f'x="{_number(place.real)}" y="{_number(place.imag)}"'
+        self.elements.append(f'<text{kind} {at} text-anchor="{anchor}">{" ".join(words)}</text>')
         width = 11.0 * len(text.replace("_", ""))
-        left = x - width * {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor]
-        self.places += [(left, y - 16), (left + width, y + 8)]
+        left = place - width * {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor]
+        self.places += [left - 16j, left + width + 8j]
 
     def typed(self, text: str, row: int) -> None:
         """A line of a drawing that is made of letters, each in its column whatever the font."""
-        width, y = 9.0 * len(text), 18.0 * row
+        width, place = 9.0 * len(text), 18.0j * row
         if text.strip():
             kept = escape(text).replace(" ", "\N{NO-BREAK SPACE}")
+            size = f'y="{_number(place.imag)}" textLength="{_number(width)}"'
             self.elements.append(
-                f'<text class="typed" x="0" y="{_number(y)}" textLength="{_number(width)}" '
-                f'lengthAdjust="spacingAndGlyphs">{kept}</text>'
+                f'<text class="typed" x="0" {size} lengthAdjust="spacingAndGlyphs">{kept}</text>'
             )
-        self.places += [(0.0, y - 16), (width, y + 8)]
+        self.places += [place - 16j, place + width + 8j]
 
     def svg(self, title: str) -> str:
         """The file."""
-        margin = 16
-        left, top = (
-            math.floor(min(place[axis] for place in self.places)) - margin for axis in (0, 1)
-        )
-        width, height = (
-            math.ceil(max(place[axis] for place in self.places)) + margin - start
-            for axis, start in ((0, left), (1, top))
-        )
+        across, down = ([getattr(it, part) for it in self.places] for part in ("real", "imag"))
+        left, top = (math.floor(min(ends)) - 16 for ends in (across, down))
+        width, height = math.ceil(max(across)) + 16 - left, math.ceil(max(down)) + 16 - top
         return (
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{left} {top} {width} {height}" '
             f'width="{width}" height="{height}" role="img">\n'
@@ -136,23 +129,25 @@ def _number(value: float) -> str:
     return f"{round(value, 1) + 0.0:g}"
 
 
+def _pair(place: complex) -> str:
+    return f"{_number(place.real)} {_number(place.imag)}"
+
+
 @dataclass(frozen=True)
 class Axis:
     """A line from one place to another, beside which parts are drawn."""
 
-    start: Place
-    end: Place
+    start: complex
+    end: complex
 
     @property
     def length(self) -> float:
         """Distance of the ends."""
-        return math.dist(self.start, self.end)
+        return abs(self.end - self.start)
 
-    def at(self, along: float, aside: float = 0.0) -> Place:
+    def at(self, along: float, aside: float = 0.0) -> complex:
         """The place at a distance along the line and a distance to its right."""
-        (x0, y0), (x1, y1) = self.start, self.end
-        c, s = (x1 - x0) / self.length, (y1 - y0) / self.length
-        return x0 + along * c - aside * s, y0 + along * s + aside * c
+        return self.start + complex(along, aside) * (self.end - self.start) / self.length
 
     def shifted(self, aside: float) -> Axis:
         """The line beside it."""
@@ -175,28 +170,22 @@ def damper(sheet: Sheet, axis: Axis, width: float = 7.0) -> None:
     middle = 0.5 * axis.length
     sheet.line(axis.start, axis.at(middle + 5))
     sheet.line(axis.at(middle + 5, -width + 2), axis.at(middle + 5, width - 2))
-    sheet.line(
-        axis.at(middle - 8, -width),
-        axis.at(middle + 14, -width),
-        axis.at(middle + 14, width),
-        axis.at(middle - 8, width),
-    )
+    cup = ((-8, -width), (14, -width), (14, width), (-8, width))
+    sheet.line(*(axis.at(middle + along, aside) for along, aside in cup))
     sheet.line(axis.at(middle + 14), axis.end)
 
 
-def wall(sheet: Sheet, centre: Place, half: float, outward: Place) -> None:
+def wall(sheet: Sheet, centre: complex, half: float, outward: complex) -> None:
     """A wall seen from the side, hatched away from what it holds."""
-    (x, y), (ox, oy) = centre, outward
-    ends = (x - half * oy, y + half * ox), (x + half * oy, y - half * ox)
-    sheet.line(*ends)
+    along = half * 1j * outward
+    sheet.line(centre + along, centre - along)
     strokes = max(2, round(half / 6))
     for place in range(strokes + 1):
-        share = place / strokes
-        px, py = (ends[0][axis] + share * (ends[1][axis] - ends[0][axis]) for axis in (0, 1))
-        sheet.line((px, py), (px + 8 * ox + 5 * oy, py + 8 * oy - 5 * ox), style="ink thin")
+        foot = centre + (1 - 2 * place / strokes) * along
+        sheet.line(foot, foot + (8 - 5j) * outward, style="ink thin")
 
 
-def arrow(sheet: Sheet, start: Place, end: Place, style: str = "ink") -> None:
+def arrow(sheet: Sheet, start: complex, end: complex, style: str = "ink") -> None:
     """An arrow with an open head."""
     axis = Axis(start, end)
     sheet.line(start, end, style=style)

@@ -165,18 +165,22 @@ def _begun(statement: Statement) -> Row:
 # ------------------------------------------------------------------------------------ comparison
 
 
+def _converted(item: Item, conventions: Conventions) -> dict[str, sp.Expr]:
+    """Names of the print that stand for something else than on the page, and for what."""
+    found: dict[str, sp.Expr] = {}
+    model = item.it.model
+    for moving in zip(model.coordinates, model.rates, item.it.accelerations, strict=True):
+        if (convention := conventions.get(str(moving[0]))) is not None:
+            found |= {str(symbol): convention.sign * symbol for symbol in moving}
+            found[str(moving[0])] += item.it.measured(convention.shift)
+    return found
+
+
 def _printed_values(item: Item, conventions: Conventions) -> dict[str, Values]:
     """Values of the print's names where the page's are the samples'."""
-    values = dict(item.values)
-    for symbol, rate, second in zip(
-        item.it.model.coordinates, item.it.model.rates, item.it.accelerations, strict=True
-    ):
-        convention = conventions.get(str(symbol))
-        if convention is not None:
-            shift = numeric(item.it.measured(convention.shift), list(values))(values)
-            values[str(symbol)] = convention.sign * item.values[str(symbol)] + shift
-            for name in (str(rate), str(second)):
-                values[name] = convention.sign * item.values[name]
+    known = list(item.values)
+    changed = _converted(item, conventions).items()
+    values = {**item.values, **{name: numeric(it, known)(item.values) for name, it in changed}}
     for name, tree in item.defined.items():
         values[name] = evaluated(tree, values)
     return values
@@ -197,12 +201,11 @@ def _signs(item: Item, conventions: Conventions, place: int) -> int:
 
 @dataclass(frozen=True)
 class Component:
-    """One printed side, the values it ought to have, and the same exactly."""
+    """One printed side, and what it ought to be: values, and the same exactly."""
 
     tree: Node
-    targets: tuple[Values, ...]
-    exact: tuple[sp.Expr, ...]
-    left: str
+    ways: tuple[tuple[Values, sp.Expr], ...]
+    left: str = ""
 
 
 def _components(
@@ -217,22 +220,17 @@ def _components(
             continue
         tree, left = side
         if item.held.is_value:
-            meant = tuple(one.entry for one in item.held.readings)
-            found.append(Component(tree, item.readings or (target,), meant or (entry,), left))
+            meant = [one.entry for one in item.held.readings] or [entry]
+            ways = zip(item.readings or (target,), meant, strict=True)
+            found.append(Component(tree, tuple(ways), left))
             continue
         tried = [sp.S.One, sp.S.NegativeOne]
         plain = any(same(evaluated(tree, values), way * target) for way in (1, -1))
         if factors and not plain and item.held.factor in ("parameters", "monomial"):
             tried += _factors(item, conventions, tree, item.held.entries[place])
         known = list(item.values)
-        found.append(
-            Component(
-                tree,
-                tuple(numeric(factor, known)(item.values) * target for factor in tried),
-                tuple(factor * entry for factor in tried),
-                "",
-            )
-        )
+        ways_of = ((numeric(it, known)(item.values) * target, it * entry) for it in tried)
+        found.append(Component(tree, tuple(ways_of)))
     return found
 
 
@@ -272,13 +270,7 @@ def _factors(item: Item, conventions: Conventions, tree: Node, entry: sp.Expr) -
 def _names(item: Item, conventions: Conventions) -> dict[str, sp.Expr]:
     """What the print's names are in the page's symbols; lengths and angles of lines stay names."""
     names = item.it.names | {name: sp.Symbol(name) for name in item.it.geometry}
-    for symbol, rate, second in zip(
-        item.it.model.coordinates, item.it.model.rates, item.it.accelerations, strict=True
-    ):
-        convention = conventions.get(str(symbol))
-        if convention is not None:
-            names[str(symbol)] = convention.sign * symbol + item.it.measured(convention.shift)
-            names |= {str(it): convention.sign * it for it in (rate, second)}
+    names |= _converted(item, conventions)
     names |= item.bound
     for name, tree in item.defined.items():
         names[name] = to_sympy(tree, names)
@@ -372,7 +364,7 @@ def agrees(item: Item, conventions: Conventions) -> bool:
     values = _printed_values(item, conventions)
     parts = _components(item, conventions, values, factors=False)
     return bool(parts) and all(
-        any(_holds(item, part.tree, target, values) for target in part.targets)
+        any(_holds(item, part.tree, target, values) for target, _ in part.ways)
         or (item.held.factor == "parameters" and _factored(part, values))
         for part in parts
     )
@@ -381,7 +373,7 @@ def agrees(item: Item, conventions: Conventions) -> bool:
 def _factored(part: Component, values: Mapping[str, Values]) -> bool:
     """Whether the ratio of both is the same in both states of every pair."""
     with np.errstate(all="ignore"):
-        ratio = evaluated(part.tree, values) / part.targets[0]
+        ratio = evaluated(part.tree, values) / part.ways[0][0]
     return same(ratio[::2], ratio[1::2])
 
 
@@ -469,11 +461,7 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
     costly: list[tuple[Component, sp.Expr]] = []
     counted = ""
     for part in parts:
-        hits = [
-            exact
-            for target, exact in zip(part.targets, part.exact, strict=True)
-            if _holds(item, part.tree, target, values)
-        ]
+        hits = [exact for target, exact in part.ways if _holds(item, part.tree, target, values)]
         if hits:
             right = (it for it in hits if proved(item, conventions, part.tree, it))
             if (exact := next(right, None)) is None:
@@ -483,12 +471,12 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
         names = _names(item, conventions)
         own = to_sympy(part.tree, names)
         if statement.limit and _in_limit(item, conventions, part, statement.limit):
-            row = _told(row, item, own - part.exact[0])
+            row = _told(row, item, own - part.ways[0][1])
             return replace(row, status="approximation", evidence=statement.limit)
         found = _repaired(item, conventions, part, values) if repair else None
         if found is None:
             said = "no edit, and no two, give what is derived" if repair else ""
-            row = _told(row, item, own - part.exact[0])
+            row = _told(row, item, own - part.ways[0][1])
             return replace(row, evidence="; ".join(it for it in (wrong, said) if it))
         best, exact, count = found
         row, counted = _as_meant(row, item, exact)
@@ -609,7 +597,7 @@ def _repaired(
         item.it.turning,
     )
     ways: list[tuple[Values, sp.Expr]] = []
-    for target, exact in zip(part.targets, part.exact, strict=True):
+    for target, exact in part.ways:
         if not any(same(target, it) for it, _ in ways):
             ways.append((target, exact))
     search = Search(part.tree, pool)
@@ -685,7 +673,7 @@ def _in_limit(item: Item, conventions: Conventions, part: Component, limit: str)
     factors = [names.get(name.strip(), sp.nan) for name in what.split("*")]
     if not all(it.is_Symbol for it in factors):
         return False
-    for exact in part.exact:
+    for _, exact in part.ways:
         gap = value - exact.subs(laws)
         for form in map(normal_form, (gap, item.it.expanded(gap))):
             if all(_has_limit_zero(form, str(it), end.strip()) for it in factors):

@@ -1,0 +1,41 @@
+"""Whether states have ended by proved parts of a box, against the answers point by point."""
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.design import probability
+from spragsym.design.jumps import have_jumped
+from spragsym.design.proved_jumps import proved_jumps
+from spragsym.design.tube_certificates import Splitting
+
+
+def corners(name: str) -> tuple[ss.Parameters, ss.Parameters]:
+    p = ss.load(name).search.Parameters(theta0=np.radians(40.0), mu0=0.5)
+    return p, p.replace(theta0=np.radians(42.0), mu0=0.7)
+
+
+@pytest.mark.thorough
+def test_parts_tell_what_each_of_their_points_does() -> None:
+    low, high = corners("cubic_contact")
+    box = Splitting(low, high, "mu0", 0.0)
+    proved = proved_jumps(box, lambda pieces: pieces.volume * (pieces.top > pieces.safe), 4)
+    rng = np.random.default_rng(80)
+    where = {name: rng.uniform(low[name], high[name], 40) for name in ("theta0", "mu0")}
+    p = low.replace(**where)
+    found, expected = proved.ended(p), have_jumped(p, method="search")
+    told = ~np.isnan(found)
+    assert told.mean() > 0.5
+    np.testing.assert_array_equal(found[told], expected[told])
+    assert {0.0, 1.0} == set(found[told].tolist())
+
+
+@pytest.mark.thorough
+def test_a_probability_is_the_same_with_proved_parts(monkeypatch: pytest.MonkeyPatch) -> None:
+    low, high = corners("cubic_contact")
+    box = low, high.replace(theta0=low.theta0)
+    how = {"n": 64, "rng": 1, "replicates": 2, "method": "search"}
+    expected = ss.jump_probability(box, **how)
+    monkeypatch.setattr(probability, "MANY", 1)
+    assert ss.jump_probability(box, **how) == expected
+    assert 0.4 < expected.probability < 0.7

@@ -19,7 +19,7 @@ from ..bifurcation.paths import first_end
 from ..core.questions import NotInClosedForm
 from ..design.certificates import Claim, ProvedParts, corner_values
 from ..generated import catastrophe as _catastrophe
-from ..models.parameters import NAMES, FloatArray, Parameters
+from ..models.parameters import NAMES, FloatArray, Parameters, ParameterSet
 from ..models.quantities import Unit, checked_units
 from ..numerics.affine import Affine, Rounded, cosine_and_sine, sides
 from ..numerics.columns import ByColumn
@@ -38,7 +38,7 @@ def claims(
     vary: str | None = None,
     begin: float | None = None,
     units: Mapping[str, Unit] | None = None,
-) -> Claim:
+) -> ClosedClaim:
     """The closed form of :func:`spragsym.design.tube_certificates.claims`, for friction that rises.
 
     Notes
@@ -57,18 +57,20 @@ def claims(
         or not (vary is None or (vary == "mu0" and claim == "no jump"))
     ):
         raise NotInClosedForm
-    return _ClosedClaim(low, high, claim, measures)
+    return ClosedClaim(low, high, claim, measures)
 
 
 #: Of which boxes something is proved, and how much each side matters for the others.
 Proved: TypeAlias = tuple[BoolArray, FloatArray]
 
 
-class _ClosedClaim(Claim):
+class ClosedClaim(Claim):
     """One of the claims of :data:`CLAIMS`."""
 
     batch, most, corners = 2048, 20_000, 512
     whole: ParameterBoxes
+    #: Of which model a counterexample is.
+    kind: type[ParameterSet] = Parameters
 
     def __init__(
         self, low: Parameters, high: Parameters, claim: str, units: Mapping[str, Unit]
@@ -90,11 +92,11 @@ class _ClosedClaim(Claim):
             known, weight, width / np.maximum(parts.high, 1e-300)
         )
 
-    def point(self, values: FloatArray) -> Parameters:
-        return Parameters(**self.whole.parameters(values))
+    def point(self, values: FloatArray) -> ParameterSet:
+        return self.kind(**self.whole.parameters(values))
 
     def fails(self, points: FloatArray) -> BoolArray:
-        return self.false(self.point(points))
+        return self.false(Parameters(**self.whole.parameters(points)))
 
 
 _MU0 = NAMES.index("mu0")

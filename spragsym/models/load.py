@@ -26,6 +26,8 @@ from .model import Model, parameter_class
 
 #: The model that is meant where none is named.
 USUAL = "kang_nam"
+#: Model → the one that is the same with dampers beside its springs.
+WITH_DAMPERS = {"kang_nam": "damped"}
 
 _LOADED: dict[str, Model] = {}
 _LOCK = threading.RLock()
@@ -173,7 +175,8 @@ def _loaded(where: str, about: Mapping[str, Any], files: Mapping[str, bytes]) ->
     room = f"{__package__.rpartition('.')[0]}.{where}"
     if not files and importlib.util.find_spec(room):  # a shipped model with closed forms
         own = importlib.import_module(room)
-        model = Model(where, about, module, own.Parameters, own.CLOSED_FORMS)
+        kind = getattr(own, "Parameters", None) or parameter_class(about, where)
+        model = Model(where, about, module, kind, own.CLOSED_FORMS)
     else:
         model = Model(where, about, module, parameter_class(about, where))
     model.Parameters._model = model

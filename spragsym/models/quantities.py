@@ -165,6 +165,15 @@ class Quantities:
         mine = self.law["quantities"] if self.law["at_rest"] == "full" else ()
         return tuple(name for name in mine if name not in (*self.balanced, self.friction))
 
+    @cached_property
+    def dampers(self) -> tuple[str, ...]:
+        """Quantities that are coefficients of dampers, along a line or about a pivot."""
+        return tuple(
+            name
+            for name, unit in self.units.items()
+            if _powers(unit, ("kg", "m", "s")) in ((1.0, 0.0, -1.0), (1.0, 2.0, -1.0))
+        )
+
     @property
     def may_rise(self) -> tuple[str, ...]:
         """Quantities on which the states of a model depend, without those that are the units of the

@@ -10,10 +10,12 @@ from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
 from .brake import Brake
+from .damping import remedy
 from .example import example_of
 from .facts import FRICTION, Facts
 from .states import State
 from .tolerances import deciding
+from .units import hertz
 
 #: Pairs of texts: a name and a value, or a picture and its caption.
 Rows: TypeAlias = Iterator[tuple[str, str]]
@@ -169,16 +171,11 @@ def _damping(report: Facts) -> Iterator[str]:
     here = report.current
     if here is None or here.stability != "neutral" or not report.study.moves:
         return
-    least = min(here.damping_ratio, default=0.0)
-    if here.growth_per_s == 0:
-        yield (
-            "nothing damps here: whether a disturbance dies out is up to the damping of the real "
-            "brake"
-        )
-    else:
-        goes = "settles slowly" if least > 0 else "grows slowly"
-        ratio = f"with a damping ratio of {least:.1g} a disturbance {goes}"
-        yield f"{ratio}: practically neutral, so the damping of the real brake decides"
+    less = "nothing" if here.growth_per_s == 0 else "next to nothing"
+    yield (
+        f"{less} damps here, practically neutral: whether a disturbance dies out is up to the "
+        f"damping of the real brake; {remedy(report.study.kind)}"
+    )
 
 
 #: Steps at most, and quantities that one of them names.
@@ -255,10 +252,11 @@ def _measurements(report: Facts) -> Rows:
             f"{' and '.join(missing)}, and add {write}: then its motion is followed too",
         )
     elif here is not None and here.stability == "neutral":
-        at = " and ".join(f"{frequency:.4g} Hz" for frequency in here.frequencies_hz)
+        at = " and ".join(hertz(frequency) for frequency in here.frequencies_hz)
         yield (
             "measure",
-            f"the damping of the real brake{f' at {at}' if at else ''}: the model has next to none",
+            f"the damping of the real brake{f' at {at}' if at else ''}, of which the model has "
+            f"next to none: {remedy(study.kind)}",
         )
     elif here is not None and here.stability == "unstable" and study.belt and study.source:
         command = f"spragsym bifurcation --data {shlex.quote(study.source)} --vary {study.belt}"

@@ -16,10 +16,11 @@ import numpy as np
 from ..core.errors import ParameterError, hint
 from ..design.jumps import Ends, first_ends, told
 from ..design.sampling import Correlation, Dependence, dependence
-from ..models.load import USUAL
+from ..models.load import USUAL, WITH_DAMPERS
 from ..models.parameters import Range, Ranges, Span, as_number, as_range
 from ..models.quantities import PhysicalParameters, Quantities, Scales, factor, quantities, share
 from ..statics.balance import NOTHING
+from .damping import RATIO, modal_dampers
 from .friction_fit import FrictionFit
 from .friction_law import friction_bounds, friction_depends_on
 from .units import PLAIN_UNITS, Measured, Numbers, read, shown_in
@@ -111,6 +112,7 @@ class Brake:
     model: str
     source: str = ""
     fit: FrictionFit | None = None
+    damping_ratio: float | None = None
     correlation: Correlation = MappingProxyType({})
     load: LoadParameter | None = None
     state: Numbers = MappingProxyType({})
@@ -129,9 +131,13 @@ class Brake:
         begin: float | None = None,
         state: Numbers | None = None,
         may_change: Ranges | None = None,
+        damping_ratio: float | None = None,
     ) -> None:
+        if damping_ratio is not None:
+            model = WITH_DAMPERS.get(model, model)
+            self.damping_ratio = as_number("damping_ratio", damping_ratio, RATIO)
         kind, off = quantities(model), dict(tolerance or {})
-        given, allowed = _given(parameters, kind, model), kind.ranges()
+        given, allowed = _given(parameters, kind, self.damping_ratio), kind.ranges()
         for name in off:
             if name not in given:
                 raise ParameterError(
@@ -143,6 +149,8 @@ class Brake:
             for name, si in kind.units.items()
             if name in given
         }
+        if self.damping_ratio is not None:
+            self.quantities |= modal_dampers(kind, self.quantities, self.damping_ratio)
         self.load = load_parameter_of(kind, vary, begin, self.values)
         self.may_change = {
             name: spanned(kind, name, (low, high))
@@ -439,9 +447,9 @@ class Brake:
         return f"{type(self).__name__}({words})"
 
 
-def _given(parameters: Any, kind: Quantities, model: str) -> Numbers:
-    allowed = kind.ranges()
-    if isinstance(parameters, PhysicalParameters) and model == USUAL:
+def _given(parameters: Any, kind: Quantities, damping_ratio: float | None) -> Numbers:
+    allowed, model = kind.ranges(), kind.model.where
+    if isinstance(parameters, PhysicalParameters) and model in (USUAL, WITH_DAMPERS[USUAL]):
         parameters = parameters.known
     if not isinstance(parameters, Mapping):
         raise ParameterError(
@@ -454,7 +462,8 @@ def _given(parameters: Any, kind: Quantities, model: str) -> Numbers:
         if name not in allowed:
             remark = hint(name, allowed) or f"; it has {', '.join(allowed)}"
             raise ParameterError(f"parameters: {name!r} is no quantity of {model}{remark}")
-    missing = [name for name in allowed if name not in parameters and name not in kind.of_the_law]
+    told = kind.of_the_law + (() if damping_ratio is None else kind.dampers)
+    missing = [name for name in allowed if name not in parameters and name not in told]
     if missing:
         raise ParameterError(f"parameters are without {', '.join(missing)}; give them in SI units")
     return {name: as_number(name, value, allowed[name]) for name, value in parameters.items()}

@@ -15,10 +15,11 @@ from typing import Any
 from ..core.errors import ParameterError, SpragsymError, hint
 from ..design.sampling import Correlation, dependence
 from ..files.text import FilePath, path_text, printed, text_of
-from ..models.load import USUAL
+from ..models.load import USUAL, WITH_DAMPERS
 from ..models.parameters import FINITE, Range, Ranges
 from ..models.quantities import Quantities, quantities
 from .brake import Brake, LoadParameter, load_parameter_of, spanned
+from .damping import RATIO, modal_dampers
 from .example import OWN_EXAMPLES, example_of
 from .friction_curve import read_friction
 from .friction_fit import FrictionFit, fit_friction
@@ -28,6 +29,7 @@ from .units import ENDS, WITHIN, Measured, Numbers, read, remedy, shown_in
 #: Keys of a file that are no quantities.
 _KEYS = [
     "friction",
+    "damping_ratio",
     "correlation",
     "model",
     "vary",
@@ -92,6 +94,9 @@ class _FileReader:
             printed(self.of(key), {key: value})
         with self.at("model", "model = "):
             model = trusted_model(table.pop("model", USUAL), trust)
+        damped = quantities(WITH_DAMPERS.get(model, model))
+        if table.keys() & {"damping_ratio", *damped.dampers}:
+            model = damped.model.where
         kind = quantities(model)
         own = {key: table.pop(key, None) for key in _KEYS}
         ranges, found = kind.ranges(), dict[str, Measured]()
@@ -106,18 +111,25 @@ class _FileReader:
                 found[key] = _quantity(key, value, kind.units[key], ranges[key])
         with self.at("friction", f"friction = {own['friction']!r}: "):
             fit = None if own["friction"] is None else self._friction(own["friction"], found, kind)
-        missing = [key for key in kind.units if key not in found and key not in kind.of_the_law]
+        told = kind.of_the_law + (() if own["damping_ratio"] is None else kind.dampers)
+        missing = [key for key in kind.units if key not in found and key not in told]
         if missing:
             wanted = ", ".join(f'{key} = "{example_of(key, kind.units[key])}"' for key in missing)
             raise ParameterError(
                 f"{self.table('brake')}: [brake] is without {', '.join(missing)}; add lines "
                 f"such as {wanted}"
             )
+        ratio = None
+        with self.at("damping_ratio"):
+            if own["damping_ratio"] is not None:
+                ratio = _exact("damping_ratio", own["damping_ratio"], "1", RATIO)
+                found |= modal_dampers(kind, found, ratio)
         study = Brake.of(
             quantities={key: found[key] for key in kind.units if key in found},
             model=model,
             source=Path(self.path).name,
             fit=fit,
+            damping_ratio=ratio,
             title=str(own["title"] or ""),
             date=str(own["date"] or ""),
         )
@@ -245,9 +257,11 @@ def _state(given: Any, kind: Quantities) -> Numbers:
     return {name: _exact(name, text, units[name]) for name, text in given.items()}
 
 
-def _exact(name: str, text: Any, unit: str) -> float:
-    """The value of a place, or of where a load begins; an error for one with a tolerance."""
-    found = _quantity(name, text, unit, FINITE)
+def _exact(name: str, text: Any, unit: str, allowed: Range = FINITE) -> float:
+    """The value of a place, of where a load begins, or of a ratio; an error for one with a
+    tolerance.
+    """
+    found = _quantity(name, text, unit, allowed)
     if found.varies:
         value = shown_in(found.value, found.unit, unit)
         raise ParameterError(f'{name} = {text!r} takes no tolerance here; write "{value}"')

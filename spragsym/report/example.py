@@ -54,12 +54,14 @@ def example(model: Model) -> str:
             else f"{float(f'{value / factor(unit, si):.3g}'):g} {unit}".strip()
         )
 
-    rises, lines = kind.rises, []
+    rises, lines = kind.rises, list[str]()
     for name in kind.units:
         off = "" if name == rises else _TOLERANCES.get(name, "")
         key = name if name.isascii() else json.dumps(name, ensure_ascii=False)
         entry = f'{key} = "{written(name, values[name])}{off}"'
         lines.append(f"{entry:<32}# {kind.meanings[name]}")
+    if not kind.dampers:
+        lines.append("# No damping but that of the friction law: the page has no dampers.")
     if rises is not None:
         least = kind.ranges()[rises]
         lines.append(f'vary = "{rises}"')

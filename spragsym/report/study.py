@@ -43,6 +43,10 @@ class Study(Brake):
     state : mapping of str to float, optional
         Coordinates in SI near which the state begins that is followed, in place of the reference
         state, as ``{"phi": -0.5}``.
+    damping_ratio : float, optional
+        That of every mode of the unloaded mechanism, in place of the dampers, which follow from it;
+        of the article's model by that with dampers, ``damped``. See
+        :func:`spragsym.report.damping.modal_dampers`.
 
     Attributes
     ----------

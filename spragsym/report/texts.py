@@ -10,13 +10,14 @@ from typing import Any, TypeAlias
 
 from .._version import __version__
 from ..design.probability import JumpProbability
-from ..models.load import USUAL
+from ..models.load import USUAL, WITH_DAMPERS
+from ..statics.stability import NEUTRAL
 from .advice import Rows, next_steps, warnings
 from .brake import Brake
 from .facts import Facts, percent_beyond
 from .redesigns import FACTOR
 from .states import AWAY, State, in_units
-from .units import ENDS, Numbers
+from .units import ENDS, Numbers, hertz
 
 #: An object in JSON.
 Json: TypeAlias = dict[str, Any]
@@ -78,7 +79,7 @@ def _on_the_motion(report: Facts) -> str:
         return "From rest it lifts off the belt for good."
     beside, at = (
         f", beside stable {'sliding' if sliding else 'rest'}" if found.coexists else "",
-        f"{found.frequency_hz:.4g} Hz",
+        hertz(found.frequency_hz),
     )
     if found.kind == "motion":
         return (
@@ -97,7 +98,8 @@ def _on_the_jump(report: Facts) -> str:
     if jump is None:
         return _unknown(report)
     (low, _, high), full = study.in_use, study.full_slip[2]
-    model = "" if study.model == USUAL else f" with the model {study.kind.about['name']}"
+    usual = study.model in (USUAL, WITH_DAMPERS[USUAL])  # their states are the same
+    model = "" if usual else f" with the model {study.kind.about['name']}"
     state = followed_state(study)
     angle = study.kind.inclination
     if angle is not None and angle in study.quantities and load.quantity != angle:
@@ -375,12 +377,19 @@ def _state(report: Facts) -> Rows:
     if here.contact_force_N is not None:
         yield "force of the contact", f"{here.contact_force_N:.5g} N"
     roots = zip(here.frequencies_hz, here.damping_ratio, strict=True)
-    damped = report.study.moves
+    damped, study = report.study.moves, report.study
     yield (
         "frequencies",
-        ", ".join(f"{f:.4g} Hz" + f" (damping ratio {ratio:.2g})" * damped for f, ratio in roots)
-        or "none",
+        ", ".join(hertz(f) + f" ({_ratio(ratio)})" * damped for f, ratio in roots) or "none",
     )
+    if study.damping_ratio is not None:
+        dampers = ", ".join(f"{name} = {study.shown(name)}" for name in study.kind.dampers)
+        yield f"dampers, for a ratio of {_percent(study.damping_ratio)}", dampers
+
+
+def _ratio(ratio: float) -> str:
+    """A damping ratio; one that decides nothing has no number."""
+    return "next to no damping" if abs(ratio) < NEUTRAL else f"damping ratio {ratio:.2g}"
 
 
 def _described(state: State) -> str:
@@ -539,7 +548,7 @@ def _oscillation(report: Facts) -> Rows:
     if not found.alive:
         return
     if found.kind == "cycle":
-        yield "frequency", f"{found.frequency_hz:.5g} Hz"
+        yield "frequency", hertz(found.frequency_hz, 5)
     sliding = report.study.slides
     yield (
         "amplitude along the belt" if found.unit == "mm" and sliding else "amplitude",

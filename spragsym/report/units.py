@@ -30,6 +30,8 @@ EXAMPLES: Mapping[str, tuple[str, str]] = {
     "m/s": ("1.2 m/s", "[1, 1.4] m/s"),
     "s/m": ("10 s/m", "[8, 12] s/m"),
     "m/s^2": ("9.81 m/s^2", "[9, 10] m/s^2"),
+    "N s/m": ("7 N s/m", "[5, 9] N s/m"),
+    "N m s": ("0.01 N m s", "[0.005, 0.02] N m s"),
     "1": ("0.45 ± 10 %", "[0.3, 0.6]"),
 }
 #: Units of the report where the data came as plain numbers in SI.
@@ -253,3 +255,9 @@ def shown_in(value: float, unit: str, si: str, digits: int = 4) -> str:
     """A value in SI as text in another unit: ``"180 N/mm"``."""
     number = f"{value / factor(unit, si):.{digits}g}"
     return f"{number} {unit}".strip()
+
+
+def hertz(frequency: float, digits: int = 4) -> str:
+    """A frequency as text: in hertz, from a thousand on in kilohertz."""
+    kilo = frequency >= 1000.0
+    return f"{frequency / 1e3:.{digits}g} kHz" if kilo else f"{frequency:.{digits}g} Hz"

@@ -1,0 +1,21 @@
+"""The closed forms of the model damped: at rest dampers push nothing, so its states, and where they
+end, are those of the article's model.
+
+``python -m derive`` proves that the two pages are one where the dampers are 0, and no damper stands
+in the balance of forces.
+"""
+
+#: Question → module of its closed form.
+CLOSED_FORMS = dict.fromkeys(
+    (
+        "claims",
+        "critical_friction",
+        "cusps",
+        "first_ends",
+        "folds",
+        "have_jumped",
+        "linked",
+        "open_ends",
+    ),
+    "spragsym.damped.statics",
+)

@@ -49,7 +49,7 @@ def linked(
 
 
 def open_ends(p: ParameterSet, vary: str, span: Span, turns: Points) -> list[Points]:
-    """The closed form of :func:`spragsym.bifurcation.points.open_ends`: there are none."""
+    """The closed form of :func:`spragsym.bifurcation.paths.open_ends`: there are none."""
     return states.open_ends(undamped(p), vary, span, turns)
 
 

@@ -173,8 +173,8 @@ def _damping(report: Facts) -> Iterator[str]:
         return
     less = "nothing" if here.growth_per_s == 0 else "next to nothing"
     yield (
-        f"{less} damps here, practically neutral: whether a disturbance dies out is up to the "
-        f"damping of the real brake; {remedy(report.study.kind)}"
+        f"{less} damps here, practically neutral: the real brake's damping decides; "
+        f"{remedy(report.study.kind)}"
     )
 
 

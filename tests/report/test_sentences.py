@@ -58,6 +58,7 @@ STRIBECK = ss.Study(
     },
     model="stribeck",
 )
+DAMPED = ss.Study(BRAKE, model="damped", damping_ratio=0.005)
 LOOSE = brake({"k": "15 %", "mu0": (0.28, 0.32)})
 SPREAD = brake({"k": "sd 5 %", "mu0": (0.28, 0.32)})
 SLOW = brake(V=0.2)
@@ -482,6 +483,18 @@ ROWS: list[tuple[Facts, str, str, str]] = [
         "frequencies",
         "44.35 Hz (damping ratio 0.021), 345.9 Hz (damping ratio 0.003)",
     ),
+    (
+        said_of(states=(state(frequencies_hz=(44.35, 2345.6), damping_ratio=(-3e-7, 0.003)),)),
+        "State",
+        "frequencies",
+        "44.35 Hz (next to no damping), 2.346 kHz (damping ratio 0.003)",
+    ),
+    (
+        said_of(DAMPED),
+        "State",
+        "dampers, for a ratio of 0.5 %",
+        "c_x = 1.347 N s/m, c_y = 7.074 N s/m, c_s = 0.6913 N s/m",
+    ),
     (said_of(UNKNOWN), "State", "frequencies", "44.35 Hz, 345.9 Hz"),
     (
         said_of(states=(state(frequencies_hz=(), damping_ratio=()),)),
@@ -859,7 +872,8 @@ ROWS: list[tuple[Facts, str, str, str]] = [
         said_of(states=(state(stability="neutral", damping_ratio=(1e-7, 0.003)),)),
         "What to do next",
         "measure",
-        "the damping of the real brake at 44.35 Hz and 345.9 Hz: the model has next to none",
+        "the damping of the real brake at 44.35 Hz and 345.9 Hz, of which the model has "
+        'next to none: write damping_ratio = "0.5 %" or what you measured',
     ),
     (
         said_of(FILE, states=(state(stability="unstable", damping_ratio=(-0.1, 0.003)),)),
@@ -980,19 +994,15 @@ WARNINGS: list[tuple[Facts, str]] = [
     (said_of(brake(L_0=38.0)), "L_0 = 3.8e+04 mm is 38 m, outside 0.1 mm to 10 m: check its unit"),
     (
         said_of(states=(state(stability="neutral", growth_per_s=0.0, damping_ratio=(0.0, 0.0)),)),
-        "nothing damps here: whether a disturbance dies out is up to the damping of the real brake",
-    ),
-    (
-        said_of(states=(state(stability="neutral", damping_ratio=(2e-7, 0.003)),)),
-        "with a damping ratio of 2e-07 a disturbance settles slowly: practically neutral, so "
-        "the damping of the real brake decides",
+        "nothing damps here, practically neutral: the real brake's damping decides; write "
+        'damping_ratio = "0.5 %" or what you measured',
     ),
     (
         said_of(
             states=(state(stability="neutral", damping_ratio=(-2e-7, 0.003), growth_per_s=1e-9),)
         ),
-        "with a damping ratio of -2e-07 a disturbance grows slowly: practically neutral, so "
-        "the damping of the real brake decides",
+        "next to nothing damps here, practically neutral: the real brake's damping decides; "
+        'write damping_ratio = "0.5 %" or what you measured',
     ),
 ]
 

@@ -1,0 +1,61 @@
+"""Closed forms of the model damped against the search, which knows none of them."""
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.bifurcation.branches import linked
+
+
+def drawn(seed: int) -> "ss.Parameters":
+    """A set of damped at random, with dampers, as the article's brakes are."""
+    rng = np.random.default_rng(seed)
+    return ss.load("damped").Parameters(
+        theta0=rng.uniform(0.7, 1.1),
+        mu0=rng.uniform(0.3, 0.7),
+        kappa=rng.uniform(0.004, 0.02),
+        alpha=rng.uniform(0.005, 0.02),
+        sigma=rng.uniform(0.05, 0.2),
+        beta=rng.uniform(0.0, 0.1),
+        **dict(zip(("zeta_x", "zeta_y", "zeta_s"), rng.uniform(0.0, 0.1, 3), strict=True)),
+    )
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("seed", range(2))
+def test_where_states_end_is_what_the_search_finds(seed: int) -> None:
+    p = drawn(seed)
+    closed, found = (ss.folds(p, "theta0", method=way) for way in ("closed", "search"))
+    assert closed.parameters is p
+    np.testing.assert_allclose(closed.theta0, found.theta0, rtol=1e-9)
+    np.testing.assert_allclose(closed.x, found.x, rtol=1e-8)
+    assert closed.ends.tolist() == found.ends.tolist()
+    for vary in ("mu0", "theta0"):
+        ours, theirs = (ss.jump_value(p, vary, method=way) for way in ("closed", "search"))
+        np.testing.assert_allclose(ours, theirs, rtol=1e-9)
+
+
+@pytest.mark.thorough
+def test_branches_go_on_as_tubes_do() -> None:
+    p = drawn(0)
+    fold = float(ss.jump_value(p, "mu0"))
+    eq = ss.equilibria(p.replace(mu0=np.array([0.5 * fold, 0.99 * fold, 1.01 * fold])))
+    turns = ss.folds(p, "mu0")
+    ways = [linked(p, "mu0", eq, turns, method=way) for way in ("closed", "search")]
+    assert ways[0] == ways[1]
+    assert any(len(step) < count for step, count in zip(ways[0], eq.count, strict=False))
+
+
+def test_a_brake_that_refutes_a_claim_has_its_dampers() -> None:
+    p = drawn(0)
+    fold = float(ss.jump_value(p, "mu0"))
+    found = ss.certify(p.replace(mu0=0.0), p.replace(mu0=1.1 * fold), "no jump")
+    assert found.outcome == "refuted"
+    assert found.counterexample.model is p.model
+    assert ss.certify(p.replace(mu0=0.0), p.replace(mu0=0.9 * fold), "no jump").outcome == "proved"
+
+
+def test_dampers_may_be_many() -> None:
+    p = drawn(1)
+    many = p.replace(zeta_x=np.linspace(0.0, 1.0, 3))
+    assert ss.jump_value(many, "mu0").tolist() == 3 * [ss.jump_value(p, "mu0")]

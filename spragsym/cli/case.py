@@ -347,8 +347,7 @@ def study_of(path: str | Path, model: str | None, trust: bool, *, warn: bool = T
         if warn
         else Study.of(**vars(read_brake(path, trusted)))
     )
-    if model not in (None, study.model):
-        raise ParameterError(
-            f"--model {model}: {path} is about {study.model}; leave one of the two out"
-        )
+    plain = study.undamped().model
+    if model not in (None, study.model, plain):
+        raise ParameterError(f"--model {model}: {path} is about {plain}; leave one of the two out")
     return study

@@ -162,7 +162,7 @@ def explore(
       spragsym explore --model two_springs --onsets --out two_springs.html
       spragsym explore --out web/explorer.html --no-open
     """
-    study = None if data is None else study_of(data, model, trust)
+    study = None if data is None else study_of(data, model, trust).undamped()
     chosen = load(study.model if study is not None else model or USUAL)
     if method == "closed" and chosen.search is chosen:
         raise ModelError(f"{chosen.name} brings no closed forms; leave --method out")
@@ -247,4 +247,6 @@ def _units(study: Study) -> dict[str, Any]:
         f"In the units of {study.source}, at its {fixed}; the model's own number stands beside "
         "each quantity."
     )
+    if study.damping_ratio is not None:
+        source += " Its damping is left out, which moves no state."
     return {"units": units, "source": source}

@@ -184,6 +184,15 @@ class Brake:
         }
         return self.with_quantities({**self.quantities, **new})
 
+    def undamped(self) -> Self:
+        """The study by the model without dampers, if it has the same states, else itself."""
+        without = {damped: plain for plain, damped in WITH_DAMPERS.items()}.get(self.model)
+        if without is None:
+            return self
+        kept = {k: v for k, v in self.quantities.items() if k not in self.kind.dampers}
+        held = {name: value for name, value in vars(self).items() if name in Brake.__annotations__}
+        return type(self).of(**held | {"model": without, "quantities": kept})
+
     def at_full_slip(self) -> Self:
         """The study without the belt's speed: friction is μ₀."""
         return self.with_quantities(

@@ -285,7 +285,7 @@ def test_bad_calls_get_the_status_of_the_standard(brake: str, tmp_path: Path) ->
         "-Wextra",
         "-Werror",
     ]
-    files = [sources / "fmu.c", sources / "kang_nam.c", Path(__file__).with_name("fmu_driver.c")]
+    files = [sources / "fmu.c", sources / "damped.c", Path(__file__).with_name("fmu_driver.c")]
     subprocess.run([*command, *files, "-lm", "-o", tmp_path / "driver"], check=True)
     references = {one.name: str(one.valueReference) for one in description.modelVariables}
     asked = ("x", "der(x)", "theta0", "der(vx)", "k", "mode.contact")

@@ -43,7 +43,7 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     wrong = [f"{vary}: {len(ends)} ends beside those of the range"] * (len(ends) != 1)
     for event in ends:
         off = abs(event.value - value)
-        if "becomes tangent" not in event.how or not off <= event.error < SMALL * value:
+        if event.kind != "catastrophic-sliding" or not off <= event.error < SMALL * value:
             wrong.append(f"{vary}: {off:.2g} off, {event.error:.2g} stated; {event.how}")
     off = max((abs(event.value - value) for event in ends), default=np.inf)
     stated = max((event.error for event in ends), default=np.inf)

@@ -52,7 +52,7 @@ def told(
     low, high = inside
     count, middle = len(branch.values), place(branch, start)
     turn = (
-        0 if branch.of("end", "homoclinic") else middle - count // 2
+        0 if branch.of("end", "homoclinic", "catastrophic-sliding") else middle - count // 2
     )  # a closed branch goes on where its list ends
     out = np.flatnonzero(
         (np.roll(branch.values, -turn) < low) | (np.roll(branch.values, -turn) > high)

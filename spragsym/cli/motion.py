@@ -410,7 +410,11 @@ def _diagram(case: Case, p: ParameterSet, starts: list[Any], points: int, plot: 
                 "cycles",
                 i,
                 branch,
-                "; ".join(case.said(end.how for end in branch.of("end", "homoclinic"))),
+                "; ".join(
+                    case.said(
+                        end.how for end in branch.of("end", "homoclinic", "catastrophic-sliding")
+                    )
+                ),
             )
         )
     remarks = case.said(found.remarks)

@@ -93,8 +93,11 @@ SHRUNK = 0.1
 #: Slowest part of an orbit that is said to come to rest.
 STILL = 2e-3
 
+#: Kind of an end at which an arrival becomes tangent.
+CATASTROPHIC = "catastrophic-sliding"
+
 #: Kinds of event, those first at which stability may change.
-TOLD = (*CRITERIA, "grazing", *SLIDING, "homoclinic", "end")
+TOLD = (*CRITERIA, "grazing", *SLIDING, "homoclinic", CATASTROPHIC, "end")
 
 VERTICAL = (
     "the parameter stays what it is along the branch: there is a whole family of cycles at this "
@@ -109,8 +112,8 @@ TOUCHES = (
 )
 
 TANGENT = (
-    "its arrival at {} becomes tangent, a catastrophic sliding bifurcation: beyond, the orbit does "
-    "not come there, and no cycle was found"
+    "its arrival at {} becomes tangent: beyond, the orbit does not come there, and no cycle was "
+    "found"
 )
 
 #: Sizes of points by which it is told where a size vanishes are so far apart, as a factor.
@@ -129,13 +132,16 @@ class CycleEvent(Result):
 
     Attributes
     ----------
-    kind : {"fold", "period_doubling", "torus", "grazing", "homoclinic", "end"}
+    kind : str
+        "fold", "period_doubling", "torus", "grazing", "homoclinic" or "end".
         Under dry friction also the sliding bifurcations, at each of which a phase of one side of
         the branch shrinks to nothing: "grazing-sliding", one of sticking, where the orbit touches
         x′ = V in contact; "crossing-sliding", one of sticking, where it comes to x′ = V at the edge
         of what sticks and passes; "switching-sliding", one of slip between such an edge and
         sticking; "adding-sliding", one of slip between two of sticking, where the force that holds
-        touches its limit. A touch of x′ = V in lift-off is a "grazing".
+        touches its limit. A touch of x′ = V in lift-off is a "grazing". The branch ends in a
+        "catastrophic-sliding" where the arrival at x′ = V, or that of the force at its limit,
+        becomes tangent.
     value : float
         Of the parameter.
     cycle : Cycle
@@ -393,7 +399,9 @@ def _followed(
     )
 
 
-def _vanishing(points: Sequence[Point], size: Callable[[Point], float], how: str) -> Finding:
+def _vanishing(
+    points: Sequence[Point], size: Callable[[Point], float], how: str, kind: str = "end"
+) -> Finding:
     """The end behind some points of a branch at which a size shrinks to 0.
 
     The parameter is a smooth function of the size, by parabolas through three points; three that
@@ -412,7 +420,7 @@ def _vanishing(points: Sequence[Point], size: Callable[[Point], float], how: str
     each = ((float(np.ptp(ends[i - 2 : i + 1])), ends[i]) for i in range(2, len(ends)))
     off, value = min(each, default=(abs(points[-1].value), points[-1].value))
     error = SCATTER * off + ROUNDED * points[-1].setting.spans[0]
-    return Finding("end", points[-1].loop, error, how=how, value=value)
+    return Finding(kind, points[-1].loop, error, how=how, value=value)
 
 
 def _shrunk(followed: Sequence[Point]) -> Finding:
@@ -440,7 +448,7 @@ def _at_border(followed: Sequence[Point]) -> Finding | None:
     _, name = min(approaches(last), default=(np.inf, ""))
     ends = (
         _vanishing(followed, off, TOUCHES),
-        _vanishing(followed, slowest, TANGENT.format(name)),
+        _vanishing(followed, slowest, TANGENT.format(name), CATASTROPHIC),
     )
     near = [
         end

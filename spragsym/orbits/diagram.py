@@ -66,6 +66,7 @@ LABELS = {
     "torus": "NS",
     "grazing": "GR",
     "homoclinic": "HC",
+    "catastrophic-sliding": "CT",
     "crossing": "BPC",
     **dict(zip(SLIDING, ("GS", "CS", "SS", "AS"), strict=True)),
 }
@@ -96,7 +97,8 @@ class EquilibriumBranch(Result):
 @dataclass(frozen=True, eq=False)
 class Label(Result):
     """A point of a diagram: LP fold, H Hopf point (of equilibria); LPC fold, PD doubling, NS torus,
-    BPC crossing, GR grazing, HC; GS, CS, SS, AS grazing-, crossing-, switching- and adding-sliding.
+    BPC crossing, GR grazing, HC; GS, CS, SS, AS grazing-, crossing-, switching- and adding-sliding;
+    CT catastrophic-sliding.
 
     ``height`` is the first coordinate there, the largest one of a cycle; ``branch`` the number of
     the branch among its kind.

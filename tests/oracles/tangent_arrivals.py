@@ -46,3 +46,25 @@ def ratio(zeta: float) -> float:
         return 2 * math.exp(root.real * t) * grown.real - ratio
 
     return float(brentq(beyond, 1e-3, 1e3, xtol=1e-15, rtol=1e-15))
+
+
+def largest_push(w: float, mu_s: float, mu_k: float) -> float:
+    """The P at which a mass on a belt at rest, pushed by P cos(w t), slips as P cos(w t) − x, which
+    holds it, just touches its limit μ_s, from −x₀ to x₀, where it stops.
+
+    x = A cos t + P cos(w t)/(1 − w²) − μ_k from x₀ = P − μ_s on, at rest.
+    """
+
+    def push(t: float) -> float:
+        """At rest after the time t."""
+        of_push = w * math.sin(w * t) - w**2 * math.sin(t)
+        return (mu_s - mu_k) * math.sin(t) * (1 - w**2) / of_push
+
+    def beyond(t: float) -> float:
+        """How far from the other side of 0."""
+        P = push(t)
+        A = -P * w**2 / (1 - w**2) - (mu_s - mu_k)
+        return A * math.cos(t) + P / (1 - w**2) * math.cos(w * t) - mu_k + P - mu_s
+
+    # Friction that falls little makes the slip short: the root is below half a turn of the mass.
+    return push(float(brentq(beyond, 1.2, math.pi - 1e-3, xtol=1e-15)))

@@ -274,5 +274,24 @@ def test_a_branch_ends_where_its_arrival_becomes_tangent(vary: str) -> None:
     cycle = ss.cycle(p, near=(mu_s - begin["zeta"] * begin["V"], begin["V"]))
     branch = ss.cycle_branch(cycle, vary, between={vary: (0.7 * value[vary], 1.2 * value[vary])})
     (end,) = (event for event in branch.events if event.how != "the range ends")
+    assert end.kind == "catastrophic-sliding"
     assert "its arrival at x' = V becomes tangent" in end.how
     assert abs(end.value - value[vary]) <= end.error < 1e-9
+
+
+@pytest.mark.validate
+def test_a_branch_ends_where_the_force_comes_to_its_limit_at_a_tangent() -> None:
+    """A mass that is pushed, on a belt at rest: beyond, it sticks for good."""
+    pytest.importorskip("heyoka")
+    w, mu0, fall = 0.4, 0.4, 0.4
+    law = "mu_s * (sgn(v) - fall * (v / u - 3 * (v / u) ** 3 / 10))"
+    assert law in dry_friction.FORCED
+    page = dry_friction.FORCED.replace(law, "mu_s * (1 - fall) * sgn(v)")
+    value = tangent_arrivals.largest_push(w, mu0, mu0 * (1 - fall))
+    P = 1.1 * value
+    p = model_of(page, "forced_weaker").Parameters(w=w, V=0.0, mu0=mu0, fall=fall, P=P)
+    found = ss.cycle(p, near=ss.simulate(p, start=(0.0, 1.5 * (P - mu0), w, 0.0), t_end=300.0))
+    branch = ss.cycle_branch(found, "P", between={"P": (0.8 * value, 1.15 * value)})
+    (end,) = branch.of("catastrophic-sliding")
+    assert "friction at its limit" in end.how
+    assert abs(end.value - value) <= end.error < 1e-9

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -118,7 +119,8 @@ def cut() -> None:
 @contextmanager
 def ending() -> Iterator[None]:
     """A command: after Ctrl-C it raises KeyboardInterrupt at its end at the latest, and the process
-    ends within a second.
+    ends within a second; where Python can't raise it, as in a callback of a lock of the import
+    system, nothing is printed of it.
     """
     if (
         threading.current_thread() is not threading.main_thread()
@@ -128,10 +130,18 @@ def ending() -> Iterator[None]:
         return
     own = _Ending.installed or begun()
     own.under_way = True
+    former = sys.unraisablehook
+
+    def unraisable(lost: sys.UnraisableHookArgs) -> None:
+        if not isinstance(lost.exc_value, KeyboardInterrupt):  # that is raised at the end
+            former(lost)
+
+    sys.unraisablehook = unraisable
     try:
         with heard():
             yield
     finally:
+        sys.unraisablehook = former
         if own.timer is not None:
             own.timer.cancel()
         own.timer, _Ending.installed = None, None

@@ -217,6 +217,26 @@ def test_ctrl_c_ends_a_command(after: float, begin: Begin) -> None:
     assert "spragsym" not in said.partition("Traceback")[2]
 
 
+@pytest.mark.skipif(os.name != "posix", reason="Windows has no such signal")
+def test_ctrl_c_where_python_can_not_raise_it_is_raised_at_the_end() -> None:
+    """In a callback of a weak reference, as of a lock while a module is imported, it was printed."""
+    code = """
+import signal, weakref
+from spragsym.core.interrupts import begun, ending
+begun()
+gone = set()
+reference = weakref.ref(gone, lambda _: signal.raise_signal(signal.SIGINT))
+try:
+    with ending():
+        del gone
+        print("went on")
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert (done.stdout.split(), done.stderr) == (["went", "on", "interrupted"], "")
+
+
 @pytest.mark.thorough
 @pytest.mark.skipif(os.name != "posix", reason="Windows has no such signal")
 def test_a_job_in_the_background_ignores_ctrl_c() -> None:

@@ -30,7 +30,7 @@ from .emit.function import Module
 from .emit.quantities import interval
 from .emit import python
 from .emit.python import algebra
-from .mechanics import SIDE, Line, Mechanics, NormalForce, on
+from .mechanics import Line, Mechanics, NormalForce, on
 from .model import Datum, Friction, Page, acceleration_of
 from .pages import Model
 
@@ -93,7 +93,7 @@ def _algebra(model: Model, header: str, shared: Shared | None) -> str:
     # contact law), and where it is short (no inclined springs).
     it = model.mechanics
     polynomial = all(contact.polynomial for contact in it.contacts)
-    told = not it.torsions and not it.holds and polynomial
+    told = not it.torsions and not it.holds and polynomial and len(it.contacts) == 1
     by_regimes = bool(shared and it.lines and told)
     for part in parts:
         own = []
@@ -143,16 +143,19 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
     return entries | {
         **{str(it.mu): f"friction coefficient{on(it)}" for it in model.frictions},
         **{str(it.pushing): _sides(it) for it in model.contacts},
-        str(
-            SIDE
-        ): f"1 where the belt is ahead, −1 where the mass is{', 0 where it sticks' * model.holds}",
+        **{
+            str(it.side): f"1 where the belt is ahead, −1 where the mass is"
+            f"{', 0 where it sticks' * model.holds}{on(it)}"
+            for it in model.frictions
+        },
         str(laws.HELD): "share of the static friction coefficient that is used, −1 to 1",
         **{acceleration_of(symbol): f"acceleration of {symbol}" for symbol in model.coordinates},
         **{
             str(
                 symbol
             ): "1 where an exponential of the friction law is felt, 0 where it is left out"
-            for symbol in laws.near(9)
+            for friction in model.frictions
+            for symbol in laws.near(friction)
         },
     }
 

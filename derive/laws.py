@@ -12,7 +12,7 @@ the layer.
 import sympy as sp
 
 from .algebra import Pair, Row, Symbols
-from .mechanics import SIDE, SLIP, FrictionForce
+from .mechanics import SLIP, FrictionForce
 from .model import PageError
 
 #: The share of the static coefficient that is used where nothing slides, from −1, against the belt,
@@ -25,9 +25,11 @@ def slip(friction: FrictionForce) -> sp.Expr:
     return friction.belt - friction.rate
 
 
-def near(count: int) -> Symbols:
-    """The factors of the exponentials, ``count`` of them."""
-    return tuple(sp.Symbol(f"near{number}", real=True) for number in range(1, count + 1))
+def near(friction: FrictionForce) -> Symbols:
+    """The factors of its exponentials."""
+    end = friction.name and f"_on_{friction.name}"
+    count = len(_layers(friction))
+    return tuple(sp.Symbol(f"near{number}{end}", real=True) for number in range(1, count + 1))
 
 
 def _layers(friction: FrictionForce) -> list[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]]:
@@ -79,7 +81,8 @@ def limit(friction: FrictionForce, law: sp.Expr, speed: sp.Symbol, end: sp.Expr)
 def layers(friction: FrictionForce) -> Row:
     """Minus the exponent of every exponential of the sliding speed: large where it is not felt."""
     return tuple(
-        sp.expand(exponent).subs(SLIP, SIDE * slip(friction)) for *_, exponent in _layers(friction)
+        sp.expand(exponent).subs(SLIP, friction.side * slip(friction))
+        for *_, exponent in _layers(friction)
     )
 
 
@@ -92,13 +95,14 @@ def smooth_friction(friction: FrictionForce, felt: bool = False) -> sp.Expr:
     if not felt:
         factors = {
             node: far + factor * tail
-            for (node, far, tail, _), factor in zip(found, near(len(found)), strict=True)
+            for (node, far, tail, _), factor in zip(found, near(friction), strict=True)
         }
         ahead, behind = (side.xreplace(factors) for side in (ahead, behind))
+    side = friction.side
     if sp.expand(ahead + behind) == 0:
-        return SIDE * ahead.subs(SLIP, SIDE * slip(friction))
+        return side * ahead.subs(SLIP, side * slip(friction))
     forward, backward = ahead.subs(SLIP, slip(friction)), behind.subs(SLIP, -slip(friction))
-    return ((1 + SIDE) * forward + (1 - SIDE) * backward) / 2
+    return ((1 + side) * forward + (1 - side) * backward) / 2
 
 
 def static_coefficients(friction: FrictionForce) -> Pair:

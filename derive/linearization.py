@@ -4,7 +4,7 @@ import sympy as sp
 
 from . import laws
 from .emit.function import Function, Module, of_page, rows
-from .mechanics import SIDE, FrictionForce, Mechanics, named, on
+from .mechanics import FrictionForce, Mechanics, named, on
 
 
 def damping(model: Mechanics) -> sp.Matrix:
@@ -15,7 +15,7 @@ def damping(model: Mechanics) -> sp.Matrix:
     C = sp.Matrix(model.resistance).jacobian(model.rates)
     for friction in model.frictions:
         if friction.along is not None:
-            mu = laws.smooth_friction(friction, felt=True).subs(SIDE, 1)
+            mu = laws.smooth_friction(friction, felt=True).subs(friction.side, 1)
             slopes = sp.Matrix([friction.along]).jacobian(model.coordinates).T
             C -= friction.normal.rubbing * slopes * sp.Matrix([mu]).jacobian(model.rates)
     return C.subs(still).applyfunc(model.tidy)

@@ -36,6 +36,9 @@ MU = sp.Symbol("mu", real=True)
 TOUCH = sp.Rational(1, 2**40)
 #: Penetration, positive, of a law that is no polynomial.
 DEPTH = sp.Symbol("_depth", positive=True)
+#: 1 while friction holds the mass to the belt, 0 while it slips; the force of a friction that
+#: holds.
+STUCK, FRICTION = sp.symbols("_stuck _friction", real=True)
 #: A sliding speed, positive.
 SLIP = sp.Symbol("_slip", positive=True)
 
@@ -243,6 +246,21 @@ class FrictionForce:
         """MU of this friction."""
         return _of(MU, self.name and f"on_{self.name}")
 
+    @property
+    def side(self) -> sp.Symbol:
+        """SIDE of this friction."""
+        return _of(SIDE, self.name and f"on_{self.name}")
+
+    @property
+    def stuck(self) -> sp.Symbol:
+        """STUCK of this friction."""
+        return _of(STUCK, self.name)
+
+    @property
+    def unknown(self) -> sp.Symbol:
+        """FRICTION of this friction."""
+        return _of(FRICTION, self.name)
+
 
 def named(function: str, of: NormalForce | FrictionForce) -> str:
     """The generated function of one contact: that of the only one has no name behind it."""
@@ -285,9 +303,9 @@ class Mechanics:
         if others:
             raise PageError(
                 others[0].line,
-                "several contacts are not answered yet here: equilibria are, of the folder that "
-                "spragsym derive writes; for the rest say all but one contact by springs and "
-                "forces",
+                "several contacts are not answered yet here: equilibria and motions are, of the "
+                "folder that spragsym derive writes; for the rest say all but one contact by "
+                "springs and forces",
             )
         return contact
 
@@ -373,7 +391,7 @@ class Mechanics:
         }
         shortest = expanded(
             expanded(expression.xreplace({node: kept[node] for node in nodes})).subs(kept)
-        ).subs(SIDE**2, 1)
+        ).subs({friction.side**2: 1 for friction in self.frictions})
         turned = {node: sp.Dummy(real=True) for pair in waves(shortest) for node in pair}
         shortest = shortest.xreplace(turned)
         kept |= turned

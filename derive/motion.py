@@ -2,6 +2,7 @@
 borders, energy and powers.
 """
 
+import itertools
 from dataclasses import dataclass
 from functools import cached_property, partial
 
@@ -10,12 +11,17 @@ import sympy as sp
 from . import laws
 from .algebra import Names, Row, Symbols, difference, expanded, reached
 from .emit.function import Function, Module, Results, of_page
-from .mechanics import MU, PUSHING, SIDE, Mechanics, NormalForce, elastic, number, waves
+from .mechanics import (
+    FrictionForce,
+    Mechanics,
+    NormalForce,
+    elastic,
+    named,
+    number,
+    on,
+    waves,
+)
 from .model import acceleration_of
-
-#: 1 while friction holds the mass to the belt, 0 while it slips; the force of a friction that
-#: holds.
-STUCK, FRICTION = sp.symbols("_stuck _friction", real=True)
 
 
 @dataclass(frozen=True)
@@ -26,64 +32,132 @@ class Motion:
 
     @cached_property
     def friction(self) -> sp.Expr:
-        """μ on either SIDE."""
+        """μ of the only friction, on either side."""
         return laws.smooth_friction(self.model.friction)
 
     @cached_property
-    def along(self) -> Row:
-        """Derivatives of the displacement that friction opposes."""
-        return tuple(
-            sp.diff(self.model.friction.along, symbol) for symbol in self.model.coordinates
-        )
+    def coefficients(self) -> Names:
+        """μ of every friction, on either side."""
+        return {it.mu: laws.smooth_friction(it) for it in self.model.frictions}
 
     @cached_property
-    def mobility(self) -> sp.Expr:
-        """Jᵀ M⁻¹ J of the displacement that friction opposes: by how much a unit of friction slows
-        the sliding.
-        """
-        return sum(
-            (a * b for a, b in zip(self.along, self.accelerated(self.along), strict=True)),
-            sp.S.Zero,
-        )
+    def holding(self) -> tuple[FrictionForce, ...]:
+        """The frictions that hold where nothing slides."""
+        return tuple(it for it in self.model.frictions if it.holds is not None)
+
+    def along(self, friction: FrictionForce) -> Row:
+        """Derivatives of the displacement that a friction opposes."""
+        return tuple(sp.diff(friction.along, symbol) for symbol in self.model.coordinates)
+
+    def slip(self, friction: FrictionForce) -> sp.Expr:
+        """The sliding speed of a friction, among the borders."""
+        return self.borders[len(self.model.contacts) + self.model.frictions.index(friction)]
 
     @cached_property
-    def holding(self) -> sp.Expr:
-        """The force that keeps the sliding speed from changing: the constraint force of
-        sticking.
+    def mobility(self) -> sp.Matrix:
+        """Jᵀ M⁻¹ J of the displacements that frictions which hold oppose: by how much a unit of
+        each slows the sliding of each.
         """
-        return self.rate(self.borders[1], self.accelerations).subs(FRICTION, 0) / self.mobility
+        return sp.Matrix(
+            [
+                [
+                    sum(
+                        (
+                            a * b
+                            for a, b in zip(
+                                self.along(it), self.accelerated(self.along(other)), strict=True
+                            )
+                        ),
+                        sp.S.Zero,
+                    )
+                    for other in self.holding
+                ]
+                for it in self.holding
+            ]
+        )
+
+    def _in_symbols(self, name: str, entries: sp.Matrix) -> tuple[sp.Matrix, Names]:
+        """Entries of a system, and by what symbols they stand in its determinants; by themselves
+        where they are numbers, or there is one friction, and no determinant.
+        """
+        if len(self.holding) < 2:
+            return entries, {}
+        symbols = entries.copy()
+        for i, j in itertools.product(*map(range, entries.shape)):
+            if not entries[i, j].is_number:
+                symbols[i, j] = sp.Symbol(f"_{name}_{i + 1}{j + 1}", real=True)
+        pairs = zip(symbols, entries, strict=True)
+        return symbols, {symbol: entry for symbol, entry in pairs if symbol != entry}
+
+    def held(self, friction: FrictionForce, stuck: Row, slipping: Row) -> sp.Expr:
+        """The solution f of mobility f = stuck for one friction where it holds, the others hold or
+        have the values ``slipping``: by Cramer's rule.
+        """
+        own, rows = self.holding.index(friction), len(self.holding)
+        mobility, _ = self._in_symbols("mobility", self.mobility)
+        system, right = sp.zeros(rows, rows), sp.zeros(rows, 1)
+        for row, it in enumerate(self.holding):
+            share = sp.S.One if row == own else it.stuck
+            for column in range(rows):
+                none = sp.S.One if row == column else sp.S.Zero
+                system[row, column] = none + share * (mobility[row, column] - none)
+            right[row] = share * stuck[row] + (1 - share) * slipping[row]
+        whole = system.det(method="berkowitz")
+        system[:, own] = right
+        return system.det(method="berkowitz") / whole
+
+    @cached_property
+    def free(self) -> tuple[Row, Names]:
+        """Rates of the sliding speeds without the frictions that hold."""
+        free = dict.fromkeys((it.unknown for it in self.holding), sp.S.Zero)
+        rates = [self.rate(self.slip(it), self.accelerations).subs(free) for it in self.holding]
+        symbols, names = self._in_symbols("free", sp.Matrix(rates))
+        return tuple(symbols), names
+
+    def constraint(self, friction: FrictionForce) -> sp.Expr:
+        """The force that keeps the sliding speed from changing while the other frictions hold or
+        slip: the constraint force of sticking.
+        """
+        slipping = tuple(it.mu * it.normal.rubbing for it in self.holding)
+        return self.held(friction, self.free[0], slipping)
 
     @cached_property
     def dry_friction(self) -> Names:
-        """What STUCK and FRICTION are; nothing of a friction that does not hold.
+        """What the symbols of frictions that hold are.
 
         Sticking or not, the force is a sum and no coefficient times a normal force that goes to 0
         where the contact is lost.
         """
-        if not self.model.holds:
+        if not self.holding:
             return {}
-        force = (1 - STUCK) * MU * self.model.contact.rubbing + STUCK * self.holding
-        return {**self.inverted, STUCK: 1 - SIDE**2, MU: self.friction, FRICTION: force}
+        _, mobility = self._in_symbols("mobility", self.mobility)
+        forces = {
+            it.unknown: (1 - it.stuck) * it.mu * it.normal.rubbing + it.stuck * self.constraint(it)
+            for it in self.holding
+        }
+        sticking = {it.stuck: 1 - it.side**2 for it in self.holding}
+        return {**self.inverted, **sticking, **mobility, **self.free[1], **forces}
 
-    def margins(self, force: sp.Expr) -> Row:
+    def margins(self, friction: FrictionForce, force: sp.Expr) -> Row:
         """How far a force of friction is from its limit with the belt, and from that against it:
         positive while friction holds.
         """
         ahead, behind = (
-            coefficient * self.model.contact.rubbing
-            for coefficient in laws.static_coefficients(self.model.friction)
+            coefficient * friction.normal.rubbing
+            for coefficient in laws.static_coefficients(friction)
         )
         return ahead - force, behind + force
 
-    @cached_property
-    def side(self) -> sp.Expr:
-        """The sign of the sliding speed; where nothing slides 1, or of a friction that holds
+    def side(self, friction: FrictionForce) -> sp.Expr:
+        """The sign of the sliding speed; where nothing slides 1, or of the only friction that holds
         that of the mode in which the motion goes on.
         """
-        if not self.model.holds:
-            return reached(self.borders[1])
-        sliding = sp.sign(self.borders[1])
-        within_ahead, within_behind = map(reached, self.margins(self.holding))
+        if friction.holds is None:
+            return reached(self.slip(friction))
+        sliding = sp.sign(self.slip(friction))
+        within_ahead, within_behind = map(
+            reached, self.margins(friction, self.constraint(friction))
+        )
         return sliding + (1 - sliding**2) * (within_behind - within_ahead) / 2
 
     @cached_property
@@ -116,26 +190,27 @@ class Motion:
         ):
             share = sp.S.Zero if it.contact.gap is None else sp.diff(it.contact.gap, symbol)
             if it.friction.along is not None:
-                share += MU * sp.diff(it.friction.along, symbol)
+                share += it.friction.mu * sp.diff(it.friction.along, symbol)
             rows.append(expanded(inertia - pull + (it.contact.force - contact) * share))
         return tuple(rows)
 
     @cached_property
     def accelerations(self) -> Row:
-        """q″ in MU, or in the FRICTION that holds, and in the entries of the inverse of M where
+        """q″ in μ, or in the frictions that hold, and in the entries of the inverse of M where
         these are no quotients of parameters.
         """
         return self.accelerated(self.forces)
 
     @cached_property
     def forces(self) -> Row:
-        """M q″, in MU or in the FRICTION that holds."""
-        if not self.model.holds:
-            return self.pull
-        return tuple(
-            row.subs(MU, 0) + FRICTION * share
-            for row, share in zip(self.pull, self.along, strict=True)
-        )
+        """M q″, in μ or in the frictions that hold."""
+        rows = list(self.pull)
+        for it in self.holding:
+            rows = [
+                row.subs(it.mu, 0) + it.unknown * share
+                for row, share in zip(rows, self.along(it), strict=True)
+            ]
+        return tuple(rows)
 
     def accelerated(self, forces: Row) -> Row:
         """M⁻¹ times forces."""
@@ -185,40 +260,86 @@ class Motion:
             **{symbol: tidy(entry) / determinant for symbol, entry in entries},
         }
 
-    def slopes(self, symbol: sp.Symbol, turn: sp.Expr | None = None) -> Row:
+    def slopes(self, symbol: sp.Symbol, turns: Row | None = None) -> Row:
         """Derivatives of the accelerations by a coordinate, a rate or a parameter: M ∂q″ = ∂forces
-        − ∂M q″; ``turn`` is friction's.
+        − ∂M q″; ``turns`` are those of the frictions.
         """
-        turn = self.friction_slope(symbol) if turn is None else turn
+        turns = self.turns(symbol) if turns is None else turns
         if not self.is_coupled:
-            return tuple(self.derivative(row, symbol, turn) for row in self.accelerations)
+            return tuple(self.derivative(row, symbol, turns) for row in self.accelerations)
         it = self.model
         changes = it.mass.applyfunc(
             lambda entry: it.tidy(it.derivative(entry, symbol))
         ) * sp.Matrix(self.named)
-        pulls = sp.Matrix([self.derivative(row, symbol, turn) for row in self.forces])
+        pulls = sp.Matrix([self.derivative(row, symbol, turns) for row in self.forces])
         return tuple(self.inverse * (pulls - changes))
 
-    def friction_slope(self, symbol: sp.Symbol) -> sp.Expr:
+    def turns(self, symbol: sp.Symbol) -> Row:
+        """Derivatives of μ of every friction, or of the force of one that holds: of several by
+        their names.
+        """
+        if len(self.holding) > 1:
+            return tuple(
+                self._turn(it, symbol)
+                if it in self.holding
+                else self.model.derivative(self.coefficients[it.mu], symbol)
+                for it in self.model.frictions
+            )
+        return tuple(self.friction_slope(it, symbol) for it in self.model.frictions)
+
+    def _turn(self, friction: FrictionForce, symbol: sp.Symbol) -> sp.Symbol:
+        return sp.Symbol(f"_turn_{friction.name}_{symbol}", real=True)
+
+    def turned(self, symbols: Symbols) -> Names:
+        """What the derivatives of several frictions that hold are, by their names."""
+        if len(self.holding) < 2:
+            return {}
+        return {
+            self._turn(it, symbol): self.friction_slope(it, symbol)
+            for symbol in symbols
+            for it in self.holding
+        }
+
+    def friction_slope(self, friction: FrictionForce, symbol: sp.Symbol) -> sp.Expr:
         """The derivative of μ; or that of a force that holds, which keeps the sliding speed from
         changing.
         """
-        if not self.model.holds:
-            return self.model.derivative(self.friction, symbol)
-        slipping = self.model.derivative(self.friction * self.model.contact.rubbing, symbol)
-        changes = zip(self.along, self.slopes(symbol, sp.S.Zero), strict=True)
-        change = self.model.derivative(self.rate(self.borders[1], self.named), symbol) - sum(
-            a * b for a, b in changes
-        )
-        return (1 - STUCK) * slipping + STUCK * change / self.mobility
+        mu = self.coefficients[friction.mu]
+        if friction.holds is None:
+            return self.model.derivative(mu, symbol)
+        slipping = self.model.derivative(mu * friction.normal.rubbing, symbol)
+        return (1 - friction.stuck) * slipping + friction.stuck * self.held_slope(friction, symbol)
 
-    def derivative(self, expression: sp.Expr, symbol: sp.Symbol, turn: sp.Expr) -> sp.Expr:
-        """By a coordinate, a rate or a parameter, with ``turn`` for that of MU, or of FRICTION."""
-        it = self.model
-        return it.tidy(
-            it.derivative(expression, symbol)
-            + sp.diff(expression, FRICTION if self.model.holds else MU) * turn
+    def held_slope(self, friction: FrictionForce, symbol: sp.Symbol) -> sp.Expr:
+        """The derivative of the force that keeps a sliding speed from changing."""
+        still = tuple(
+            sp.S.Zero
+            if it in self.holding
+            else self.model.derivative(self.coefficients[it.mu], symbol)
+            for it in self.model.frictions
         )
+        slopes = self.slopes(symbol, still)
+        changes = tuple(
+            self.model.derivative(self.rate(self.slip(it), self.named), symbol)
+            - sum(a * b for a, b in zip(self.along(it), slopes, strict=True))
+            for it in self.holding
+        )
+        slipping = tuple(
+            self.model.derivative(self.coefficients[it.mu] * it.normal.rubbing, symbol)
+            for it in self.holding
+        )
+        return self.held(friction, changes, slipping)
+
+    def derivative(self, expression: sp.Expr, symbol: sp.Symbol, turns: Row) -> sp.Expr:
+        """By a coordinate, a rate or a parameter, with ``turns`` for those of μ, or of the forces
+        that hold.
+        """
+        it = self.model
+        follow = (
+            sp.diff(expression, one.unknown if one in self.holding else one.mu) * turn
+            for one, turn in zip(it.frictions, turns, strict=True)
+        )
+        return it.tidy(it.derivative(expression, symbol) + sum(follow, sp.S.Zero))
 
     # ---------------------------------------------------------------------------------------------
     # energy
@@ -293,10 +414,13 @@ class Motion:
             )
         )
 
-    @cached_property
-    def friction_force(self) -> sp.Expr:
-        """In MU."""
-        return sp.S.Zero if self.model.friction.along is None else MU * self.model.contact.rubbing
+    def friction_force(self, friction: FrictionForce) -> sp.Expr:
+        """In μ, or what it holds."""
+        if friction.along is None:
+            return sp.S.Zero
+        return (
+            friction.unknown if friction in self.holding else friction.mu * friction.normal.rubbing
+        )
 
     @cached_property
     def damper_power(self) -> sp.Expr:
@@ -305,11 +429,11 @@ class Motion:
 
     @cached_property
     def outputs(self) -> dict[str, sp.Expr]:
-        """Forces, energy and power in a smooth regime, by name; in MU, or the FRICTION that
+        """Forces, energy and power in a smooth regime, by name; in μ, or the friction that
         holds.
         """
         it = self.model
-        force = FRICTION if it.holds else self.friction_force
+        force = self.friction_force(it.friction)
         sliding = it.friction.rate
         powers = force * sliding + self.damper_power + self.applied_power
         springs = enumerate(zip(it.lines, it.stiffnesses, strict=True), 1)
@@ -383,15 +507,24 @@ def _rows(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
 
 
 def _slopes(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
-    """Derivatives of the sliding speed and, while it sticks, of the margins of the force of
-    friction.
+    """Derivatives of every sliding speed that friction holds and, while it sticks, of the margins
+    of the force of friction.
     """
-    rows = motion.borders[1], *motion.margins(FRICTION)
-    turns = {symbol: motion.friction_slope(symbol).subs({STUCK: 1, SIDE: 0}) for symbol in symbols}
-    return tuple(
-        tuple(motion.derivative(row, symbol, turn) for symbol, turn in turns.items())
-        for row in rows
-    )
+    found = []
+    for it in motion.holding:
+        rows = motion.slip(it), *motion.margins(it, it.unknown)
+        turns = {
+            symbol: tuple(
+                motion.held_slope(it, symbol) if one is it else sp.S.Zero
+                for one in motion.model.frictions
+            )
+            for symbol in symbols
+        }
+        found += [
+            tuple(motion.derivative(row, symbol, turn) for symbol, turn in turns.items())
+            for row in rows
+        ]
+    return tuple(found)
 
 
 def directions(model: Mechanics) -> Names:
@@ -402,23 +535,35 @@ def directions(model: Mechanics) -> Names:
     return found | {torsion.phi: torsion.least for torsion in model.torsions}
 
 
+def _mode(model: Mechanics) -> Symbols:
+    """Numbers of a mode that smooth functions take: what pushes, the sides, and what of the laws is
+    felt.
+    """
+    near = (factor for friction in model.frictions for factor in laws.near(friction))
+    return (*model.pushings, *_sides(model), *near)
+
+
+def _sides(model: Mechanics) -> Symbols:
+    return tuple(friction.side for friction in model.frictions)
+
+
 def outputs(model: Mechanics) -> Module:
     """Forces, energy and power of a motion with their derivatives, for an export as a whole."""
     motion = Motion(model)
     place = (*model.coordinates, *model.rates)
-    regime = (*place, *model.arguments, PUSHING, SIDE, *laws.near(len(laws.layers(model.friction))))
+    regime = (*place, *model.arguments, *_mode(model))
     taken = (*regime, *(torsion.way for torsion in model.torsions))
     shorthands = {
         **directions(model),
         **model.depths,
-        MU: motion.friction,
+        **motion.coefficients,
         **motion.dry_friction,
         **motion.solved,
         **{torsion.phi: torsion.continued for torsion in model.torsions},
     }
     rows = tuple(motion.outputs.values())
     symbols = (*place, *map(number, model.parameters))
-    turns = [motion.friction_slope(symbol) for symbol in symbols]
+    turns = [motion.turns(symbol) for symbol in symbols]
     slopes = tuple(
         tuple(
             motion.derivative(row, symbol, turn)
@@ -459,37 +604,30 @@ def module(model: Mechanics) -> Module:
         )
     place = (*model.coordinates, *model.rates)
     moving = (*place, *model.arguments)
-    stored = _stored(motion, moving)
-    if len(model.contacts) > 1:
-        return Module("motion", "Borders of a motion, and what it stores.", _kinks(motion) + stored)
-    felt = laws.near(len(laws.layers(model.friction)))
-    regime = (*moving, PUSHING, SIDE, *felt)
+    regime = (*moving, *_mode(model))
     ways = tuple(torsion.way for torsion in model.torsions)
     shorthands = {
         **directions(model),
         **model.depths,
-        MU: motion.friction,
+        **motion.coefficients,
         **motion.dry_friction,
         **motion.solved,
     }
-    accelerations, borders, layers = motion.named, motion.borders, laws.layers(model.friction)
+    accelerations = motion.named
+    layers = tuple(layer for friction in model.frictions for layer in laws.layers(friction))
     accelerated = (*place, *accelerations, *model.arguments)
     function = partial(of_page, shorthands=shorthands)
 
-    def smooth(name: str, summary: str, results: Results, returns: str) -> Function:
+    def smooth(
+        name: str, summary: str, results: Results, returns: str, by: Symbols = ()
+    ) -> Function:
         continued = shorthands | {torsion.phi: torsion.continued for torsion in model.torsions}
+        continued |= motion.turned(by)
         return of_page(name, summary, (*regime, *ways), results, returns, continued)
 
-    below = sp.Symbol("_below", real=True)
-    signs = {
-        # A law with a root has no slope at its border, which is then lift-off's.
-        below: 1 + reached(-borders[0]) if model.contact.polynomial else 1 - reached(borders[0]),
-        PUSHING: below / 2 if model.contact.border is not None else sp.S.One,
-        SIDE: motion.side,
-    }
-    kinked = {**signs, **dict.fromkeys(felt, sp.S.One), **shorthands}
+    parameters = tuple(map(number, model.parameters))
     jacobian = _rows(motion, place)
-    by_parameters = _rows(motion, tuple(map(number, model.parameters)))
+    by_parameters = _rows(motion, parameters)
     turnings = tuple(torsion.border for torsion in model.torsions)
     turns = (
         ()
@@ -511,6 +649,7 @@ def module(model: Mechanics) -> Module:
             ),
         )
     )
+    ahead = "(ahead, behind)" if len(motion.holding) < 2 else "(ahead_1, behind_1, …)"
     grips = (
         (
             smooth(
@@ -518,14 +657,18 @@ def module(model: Mechanics) -> Module:
                 "How far the force of friction that holds is from its limits, with the belt "
                 "and against it: positive while "
                 "it sticks.",
-                motion.margins(motion.holding),
-                "(ahead, behind)",
+                tuple(
+                    margin
+                    for it in motion.holding
+                    for margin in motion.margins(it, motion.constraint(it))
+                ),
+                ahead,
             ),
             smooth(
                 "grip_slopes",
                 "Derivatives of the sliding speed, and of these while it sticks, by "
                 "coordinates, rates and all parameters.",
-                _slopes(motion, (*place, *map(number, model.parameters))),
+                _slopes(motion, (*place, *parameters)),
                 "((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …)",
             ),
         )
@@ -536,15 +679,7 @@ def module(model: Mechanics) -> Module:
         "motion",
         "The equations of motion: everywhere, and in each regime in which they are smooth.",
         (
-            of_page(
-                "rhs",
-                "Accelerations, kinked where a border is zero: there those of "
-                f"{'contact' if model.contact.polynomial else 'lift-off'}, and of the belt ahead.",
-                moving,
-                motion.accelerations,
-                "(q_1″, …)",
-                kinked,
-            ),
+            *_everywhere(motion, moving, shorthands),
             smooth(
                 "regime_rhs",
                 "Accelerations in a smooth regime, continued beyond its borders.",
@@ -556,38 +691,43 @@ def module(model: Mechanics) -> Module:
                 "Derivatives of regime_rhs by the coordinates and the rates.",
                 jacobian,
                 "((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …)",
+                place,
             ),
             smooth(
                 "regime_by_parameters",
                 "Derivatives of regime_rhs by all parameters, an angle as the angle.",
                 by_parameters,
                 "((∂q_1″/∂p_1, …), …)",
+                parameters,
             ),
             *_kinks(motion),
             function(
                 "layers",
                 "Minus the exponents of the sliding speed in the friction law: large where "
                 "they are not felt.",
-                (*moving, SIDE),
+                (*moving, *_sides(model)),
                 layers,
                 "(z_1, …)",
             ),
             function(
                 "layer_rates",
                 "How they change along a motion with the given accelerations.",
-                (*accelerated, SIDE),
+                (*accelerated, *_sides(model)),
                 tuple(motion.rate(layer, accelerations) for layer in layers),
                 "rates of (z_1, …)",
             ),
             *turns,
             *grips,
-            *stored,
-            function(
-                "friction_force",
-                "The force of friction, along what it opposes.",
-                regime,
-                FRICTION if model.holds else motion.friction_force,
-                "force",
+            *_stored(motion, moving),
+            *(
+                function(
+                    named("friction_force", friction),
+                    f"The force of friction{on(friction)}, along what it opposes.",
+                    regime,
+                    motion.friction_force(friction),
+                    "force",
+                )
+                for friction in model.frictions
             ),
             function(
                 "power_besides_friction",
@@ -596,6 +736,34 @@ def module(model: Mechanics) -> Module:
                 motion.damper_power + motion.applied_power,
                 "power",
             ),
+        ),
+    )
+
+
+def _everywhere(motion: Motion, moving: Symbols, shorthands: Names) -> tuple[Function, ...]:
+    """The kinked right-hand side; none where friction holds beside others: no formula tells its
+    side at rest.
+    """
+    model, signs = motion.model, Names()
+    if motion.holding and len(model.frictions) > 1:
+        return ()
+    for contact, border in zip(model.contacts, motion.borders, strict=False):
+        below = sp.Symbol(f"_below{contact.name and '_'}{contact.name}", real=True)
+        # A law with a root has no slope at its border, which is then lift-off's.
+        signs[below] = 1 + reached(-border) if contact.polynomial else 1 - reached(border)
+        signs[contact.pushing] = sp.S.One if contact.border is None else below / 2
+    signs |= {friction.side: motion.side(friction) for friction in model.frictions}
+    felt = {factor: sp.S.One for it in model.frictions for factor in laws.near(it)}
+    touches = all(contact.polynomial for contact in model.contacts)
+    return (
+        of_page(
+            "rhs",
+            "Accelerations, kinked where a border is zero: there those of "
+            f"{'contact' if touches else 'lift-off'}, and of the belt ahead.",
+            moving,
+            motion.accelerations,
+            "(q_1″, …)",
+            {**signs, **felt, **shorthands},
         ),
     )
 

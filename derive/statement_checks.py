@@ -15,7 +15,6 @@ import sympy as sp
 
 from . import limits, reserved, units
 from .emit.quantities import interval
-from .laws import near
 from .mechanics import DEPTH, SLIP
 from .model import Datum, Page, PageError, acceleration_of, expression_of
 from .units import Dimension
@@ -119,11 +118,15 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
     for count in range(1, len(lines) + 1):
         for part in "csl":
             yield f"{part}{count}", f"the direction or length of spring {count}", 0
-    for symbol in near(NEAR):
-        yield str(symbol), "a switch of the friction law", 0
-    for contact in page.contacts if len(page.contacts) > 1 else ():
-        for part in (f"pushing_{contact.name}", f"mu_on_{contact.name}"):
-            yield part, f"an argument for the contact {contact.name}", contact.line
+    several = len(page.contacts) > 1
+    for contact in page.contacts if several else [None]:
+        end, line = ("", 0) if contact is None else (f"_on_{contact.name}", contact.line)
+        for count in range(1, NEAR + 1):
+            yield f"near{count}{end}", "a switch of the friction law", line
+    for contact in page.contacts if several else ():
+        for part in ("pushing_", "mu_on_", "side_on_"):
+            of_contact = f"an argument for the contact {contact.name}"
+            yield f"{part}{contact.name}", of_contact, contact.line
         yield f"contact_force_{contact.name}", "a column of the contact's force", contact.line
     for count in range(1, len(page.torsions) + 1):
         for part in ("phi", "way"):

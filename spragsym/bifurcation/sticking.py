@@ -24,7 +24,8 @@ import numpy as np
 
 from ..core.errors import ConvergenceError, ModelError, ParameterError
 from ..core.questions import Method, question
-from ..models.model import Model, parameter_class, presses_either
+from ..models.forces import presses_either
+from ..models.model import Model, parameter_class
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import determinant
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, quiet, scale_of

@@ -18,8 +18,7 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ConvergenceError, ModelError
-from ..models.forces import named
-from ..models.model import presses_either
+from ..models.forces import named, presses_either
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import cofactor, determinant, is_zero
 from ..numerics.interval_arrays import Intervals, quiet

@@ -39,11 +39,14 @@ WAYS = ("auto", "closed", "search")
 #: Questions that are answered for several contacts, and parts of their answers.
 SEVERAL = (
     "count",
+    "cycle",
     "equilibria",
+    "fate",
     "flutter_onsets",
     "folds",
     "jump_value",
     "quasi_static_path",
+    "simulate",
     "sticking_states",
 )
 PARTS_OF_SEVERAL = ("first_ends", "linked", "open_ends")

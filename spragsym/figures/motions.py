@@ -182,14 +182,9 @@ def draw_phase(
     (line,) = ax.plot(
         length * states[place], speed * states[len(names) + place], color=BLUE, linewidth=0.8
     )
-    friction = motion.model.friction_law
-    if friction is not None and friction["along"] == name and friction["belt"] is not None:
-        ax.axhline(
-            speed * float(motion.p[friction["belt"]]),
-            color=GREY,
-            linewidth=0.6,
-            linestyle=":",
-        )
+    belts = [it["belt"] for it in motion.model.frictions if it["along"] == name]
+    for belt in dict.fromkeys(belt for belt in belts if belt is not None):
+        ax.axhline(speed * float(motion.p[belt]), color=GREY, linewidth=0.6, linestyle=":")
     across, up = labels or (_said(motion, name), _said(motion, rate))
     ax.set(xlabel=across, ylabel=up)
     return line
@@ -261,9 +256,9 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
         )
         figure.tables |= dict(zip("abcdefghijkl"[3 * row : 3 * row + 3], columns, strict=False))
     after = f"{transient:g}" if units is None else f"{transient * time:.4g} s"
-    friction = model.friction_law
-    if units is not None and friction is not None and friction["belt"] is not None:
-        moved = f"belt speed {float(motion.p[friction['belt']]) * length / time:.4g} mm/s"
+    belts = {friction["belt"] for friction in model.frictions}
+    if units is not None and len(belts) == 1 and None not in belts:
+        moved = f"belt speed {float(motion.p[belts.pop()]) * length / time:.4g} mm/s"
     else:
         entries = [entry for entry in model.about["parameters"] if entry["role"] == "motion"]
         moved = ", ".join(

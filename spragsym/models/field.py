@@ -1,10 +1,10 @@
 """Vector field of a model for integrators and the search for cycles: of second order, smooth in
 each of its modes.
 
-Generated functions make it, over the modes (pushing, side, near…): ``pushing`` is 1 in contact and
-0 without, ``side`` the sign of the sliding speed, and ``near`` of every exponential of the friction
-law 1 where it is felt and 0 where it is left out. What a model has not, as a contact that lifts, is
-no border.
+Generated functions make it, over the modes (pushing…, side…, near…): ``pushing`` of every contact
+is 1 in contact and 0 without, ``side`` of every friction the sign of the sliding speed, 0 where it
+sticks, and ``near`` of every exponential of a friction law 1 where it is felt and 0 where it is
+left out. What a model has not, as a contact that lifts, is no border.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from __future__ import annotations
 import inspect
 import itertools
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, partial
 from types import SimpleNamespace
@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ..core.errors import ParameterError
+from ..core.errors import ConvergenceError, ParameterError
 from ..display import Column
 from . import forces
 from .parameters import FloatArray
@@ -100,6 +100,10 @@ class Border:
     stays : callable or None
         ``stays(state, constants, mode)``: not negative where a motion that comes to the border
         stays on it.
+    place : int
+        Which number of a mode it changes.
+    contact : str
+        The name of its contact, of several.
     """
 
     name: str
@@ -113,6 +117,8 @@ class Border:
     jumps: Callable[..., bool] | None = None
     slopes: Callable[..., Any] | None = None
     stays: Callable[..., float] | None = None
+    place: int = 0
+    contact: str = ""
 
 
 @dataclass(frozen=True)
@@ -150,8 +156,8 @@ class Field:
         process; empty where none does.
     ways : int
         How many numbers at the end of a mode go with the place alone.
-    faces : int
-        How many at its beginning do: 1 of a contact that presses on either of two faces.
+    faces : tuple of int
+        Places in a mode that do too: of contacts that press on either of two faces.
     curved : bool
         Whether a level is no linear function of the state.
     around : tuple of int
@@ -188,7 +194,7 @@ class Field:
     forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
     where: str = ""
     ways: int = 0
-    faces: int = 0
+    faces: tuple[int, ...] = ()
     curved: bool = False
     around: tuple[int, ...] = ()
     model: Any = None
@@ -209,11 +215,12 @@ class Field:
 
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
         """The first mode, but for the numbers that go with the place, which are as at the state."""
-        first, last = self.modes[0], len(self.modes[0]) - self.ways
+        first = self.modes[0]
         if not (self.ways or self.faces):
             return first
-        here = self.initial_mode(state, constants)
-        return here[: self.faces] + first[self.faces : last] + here[last:]
+        here, last = self.initial_mode(state, constants), len(first) - self.ways
+        with_place = {*self.faces, *range(last, len(first))}
+        return tuple(here[k] if k in with_place else own for k, own in enumerate(first))
 
     @cached_property
     def holding(self) -> tuple[Border, ...]:
@@ -281,14 +288,14 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
         motion.initial_mode,
         tuple(
             itertools.product(
-                (1, 0),
-                motion.sides,
+                *((1, 0),) * len(motion.contacts),
+                *motion.sides,
                 *((1, 0),) * motion.layers,
-                *((1, -1),) * (motion.turns + motion.torsions),
+                *((1, -1),) * (len(motion.turns) + motion.torsions),
             )
         ),
         model.Parameters,
-        lambda mode: (*mode[:2], *(1,) * motion.layers, *mode[motion.turn :]),
+        lambda mode: (*mode[: motion.near], *(1,) * motion.layers, *mode[motion.turn :]),
         where=model.where,
         ways=motion.torsions,
         faces=motion.faces,
@@ -314,6 +321,7 @@ def exact_field(where: str) -> Field:
     from .load import load
 
     model = load(where)
+    model.require_one_contact("a proof of a cycle")
     if not model.contact["polynomial"]:
         raise ParameterError(
             "the contact law is no polynomial: it has no continuation beyond its border, "
@@ -347,27 +355,42 @@ class _Motion:
     """
 
     def __init__(self, model: Model, reach: float, levels: tuple[float, ...] = ()) -> None:
-        model.require_one_contact("motion")
         about = model.about
-        self.model, self.reach, self.contact = model, reach, model.contact
+        self.model, self.reach, self.contacts = model, reach, model.contacts
         self.layers, self.torsions = about["layers"], len(about["torsions"])
-        self.holds = hasattr(model.algebra, "grip")
-        self.sides = (1, -1, 0) if self.holds else (1, -1)
-        self.rooted = not self.contact["polynomial"]
-        self.turns = int(
-            self.rooted and self.contact["unilateral"] and self.contact["gap"] in model.coordinates
+        #: Of each friction whether it holds; of a model without any one number of the mode is left.
+        self.holds = [entry["holds"] for entry in model.frictions] or [False]
+        self.sides = [(1, -1, 0) if holds else (1, -1) for holds in self.holds]
+        #: Frictions that hold, in the order of what is generated of them.
+        self.holding = [place for place, holds in enumerate(self.holds) if holds]
+        self.rooted = [not entry["polynomial"] for entry in self.contacts]
+        #: Contacts whose gap is a coordinate, at each turn of which a motion is stopped.
+        self.turns = [
+            contact
+            for contact, entry in enumerate(self.contacts)
+            if self.rooted[contact] and entry["unilateral"] and entry["gap"] in model.coordinates
+        ]
+        #: Contacts that press on either of two faces: places of what goes with the place alone.
+        self.faces = tuple(
+            contact for contact, entry in enumerate(self.contacts) if forces.presses_either(entry)
         )
-        lifts = self.contact["border"] is not None
-        #: How many numbers at the beginning of a mode go with the place alone.
-        self.faces = int(lifts and not self.contact["unilateral"])
-        sizes = levels or (1.0, 1.0)
+        rows = itertools.chain(levels, itertools.repeat(1.0))
+        sizes = [1.0 if entry["border"] is None else next(rows) for entry in self.contacts]
         #: How far before its border a law that is no polynomial is left, for it may have no
-        #: continuation beyond; and up to which sliding speed nothing slides.
-        self.shift = 2 * GAP * sizes[0] * self.rooted
-        self.still = STILL * sizes[-1 if len(sizes) <= lifts else lifts]
-        #: Places in a mode of the turn of the gap, and of the first torsion spring.
-        self.turn = 2 + self.layers
-        self.way = self.turn + self.turns
+        #: continuation beyond; and up to which sliding speeds nothing slides.
+        self.shifts = [
+            2 * GAP * size * rooted for size, rooted in zip(sizes, self.rooted, strict=True)
+        ]
+        self.still = list[float]()
+        for holds in self.holds:
+            size, *_ = itertools.islice(rows, 3 if holds else 1)
+            self.still.append(STILL * size)
+        #: Places in a mode of the first side, the first exponential of a friction law, the first
+        #: turn of a gap, and the first torsion spring.
+        self.side = len(self.contacts)
+        self.near = self.side + len(self.holds)
+        self.turn = self.near + self.layers
+        self.way = self.turn + len(self.turns)
 
     def constants(self, values: Sequence[Any], xp: Any = None) -> tuple[Any, ...]:
         """What the functions take, from values of the parameters."""
@@ -387,7 +410,7 @@ class _Motion:
         takes.
         """
         plain = undecorated(getattr(self.model.algebra, name))
-        turn, way, rooted = self.turn, self.way, self.rooted
+        turn, way, rooted = self.turn, self.way, any(self.rooted)
 
         def call(
             state: Sequence[Any], constants: Sequence[Any], mode: Sequence[Any], xp: Any
@@ -401,33 +424,94 @@ class _Motion:
     def initial_mode(self, state: Sequence[Any], constants: Sequence[Any]) -> Mode:
         """The mode of a state."""
         algebra, n = self.model.algebra, len(self.model.coordinates)
-        gap, slip = undecorated(algebra.borders)(*state, *constants)
-        side = 2 * (slip >= 0) - 1
+        levels = undecorated(algebra.borders)(*state, *constants)
+        gaps, slips = levels[: self.side], levels[self.side :]
+        sides = [2 * (slip >= 0) - 1 for slip in slips]
         near = (
             1 * (depth <= self.reach)
-            for depth in undecorated(algebra.layers)(*state, *constants, side)
+            for depth in undecorated(algebra.layers)(*state, *constants, *sides)
         )
-        turn = [2 * (state[n + self._gap] >= 0) - 1] if self.turns else []
+        turn = [2 * (state[n + self._gap(contact)] >= 0) - 1 for contact in self.turns]
         ways = (2 * (sine >= 0) - 1 for sine, _ in self._turned(state, constants))
         # A law that is no polynomial begins without contact on the border itself.
-        pushing = 1 * (gap <= -self.shift) if self.contact["border"] else 1
-        mode = pushing, side, *near, *turn, *ways
-        return self.held(mode, state, constants) if self.holds and abs(slip) <= self.still else mode
+        pushing = (
+            1 * (gap <= -shift) if entry["border"] else 1
+            for gap, shift, entry in zip(gaps, self.shifts, self.contacts, strict=True)
+        )
+        mode = *pushing, *sides, *near, *turn, *ways
+        still = [place for place in self.holding if abs(slips[place]) <= self.still[place]]
+        return self._settled(mode, state, constants, still) if still else mode
 
-    def held(self, mode: Mode, state: Any, constants: Any) -> Mode:
-        """The mode where nothing slides: sticking, if there is contact and the force of friction is
-        within its limits.
+    def held(self, mode: Mode, state: Any, constants: Any, come: Sequence[int] = ()) -> Mode:
+        """The mode in which a motion goes on where frictions have ``come`` to a border: what sticks
+        and what hardly slides may begin and end to stick with them.
         """
-        ahead, behind = self.in_mode("grip")(state, constants, mode, FLOATS)
-        sticks = min(ahead, behind) >= 0 < max(ahead, behind)  # in lift-off these are −F and F
-        return mode[0], 0 if sticks else 1 if ahead < behind else -1, *mode[2:]
+        slips = undecorated(self.model.algebra.borders)(*state, *constants)[self.side :]
+        chosen = [
+            place
+            for place in self.holding
+            if place in come
+            or not mode[self.side + place]
+            or abs(slips[place]) <= self.still[place]
+        ]
+        return self._settled(mode, state, constants, chosen)
 
-    def grips(self, state: Any, constants: Any, mode: Mode) -> float:
-        """How far the force of friction that would hold the mass is from its limits."""
-        return float(min(self.in_mode("grip")(state, constants, mode, FLOATS)))
+    def _settled(self, mode: Mode, state: Any, constants: Any, chosen: Sequence[int]) -> Mode:
+        """The mode, over sides of the chosen frictions, that agrees with its own accelerations; of
+        those that do the one in which most stick. An error where none does, or several that are no
+        part of one.
+        """
+        found: list[tuple[set[int], Mode]] = []
+        for sides in sorted(itertools.product((0, 1, -1), repeat=len(chosen)), key=_count_slips):
+            own = dict(zip(chosen, sides, strict=True))
+            stuck = {place for place in chosen if not own[place]}
+            after = tuple(
+                own.get(place - self.side, number) if self.side <= place < self.near else number
+                for place, number in enumerate(mode)
+            )
+            if any(stuck < others for others, _ in found):
+                continue
+            if self._agrees(after, state, constants, chosen):
+                found.append((stuck, after))
+        if len(found) == 1:
+            return found[0][1]
+        names = ", ".join(self.model.frictions[place]["name"] for place in chosen)
+        several = f"{len(found)} ways to go on" if found else "no way to go on"
+        raise ConvergenceError(
+            f"where the frictions {names} stick or slip at one instant, dry friction leaves "
+            f"{several} (Painlevé's paradox); change a parameter or the start by some thousandths"
+        )
 
-    def slips(self, row: int) -> Callable[..., Any]:
-        """Derivatives of the sliding speed, or of how far its force is from a limit."""
+    def _agrees(self, mode: Mode, state: Any, constants: Any, chosen: Sequence[int]) -> bool:
+        """Whether each chosen friction that sticks is within its limits, and each that slips can't
+        stick, or is driven the way it slips.
+        """
+        margins = self.in_mode("grip")(state, constants, mode, FLOATS)
+        for place in chosen:
+            side, row = mode[self.side + place], 2 * self.holding.index(place)
+            ahead, behind = margins[row : row + 2]
+            sticks = min(ahead, behind) >= 0 < max(ahead, behind)  # in lift-off these are −F and F
+            if side == (0 if sticks else 1 if ahead < behind else -1):
+                continue
+            if not (sticks and side * self._slip_rate(place, mode, state, constants) > 0):
+                return False
+        return True
+
+    def _slip_rate(self, place: int, mode: Mode, state: Any, constants: Any) -> float:
+        """How fast a sliding speed changes in a mode."""
+        pulls = self.in_mode("regime_rhs")(state, constants, mode, FLOATS)
+        rates = undecorated(self.model.algebra.border_rates)(*state, *pulls, *constants)
+        return float(rates[self.side + place])
+
+    def _grips(self, place: int) -> Callable[..., float]:
+        """How far the force of a friction that would hold the mass is from its limits."""
+        row, grip = 2 * self.holding.index(place), self.in_mode("grip")
+        return lambda state, constants, mode: float(
+            min(grip(state, constants, mode, FLOATS)[row : row + 2])
+        )
+
+    def _slips(self, row: int) -> Callable[..., Any]:
+        """Derivatives of a sliding speed, or of how far its force is from a limit."""
         slopes = self.in_mode("grip_slopes")
         return lambda state, constants, mode: slopes(state, constants, mode, _namespace(state))[row]
 
@@ -441,9 +525,8 @@ class _Motion:
             return []
         return [float(rest) for *_, rest in lines if rest]
 
-    @property
-    def _gap(self) -> int:
-        return self.model.coordinates.index(self.contact["gap"])
+    def _gap(self, contact: int) -> int:
+        return self.model.coordinates.index(self.contacts[contact]["gap"])
 
     def _turned(
         self, state: Sequence[float], constants: Sequence[float]
@@ -460,53 +543,38 @@ class _Motion:
 
     def borders(self) -> Iterator[Border]:
         """All borders between modes."""
-        of_gap, of_slip, reach = self.contact["border"], self.model.friction_law, self.reach
-        if of_gap is not None:
-            levels = self._generated("borders", "border_rates", 0, shift=lambda _: self.shift)
-            sign, opened = _side(0, 1)
-
-            def lifted(mode: Mode, *at: Any) -> Mode:
-                after = opened(mode)
-                return after if mode[1] else self.held(after, *at)
-
-            yield Border(
-                f"{of_gap} = 0",
-                *levels,
-                sign,
-                lifted,
-                crossings=("face_left", "face_regained")
-                if self.faces
-                else ("contact_lost", "contact_regained"),
-            )
-        if of_slip is not None:
-            along = of_slip["along"]
-            name = f"{along if along.isidentifier() else f'({along})'}' = {of_slip['belt']}"
-            levels, crossings = (
-                self._generated("borders", "border_rates", 1),
-                ("belt_overtakes", "mass_overtakes"),
-            )
-            if self.holds:
-                yield from self._held(name, levels, crossings)
-            else:
-                yield Border(name, *levels, *_side(1, 0), crossings=crossings)
+        for contact, entry in enumerate(self.contacts):
+            if entry["border"] is not None:
+                yield self._lifting(contact, entry)
+        for place, entry in enumerate(self.model.frictions):
+            yield from self._sliding(place, entry)
+        reach = self.reach
         for k in range(
             self.layers
         ):  # exponentials of the sliding speed, where they are about to be felt
 
-            def shift(mode: Mode, place: int = 2 + k) -> Any:
+            def shift(mode: Mode, place: int = self.near + k) -> Any:
                 return -reach - WIDTH * mode[place]
 
-            levels = self._generated("layers", "layer_rates", k, slice(1, 2), shift)
+            sides = slice(self.side, self.near)
+            levels = self._generated("layers", "layer_rates", k, sides, shift)
             yield Border(
-                f"layer {k + 1}", *levels, *_side(2 + k, 1), kink=False, scale=1e-3 / reach
+                f"layer {k + 1}",
+                *levels,
+                *_side(self.near + k, 1),
+                kink=False,
+                scale=1e-3 / reach,
+                place=self.near + k,
             )
-        if self.turns:
-            rate = len(self.model.coordinates) + self._gap
+        for k, contact in enumerate(self.turns):
+            gap = self._gap(contact)
+            rate = len(self.model.coordinates) + gap
             yield Border(
-                "gap' = 0",
-                lambda state, *_: state[rate],
-                lambda _, accelerations, *__: accelerations[self._gap],
-                *_side(self.turn, 0),
+                f"{_said(self.contacts[contact])}gap' = 0",
+                lambda state, *_, rate=rate: state[rate],
+                lambda _, accelerations, *__, gap=gap: accelerations[gap],
+                *_side(self.turn + k, 0),
+                place=self.turn + k,
             )
         for k in range(self.torsions):
             # Where a turning comes to π times its way, or to −0.93 times it: from there the other
@@ -518,32 +586,69 @@ class _Motion:
             def jumps(state: Any, constants: Any, k: int = k) -> bool:
                 return bool(self._turned(state, constants)[k][1] < 0)
 
-            yield Border(f"turning {k + 1}", *levels, lambda _: 1, beyond, jumps=jumps)
+            place = self.way + k
+            yield Border(f"turning {k + 1}", *levels, lambda _: 1, beyond, jumps=jumps, place=place)
 
-    def _held(
-        self, name: str, levels: tuple[Any, Any], crossings: tuple[str, str]
-    ) -> Iterator[Border]:
-        """Borders of dry friction: the sliding speed comes to 0, or the force that holds it there
-        comes to a limit.
-        """
-        begins = (*crossings, "stick")
-        yield Border(
-            name,
+    def _lifting(self, contact: int, entry: Mapping[str, Any]) -> Border:
+        """The border of a contact between its two regimes."""
+        shift = self.shifts[contact]
+        levels = self._generated("borders", "border_rates", contact, shift=lambda _: shift)
+        sign, opened = _side(contact, 1)
+        rubbing = [
+            self.side + place
+            for place in self.holding
+            if self.model.frictions[place]["name"] == entry["name"]
+        ]
+
+        def lifted(mode: Mode, *at: Any) -> Mode:
+            after = opened(mode)
+            return after if all(mode[place] for place in rubbing) else self.held(after, *at)
+
+        return Border(
+            f"{_said(entry)}{entry['border']} = 0",
             *levels,
-            lambda mode: mode[1],
-            self.held,
-            True,
-            begins,
-            1e-3,
-            always,
-            self.slips(0),
-            self.grips,
+            sign,
+            lifted,
+            crossings=("face_left", "face_regained")
+            if contact in self.faces
+            else ("contact_lost", "contact_regained"),
+            place=contact,
+            contact=entry["name"],
         )
-        for row, way in enumerate(("with", "against")):
-            slopes = self.slips(1 + row)
 
-            def level(state: Any, constants: Any, mode: Mode, row: int = row) -> Any:
-                return self.in_mode("grip")(state, constants, mode, _namespace(state))[row]
+    def _sliding(self, friction: int, entry: Mapping[str, Any]) -> Iterator[Border]:
+        """The border of a sliding speed; of friction that holds, the limits of its force too."""
+        place, along, contact = self.side + friction, entry["along"], entry["name"]
+        along = along if along.isidentifier() else f"({along})"
+        slip = Border(
+            f"{_said(entry)}{along}' = {entry['belt']}",
+            *self._generated("borders", "border_rates", place),
+            *_side(place, 0),
+            crossings=("belt_overtakes", "mass_overtakes"),
+            place=place,
+            contact=contact,
+        )
+        if not entry["holds"]:
+            yield slip
+            return
+        row = self.holding.index(friction)
+
+        def held(mode: Mode, state: Any, constants: Any) -> Mode:
+            return self.held(mode, state, constants, (friction,))
+
+        yield replace(
+            slip,
+            beyond=held,
+            crossings=(*slip.crossings, "stick"),
+            jumps=always,
+            slopes=self._slips(3 * row),
+            stays=self._grips(friction),
+        )
+        for limit, way in enumerate(("with", "against")):
+            slopes, margin = self._slips(3 * row + 1 + limit), 2 * row + limit
+
+            def level(state: Any, constants: Any, mode: Mode, margin: int = margin) -> Any:
+                return self.in_mode("grip")(state, constants, mode, _namespace(state))[margin]
 
             def rate(
                 state: Any, accelerations: Any, constants: Any, mode: Mode, slopes: Any = slopes
@@ -554,14 +659,16 @@ class _Motion:
                 )
 
             yield Border(
-                f"friction at its limit {way} the belt",
+                f"{_said(entry)}friction at its limit {way} the belt",
                 level,
                 rate,
-                lambda mode: 1 - mode[1] * mode[1],
-                self.held,
+                lambda mode: 1 - mode[place] * mode[place],
+                held,
                 crossings=("", "", "slip"),
                 jumps=always,
                 slopes=slopes,
+                place=place,
+                contact=contact,
             )
 
     def _generated(
@@ -589,6 +696,15 @@ class _Motion:
             ]
 
         return level_of, rate_of
+
+
+def _said(entry: Mapping[str, Any]) -> str:
+    """The contact before what is said of it, of several."""
+    return f"{entry['name']}: " if entry["name"] else ""
+
+
+def _count_slips(sides: Sequence[int]) -> int:
+    return sum(map(abs, sides))
 
 
 def always(*_: Any) -> bool:

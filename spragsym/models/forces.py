@@ -4,7 +4,7 @@ contact.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +16,11 @@ from .parameters import FloatArray, ParameterSet
 
 if TYPE_CHECKING:
     from ..models.model import Model
+
+
+def presses_either(contact: Mapping[str, Any]) -> bool:
+    """Whether a contact presses on either of two faces, and rubs on both."""
+    return contact["border"] is not None and not contact["unilateral"]
 
 
 def columns_of(model: Model) -> tuple[str, ...]:
@@ -115,6 +120,15 @@ def told_of(model: Model) -> dict[str, partial[FloatArray]]:
         for place, entry in enumerate(model.contacts)
         if entry["gap"] is not None
     }
+
+
+def contact_named(model: Model, contact: str | None, names: Sequence[str]) -> int:
+    """The place of the contact of a name among ``names``, or of the only one."""
+    contact = names[0] if contact is None and len(names) == 1 else contact
+    if contact not in names:
+        offered = ", ".join(map(repr, names))
+        raise ParameterError(f"contact = {contact!r} of {model.name} is one of {offered}")
+    return names.index(contact)
 
 
 def spring_named(model: Model, spring: str | None) -> str:

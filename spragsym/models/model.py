@@ -31,11 +31,6 @@ Touching: TypeAlias = bool | tuple[str, ...]
 OPPOSITE = "opposite face"
 
 
-def presses_either(contact: Mapping[str, Any]) -> bool:
-    """Whether a contact presses on either of two faces, and rubs on both."""
-    return contact["border"] is not None and not contact["unilateral"]
-
-
 def label_of(contact: Mapping[str, Any]) -> str:
     """The name of a contact, in words where it has none."""
     return contact["name"] or "face"
@@ -162,6 +157,13 @@ class Model:
         return self.about["frictions"]
 
     @property
+    def rubbing(self) -> tuple[str, ...]:
+        """Names of the contacts with friction; of a model without any that of the first contact,
+        whose friction is 0.
+        """
+        return tuple(entry["name"] for entry in self.frictions or self.contacts[:1])
+
+    @property
     def contact(self) -> Mapping[str, Any]:
         """The only contact; an error of a model with several."""
         self.require_one_contact("this")
@@ -206,7 +208,7 @@ class Model:
         """Whether equilibria are those of more regimes than one: of several contacts, or of one
         that presses on either of two faces.
         """
-        return len(self.contacts) > 1 or presses_either(self.contacts[0])
+        return len(self.contacts) > 1 or forces.presses_either(self.contacts[0])
 
     @property
     def base(self) -> dict[str, float]:

@@ -191,6 +191,7 @@ class Trajectory(Named):
         Column("period", "s", "period of the cycle that it has settled to"),
         Column("event_t", "s", "time of an event"),
         Column("event", "1", "what happened", Event),
+        Column("event_contact", "1", "of which contact, where there are several"),
     )
 
     model: Any
@@ -374,49 +375,71 @@ class Trajectory(Named):
 
     def energy(self) -> FloatArray:
         """Kinetic and stored energy, contact and applied forces included, at the samples."""
-        return self.model.algebra.energy(*self.state, *self._arguments(), self._pushing())
+        return self.model.algebra.energy(*self.state, *self._arguments(), *self._pushing())
 
     def friction_power(self) -> FloatArray:
         """Rate at which friction changes that energy, at the samples: positive where it drives the
         motion.
         """
         rates = np.split(self.state, 2)[1]
-        slide = -self.model.algebra.border_rates(
+        slides = self.model.algebra.border_rates(
             *self.state[: len(rates)], *(0.0 * rates), *rates, *self._arguments()
-        )[1]
-        return self.friction * slide
+        )[len(self.model.contacts) :]
+        return sum(
+            (
+                self.friction_force(entry["name"]) * -slide
+                for entry, slide in zip(self.model.frictions, slides, strict=False)
+            ),
+            np.zeros(self.t.shape),
+        )
 
     @property
     def friction(self) -> FloatArray:
+        """The force of the only friction at the samples: see :meth:`friction_force`."""
+        return self.friction_force()
+
+    def friction_force(self, contact: str | None = None) -> FloatArray:
         """The force of friction at the samples, positive in the belt's direction; while it sticks,
-        what holds the mass.
+        what holds the mass. ``contact`` names one of several.
 
         Where it jumps, between both sides: so that integrals over the steps before and after are
         right.
         """
+        rubbing = self.model.rubbing
+        name = rubbing[forces.contact_named(self.model, contact, rubbing)]
         sides, felt, pushing, gaps = (
             self._sides(),
             [1] * self.model.about["layers"],
             self._pushing(),
             np.diff(self.t),
         )
-        before = np.concatenate([sides[:1], sides[:-1]])
+        before = np.concatenate([sides[:, :1], sides[:, :-1]], axis=1)
+        names = [entry["name"] for entry in self.model.contacts]
+        rubs = pushing.copy()
+        rubs[[*self.model.field.faces]] = 1  # on the other face too
+        presses = rubs[[names.index(one) for one in rubbing]]
         own, last = (
-            self.model.algebra.friction_force(
-                *self.state, *self._arguments(), pushing, np.where(pushing, side, 1), *felt
+            getattr(self.model.algebra, forces.named("friction_force", name))(
+                *self.state, *self._arguments(), *pushing, *np.where(presses, side, 1), *felt
             )
             for side in (sides, before)
         )
         share = np.divide(gaps[:-1], gaps[:-1] + gaps[1:])
-        own[1:-1] += np.where(sides != before, last - own, 0.0)[1:-1] * share
+        jumps = (sides != before).any(axis=0)
+        own[1:-1] += np.where(jumps, last - own, 0.0)[1:-1] * share
         return own
 
     @property
     def sticking(self) -> float:
         """The share of time in which the mass sticks to the belt: 0 where friction does not hold
-        (see ``page.friction``).
+        (see ``page.friction``). Of several contacts :meth:`sticking_share` tells it of one.
         """
-        return float(np.diff(self.t)[self._sides()[:-1] == 0].sum() / (self.t[-1] - self.t[0]))
+        return self.sticking_share()
+
+    def sticking_share(self, contact: str | None = None) -> float:
+        """The share of time in which friction sticks; ``contact`` names one of several."""
+        sides = self._sides()[forces.contact_named(self.model, contact, self.model.rubbing)]
+        return float(np.diff(self.t)[sides[:-1] == 0].sum() / (self.t[-1] - self.t[0]))
 
     def power(self) -> FloatArray:
         """Rate at which friction, dampers and forces without a potential change that energy, at the
@@ -433,9 +456,13 @@ class Trajectory(Named):
         name = forces.spring_named(self.model, spring)
         return forces.told_of(self.model)[name](self.state, self._arguments())
 
-    def contact_force(self) -> FloatArray:
-        """Normal force of the contact at the samples: 0 where the mass has lifted off."""
-        return forces.contact_force(self.model, self.state, self._arguments())
+    def contact_force(self, contact: str | None = None) -> FloatArray:
+        """Normal force of the contact at the samples: 0 where the mass has lifted off; ``contact``
+        names one of several.
+        """
+        names = [entry["name"] for entry in self.model.contacts]
+        place = forces.contact_named(self.model, contact, names)
+        return forces.contact_force(self.model, self.state, self._arguments(), place)
 
     def spectrum(
         self, transient: float | None = None, *, of: str | None = None, points: int = 4096
@@ -464,7 +491,9 @@ class Trajectory(Named):
 
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``)."""
-        t, at, error, event = map(self._own, ("t", "event_t", "error", "event"))
+        t, at, error, event, contact = map(
+            self._own, ("t", "event_t", "error", "event", "event_contact")
+        )
         data: dict[str, Any] = {name: (t, self[name]) for name in self.components}
         if self.error is not None:
             data[error] = (t, self.error)
@@ -472,6 +501,8 @@ class Trajectory(Named):
         if self.events is not None:
             coords[at] = self.events.t
             data[event] = (at, self.events.which.astype(np.int8))
+            if self.events.contact:
+                data[contact] = (at, np.array(self.events.contact))
         return storage.dataset(data, coords, self._attributes(), self._in_model_units)
 
     # --------------------------------------------------------------------------------------------
@@ -494,18 +525,29 @@ class Trajectory(Named):
         return [float(value) for value in self.model.arguments(self.p, "motion")]
 
     def _levels(self) -> tuple[FloatArray, FloatArray]:
-        """The contact's border, negative where there is none, and sliding speed at the samples."""
-        gap, slip = self.model.algebra.borders(*self.state, *self._arguments())
-        return gap if self.model.contact["border"] else np.full_like(slip, -1.0), slip
+        """The contacts' borders, negative where there are none, and the sliding speeds at the
+        samples: a row for each.
+        """
+        levels = self.model.algebra.borders(*self.state, *self._arguments())
+        gaps = [
+            gap if entry["border"] else np.full(self.t.shape, -1.0)
+            for gap, entry in zip(levels, self.model.contacts, strict=False)
+        ]
+        return np.array(gaps), np.array(levels[len(gaps) :])
 
     def _sides(self) -> IndexArray:
-        """The sign of the sliding speed at the samples, 0 where the mass sticks."""
+        """The signs of the sliding speeds at the samples, 0 where the mass sticks: a row for each
+        friction.
+        """
         field, constants = self.model.field, self._arguments()
+        slips = self._levels()[1]
         if not field.holding:
-            return np.where(self._levels()[1] >= 0, 1, -1)
+            return np.where(slips >= 0, 1, -1)
+        first = len(self.model.contacts)
+        sides = slice(first, first + len(slips))
         return np.array(
-            [field.initial_mode(state, constants)[1] for state in self.state.T.tolist()]
-        )
+            [field.initial_mode(state, constants)[sides] for state in self.state.T.tolist()]
+        ).T
 
     def _pushing(self) -> IndexArray:
         return (self._levels()[0] < 0).astype(int)

@@ -4,6 +4,7 @@ its end and derivatives.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
@@ -48,8 +49,8 @@ def passed(
     directions: FloatArray | None,
     columns: FloatArray | None = None,
 ) -> tuple[Mode, tuple[Crossing, ...]]:
-    """How a motion goes on behind a border: its next mode, and the crossing, none where there is no
-    kink.
+    """How a motion goes on behind a border: its next mode, and the crossings, none where there is
+    no kink; of several at one instant the border's own is the first.
 
     Where the field jumps, the state and its derivatives by start and ``directions``, the
     ``columns``, are moved: they go on from the border itself, not from where it was noticed; so
@@ -58,16 +59,35 @@ def passed(
     """
     if problem.field.holding:
         project(problem, mode, state, None)
-    border, at = problem.field.borders[row], (np.asarray(state).tolist(), problem.constants)
-    after = border.beyond(mode, *at)
-    crossing = Crossing(t, row, int(border.sign(after)), state.copy(), int(border.sign(mode)))
-    if border.jumps is not None and border.jumps(*at):
-        if border.slopes is not None:
-            late, there = saltation(problem, border, (mode, after), state, directions, columns)
-            crossing = crossing._replace(t=max(t - late, 0.0), state=there)
-        elif directions is not None:
-            raise ConvergenceError(JUMPED)
-    return after, (crossing,) if border.kink else ()
+    border, constants = problem.field.borders[row], problem.constants
+    last = border.beyond(mode, np.asarray(state).tolist(), constants)
+    crossings = list[Crossing]()
+    # What else begins or ends to stick at the same instant does so through a border of its own; not
+    # where the contact opens on which it sticks.
+    changed = (place for place, (a, b) in enumerate(zip(mode, last, strict=True)) if a != b)
+    others = [place for place in changed if place != border.place and border.slopes]
+    for place in (border.place, *others):
+        at = np.asarray(state).tolist(), constants
+        if place != border.place:
+            row, border = min(
+                (
+                    (number, that)
+                    for number, that in enumerate(problem.field.borders)
+                    if that.place == place and that.sign(mode)
+                ),
+                key=lambda each: each[1].sign(mode) * each[1].level(*at, mode),
+            )
+        after = (*mode[:place], last[place], *mode[place + 1 :]) if others else last
+        crossing = Crossing(t, row, int(border.sign(after)), state.copy(), int(border.sign(mode)))
+        if border.jumps is not None and border.jumps(*at):
+            if border.slopes is not None:
+                late, there = saltation(problem, border, (mode, after), state, directions, columns)
+                crossing = crossing._replace(t=max(t - late, 0.0), state=there)
+            elif directions is not None:
+                raise ConvergenceError(JUMPED)
+        crossings += [crossing] * border.kink
+        mode = after
+    return mode, tuple(crossings)
 
 
 def saltation(
@@ -206,12 +226,8 @@ def project(
     tangent of that.
     """
     for border in problem.field.stays(mode):
-        near = (
-            other
-            for other in problem.field.modes
-            if sum(a != b for a, b in zip(mode, other, strict=True)) == 1
-        )
-        ways = [other for other in near if border.sign(other)]
+        at = border.place
+        ways = [(*mode[:at], side, *mode[at + 1 :]) for side in (1, -1)]
         fastest = max(ways, key=lambda way: speed_across(problem, border, way, state))
         saltation(problem, border, (fastest, mode), state, directions, columns)
 
@@ -359,17 +375,22 @@ class Events(Rows):
         Codes of :class:`Event`.
     components : tuple of str
         Names of the coordinates and rates.
+    contact : tuple of str, length k
+        The contact that opened or closed, or whose friction began or ended to stick or turned
+        around, by its name; nothing where there is one contact.
     """
 
     schema = (
         Column("t", "s", "time of the event"),
         Column("which", "1", "what happened", Event),
+        Column("contact", "1", "of which contact, where there are several"),
     )
 
     t: FloatArray
     state: FloatArray
     which: IndexArray
     components: tuple[str, ...] = field(repr=False)
+    contact: tuple[str, ...] = field(default=(), repr=False)
 
     def __len__(self) -> int:
         return len(self.t)
@@ -387,13 +408,25 @@ class Events(Rows):
 
     def select(self, chosen: BoolArray) -> Events:
         """The events that are marked."""
-        return replace(self, t=self.t[chosen], state=self.state[chosen], which=self.which[chosen])
+        return replace(
+            self,
+            t=self.t[chosen],
+            state=self.state[chosen],
+            which=self.which[chosen],
+            contact=tuple(itertools.compress(self.contact, chosen)),
+        )
+
+    def on(self, contact: str) -> Events:
+        """The events of one of several contacts, by its name."""
+        one_of("contact", contact, sorted({*self.contact}))
+        return self.select(np.array(self.contact) == contact)
 
     def _shown(self) -> dict[str, Any]:
-        """Time, what happened, and the state by its names."""
+        """Time, what happened, of several contacts to which, and the state by its names."""
         return {
             "t": self.t,
             "which": self.which,
+            **({"contact": np.array(self.contact)} if self.contact else {}),
             **dict(zip(self.components, self.state.T, strict=True)),
         }
 
@@ -407,4 +440,5 @@ def events_of(field: Field, crossings: Sequence[Crossing]) -> Events:
         np.array([each.state for each in told]).reshape(-1, field.size),
         np.array([kinds[each.border, each.sign] for each in told], dtype=np.intp),
         field.components,
+        tuple(filter(None, (field.borders[each.border].contact for each in told))),
     )

@@ -293,6 +293,8 @@ def cycle_branch(
     >>> [event.kind for event in branch.events]
     ['end', 'end']
     """
+    if cycle.field.model is not None:
+        cycle.field.model.require_one_contact("cycle_branch")
     require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
     model = cycle.field
     index = model.parameters.index(one_of("vary", vary, model.parameters))

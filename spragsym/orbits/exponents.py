@@ -167,6 +167,7 @@ def lyapunov(
     True
     """
     system, state = System.of(p, backend, V=V, d=d), state_of(p.model, start)
+    p.model.require_one_contact("lyapunov")
     unit = system.scales(state).time
     t_end = as_number("t_end", FOLLOWED * unit if t_end is None else t_end, POSITIVE)
     whole = rates_along(system, state, t_end)

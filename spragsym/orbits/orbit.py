@@ -165,6 +165,8 @@ class Cycle(Result):
     @cached_property
     def phases(self) -> Phases:
         """The modes that one period passes through."""
+        if self.field.model is not None:
+            self.field.model.require_one_contact("phases")
         t = np.array([0.0, *self.events.t, self.period])
         modes = [self.loop.mode(state)[:2] for state in self.samples((t[1:] + t[:-1]) / 2).T]
         return Phases(t[:-1], np.diff(t), *np.array(modes, dtype=np.int8).T)

@@ -14,7 +14,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..models.model import OPPOSITE, Model, label_of, presses_either
+from ..models.forces import presses_either
+from ..models.model import OPPOSITE, Model, label_of
 from ..models.quantities import Unit
 from ..numerics import balls, contractors, jets
 from ..numerics.arithmetic import Matrix, Number, is_zero

@@ -91,7 +91,7 @@ class Forces:
         self.torsions: list[int] = [entry["spring"] for entry in about["torsions"]]
         #: Names of contacts, and of those that rub.
         self.contacts = [entry["name"] for entry in model.contacts]
-        self.rubbing = [entry["name"] for entry in model.frictions] or self.contacts[:1]
+        self.rubbing = model.rubbing
         #: Of every contact whether it touches; one that does not open always does.
         self.pushing = [
             int(

@@ -132,6 +132,41 @@ page.friction(x_1, V, slip=lambda v: mu_k * sgn(v), holds=mu_s, on=first)
 page.friction(x_2, V, slip=lambda v: mu_k * sgn(v), holds=mu_s, on=second)
 """
 
+#: The same with friction that falls with the sliding speed.
+FALLING_BLOCKS = (
+    BLOCKS.replace("lambda v: mu_k * sgn(v)", "lambda v: mu_s / (1 + Abs(v) / mu_k) * sgn(v)")
+    .replace("import Page, sgn", "import Abs, Page, sgn")
+    .replace(
+        'mu_k = page.parameter("mu_k", "1", "kinetic friction coefficient"',
+        'mu_k = page.parameter("mu_k", "m/s", "speed at which friction is half"',
+    )
+    .replace('">= 0", 0.4)', '"> 0", 0.4)')
+)
+
+#: Two blocks that a bar with a mass of its own ties: friction on one changes what holds the other.
+TIED_BLOCKS = BLOCKS.replace(
+    "page.rate(x_2)**2) / 2)",
+    "page.rate(x_2)**2) / 2 + c * m * (page.rate(x_1) + page.rate(x_2))**2 / 2)",
+).replace(
+    "x_1 = page",
+    'c = page.parameter("c", "1", "mass of the bar over m", ">= 0", 0.7)\nx_1 = page',
+    1,
+)
+
+#: A mass between two pads, into which it is pressed by d in the middle.
+PADS = """r\"\"\"A page of the tests.\"\"\"
+from spragsym.derive.model import Page
+page = Page("A page of the tests.")
+m = page.unit("m", "kg", "mass")
+k_c = page.unit("k_c", "N/m", "contact stiffness")
+a = page.unit("a", "m", "length")
+d = page.parameter("d", "m", "preloaded depth", "real", 0.1)
+x = page.coordinate("x", "m", "across the pads")
+page.kinetic(m * page.rate(x)**2 / 2)
+page.contact(x - d, lambda depth: k_c * depth, name="left")
+page.contact(-x - d, lambda depth: k_c * depth, name="right")
+"""
+
 #: A ladder of length 2 a whose floor runs towards the wall and whose wall runs up.
 LADDER = (
     HEAD

@@ -124,11 +124,13 @@ def test_a_ladder_slides_at_the_inclination_of_the_closed_form() -> None:
 def test_what_is_not_answered_of_several_contacts_says_so() -> None:
     model = model_of(PAD, "pad_on_2")
     p = model.Parameters()
-    start = dict.fromkeys(("x0", "y0", "phi0", "vx0", "vy0", "vphi0"), 0.0)
     for ask in (
         lambda: ss.cusps(p, ("mu0", "h")),
-        lambda: ss.simulate(p, t_end=1.0, **start),
-        lambda: ss.cycle(p, near=[0.0] * 6),
+        lambda: ss.fate_map(p),
+        lambda: ss.fate_boundary(p, "mu0", between={"mu0": (0.1, 0.2)}),
+        lambda: ss.basin(p, x=[0.0], y=[0.0]),
+        lambda: ss.basin_boundary(p),
+        lambda: ss.sensitivity(p),
         lambda: ss.bifurcation_set(p, ("mu0", "h")),
         lambda: ss.jump_gradient(p, "mu0"),
         lambda: ss.critical_value(p, "mu0", between={"mu0": (0.0, 1.0)}),
@@ -137,7 +139,6 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
         lambda: ss.explore(p),
         lambda: ss.lyapunov(p),
         lambda: ss.rms_sweep(p),
-        lambda: ss.fate(p),
     ):
         with pytest.raises(ss.errors.ModelError, match=r"not answered yet of pad_on_2.*2 contacts"):
             ask()

@@ -1,0 +1,181 @@
+"""Motions with several contacts and frictions, against closed forms and another driver."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import lsq_linear
+
+import spragsym as ss
+from tests.oracles import two_blocks
+from tests.oracles.contact_pages import BLOCKS, FALLING_BLOCKS, PADS, TIED_BLOCKS
+from tests.oracles.user_pages import model_of
+
+pytest.importorskip("sympy")
+
+
+def alike(model: Any, seed: int) -> tuple[Any, float]:
+    """Two identical blocks, and the period with which both stick and slip as one."""
+    rng = np.random.default_rng(seed)
+    mu_k, more, V, N, kappa = (
+        float(rng.uniform(*ends))
+        for ends in ((0.1, 0.5), (0.05, 0.5), (0.05, 0.5), (0.5, 2.0), (0.0, 2.0))
+    )
+    p = model.Parameters(beta=1.0, kappa=kappa, mu_s=mu_k + more, mu_k=mu_k, N_1=N, N_2=N, V=V)
+    ratio = more * N / V
+    return p, 2 * ratio + 2 * math.pi - 2 * math.atan(ratio)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("backend", ["scipy", "heyoka"])
+def test_identical_blocks_started_alike_move_as_one(backend: str) -> None:
+    """They stick and slip at one instant, each by an event of its own."""
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+    model = model_of(BLOCKS, "blocks")
+    for seed in range(20 if backend == "heyoka" else 3):
+        p, period = alike(model, seed)
+        V = float(p.V)
+        tr = ss.simulate(p, vx_10=V, vx_20=V, t_end=3.5 * period, rtol=1e-12, backend=backend)
+        both = [tr.events.of("stick").on(name).t for name in ("first", "second")]
+        assert len(both[0]) == 3
+        np.testing.assert_allclose(both[0], both[1], rtol=0, atol=1e-12)
+        np.testing.assert_allclose(np.diff(both[0]), period, rtol=0, atol=1e-9)
+        assert np.abs(tr.x_1 - tr.x_2).max() < 1e-11
+
+
+@pytest.mark.parametrize(
+    ("page", "seeds"),
+    [
+        pytest.param(page, seeds, marks=mark, id=f"{page}-{seeds.stop}")
+        for mark, seeds in (
+            (pytest.mark.thorough, range(2, 3)),
+            (pytest.mark.validate, range(40)),
+        )
+        for page in ("blocks", "falling_blocks")
+    ],
+)
+def test_random_motions_of_two_blocks_are_those_of_another_driver(page: str, seeds: range) -> None:
+    """The same events in the same order, to t = 100."""
+    model = model_of({"blocks": BLOCKS, "falling_blocks": FALLING_BLOCKS}[page], page)
+    for seed in seeds:
+        values, start = two_blocks.drawn(seed)
+        driver = two_blocks.Driver(values, page == "falling_blocks")
+        end = driver.run(start, 100.0)
+        tr = ss.simulate(model.Parameters(**values), start=start, t_end=100.0, rtol=1e-13)
+        blocks = [("first", "second").index(name) for name in tr.events.contact]
+        kinds = [ss.Event(kind).name for kind in tr.events.which]
+        theirs = [(kind, block) for _, kind, block in driver.events]
+        assert [*zip(kinds, blocks, strict=True)] == theirs, seed
+        times = [t for t, *_ in driver.events]
+        np.testing.assert_allclose(tr.events.t, times, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(tr.state[:, -1], end, rtol=0, atol=1e-9)
+
+
+@pytest.mark.thorough
+def test_energy_changes_by_the_powers_of_all_frictions() -> None:
+    model = model_of(FALLING_BLOCKS, "falling_blocks")
+    values, start = two_blocks.drawn(1)
+    tr = ss.simulate(model.Parameters(**values), start=start, t_end=40.0, rtol=1e-12)
+    energy = tr.energy()
+    assert energy[-1] - energy[0] == pytest.approx(tr.integral(tr.power()), abs=1e-9)
+    assert 0 < tr.sticking_share("first") < 1
+    assert np.abs(tr.friction_force("first")).max() == pytest.approx(
+        values["mu_s"] * values["N_1"], abs=1e-6
+    )
+    with pytest.raises(ss.errors.ParameterError, match="one of 'first', 'second'"):
+        tr.friction_force()
+
+
+def test_what_sticks_on_a_common_bar_is_the_nearest_force_in_the_box() -> None:
+    """Where both are as fast as the belt, and friction at rest is that of sliding, by Gauss: the
+    forces within their limits at which M⁻¹ takes the least of what moves.
+    """
+    model = model_of(TIED_BLOCKS, "tied_blocks")
+    rng = np.random.default_rng(11)
+    modes = set()
+    for _ in range(200):
+        c, kappa, beta = (float(rng.uniform(*ends)) for ends in ((0.1, 3), (0, 2), (0.5, 2)))
+        N, mu, x = rng.uniform(0.3, 2.0, 2), 0.5, rng.uniform(-2, 2, 2)
+        p = model.Parameters(
+            c=c, kappa=kappa, beta=beta, mu_s=mu, mu_k=mu, N_1=N[0], N_2=N[1], V=0.2
+        )
+        pull = np.array([[1 + kappa, -kappa], [-kappa, beta + kappa]]) @ x
+        mobility = np.linalg.inv(np.array([[1 + c, c], [c, 1 + c]]))
+        root = np.linalg.cholesky(mobility).T
+        held = lsq_linear(root, root @ pull, (-mu * N, mu * N), tol=1e-14).x
+        field, state = model.field, [*x, 0.2, 0.2]
+        constants = field.constants(p.scalars(*model.parameters))
+        mode = field.initial_mode(state, constants)
+        modes.add(mode[2:4])
+        got = field.acceleration(state, constants, mode, np)
+        np.testing.assert_allclose(got, mobility @ (held - pull), rtol=0, atol=1e-7)
+    assert len(modes) == 9
+
+
+def test_two_ways_to_go_on_are_refused_in_words() -> None:
+    """Both come to their limits at one instant: either that slips first lets the other stick."""
+    model = model_of(TIED_BLOCKS, "tied_blocks")
+    p = model.Parameters(beta=1.0, N_1=1.0, N_2=1.0, V=0.2)
+    with pytest.raises(ss.errors.ConvergenceError, match=r"first, second stick or slip.*2 ways"):
+        ss.simulate(p, vx_10=0.2, vx_20=0.2, t_end=10.0)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("backend", ["scipy", "heyoka"])
+def test_a_mass_between_two_pads_swings_as_the_closed_form_says(backend: str) -> None:
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+    model = model_of(PADS, "pads")
+    rng = np.random.default_rng(3)
+    for _ in range(20):
+        d = float(rng.uniform(0.02, 1.0))
+        v_0 = float(rng.uniform(1.5, 8.0)) * d
+        v_1 = math.sqrt(v_0**2 - 2 * d**2)
+        period = 4 * (math.asin(d * math.sqrt(2) / v_0) / math.sqrt(2) + math.atan(v_1 / (2 * d)))
+        tr = ss.simulate(
+            model.Parameters(d=d), vx0=v_0, t_end=3.2 * period, rtol=1e-12, backend=backend
+        )
+        for name in ("left", "right"):
+            lost = tr.events.of("contact_lost").on(name).t
+            assert len(lost) >= 3
+            np.testing.assert_allclose(np.diff(lost), period, rtol=0, atol=1e-9)
+        energy = tr.energy()
+        assert np.ptp(energy) < 1e-9 * energy[0]
+
+
+@pytest.mark.parametrize(
+    "seeds",
+    [
+        pytest.param((2,), marks=pytest.mark.thorough),
+        pytest.param(range(25), marks=pytest.mark.validate),
+    ],
+)
+def test_multipliers_of_cycles_are_differences_of_the_other_drivers_motions(seeds: Any) -> None:
+    """Across all sticking and slipping of both blocks."""
+    pytest.importorskip("heyoka")
+    model, seen = model_of(BLOCKS, "blocks"), 0
+    for seed in seeds:
+        values, start = two_blocks.drawn(seed)
+        try:
+            found = ss.cycle(model.Parameters(**values), near=start, patient=False)
+        except ss.errors.ConvergenceError:
+            continue
+        if not {"STICK", "SLIP"} <= {ss.Event(kind).name for kind in found.events.which}:
+            continue
+        at, step = found.state, 1e-6
+        ends = [
+            two_blocks.Driver(values).run((at + sign * step * unit).tolist(), found.period)
+            for unit in np.eye(4)
+            for sign in (1, -1)
+        ]
+        monodromy = np.array(
+            [(a - b) / (2 * step) for a, b in zip(ends[::2], ends[1::2], strict=True)]
+        ).T
+        ours = found.loop.monodromy
+        np.testing.assert_allclose(ours, monodromy, rtol=0, atol=1e-5 * np.abs(ours).max())
+        told = np.sort(np.abs(np.linalg.eigvals(monodromy)))
+        np.testing.assert_allclose(np.sort(np.abs(found.multipliers)), told, rtol=0, atol=1e-4)
+        seen += 1
+    assert seen >= len(seeds) // 4

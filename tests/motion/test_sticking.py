@@ -54,7 +54,8 @@ def test_the_energy_changes_by_the_work_of_friction() -> None:
     )
     energy, power = tr.energy(), tr.friction_power()
     assert tr.sticking > 0
-    assert {ss.Event(kind).name for kind in tr.events.which} == {kind.name for kind in ss.Event}
+    kinds = {kind for kind in ss.Event if not kind.name.startswith("FACE")}
+    assert {ss.Event(kind) for kind in tr.events.which} == kinds
     assert tr.integral(power) == pytest.approx(energy[-1] - energy[0], abs=1e-9)
     assert tr.integral(np.abs(power)) > 0.1
 

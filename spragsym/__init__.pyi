@@ -20,6 +20,7 @@ from .bifurcation.paths import quasi_static_path as quasi_static_path
 from .bifurcation.sticking import sticking_states as sticking_states
 from .core import errors as errors
 from .core.progress import show_progress as show_progress
+from .design.design_space import MarginOptions as MarginOptions
 from .design.jumps import jump_gradient as jump_gradient
 from .design.jumps import jump_value as jump_value
 from .design.margins import jump_margin as jump_margin

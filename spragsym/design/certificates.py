@@ -46,8 +46,6 @@ from ..statics.regions import region
 
 #: Outcomes of a part.
 OPEN, SAFE, ENDS = 0, 1, -1
-#: What the relative width of a side counts beside its effect on the states.
-SLIGHT = 1e-6
 
 
 @dataclass(frozen=True)
@@ -109,9 +107,7 @@ class BoxParts(ByColumn, ABC):
     def slight(self) -> FloatArray:
         """What the relative width of each side counts beside its effect on the states."""
         return (
-            SLIGHT
-            * (self.high - self.low)
-            / np.maximum(np.abs(self.high) + np.abs(self.low), 1e-300)
+            1e-6 * (self.high - self.low) / np.maximum(np.abs(self.high) + np.abs(self.low), 1e-300)
         )
 
     def divisible(self) -> BoolArray:
@@ -274,14 +270,6 @@ def corner_values(
     return one[:, None], other[:, None]
 
 
-#: Boxes of coordinates of one part: what needs more is halved sooner.
-BUDGET = 600
-#: Relative width of boxes of coordinates that are not halved any more.
-NARROW = 2.0**-20
-#: Room around the states of a part where those of its halves are looked for.
-ROOM = 1e-6
-
-
 #: Of some parts their bounds, and as roots, with the parts as points, the states that are in
 #: contact all over a part, and as what is left the boxes of which that, or whether they hold a
 #: state, is not known.
@@ -361,7 +349,7 @@ class ClaimOfStates(Claim):
         found = once_around(
             balance.around,
             certified_roots.search(
-                balance, around, parts.low, parts.high, budget=BUDGET, narrow=NARROW
+                balance, around, parts.low, parts.high, budget=600, narrow=2.0**-20
             ),
         )
         ends, point = found.every
@@ -375,7 +363,7 @@ class ClaimOfStates(Claim):
         np.maximum.at(
             np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0)
         )
-        room = ROOM + self.balance.options.margin * np.maximum(width_of(where), 0.0)
+        room = 1e-6 + self.balance.options.margin * np.maximum(width_of(where), 0.0)
         where = np.where(whole, np.fmin(raised(where + room), around), np.inf)
         with quiet():
             holds = whole & self.true(balance, bounds, states)

@@ -22,6 +22,7 @@ import numpy as np
 from ..bifurcation.tubes import Tubes
 from ..bifurcation.turning_points import secants, size_of
 from ..core.errors import ConvergenceError, ParameterError
+from ..core.options import Options, limit, option
 from ..core.progress import doing
 from ..models.parameters import NAMES, POSITIVE, Parameters, ParameterSet, Range, as_number, set_of
 from ..models.quantities import PhysicalParameters
@@ -34,9 +35,6 @@ if TYPE_CHECKING:
 
 #: The smallest and the largest of each quantity, or z of it.
 Limits = tuple[FloatArray, FloatArray]
-
-#: How close to an end of its range, over its value or its tolerance, a quantity is taken.
-_CLEAR = 1e-9
 
 
 @dataclass(frozen=True)
@@ -130,7 +128,7 @@ class Space:
         """The smallest and the largest value of each quantity that changes."""
         allowed, clear = (
             [self.design.ranges[name] for name in self.names],
-            _CLEAR * np.maximum(np.abs(self.origin), self.scale),
+            1e-9 * np.maximum(np.abs(self.origin), self.scale),
         )
         low, high = np.array([(one.low, one.high) for one in allowed]).T
         low = low + clear * [one.open_low for one in allowed]
@@ -210,13 +208,6 @@ def _design(base: ParameterSet | PhysicalParameters) -> Design:
     )
 
 
-#: Steps at most, the last of them over the size, and how much shorter the next one is where they
-#: don't get smaller.
-STEPS, LAST, SHORTER = 40, 1e-10, 0.3
-#: How near to its own value a jump value is on the border, over the slopes by z.
-ON = 1e-9
-
-
 class EndOfState:
     """Where the followed state ends, as one parameter rises from where it begins to its own value
     in each design.
@@ -272,7 +263,7 @@ class EndOfState:
             return None
         return Ends(z[n, 0], np.zeros(()), z[:n, 0], {}, asked.until)
 
-    def near(self, z: FloatArray) -> FloatArray | None:
+    def near(self, z: FloatArray, steps: int) -> FloatArray | None:
         """The z of smallest size near a given one where the state ends at the design's own value,
         if there is one.
 
@@ -282,20 +273,18 @@ class EndOfState:
         """
         share, best = 1.0, np.inf
         try:
-            for _ in range(STEPS):
+            for _ in range(steps):
                 ahead, by_z = self.ahead(z)
                 step = _smallest(by_z, float(by_z @ z) - ahead, *self.designs.limits()) - z
                 moved = norm(step)
-                share, best = (
-                    (min(1.0, 2 * share), moved) if moved < best else (SHORTER * share, best)
-                )
+                share, best = (min(1.0, 2 * share), moved) if moved < best else (0.3 * share, best)
                 z = z + share * step
-                if moved <= LAST * norm(z):
+                if moved <= 1e-10 * norm(z):
                     break
             ahead, by_z = self.ahead(z)
         except ConvergenceError:
             return None
-        return z if abs(ahead) < ON * norm(by_z) else None
+        return z if abs(ahead) < 1e-9 * norm(by_z) else None
 
 
 def _smallest(slopes: FloatArray, level: float, low: FloatArray, high: FloatArray) -> FloatArray:
@@ -318,129 +307,171 @@ Member = Callable[[FloatArray], BoolArray]
 #: member, if it is found.
 Improved = Callable[[FloatArray], FloatArray | None]
 
-#: Rays for each dimension squared, since a point may take milliseconds; radii at which each is
-#: asked, the last the farthest.
-RAYS, _RADII = 8, np.concatenate([[1e-6], 2.0 ** np.arange(-8, 8.01, 0.25)])
-#: Points to ask for at once, where there is a choice, outward and inward.
-_OUTWARD, _INWARD = 512, 4096
-#: Halvings of a radius while rays are compared, and at the end, to 1e-11 of it.
-_COARSE, _FINE = 9, 36
-#: Shares of the distance of a member at which rays ask for nearer ones, and how often the nearest
-#: of these is improved at most.
-_SHARES, _ROUNDS = np.array([0.999, 0.7, 0.4]), 20
+
+@dataclass(frozen=True)
+class MarginOptions(Options):
+    """Options of the search for the nearest design on a border.
+
+    Parameters
+    ----------
+    rays : int
+        Rays for each dimension squared, along which the border is looked for.
+    rounds : int
+        Times that the nearest design is improved at most.
+    coarse, fine : int
+        Halvings of a radius while rays are compared, and at the end.
+    steps : int
+        Steps of Newton's method towards the border.
+    proof : float
+        Parts of a box that a try of a proof may take, as a share of those of a certificate.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> p = ss.Parameters.article(theta0=0.7)
+    >>> few = ss.MarginOptions(rays=1, rounds=2)
+    >>> margin = ss.jump_margin(p, {"theta0": 0.02, "mu0": 0.05}, options=few)
+    >>> round(margin.distance, 4)
+    1.6056
+    """
+
+    rays: int = limit(8)
+    rounds: int = limit(20, 0)
+    coarse: int = limit(9)
+    fine: int = limit(36)
+    steps: int = limit(40)
+    proof: float = option(0.15, 0.0, 10.0)
 
 
-def nearest(member: Member, limits: Limits, improved: Improved) -> FloatArray | None:
+def nearest(
+    member: Member, limits: Limits, improved: Improved, options: MarginOptions | None = None
+) -> FloatArray | None:
     """A member about as near to 0 as rays find it, of the shape (dimensions,), or none.
 
     ``member`` tells of points, of shape (n, dimensions), which are members; ``limits`` are the
     smallest and the largest value of each coordinate; ``improved`` gives the nearest member on the
     border about a point, if it finds one.
     """
-    size = limits[0].size
-    if member(np.zeros((1, size)))[0]:
-        return np.zeros(size)
-    rays = _rays(size)
-    found = improved(np.zeros(size))
-    if found is None:
-        steps = np.array_split(_RADII, -(-_RADII.size // max(1, _OUTWARD // len(rays))))
-        far = next(
-            (far for radii in steps if (far := _on_rays(member, rays, limits, radii)) is not None),
-            None,
-        )
-        if far is None:
-            return None
-        found = _better(member, _turned(member, far, limits), improved)
-    for _ in range(_ROUNDS):
-        nearer = _on_rays(member, rays, limits, norm(found) * _SHARES)
-        if nearer is None:
-            break
-        found = _better(member, nearer, improved)
-    return found
+    return _RaySearch(member, limits, improved, options or MarginOptions()).nearest()
 
 
-def _better(member: Member, point: FloatArray, improved: Improved) -> FloatArray:
-    """The border on the ray to a member, or the nearest member about there."""
-    radius = np.array([norm(point)])
-    ray = point[None] / radius
-    border = np.asarray(ray[0] * _shortened(member, ray, radius, _FINE))
-    # Just inside of the border.
-    found = improved(border * (1 - 1e-9))
-    return border if found is None or norm(found) > norm(border) else found
+@dataclass(frozen=True)
+class _RaySearch:
+    """A search along rays from 0, arguments as of :func:`nearest`."""
 
+    member: Member
+    limits: Limits
+    improved: Improved
+    options: MarginOptions
 
-def _on_rays(
-    member: Member, rays: FloatArray, limits: Limits, radii: FloatArray
-) -> FloatArray | None:
-    """The nearest of the members that rays meet at some radii, or where they end before, brought to
-    the border, if any does.
-    """
-    lengths = np.minimum(radii[:, None], _reach(rays, limits))
-    with doing("designs up to {:.4g} tolerances away", lengths.max()):
-        inside = member((lengths[..., None] * rays).reshape(-1, rays.shape[1])).reshape(
-            lengths.shape
-        )
-    if not inside.any():
-        return None
-    radius = np.where(inside, lengths, np.inf).min(axis=0)
-    met = np.flatnonzero(radius <= 1.5 * radius.min())
-    found = _shortened(member, rays[met], radius[met], _COARSE)
-    return rays[met[np.argmin(found)]] * found.min()
+    def nearest(self) -> FloatArray | None:
+        """The nearest member that is found."""
+        size = self.limits[0].size
+        if self.member(np.zeros((1, size)))[0]:
+            return np.zeros(size)
+        rays = self._rays(size)
+        found = self.improved(np.zeros(size))
+        if found is None:
+            # From near to far, some points at once.
+            radii = np.concatenate([[1e-6], 2.0 ** np.arange(-8, 8.01, 0.25)])
+            steps = np.array_split(radii, -(-radii.size // max(1, 512 // len(rays))))
+            tried = (self._on_rays(rays, some) for some in steps)
+            far = next((one for one in tried if one is not None), None)
+            if far is None:
+                return None
+            found = self._better(self._turned(far))
+        for _ in range(self.options.rounds):
+            nearer = self._on_rays(rays, norm(found) * np.array([0.999, 0.7, 0.4]))
+            if nearer is None:
+                break
+            found = self._better(nearer)
+        return found
 
+    def _better(self, point: FloatArray) -> FloatArray:
+        """The border on the ray to a member, or the nearest member about there."""
+        radius = np.array([norm(point)])
+        ray = point[None] / radius
+        border = np.asarray(ray[0] * self._shortened(ray, radius, self.options.fine))
+        # Just inside of the border.
+        found = self.improved(border * (1 - 1e-9))
+        return border if found is None or norm(found) > norm(border) else found
 
-def _rays(size: int) -> FloatArray:
-    """Unit vectors: both ways along every axis, and evenly in between."""
-    from scipy import stats
-
-    axes = np.concatenate([np.eye(size), -np.eye(size)])
-    if size == 1:
-        return axes
-    number = 1 << int(np.ceil(np.log2(RAYS * size * size)))
-    points = stats.qmc.Sobol(size, scramble=True, rng=np.random.default_rng(20)).random(number)
-    normal = stats.norm.ppf(np.clip(points, 1e-9, 1 - 1e-9))
-    return np.concatenate([axes, normal / np.linalg.norm(normal, axis=-1, keepdims=True)])
-
-
-def _reach(rays: FloatArray, limits: Limits) -> FloatArray:
-    """How far each ray goes within the limits."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ends = np.where(rays > 0, limits[1] / rays, np.where(rays < 0, limits[0] / rays, np.inf))
-    return np.asarray(ends.min(axis=-1))
-
-
-def _shortened(member: Member, rays: FloatArray, radius: FloatArray, halvings: int) -> FloatArray:
-    """Radii of borders on the rays; several parts of each are asked for at once, where rays are
-    few.
-    """
-    parts = min(16, max(2, _INWARD // len(rays)))
-    low, high = np.zeros_like(radius), radius.copy()
-    for _ in range(-(-halvings // int(np.log2(parts)))):
-        marks = low + np.linspace(0.0, 1.0, parts + 1)[1:-1, None] * (high - low)
-        with doing("designs {:.4g} tolerances away, and nearer ones", high.min()):
-            inside = member((rays * marks[..., None]).reshape(-1, rays.shape[-1])).reshape(
-                marks.shape
+    def _on_rays(self, rays: FloatArray, radii: FloatArray) -> FloatArray | None:
+        """The nearest of the members that rays meet at some radii, or where they end before,
+        brought to the border, if any does.
+        """
+        lengths = np.minimum(radii[:, None], self._reach(rays))
+        with doing("designs up to {:.4g} tolerances away", lengths.max()):
+            inside = self.member((lengths[..., None] * rays).reshape(-1, rays.shape[1])).reshape(
+                lengths.shape
             )
-        edges = np.concatenate([low[None], marks, high[None]])
-        first = (
-            np.argmax(np.concatenate([inside, np.ones((1, radius.size), dtype=np.bool_)]), axis=0)
-            + 1
-        )
-        low, high = (np.take_along_axis(edges, (first - side)[None], axis=0)[0] for side in (1, 0))
-    return high
+        if not inside.any():
+            return None
+        radius = np.where(inside, lengths, np.inf).min(axis=0)
+        met = np.flatnonzero(radius <= 1.5 * radius.min())
+        found = self._shortened(rays[met], radius[met], self.options.coarse)
+        return rays[met[np.argmin(found)]] * found.min()
 
+    def _rays(self, size: int) -> FloatArray:
+        """Unit vectors: both ways along every axis, and evenly in between."""
+        from scipy import stats
 
-def _turned(member: Member, point: FloatArray, limits: Limits) -> FloatArray:
-    """The ray to a member turned a little, and less and less, as long as that shortens it."""
-    radius = norm(point)
-    ray = point / radius
-    if ray.size > 1:
-        normal = np.random.default_rng(21).standard_normal((RAYS * ray.size, ray.size))
-        for spread in (0.3, 0.1, 0.1, 0.03, 0.03, 0.01):
-            rays = ray + spread * normal
-            rays /= np.linalg.norm(rays, axis=-1, keepdims=True)
-            tried = radius * (1 - 1e-2 * spread)
-            good = (_reach(rays, limits) >= tried) & member(rays * tried)
-            if good.any():
-                found = _shortened(member, rays[good], np.full(int(good.sum()), tried), _COARSE)
-                ray, radius = rays[good][np.argmin(found)], float(found.min())
-    return ray * radius
+        axes = np.concatenate([np.eye(size), -np.eye(size)])
+        if size == 1:
+            return axes
+        number = 1 << int(np.ceil(np.log2(self.options.rays * size * size)))
+        points = stats.qmc.Sobol(size, scramble=True, rng=np.random.default_rng(20)).random(number)
+        normal = stats.norm.ppf(np.clip(points, 1e-9, 1 - 1e-9))
+        return np.concatenate([axes, normal / np.linalg.norm(normal, axis=-1, keepdims=True)])
+
+    def _reach(self, rays: FloatArray) -> FloatArray:
+        """How far each ray goes within the limits."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ends = np.where(
+                rays > 0, self.limits[1] / rays, np.where(rays < 0, self.limits[0] / rays, np.inf)
+            )
+        return np.asarray(ends.min(axis=-1))
+
+    def _shortened(self, rays: FloatArray, radius: FloatArray, halvings: int) -> FloatArray:
+        """Radii of borders on the rays; several parts of each are asked for at once, where rays are
+        few.
+        """
+        parts = min(16, max(2, 4096 // len(rays)))
+        low, high = np.zeros_like(radius), radius.copy()
+        for _ in range(-(-halvings // int(np.log2(parts)))):
+            marks = low + np.linspace(0.0, 1.0, parts + 1)[1:-1, None] * (high - low)
+            with doing("designs {:.4g} tolerances away, and nearer ones", high.min()):
+                inside = self.member((rays * marks[..., None]).reshape(-1, rays.shape[-1])).reshape(
+                    marks.shape
+                )
+            edges = np.concatenate([low[None], marks, high[None]])
+            first = (
+                np.argmax(
+                    np.concatenate([inside, np.ones((1, radius.size), dtype=np.bool_)]), axis=0
+                )
+                + 1
+            )
+            low, high = (
+                np.take_along_axis(edges, (first - side)[None], axis=0)[0] for side in (1, 0)
+            )
+        return high
+
+    def _turned(self, point: FloatArray) -> FloatArray:
+        """The ray to a member turned a little, and less and less, as long as that shortens it."""
+        radius = norm(point)
+        ray = point / radius
+        if ray.size > 1:
+            normal = np.random.default_rng(21).standard_normal(
+                (self.options.rays * ray.size, ray.size)
+            )
+            for spread in (0.3, 0.1, 0.1, 0.03, 0.03, 0.01):
+                rays = ray + spread * normal
+                rays /= np.linalg.norm(rays, axis=-1, keepdims=True)
+                tried = radius * (1 - 1e-2 * spread)
+                good = (self._reach(rays) >= tried) & self.member(rays * tried)
+                if good.any():
+                    found = self._shortened(
+                        rays[good], np.full(int(good.sum()), tried), self.options.coarse
+                    )
+                    ray, radius = rays[good][np.argmin(found)], float(found.min())
+        return ray * radius

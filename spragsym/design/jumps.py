@@ -29,9 +29,6 @@ from ..statics.reference_state import reference_state
 
 #: Points at a time.
 BLOCK = 4096
-#: How often a state that is steep and does not turn back is carried past there, and how far, over
-#: the whole way.
-ROUNDS, PAST = 4, 2.0**-8
 
 
 @question
@@ -357,7 +354,8 @@ class Followed:
         1, N) or NaN, and errors.
         """
         forward = self.forward
-        rounds = 1 if hasty else ROUNDS
+        # A state that is steep and does not turn back is carried past there, some times.
+        rounds = 1 if hasty else 4
         if hasty:  # beside a cusp more segments are needed
             tubes = replace(tubes, options=replace(tubes.options, segments=60))
         left, at = np.arange(goal.size), start
@@ -384,7 +382,7 @@ class Followed:
             known = found | (fold.sure & (near > 0))
             decided[left[known]] = True
             left, at = left[~known], at[~known]
-            at = past(tubes[left], at, forward, PAST * np.abs(goal[left] - start.v[left]))
+            at = past(tubes[left], at, forward, 2.0**-8 * np.abs(goal[left] - start.v[left]))
         return decided, z, error
 
 

@@ -15,13 +15,9 @@ from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import norm
 from ..results import Result
 from .certificates import SAFE, BoxParts
-from .design_space import Design, EndOfState, Space, nearest, space
+from .design_space import Design, EndOfState, MarginOptions, Space, nearest, space
 from .jumps import jump_value
 from .tube_certificates import claims
-
-#: Shares of the distance within which a proof that nothing jumps is tried, and of the parts of a
-#: box that it may take.
-_SHARES, _PARTS = (0.95, 0.8, 0.5, 0.2), 0.15
 
 
 @dataclass(frozen=True)
@@ -55,6 +51,7 @@ def jump_margin(
     vary: str | None = None,
     begin: float | None = None,
     prove: bool = False,
+    options: MarginOptions | None = None,
     method: Method = "auto",
 ) -> JumpMargin:
     """The nearest parameters at which the followed state ends as ``vary`` rises to its value, in
@@ -72,6 +69,8 @@ def jump_margin(
     prove : bool
         Also prove that nothing jumps within a part of the distance, as large as can be shown in
         some seconds.
+    options : MarginOptions, optional
+        Limits of the search and of the proof.
     method : {"auto", "closed", "search"}
         Whether what is asked on the way may be answered by closed forms.
 
@@ -105,6 +104,7 @@ def jump_margin(
     1.948441
     """
     name, first = model_of(p).rising(vary, begin)
+    options = options or MarginOptions()
     designs = space(p, scale, None)
     if prove and not isinstance(p, ParameterSet):
         raise ParameterError(
@@ -118,26 +118,33 @@ def jump_margin(
         return np.asarray(border.ended(z) == 1)
 
     def on_fold(z: FloatArray) -> FloatArray | None:
-        better = border.near(z)
+        better = border.near(z, options.steps)
         # On the fold to rounding: a hair beyond it the state jumps, if it is the one that ends
         # there.
         beyond = (1 + 1e-9 * np.array([1.0, 10.0, 100.0]))[:, None]
         return better if better is not None and jumped(better * beyond).any() else None
 
-    best = nearest(jumped, designs.limits(), on_fold)
+    best = nearest(jumped, designs.limits(), on_fold, options)
     # Where nothing was found two tolerances are enough for a proof.
     reach, proved = 2.0 if best is None else norm(best), np.nan
     if prove:
-        radii = (share * reach for share in _SHARES if reach)
+        radii = (share * reach for share in (0.95, 0.8, 0.5, 0.2) if reach)
         proved = next(
-            (radius for radius in radii if safe_within(designs, radius, name, first)), 0.0
+            (
+                radius
+                for radius in radii
+                if safe_within(designs, radius, name, first, options.proof)
+            ),
+            0.0,
         )
     if best is None:
         return JumpMargin(np.inf, proved, {}, None)
     return JumpMargin(reach, proved, designs.change(best), designs.made(best))
 
 
-def safe_within(designs: Space, radius: float, vary: str, begin: float) -> bool:
+def safe_within(
+    designs: Space, radius: float, vary: str, begin: float, proof: float = 0.15
+) -> bool:
     """Whether it is proved that no state ends within a ball: over parts of the box around it, as
     far as they are in the ball.
 
@@ -162,7 +169,7 @@ def safe_within(designs: Space, radius: float, vary: str, begin: float) -> bool:
             )
         return parts[left >= 0]
 
-    run = box.run(lambda parts: parts.open_volume, int(_PARTS * box.most), kept=inside)
+    run = box.run(lambda parts: parts.open_volume, int(proof * box.most), kept=inside)
     return all((parts.outcome[last] == SAFE).all() for parts, last, _ in run)
 
 
@@ -202,6 +209,7 @@ def redesign(
     scale: Mapping[str, float] | None = None,
     *,
     begin: float | None = None,
+    options: MarginOptions | None = None,
     method: Method = "auto",
 ) -> Redesign:
     """The least change of some quantities that keeps the end of the followed state beyond a target.
@@ -220,6 +228,8 @@ def redesign(
     begin : float, optional
         From where they rise instead of the lower end of their range: from its value in ``p`` a
         design whose state has ended below that looks like one whose state goes on.
+    options : MarginOptions, optional
+        Limits of the search.
     method : {"auto", "closed", "search"}
         Whether what is asked on the way may be answered by closed forms.
 
@@ -256,7 +266,7 @@ def redesign(
             f"target = {dict(target)!r}; give parameters of {model.name} below whose values "
             "nothing may end"
         )
-    designs = space(p, scale, change, "change")
+    designs, options = space(p, scale, change, "change"), options or MarginOptions()
     borders = list[EndOfState]()
     for name, value in target.items():
         if name in designs.names:
@@ -281,13 +291,13 @@ def redesign(
         """The nearest design on a fold at one of the targets, verified."""
         candidates = []
         for border in borders:
-            better = border.near(z)
+            better = border.near(z, options.steps)
             if better is not None:
                 outward = better * (1 + _OUTWARD)[:, None]
                 candidates += list(outward[keeps(outward)][:1])
         return min(candidates, key=norm, default=None)
 
-    best = nearest(keeps, designs.limits(), on_target)
+    best = nearest(keeps, designs.limits(), on_target, options)
     if best is None:
         return Redesign(np.inf, {}, None, {})
     jump = {

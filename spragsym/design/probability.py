@@ -42,8 +42,6 @@ Distribution: TypeAlias = (
 #: What may happen at many points: quantities by name → 1 or 0, or NaN where that is unknown.
 Event: TypeAlias = Callable[[dict[str, Any]], FloatArray]
 
-#: Fewer hits or misses than this make no normal distribution of the means.
-_FEW = 50
 #: Points from which on parts of the box are asked first, and how many.
 MANY, PARTS = 1 << 12, 256
 #: Points by default, of which the indices take as many again for every two variables.
@@ -192,7 +190,7 @@ def estimate(
     half = math.hypot(half, math.log(2 / (1 - confidence)) / n)
     low, high = mean - half, mean + half
     hits, missing = float(added.sum()), float(unknown.sum() / n)
-    if min(hits, n - hits) < _FEW:
+    if min(hits, n - hits) < 50:  # too few for a normal distribution of the means
         # As for independent points, which spread no less.
         low, high = binomtest(int(hits), int(n), 0.5).proportion_ci(confidence, "exact")
     # Points without a value may be either.

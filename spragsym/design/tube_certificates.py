@@ -32,10 +32,6 @@ from .certificates import (
     corner_values,
 )
 
-#: The least step of a tube over a wide part, over the whole way. One that needs smaller ones is
-#: halved instead.
-WIDE = 2.0**-6
-
 
 @dataclass(frozen=True)
 class Pieces(BoxParts):
@@ -158,7 +154,8 @@ class Splitting(Claim):
         """
         tubes, start = self._begun(pieces)
         goal = pieces.high[-1]
-        least = None if (pieces.low == pieces.high).all() else WIDE
+        # A wide part that needs smaller steps is halved instead.
+        least = None if (pieces.low == pieces.high).all() else 2.0**-6
         reached = tubes.followed(start, goal, least)
         safe, top = np.where(reached.sure, reached.v, -np.inf), np.full(goal.size, np.inf)
         width = (pieces.high - pieces.low)[:-1]

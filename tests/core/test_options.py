@@ -108,3 +108,13 @@ def test_a_smoother_curve_has_more_points():
     )
     assert len(coarse) == len(fine) == 1
     assert len(fine.curves[0]) > 2 * len(coarse.curves[0])
+
+
+def test_a_margin_with_fewer_rays_is_no_smaller_and_options_reach_the_search():
+    p, scale = ss.Parameters.article(theta0=0.7), {"theta0": 0.02, "mu0": 0.05}
+    usual = ss.jump_margin(p, scale)
+    few = ss.jump_margin(p, scale, options=ss.MarginOptions(rays=1, rounds=0, steps=1))
+    assert few.distance >= usual.distance * (1 - 1e-9)
+    assert few.change != usual.change
+    with pytest.raises(ss.errors.ParameterError, match="rays = 0"):
+        ss.MarginOptions(rays=0)

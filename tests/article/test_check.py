@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -417,3 +418,13 @@ def test_a_row_names_the_function_that_derives_it(rows: dict[str, Row]) -> None:
             for name in names:
                 found = getattr(found, name)
             assert found.__doc__, row.derived_by
+
+
+@pytest.mark.validate
+@pytest.mark.parametrize("page", pages.shipped(), ids=lambda page: page.stem)
+def test_every_page_is_judged(page: Path) -> None:
+    """What holds of the article for each page that ships; of its own page all of it."""
+    found = ledger.judge(pages.read(page))
+    assert [it.id for it in found] == [*PRINTED]
+    if page.stem == "kang_nam":
+        assert {it.status for it in found} == {ledger.HOLDS}

@@ -133,12 +133,15 @@ def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
     )
     order = math.lcm(*(node.exp.q for node in value.atoms(sp.Pow) if node.exp.is_Rational))
     roots: dict[sp.Expr, sp.Dummy] = {}
-    value = value.replace(
-        lambda node: isinstance(node, sp.Pow) and not node.exp.is_Integer,
-        lambda node: (
-            roots.setdefault(normal(node.base), sp.Dummy(f"r{len(roots)}")) ** (order * node.exp)
-        ),
-    )
+
+    def root(node: sp.Pow) -> sp.Expr:
+        """A power of the symbol that stands for the root of a base; of 1 it is 1."""
+        base = normal(node.base)
+        if (power := base**node.exp).is_Rational:
+            return power
+        return roots.setdefault(base, sp.Dummy(f"r{len(roots)}")) ** (order * node.exp)
+
+    value = value.replace(lambda node: isinstance(node, sp.Pow) and not node.exp.is_Integer, root)
     return Gap(value, unknowns, roots, order)
 
 

@@ -40,6 +40,7 @@ CHEAPEST_PAIR = 2.0
 #: Symbols of a term with brackets that may be lost, and terms that it may have without them.
 LONGEST_TERM = 8
 Names: TypeAlias = Mapping[str, sp.Expr]
+_SMALL, _LINEAR = sp.Dummy("small", positive=True), "linear in "
 
 
 @dataclass(frozen=True)
@@ -663,19 +664,28 @@ def _free(item: Item) -> set[str]:
 
 
 def _in_limit(item: Item, conventions: Conventions, part: Component, limit: str) -> bool:
-    """Whether the difference goes to 0 in a limit, as ``d*V -> oo`` (each factor by itself)."""
-    what, arrow, end = limit.partition("->")
-    if not arrow or end.strip() not in ("oo", "0"):
-        return False
+    """Whether the difference goes to 0 in a limit: as ``d*V -> oo``, each factor by itself, or
+    ``linear in x, y``, faster than these, which are small together.
+    """
+    what, arrow, end = limit.removeprefix(_LINEAR).partition("->")
+    is_linear = what != limit and not arrow
     names = _names(item, conventions)
     laws = {NORMAL: item.it.normal, MU: item.it.friction}
     value = to_sympy(part.tree, names).subs(laws)
-    factors = [names.get(name.strip(), sp.nan) for name in what.split("*")]
-    if not all(it.is_Symbol for it in factors):
+    factors = [names.get(name.strip(), sp.nan) for name in what.split("," if is_linear else "*")]
+    if not all(it.is_Symbol for it in factors) or (
+        not is_linear and end.strip() not in ("oo", "0")
+    ):
         return False
     for _, exact in part.ways:
         gap = value - exact.subs(laws)
-        for form in map(normal_form, (gap, item.it.expanded(gap))):
+        whole = item.it.expanded(gap)
+        if is_linear:
+            small = whole.subs({it: _SMALL * it for it in factors}, simultaneous=True)
+            if all(_zero(it.subs(_SMALL, 0)) for it in (small, sp.diff(small, _SMALL))):
+                return True
+            continue
+        for form in map(normal_form, (gap, whole)):
             if all(_has_limit_zero(form, str(it), end.strip()) for it in factors):
                 return True
     return False

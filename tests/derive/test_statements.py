@@ -123,6 +123,25 @@ def test_an_energy_is_repaired_in_the_reading_that_it_is_nearest_to() -> None:
     assert wrong.status == "misprint"
 
 
+@pytest.mark.parametrize(
+    ("sign", "limit", "status"),
+    [
+        ("+", "linear in x, y", "approximation"),
+        ("-", "linear in x, y", "failed"),
+        ("+", "linear in x", "failed"),
+        ("+", "", "failed"),
+        ("+", "linear in w", "failed"),
+    ],
+)
+def test_a_print_may_be_meant_to_first_order(sign: str, limit: str, status: str) -> None:
+    """The force of an inclined spring is linear where all displacements are small together."""
+    spring = f"sigma*cos(theta0)*(x*cos(theta0) {sign} y*sin(theta0))"
+    text = f"ax + {spring} + alpha*x - mu*N = 0"
+    statement = papers.Statement("s", "motion x", text, False, form="scaled", limit=limit)
+    (row,) = verdicts.check(papers.Paper("", "", {}, (statement,)), ARTICLE, repair=False).rows
+    assert row.status == status
+
+
 def test_a_factor_of_the_state_is_no_factor() -> None:
     """An equation times a coordinate is another one, and so is an energy times 2."""
     text = "x*(m*ax + k_x*x + k/2*(x - y) - mu*N)"
@@ -320,6 +339,8 @@ def test_zero_is_decided_in_polynomials() -> None:
         assert not algebra.equal(left, same + x * s**3 / 7, ((c, s),)), left
     assert algebra.equal(sp.sign(x - y) * sp.Abs(y - x), -sp.sign(y - x) * sp.Abs(x - y), ())
     assert not algebra.equal(sp.sign(x - y), sp.sign(y - x), ())
+    assert algebra.equal(sp.sqrt(c**2 + s**2) - x / x, 0, ((c, s),))
+    assert algebra.equal((sp.sqrt(2) + sp.sqrt(x)) ** 2, 2 + x + 2 * sp.sqrt(2) * sp.sqrt(x), ())
 
 
 @pytest.mark.parametrize(

@@ -436,9 +436,12 @@ class Augmented(OfFamily):
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, times: float = 1.0) -> BoolArray:
         """Boxes that the balance gives up, and those that the condition gives up."""
-        at = self.state(unknowns, parameters)
-        poles: BoolArray = self.balance.at_poles(at, times * self.options.pole)
-        return poles if self.condition.given_up is None else poles | self.condition.given_up(at)
+        out, also = np.zeros(parameters.shape[1:], dtype=np.bool_), self.condition.given_up
+        if self.balance.torsions or also is not None:
+            at = self.state(unknowns, parameters)
+            out |= self.balance.at_poles(at, times * self.options.pole)
+            out |= out if also is None else also(at)
+        return out
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """The coordinates contracted by the balance over the box of parameters."""

@@ -364,8 +364,9 @@ class Followed:
             np.full(start.z.shape, np.nan),
             np.zeros(goal.size),
         )
-        for _ in range(rounds):
-            at = tubes[left].followed(at, goal[left])
+        # With large steps first: tubes over a coordinate, which pass the fold, go on from there.
+        for least in (2.0**-8, *[None] * rounds):
+            at = tubes[left].followed(at, goal[left], least)
             arrived = at.sure & (at.v == goal[left])
             decided[left[arrived]] = True
             left, at = left[at.sure & ~arrived], at[at.sure & ~arrived]
@@ -382,7 +383,8 @@ class Followed:
             known = found | (fold.sure & (near > 0))
             decided[left[known]] = True
             left, at = left[~known], at[~known]
-            at = past(tubes[left], at, forward, 2.0**-8 * np.abs(goal[left] - start.v[left]))
+            if least is None:
+                at = past(tubes[left], at, forward, 2.0**-8 * np.abs(goal[left] - start.v[left]))
         return decided, z, error
 
 

@@ -113,6 +113,8 @@ class Balance(Forces, StateSystem):
         """Small boxes around the anchor of a spring that resists turning: its force has no bound
         there.
         """
+        if not self.torsions:
+            return np.zeros(parameters.shape[1:], dtype=np.bool_)
         return self.at_poles(self.state(unknowns, parameters), times * self.options.pole)
 
     def at_poles(self, at: State, width: float) -> BoolArray:

@@ -200,6 +200,13 @@ class Boxes:
         """The evaluation over all of them."""
         return self.system.state(self.unknowns, self.parameters)
 
+    @cached_property
+    def near_anchors(self) -> list[BoolArray]:
+        """Of each spring which boxes are no farther from its anchor than their size."""
+        ends = self.taped("anchors", lambda at: [part for line in at.geometry for part in line[:2]])
+        every = ((ends[2 * k], ends[2 * k + 1]) for k in range(self.system.balance.springs))
+        return [np.hypot(dx.mignitude, dy.mignitude) <= dx.width + dy.width for dx, dy in every]
+
     def some(self, rows: IntArray) -> Boxes:
         """Some of the boxes."""
         return Boxes(self.system, self.unknowns[:, rows], self.parameters[:, rows])
@@ -222,13 +229,8 @@ def at_anchors(
     Farther from there the direction is known so well that the equations themselves tell.
     """
     out = np.zeros(boxes.shape, dtype=np.bool_)
-    ends = boxes.taped("anchors", lambda at: [part for line in at.geometry for part in line[:2]])
-    for spring in range(boxes.system.balance.springs):
-        dx, dy = ends[2 * spring], ends[2 * spring + 1]
-        rows = np.flatnonzero(
-            # No farther from the anchor than the size of the box.
-            among & ~out & (np.hypot(dx.mignitude, dy.mignitude) <= dx.width + dy.width)
-        )
+    for spring, near in enumerate(boxes.near_anchors):
+        rows = np.flatnonzero(among & ~out & near)
         if rows.size:
             out[rows] = told(boxes.some(rows), spring)
     return out

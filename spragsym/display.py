@@ -69,7 +69,7 @@ class Column:
     of: Callable[[Any], Any] | None = field(default=None, compare=False)
     row: str = ""
 
-    def value(self, result: Any) -> Any:
+    def value(self, result: object) -> Any:
         """The column of a result: as it follows from others, or the attribute of its name."""
         return getattr(result, self.name) if self.of is None else self.of(result)
 
@@ -183,14 +183,14 @@ class Schema:
         called = self.vary if name in ("value", "values") else name
         return f"{replace(self.column(key), name=called).heading}{blank}{rest}"
 
-    def word(self, key: str, value: Any) -> Any:
+    def word(self, key: str, value: object) -> Any:
         """A code as its word, and all else as it is."""
         codes = self.column(key).codes
         if codes is not None and isinstance(value, int):
             value = codes(value) if value in set(codes) else "other"
         return value.name.lower() if isinstance(value, enum.Enum) else value
 
-    def cell(self, key: str, value: Any) -> str:
+    def cell(self, key: str, value: object) -> str:
         """A number to ten digits, a code as its word."""
         if isinstance(value, np.ndarray | np.generic):
             value = value.item() if value.ndim == 0 else self.listed(key, value)
@@ -216,7 +216,7 @@ class Schema:
         return f"[{text}{', …' if flat.size > 8 else ''}]"
 
 
-def schema_of(thing: Any, above: Schema | None = None) -> Schema:
+def schema_of(thing: object, above: Schema | None = None) -> Schema:
     """The schema of a result; a part that does not know its model or its parameter takes those of
     the result ``above``.
     """
@@ -230,7 +230,7 @@ def schema_of(thing: Any, above: Schema | None = None) -> Schema:
     )
 
 
-def tables(thing: Any, above: Schema | None = None) -> Iterator[Table]:
+def tables(thing: object, above: Schema | None = None) -> Iterator[Table]:
     """The tables of a dataclass: one of its columns, and one of each part that has columns
     itself.
     """
@@ -260,7 +260,7 @@ def tables(thing: Any, above: Schema | None = None) -> Iterator[Table]:
 
 
 def sorted_out(
-    thing: Any, said: Schema
+    thing: object, said: Schema
 ) -> tuple[dict[str, NDArray[Any]], dict[str, Any], dict[str, Any]]:
     """The columns of a dataclass, arrays of its largest shape; what fits on the line above them;
     and all values.
@@ -438,7 +438,7 @@ def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
     return out
 
 
-def _is_single(value: Any) -> bool:
+def _is_single(value: object) -> bool:
     """Whether something fits on the line above a table."""
     if isinstance(value, Tabular) and value.in_a_line:
         return True

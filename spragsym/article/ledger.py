@@ -111,7 +111,7 @@ def record_text(rows: Sequence[Row]) -> str:
     )
 
 
-def rounded(value: Any, digits: int) -> Value:
+def rounded(value: object, digits: int) -> Value:
     """A number, or several, to so many digits; of some numbers of a row fewer are known than of the
     others.
     """
@@ -141,7 +141,7 @@ def _differences(now: Row, before: Row) -> list[str]:
     ]
 
 
-def _close(one: Any, other: Any, digits: int) -> bool:
+def _close(one: object, other: object, digits: int) -> bool:
     """Whether values are equal; floats may differ by a unit of the last recorded digit, those below
     1 by that unit of 1.
     """

@@ -315,7 +315,7 @@ class Case:
         return titled(title, si, self.study, quantity)
 
 
-def _scaled(value: Any, size: float) -> Any:
+def _scaled(value: object, size: float) -> Any:
     """A value, or all of several, in a unit; a complex number as its two parts."""
     array = np.asarray(value)
     if array.dtype.kind == "c":

@@ -479,13 +479,13 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
     }
 
 
-def _shown(value: Any) -> Any:
+def _shown(value: object) -> Any:
     """Numbers to twelve digits; multipliers as a+bi."""
     if isinstance(value, float):
         return f"{value:.12g}"
     return "  ".join(_number(item) for item in value) if isinstance(value, list) else value
 
 
-def _number(item: Any) -> str:
+def _number(item: object) -> str:
     real, imaginary = item if isinstance(item, list) else (item, 0.0)
     return f"{real:.10g}" + (f"{imaginary:+.10g}i" if imaginary else "")

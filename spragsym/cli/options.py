@@ -118,7 +118,9 @@ class NumberList(Number):
 
     name = "numbers"
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+    def convert(
+        self, value: object, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Any:
         text = str(value)
         if "," not in text and ":" not in text:
             return super().convert(value, param, ctx)

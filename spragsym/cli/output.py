@@ -94,14 +94,14 @@ def _written(name: str, cell: object, digits: int) -> str:
     )
 
 
-def print_json(thing: Any) -> None:
+def print_json(thing: object) -> None:
     """Print JSON; NaN and infinities, which JSON does not have, become null."""
     # Where the stream can't write Greek letters, JSON has an escape for them.
     escaped = not (getattr(sys.stdout, "encoding", None) or "utf").lower().startswith("utf")
     click.echo(json.dumps(_plain(thing), indent=1, ensure_ascii=escaped, allow_nan=False))
 
 
-def _plain(thing: Any) -> Any:
+def _plain(thing: object) -> Any:
     if isinstance(thing, dict):
         return {name: _plain(value) for name, value in thing.items()}
     if isinstance(thing, list | tuple):

@@ -6,7 +6,6 @@ import difflib
 import re
 import unicodedata
 from collections.abc import Iterable
-from typing import Any
 
 
 class SpragsymError(Exception):
@@ -116,7 +115,7 @@ def hint(given: str, allowed: Iterable[str]) -> str:
     return f"; did you mean {meant}?" if meant else ""
 
 
-def one_of(name: str, given: Any, allowed: Iterable[str]) -> str:
+def one_of(name: str, given: object, allowed: Iterable[str]) -> str:
     """A word that is one of those allowed, else an error that names them."""
     words = [*allowed]
     if given not in words:

@@ -37,7 +37,7 @@ def heard() -> Iterator[Callable[[], None]]:
         yield lambda: None
         return
 
-    def handler(number: int, frame: Any) -> None:
+    def handler(number: int, frame: object) -> None:
         try:
             former(number, frame)
         except KeyboardInterrupt:
@@ -71,7 +71,7 @@ def held() -> Iterator[None]:
         yield
         return
 
-    def handler(number: int, frame: Any) -> None:
+    def handler(number: int, frame: object) -> None:
         waiting.append(frame)
         if _Ending.installed is not None:
             _Ending.installed.count_down()
@@ -96,7 +96,7 @@ class _Ending:
         self.under_way = False
         self.timer: threading.Timer | None = None
 
-    def __call__(self, number: int, frame: Any) -> None:
+    def __call__(self, number: int, frame: object) -> None:
         if not self.under_way:
             cut()
         self.count_down()

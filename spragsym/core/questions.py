@@ -115,7 +115,7 @@ def model_of(*things: Any) -> Model:
     return model
 
 
-def _is_set(thing: Any) -> bool:
+def _is_set(thing: object) -> bool:
     return hasattr(type(thing), "model_of_class")
 
 
@@ -144,7 +144,7 @@ def of(model: Model, thing: Any) -> Any:
 _signature = functools.cache(inspect.signature)
 
 
-def _says_nothing(value: Any) -> bool:
+def _says_nothing(value: object) -> bool:
     """Whether an option is as if it were left out: None, or ranges of no parameter."""
     return value is None or (isinstance(value, Mapping) and not value)
 

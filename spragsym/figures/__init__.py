@@ -154,7 +154,7 @@ _MARKS = {"stable": "o", "neutral": "d", "unstable": "x"}
 
 
 @styled
-def plot(result: Any, ax: Axes | None = None, **options: Any) -> Any:
+def plot(result: object, ax: Axes | None = None, **options: Any) -> Any:
     """Draw a result as its kind is drawn elsewhere; of others the first column over the first that
     varies.
 
@@ -212,7 +212,7 @@ def _drawn(result: Any, ax: Axes | None, **options: Any) -> Any:
 
 
 @singledispatch
-def _whole(result: Any, **options: Any) -> Any:
+def _whole(result: object, **options: Any) -> Any:
     """A result as a figure of its own, of kinds that are registered; others on pyplot's axes."""
     return _drawn(result, ax=None, **options)
 

@@ -137,7 +137,7 @@ def _locked(file: FileIO, path: Path) -> bool:
 # its lines
 
 
-def _line(key: str, content: Any) -> bytes:
+def _line(key: str, content: object) -> bytes:
     text = json.dumps(content).encode()
     return _checksum(key, text) + b" " + text + b"\n"
 

@@ -78,7 +78,7 @@ def text_of(
     return printed(os.fspath(path), text, allowed="\n\r\t")
 
 
-def printed(where: str, held: Any, allowed: str = "") -> Any:
+def printed(where: str, held: object, allowed: str = "") -> Any:
     """Text that was read, or data with texts in them; a ParameterError if one holds what is not
     printed.
 

@@ -97,7 +97,7 @@ def linked(
     *,
     most: int = 0,
     only: int | None = None,
-    options: Any = None,
+    options: object = None,
 ) -> list[dict[int, int]]:
     """For each step and each slot at its beginning, the slot at its end on the same branch; none
     over several folds at once.

@@ -297,7 +297,7 @@ class Carried:
             return value  # no number, which is told by whoever asks
         return self.numbers(array)
 
-    def _converted(self, unit: str, numbers: Any) -> Any:
+    def _converted(self, unit: str, numbers: object) -> Any:
         """Numbers of a unit in SI."""
         plain = "" if unit.strip() in _NO_UNIT else unit.strip()
         inner = Carried(self.name, self.si)
@@ -318,7 +318,7 @@ class Carried:
         return {"1": "without unit", "rad": "in radians"}.get(self.si, f"in {self.si}")
 
 
-def _is_boolean(value: Any) -> bool:
+def _is_boolean(value: object) -> bool:
     return getattr(getattr(value, "dtype", None), "kind", "") == "b"
 
 
@@ -328,7 +328,7 @@ def _root(kind: type) -> str:
     return next((root for root in roots if root in _UNDERSTOOD), roots[0])
 
 
-def _signs(value: Any) -> Iterator[str]:
+def _signs(value: object) -> Iterator[str]:
     """What shows that an object has a unit, in words."""
     for name in ("units", "unit"):
         text = getattr(value, name, None)

@@ -42,7 +42,7 @@ class ByColumn:
     def then(self, *others: Self) -> Self:
         """These, and others."""
 
-        def joined(one: Any, *more: Any) -> Any:
+        def joined(one: object, *more: Any) -> Any:
             return (
                 one.then(*more)
                 if isinstance(one, ByColumn)

@@ -66,7 +66,7 @@ class DoubleDouble(NDArrayOperatorsMixin):
         return _UFUNCS[ufunc](*inputs)
 
     def __array_function__(
-        self, function: Any, types: Any, arguments: tuple[Any, ...], options: dict[str, Any]
+        self, function: object, types: object, arguments: tuple[Any, ...], options: dict[str, Any]
     ) -> Any:
         if options or function is not np.where:
             return NotImplemented

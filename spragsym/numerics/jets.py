@@ -148,14 +148,14 @@ class Jet(Arithmetic):
             1 / self.value * 0
         )  # without the absolute value one end is known where 0 is an end of an interval
 
-    def function(self, name: str, value: Any) -> Jet:
+    def function(self, name: str, value: object) -> Jet:
         """A function by its Taylor series; ``value`` is that of the value, of cosine and sine
         both.
         """
         return self.composed(_SERIES[name](self.value, value, self.order))
 
 
-def _sqrt(_: Any, y: Number, order: int) -> list[Any]:
+def _sqrt(_: object, y: Number, order: int) -> list[Any]:
     factors = binomial_series(Fraction(1, 2), order)[1:]
     return [y, *(factor / y ** (2 * k - 1) for k, factor in enumerate(factors, 1))]
 
@@ -168,7 +168,7 @@ def _log(x: Any, y: Any, order: int) -> list[Any]:
     ]
 
 
-def _tanh(_: Any, value: Number, order: int) -> list[Any]:
+def _tanh(_: object, value: Number, order: int) -> list[Any]:
     """From y′ = 1 − y²."""
     y = [value]
     for k in range(order):

@@ -178,7 +178,7 @@ class _FileReader:
         cure = f"{key} is there twice; keep one of the two" if "overwrite" in message else cure
         return f"{self.path}, line {number}: {line!r} is not TOML; {cure}"
 
-    def _friction(self, given: Any, found: dict[str, Measured], kind: Quantities) -> FrictionFit:
+    def _friction(self, given: object, found: dict[str, Measured], kind: Quantities) -> FrictionFit:
         """The fit of the measured file; its μ₀ and d go among the quantities, normal, with their
         standard errors.
         """
@@ -197,7 +197,7 @@ class _FileReader:
         return fit
 
 
-def _quantity(key: str, given: Any, unit: str, allowed: Range) -> Measured:
+def _quantity(key: str, given: object, unit: str, allowed: Range) -> Measured:
     example = OWN_EXAMPLES.get(key, "")
     if (
         unit == "1"
@@ -245,7 +245,7 @@ def _correlation(given: Any, study: Brake) -> Correlation:
     return found
 
 
-def _state(given: Any, kind: Quantities) -> Numbers:
+def _state(given: object, kind: Quantities) -> Numbers:
     units = kind.coordinates
     if not isinstance(given, dict) or not set(given) <= set(units):
         example = ", ".join(
@@ -268,7 +268,7 @@ def _exact(name: str, text: Any, unit: str, allowed: Range = FINITE) -> float:
     return found.value
 
 
-def _may_change(given: Any, kind: Quantities) -> Ranges:
+def _may_change(given: object, kind: Quantities) -> Ranges:
     if not isinstance(given, dict) or not set(given) <= set(kind.units):
         cure = (
             f'write may_change = {{ {next(iter(kind.units))} = "[100, 250] N/mm" }}, in the '

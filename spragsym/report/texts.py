@@ -337,7 +337,7 @@ def _or_unknown(value: float | None, shown: Callable[[float], str], never: str) 
     return "unknown" if value is None else shown(value) if math.isfinite(value) else never
 
 
-def _springs(told: Any, shown: Callable[[Any], str], of: str = "force of ") -> Rows:
+def _springs(told: object, shown: Callable[[Any], str], of: str = "force of ") -> Rows:
     """Rows of a number of the spring, or of several by their names; none where there is no
     spring.
     """
@@ -733,7 +733,7 @@ def as_json(report: Facts) -> Json:
     }
 
 
-def _some(thing: Any, names: tuple[str, ...]) -> Json:
+def _some(thing: object, names: tuple[str, ...]) -> Json:
     """Some attributes by name; no word is None."""
     found = {name: getattr(thing, name) for name in names}
     return {

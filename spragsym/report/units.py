@@ -98,7 +98,7 @@ class Measured:
         least, most, here = (self._below(end) for end in (self.low, self.high, np.asarray(value)))
         return np.clip((here - least) / (most - least), 0.0, 1.0)
 
-    def ppf(self, share: Any) -> Any:
+    def ppf(self, share: object) -> Any:
         """The value below which a share of its distribution within its ends lies."""
         from scipy.special import ndtri  # heavy, and a refusal does not need it
 

@@ -111,7 +111,7 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     raise ParameterError(f"{name} was written by spragsym {version}, {why}; compute it anew")
 
 
-def _text(body: Any) -> str:
+def _text(body: object) -> str:
     return json.dumps(body, separators=(",", ":"))
 
 
@@ -157,7 +157,7 @@ _NUMBERS: dict[str, tuple[Any, Callable[[Any], Any], Callable[[Any], Any]]] = {
 }
 
 
-def _written(thing: Any) -> Any:
+def _written(thing: object) -> Any:
     """What JSON knows as it is, all else under the name of its kind."""
     match thing:
         case None | bool() | str():

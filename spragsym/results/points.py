@@ -488,7 +488,7 @@ class LowestEnd(Tabular, NDArrayOperatorsMixin):
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
         return np.array(self.value, dtype=dtype, copy=copy)
 
-    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+    def __array_ufunc__(self, ufunc: object, method: str, *inputs: Any, **options: Any) -> Any:
         return getattr(ufunc, method)(
             *(one.value if isinstance(one, LowestEnd) else one for one in inputs), **options
         )

@@ -304,7 +304,7 @@ def _short(result: Any) -> str:
     return f"{type(result).__name__}({words})"
 
 
-def _named(value: Any) -> str:
+def _named(value: object) -> str:
     if isinstance(value, np.ndarray) and value.size > WHOLE:
         return f"array{value.shape}"
     if isinstance(value, tuple | list) and len(value) > WHOLE:

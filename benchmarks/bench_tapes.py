@@ -1,8 +1,9 @@
-"""Searches over boxes by tapes beside the same searches by NumPy; a Markdown table.
+"""Searches over boxes by compiled code beside the same searches by NumPy; a Markdown table.
 
 ``python -m benchmarks.bench_tapes [MODEL ...]``: folds along the friction or another parameter,
-cusps, and equilibria of one point, by the general algorithm: processor time, best of three in turn.
-Both look at the same boxes and give the same bits, which is asked each time.
+cusps, and equilibria of one point, by the general algorithm: processor time, best of three in turn,
+and boxes that are looked at. Both look at the same boxes and give the same bits, which is asked
+each time.
 """
 
 import sys
@@ -13,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.numerics import tape
+from spragsym.numerics import boxes, contractors, tape
 
 ROUNDS = 3
 MODELS = ("kang_nam", "cubic_contact", "hertz_contact", "two_springs", "trolley", "sprag_rod")
@@ -21,18 +22,18 @@ MODELS = ("kang_nam", "cubic_contact", "hertz_contact", "two_springs", "trolley"
 
 def main(*names: str) -> None:
     """Print the table."""
-    print("| model | question | by tape, ms | by NumPy, ms | ratio |")
-    print("|---|---|---|---|---|")
+    print("| model | question | boxes | compiled, ms | by NumPy, ms | ratio |")
+    print("|---|---|---|---|---|---|")
     for name in names or MODELS:
         for question, asked in questions(name).items():
-            times, found = compared(asked)
+            looks, times, found = compared(asked)
             same = all(
                 np.array_equal(column, found[False].data()[key], equal_nan=True)
                 for key, column in found[True].data().items()
                 if np.asarray(column).dtype.kind == "f"
             )
             one, other = times[True], times[False]
-            cells = f"{1e3 * one:.1f} | {1e3 * other:.1f} | {other / one:.1f}"
+            cells = f"{looks:,} | {1e3 * one:.1f} | {1e3 * other:.1f} | {other / one:.1f}"
             print(f"| {name} | {question} | {cells} |" + ("" if same else " other bits"))
 
 
@@ -51,18 +52,28 @@ def questions(name: str) -> dict[str, Callable[[], Any]]:
     return out
 
 
-def compared(asked: Callable[[], Any]) -> tuple[dict[bool, float], dict[bool, Any]]:
-    """Least processor time and the result, with tapes and without."""
-    times, found = {True: np.inf, False: np.inf}, {}
-    compiled = tape.compiled
+def compared(
+    asked: Callable[[], Any],
+) -> tuple[int, dict[bool, float], dict[bool, Any]]:
+    """Boxes that are looked at; least processor time and the result, compiled and not."""
+    times, found, looks = {True: np.inf, False: np.inf}, {}, list[int]()
+    compiled, search = (tape.compiled, contractors.compiled), boxes.search
+
+    def counted(*given: Any, **how: Any) -> Any:
+        outcome = search(*given, **how)
+        looks.append(outcome.looks)
+        return outcome
+
+    boxes.search = counted
     for _ in range(ROUNDS):
         for way in times:
-            tape.compiled = compiled if way else None
+            tape.compiled, contractors.compiled = compiled if way else (None, None)
+            looks.clear()
             begin = time.process_time()
             found[way] = asked()
             times[way] = min(times[way], time.process_time() - begin)
-    tape.compiled = compiled
-    return times, found
+    (tape.compiled, contractors.compiled), boxes.search = compiled, search
+    return sum(looks), times, found
 
 
 if __name__ == "__main__":

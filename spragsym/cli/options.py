@@ -175,6 +175,13 @@ def vary(text: str, several: bool = False) -> Decorator:
     return click.option("--vary", type=_span, metavar="NAME[=FROM:TO]", multiple=several, help=text)
 
 
+over: Decorator = click.option(
+    "--over",
+    type=_span,
+    multiple=True,
+    metavar="NAME=FROM:TO:COUNT",
+    help="The verdict over a quantity, as theta0=40:70:31 in the unit of the file, or over two.",
+)
 within: Decorator = click.option(
     "--within",
     type=_span,

@@ -22,12 +22,13 @@ from ..files.storage import probe
 from ..models.load import USUAL, load, shipped
 from ..models.parameters import POSITIVE, ParameterSet
 from . import options as o
-from .case import study_of
-from .output import print_json, refuse, write
+from .case import Span, study_of
+from .output import drawn, print_json, print_rows, refuse, write
 
 if TYPE_CHECKING:
     from ..models import Model
     from ..report import Study
+    from ..report.over import Verdicts
 
 
 @o.command()
@@ -52,6 +53,9 @@ if TYPE_CHECKING:
     default=1.2,
     help="Factor on the largest friction, for what to change.",
 )
+@o.over
+@o.file("--csv", metavar="PATH", help="Write what --over tells, with units in the head.")
+@o.plot("what --over tells")
 @o.force
 @o.as_json
 def report(
@@ -63,6 +67,9 @@ def report(
     oscillation: bool,
     redesign: bool,
     safety: float,
+    over: tuple[Span, ...],
+    csv: Path | None,
+    plot: Path | None,
     force: bool,
     json_output: bool,
 ) -> None:
@@ -74,6 +81,7 @@ def report(
       spragsym report --example --model two_springs > other.toml
       spragsym report brake.toml
       spragsym report brake.toml --html report.html
+      spragsym report brake.toml --over theta0=40:70:31 --csv over.csv
     """
     if example:
         from ..report.example import example as text_of
@@ -84,8 +92,13 @@ def report(
         raise click.UsageError("FILE is missing; begin with spragsym report --example > brake.toml")
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
         raise ParameterError(f"--html {html}: the ending must be .html")
-    refuse([html], force)
+    refuse([html, csv, plot], force)
     study = study_of(file, model, trust, warn=False)  # the report has its own warnings
+    if over:
+        _over(study, over, csv, plot, force, json_output)
+        return
+    if csv is not None or plot is not None:
+        raise click.UsageError("--csv and --plot show what --over tells; give --over theta0=40:70")
     with show_progress(
         "computing the report (--no-oscillation and --no-redesign leave out what takes longest)"
     ):
@@ -98,6 +111,47 @@ def report(
         with show_progress("drawing the page"):
             found.to_html(html)
         click.echo(f"wrote {html}", err=True)
+
+
+def _over(
+    study: Study,
+    over: tuple[Span, ...],
+    csv: Path | None,
+    plot: Path | None,
+    force: bool,
+    json_output: bool,
+) -> None:
+    """The verdict over one quantity or two."""
+    from ..report.over import verdicts_over
+
+    names = [span.name for span in over]
+    if len(set(names)) < len(names) or len(names) > 2 or any(one.ends is None for one in over):
+        raise click.UsageError(
+            "--over takes one quantity or two, each with its ends, as theta0=40:70:31"
+        )
+    with show_progress("asking for the verdict over a range"):
+        found = verdicts_over(study, {one.name: one.values for one in over})
+    rows = [dict(zip(found.titles, row, strict=True)) for row in found.rows]
+    files = {} if csv is None else {csv: found.csv()}
+    if json_output:
+        print_json({"rows": rows, "onsets": found.onsets, "unsettled": found.unsettled})
+    else:
+        print_rows("", [{key: _known(one) for key, one in row.items()} for row in rows])
+        for line in (*found.onsets, *filter(None, [found.unsettled])):
+            click.echo(line)
+    write(files, force)
+    drawn(plot, "drawing the verdicts", lambda: _picture_over(found))
+
+
+def _known(one: float | str) -> float | str:
+    """A number; nothing in place of one that is not there."""
+    return "" if one != one else one  # noqa: PLR0124  # NaN
+
+
+def _picture_over(found: Verdicts) -> Any:
+    from ..figures.over import verdict_figure  # of the extra plot
+
+    return verdict_figure(found)
 
 
 #: Lines of either parameter on which onsets are sought.

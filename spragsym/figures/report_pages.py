@@ -84,7 +84,7 @@ def report_page(report: Facts) -> str:
     ]
     headed = dict(sections(report))
     del headed["Warnings"]
-    last = {"What to do next": headed.pop("What to do next")}
+    steps = headed.pop("What to do next")
     title = about.pop("title") or "Sprag-slip report"
     return filled(
         "spragsym.figures",
@@ -93,9 +93,10 @@ def report_page(report: Facts) -> str:
         title=title,
         about=", ".join(filter(None, about.values())),
         verdict=" ".join(verdict(report)),
+        steps=steps,
         warnings=warnings(report),
         drawn=pictures(report),
-        headed=(headed | {"Data": data} | last).items(),
+        headed=(headed | {"Data": data}).items(),
         mechanism=study.kind.drawing,
     )
 

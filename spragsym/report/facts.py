@@ -262,10 +262,8 @@ def facts(study: Brake, options: ReportOptions) -> Facts:
     answers = _Answers(study)
     parameter = _jump(answers)
     jump_at = None if parameter is None else study.told(parameter)
-    speed = math.nan
-    if jump_at is not None and not math.isnan(jump_at) and study.of_friction:
-        speed = speed_for(study, jump_at)
-    reach = _reach(study, jump_at, speed)
+    speed = speed_of_jump(study, jump_at)
+    reach = reach_of(study, jump_at, speed)
 
     eq = equilibria(study.operating_point)
     here = answers.known("the state that the brake is in is", partial(current, study, eq))
@@ -372,7 +370,14 @@ def _jump(answers: _Answers) -> float | None:
     return found
 
 
-def _reach(study: Brake, jump: float | None, speed: float) -> str:
+def speed_of_jump(study: Brake, jump: float | None) -> float:
+    """The belt speed from which on the largest friction reaches the jump; NaN without one."""
+    known = jump is not None and not math.isnan(jump) and study.of_friction
+    return speed_for(study, jump) if jump is not None and known else math.nan
+
+
+def reach_of(study: Brake, jump: float | None, speed: float) -> str:
+    """How far the friction goes, as :attr:`Facts.reach` says it."""
     _, here, most = study.in_use
     if jump is None:
         return ""

@@ -229,7 +229,7 @@ def about(report: Facts) -> dict[str, str]:
 
 
 def blocks(report: Facts) -> Iterator[str]:
-    """The verdict line by line, the numbers under headings, warnings, and what to do next: each as
+    """The verdict line by line, what to do next, warnings, and the numbers under headings: each as
     soon as it is known.
     """
     yield from verdict(report)
@@ -251,6 +251,8 @@ def lines(rows: Sequence[tuple[str, str]]) -> list[str]:
 def sections(report: Facts) -> Iterator[tuple[str, list[tuple[str, str]]]]:
     """Headings, each with rows of a name and a value."""
     parts = {
+        "What to do next": next_steps,
+        "Warnings": _warnings,
         "State": _state,
         "Folds": _folds,
         "Jump": _jump,
@@ -258,8 +260,6 @@ def sections(report: Facts) -> Iterator[tuple[str, list[tuple[str, str]]]]:
         "Oscillation": _oscillation,
         "Tolerances": _tolerances,
         "Changes": _changes,
-        "Warnings": _warnings,
-        "What to do next": next_steps,
     }
     for title, rows in parts.items():
         yield title, list(rows(report))

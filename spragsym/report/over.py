@@ -1,0 +1,141 @@
+"""The verdict on a brake over one of its quantities, or two."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from ..core.errors import ParameterError, SpragsymError, hint
+from ..core.progress import doing
+from ..models.parameters import FloatArray
+from ..models.quantities import factor
+from ..statics.equilibria import equilibria
+from .brake import Brake
+from .facts import percent_beyond, reach_of, speed_of_jump
+from .states import current, states
+from .units import Measured
+
+#: What is said of a point by the friction of its jump, see :attr:`Facts.reach`.
+OUTCOMES = {
+    "jumped": "has jumped",
+    "within": "jumps within the tolerances",
+    "faster": "jumps at higher speed",
+    "beyond": "does not jump",
+    "never": "never jumps",
+    "": "unsettled",
+}
+
+
+@dataclass(frozen=True)
+class Verdicts:
+    """The verdict at each point of a grid of quantities.
+
+    Attributes
+    ----------
+    titles : tuple of str
+        Each quantity with its unit, then what is told of each point.
+    rows : tuple of tuple
+        One for each point: quantities in the units of the file; the loading parameter at the jump
+        in its own, NaN where there is none; the margin to its largest value in percent; the
+        outcome, one of :data:`OUTCOMES`; and whether small disturbances die out.
+    reason : str
+        Why the first unsettled point is that; empty where there is none.
+    """
+
+    titles: tuple[str, ...]
+    rows: tuple[tuple[float | str, ...], ...]
+    reason: str
+
+    @property
+    def onsets(self) -> tuple[str, ...]:
+        """Between which neighbours of a single quantity what is said of the state changes."""
+        if len(self.titles) != 5:
+            return ()
+        return tuple(
+            f"{self.titles[0]} {one[0]:.6g} to {two[0]:.6g}: from {one[4]} to {two[4]}"
+            for one, two in itertools.pairwise(self.rows)
+            if one[4] and two[4] and one[4] != two[4]
+        )
+
+    @property
+    def unsettled(self) -> str:
+        """How many points are without an answer, why, and what to do; empty if none is."""
+        count = sum(row[-2] == OUTCOMES[""] for row in self.rows)
+        return (
+            f"{count} of {len(self.rows)} unsettled, the first because {self.reason}; write that "
+            "value into the file and ask for its report, which says more, or take other ends"
+            if count
+            else ""
+        )
+
+    def csv(self) -> str:
+        """Lines with commas under one line of titles; what has no number is empty."""
+        lines = [self.titles, *(map(_cell, row) for row in self.rows)]
+        return "".join(f"{','.join(line)}\n" for line in lines)
+
+
+def _cell(value: float | str) -> str:
+    return value if isinstance(value, str) else repr(value) if math.isfinite(value) else ""
+
+
+def verdicts_over(study: Brake, over: Mapping[str, FloatArray]) -> Verdicts:
+    """The verdict at each point of a grid; values are in the units of the file.
+
+    A quantity that has a tolerance keeps it as a share of its value, an inclination as it is.
+
+    Raises
+    ------
+    ParameterError
+        For a name that is no quantity of the brake.
+    """
+    for name, values in over.items():
+        if name not in study.quantities:
+            known = [*study.quantities]
+            remark = hint(name, known) or f"; choose of {', '.join(known)}"
+            raise ParameterError(f"over: {name!r} is no quantity of the brake{remark}")
+        for value in values.tolist():
+            _placed(study, name, value)  # an error for one out of range, before anything is asked
+    points = list(itertools.product(*(one.tolist() for one in over.values())))
+    rows, reason = [], ""
+    for number, values in enumerate(points, 1):
+        with doing("{} of {} points", number, len(points)):
+            told, why = _told(study, dict(zip(over, values, strict=True)))
+        reason = reason or why
+        rows.append((*values, *told))
+    units = [_titled(name, study.quantities[name].unit) for name in over]
+    load = study.loading
+    unit = "" if study.of_friction else study.quantities[load.quantity].unit if load.name else ""
+    titles = (*units, _titled(f"jump {load.word}", unit), "margin [%]", "outcome", "state")
+    return Verdicts(titles, tuple(rows), reason)
+
+
+def _titled(name: str, unit: str) -> str:
+    return f"{name} [{unit}]" if unit else name
+
+
+def _told(study: Brake, values: Mapping[str, float]) -> tuple[tuple[float | str, ...], str]:
+    """What is said of one point, and why that is nothing."""
+    try:
+        at = study.with_quantities(
+            study.quantities | {name: _placed(study, name, value) for name, value in values.items()}
+        )
+        jump = at.told(at.jump())
+        eq = equilibria(at.operating_point)
+        found = states(at, eq, current(at, eq))
+    except SpragsymError as error:
+        return (math.nan, math.nan, OUTCOMES[""], ""), str(error).partition(";")[0]
+    here = next((state.stability for state in found if state.current), "")
+    shown = jump if at.of_friction else at.in_file(at.loading.quantity, jump)
+    outcome = OUTCOMES[reach_of(at, jump, speed_of_jump(at, jump))]
+    return (shown, percent_beyond(jump, at.in_use[2]), outcome, here), ""
+
+
+def _placed(study: Brake, name: str, value: float) -> Measured:
+    """A quantity at a value in the unit of the file."""
+    one, unit, allowed = study.quantities[name], study.kind.units[name], study.kind.ranges()[name]
+    si = value * factor(one.unit, unit)
+    if not allowed.contains(si):
+        raise ParameterError(f"over: {name} = {study.shown(name, si)} is not in {allowed}")
+    return one.scaled(si, unit != "rad")

@@ -77,7 +77,8 @@ def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, run: Run) -> None:
     """With k_3 = 0 cubic_contact is the article's model: the same answers in the file's units, by
     the model's own law.
     """
-    text = run("report", "--example")
+    lines = run("report", "--example").splitlines(keepends=True)
+    text = "".join(line for line in lines if not line.startswith("damping_ratio"))
     one, two = tmp_path / "one.toml", tmp_path / "two.toml"
     one.write_text(text, encoding="utf-8")
     two.write_text(

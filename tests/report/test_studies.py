@@ -409,15 +409,16 @@ def test_no_text_of_a_page_is_taken_for_html() -> None:
         "report.html",
         odd,
         **words,
+        steps=[(odd, odd)],
         warnings=[odd],
         drawn=[("<svg></svg>", odd)],
         headed=rows,
     )
     assert odd not in text
     assert (text.count("&lt;b&gt;&amp;&#34;&#39;"), text.count("<svg></svg>")) == (
-        10,
+        12,
         1,
-    )  # ten, as the title stands twice
+    )  # twelve, as the title stands twice
     assert "nothing" not in text
     assert text.endswith("</html>\n")
 

@@ -99,11 +99,11 @@ def verdicts_over(study: Brake, over: Mapping[str, FloatArray]) -> Verdicts:
             _placed(study, name, value)  # an error for one out of range, before anything is asked
     points = list(itertools.product(*(one.tolist() for one in over.values())))
     rows, reason = [], ""
-    for number, values in enumerate(points, 1):
+    for number, point in enumerate(points, 1):
         with doing("{} of {} points", number, len(points)):
-            told, why = _told(study, dict(zip(over, values, strict=True)))
+            told, why = _told(study, dict(zip(over, point, strict=True)))
         reason = reason or why
-        rows.append((*values, *told))
+        rows.append((*point, *told))
     units = [_titled(name, study.quantities[name].unit) for name in over]
     load = study.loading
     unit = "" if study.of_friction else study.quantities[load.quantity].unit if load.name else ""
@@ -119,7 +119,10 @@ def _told(study: Brake, values: Mapping[str, float]) -> tuple[tuple[float | str,
     """What is said of one point, and why that is nothing."""
     try:
         at = study.with_quantities(
-            study.quantities | {name: _placed(study, name, value) for name, value in values.items()}
+            {
+                **study.quantities,
+                **{name: _placed(study, name, value) for name, value in values.items()},
+            }
         )
         jump = at.told(at.jump())
         eq = equilibria(at.operating_point)

@@ -70,20 +70,9 @@ BELOW_THE_LAW = (
 )
 #: Change of the growth rate over ω below which a coefficient is the tail of a smoothed law.
 MEANT = 1e-9
-#: Values of the parameter that are looked at.
-VALUES = 61
-#: Half-width of the box in which an onset is proved with many digits, over its size.
-ROOM = 1e-6
-#: Imaginary part of a λ that oscillates, over its size.
-OSCILLATES = 1e-6
-#: Real part of a λ that grows or decays, over the largest one: eigenvalues are known to less than
-#: that.
-GROWS = 1e-11
 #: Width of a box whose middle is as good as a root, and growth of a λ on the imaginary axis, over
 #: their sizes.
 SMALL = 1e-6
-#: Times that the range between two values is halved.
-HALVINGS = 40
 #: ω of the points of a search that M, C and K are taken at.
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 #: Points of one search, their kinds and their ω.
@@ -298,14 +287,15 @@ def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
         *(_undamped(family, each[-1].roots.left) if flat else ()),
         *of_ends(family, found, symmetric),
     )
+    samples = family.balance.options.samples
     if detected := int((kind == "detected").sum()):
         remarks += (
-            f"{detected} onsets are numerically detected between two of {VALUES} values, and "
+            f"{detected} onsets are numerically detected between two of {samples} values, and "
             "not proved",
         )
     elif roots.left.shape[2] and not flat:
         remarks += (
-            f"floats see no other onset between two of {VALUES} values of {family.vary[0]}",
+            f"floats see no other onset between two of {samples} values of {family.vary[0]}",
         )
     own = own_name(family.p.model, "omega")
     return arranged(family, found, kind, {own: omega}, remarks)
@@ -333,7 +323,7 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
 
     fixed, sightings = system.family.begin, np.array(_sightings(system)).reshape(-1, system.n + 1).T
     candidates = sightings[:-1]
-    room = ROOM * scale_of(candidates)
+    room = 1e-6 * scale_of(candidates)
     tried = refined(system, fixed, Roots.at(ends_around(candidates, room)))
     sure = tried.error <= system.options.tolerance
     proved, open_ = (
@@ -355,7 +345,8 @@ def _sightings(system: Augmented) -> list[FloatArray]:
     where none was followed.
     """
     low, high = system.family.spans[0]
-    values = low + (high - low) * (np.arange(VALUES) + 0.5) / VALUES
+    samples = system.options.samples
+    values = low + (high - low) * (np.arange(samples) + 0.5) / samples
     q, point = _states(seen(system.balance, system.family.at(values[None]), system.family.asked))
     z = np.concatenate([q, values[point][None]])
     every, out = _signals(system, z), list[FloatArray]()
@@ -365,7 +356,7 @@ def _sightings(system: Augmented) -> list[FloatArray]:
             continue
         other = int(following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()])
         if _crossing_pairs(every[one], every[other]).size:
-            out += _bisected(system, (z[:, one], every[one]), (z[:, other], every[other]), HALVINGS)
+            out += _bisected(system, (z[:, one], every[one]), (z[:, other], every[other]), 40)
     if system.condition is HOPF:
         return out
     # Not where the condition changes its sign at a pole.
@@ -395,7 +386,8 @@ def _crossing_pairs(a: ComplexArray, b: ComplexArray) -> ComplexArray:
     size = max(np.abs([*a, *b]), default=0.0)
     before, after = a[i], b[j]
     passes = (before.real * after.real < 0) & (
-        np.minimum(np.abs(before.real), np.abs(after.real)) > GROWS * size
+        np.minimum(np.abs(before.real), np.abs(after.real))
+        > 1e-11 * size  # eigenvalues are known to less
     )
     return np.asarray(before[passes])
 
@@ -448,7 +440,7 @@ def _signals(system: Augmented, z: FloatArray) -> list[ComplexArray]:
     """
     if system.condition is HOPF:
         every = stability.roots(*matrices(system.family, z))
-        return [row[np.isfinite(row) & (row.imag > OSCILLATES * np.abs(row))] for row in every]
+        return [row[np.isfinite(row) & (row.imag > 1e-6 * np.abs(row))] for row in every]
     with quiet():
         tested = (
             system.residuals(Intervals.point(z), system.fixed(z.shape[1]))

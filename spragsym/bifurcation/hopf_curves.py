@@ -37,12 +37,8 @@ from .normal_forms import NormalForm
 from .options import ContinuationOptions
 from .points import arranged, matrices, nothing, search
 
-#: Points of the plane that are nearer than this share of its scales are one.
-SAME = 1e-9
 #: Why a point has no normal form that is not proved to be a generic Hopf point.
 UNPROVED = "no generic Hopf point is proved there"
-#: Halvings by which a point with l₁ = 0 is enclosed.
-HALVINGS = 30
 #: C over K below which a state is as good as undamped.
 UNDAMPED = 1e-6
 #: What is said of slopes of the friction law that vanish, and of boxes in whose middle hardly
@@ -356,7 +352,7 @@ class _Plane(Family):
     def _between(
         self, curves: FoldCurves, one: FloatArray, two: FloatArray, first: str
     ) -> list[float]:
-        for _ in range(HALVINGS):
+        for _ in range(30):  # halvings
             chord = (two - one) / curves.scale
             length = norm(chord)
             found, good = curves.on_curve(
@@ -397,4 +393,4 @@ def _pieces(
 def _at_ends(curves: FoldCurves, states: FloatArray, ends: FloatArray) -> BoolArray:
     """Which states of a chain are Bogdanov–Takens points, one a column."""
     off = np.abs(states[:, :, None] - ends[:, None]) / curves.scale[:, None, None]
-    return (off.max(axis=0) < SAME).any(axis=1)
+    return (off.max(axis=0) < 1e-9).any(axis=1)

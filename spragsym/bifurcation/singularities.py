@@ -74,13 +74,8 @@ if TYPE_CHECKING:
 MANY = 500
 #: Bits of the forces around a pitchfork.
 BITS = 120
-#: Relative width of boxes on a mirror in which a pitchfork may be degenerate: halving decides what
-#: is beside it too slowly.
-NEAR = 2.0**-12
 #: Where two states meet and nothing more is known.
 UNDECIDED = "undecided"
-#: Errors of a fold beyond it where its two states are gone for certain.
-BEYOND = 4.0
 
 
 def folds_of(
@@ -345,7 +340,8 @@ def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
     def given_up(at: State) -> BoolArray:
         q = at.box
         on = [~contractors.apart(q.ends, image.ends) for image in images(at)]
-        small = np.logical_and.reduce(q.width <= NEAR * scale_of(q.magnitude))
+        # Halving decides what is beside a degenerate pitchfork too slowly.
+        small = np.logical_and.reduce(q.width <= 2.0**-12 * scale_of(q.magnitude))
         return small & np.logical_or.reduce(on)
 
     return replace(cusp(column), hopeless=hopeless, given_up=given_up) if mirrors else cusp(column)
@@ -419,7 +415,8 @@ def _afterwards(points: Points) -> dict[str, FloatArray]:
     allowed = points.parameters.ranges[vary]
     for row in np.flatnonzero(np.isin(points.ends, ("lower", "upper"))):
         value, forward = float(points[vary][row]), 1 if points.when[row] == "up" else -1
-        beyond = value + forward * BEYOND * max(1.0, abs(value)) * float(points.error[row])
+        # Some errors beyond it, where its two states are gone for certain.
+        beyond = value + forward * 4 * max(1.0, abs(value)) * float(points.error[row])
         beyond = beyond if allowed.low < beyond < allowed.high else value
         here = equilibria(points.parameters.replace(**{vary: beyond}), method="search")
         stable = here.undamped == EquilibriumType.STABLE

@@ -95,7 +95,7 @@ TRUST = "Run the code of the folder that the file of --data names as its model."
 
 
 # generic in some versions of click
-class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]
+class OneNumber(click.ParamType):  # type: ignore[type-arg,unused-ignore]
     """A number in a range; an error names the option as it is typed."""
 
     name = "float"
@@ -111,7 +111,7 @@ class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]
         return as_number(_flag(param), number, self.allowed)
 
 
-class NumberList(Number):
+class NumberList(OneNumber):
     """A number, numbers ``a,b,c``, or ``start:stop:count`` for equal steps, ends included; each in
     a range.
     """
@@ -212,13 +212,13 @@ undamped: Decorator = click.option(
 rtol: Decorator = click.option("--rtol", type=float, default=1e-10, help="Relative tolerance.")
 t_end: Decorator = click.option(
     "--t-end",
-    type=Number(POSITIVE),
+    type=OneNumber(POSITIVE),
     default=2000.0,
     help="Until when, in {time}; with --data in seconds, as --transient.",
 )
 transient: Decorator = click.option(
     "--transient",
-    type=Number(NOT_NEGATIVE),
+    type=OneNumber(NOT_NEGATIVE),
     help="What to leave out of RMS, largest displacement and period. Default: three quarters of "
     "--t-end.",
 )
@@ -307,7 +307,7 @@ class OfModel(Command):
     def __init__(
         self,
         *args: Any,
-        kind: Callable[[Range], Any] = Number,
+        kind: Callable[[Range], Any] = OneNumber,
         start: bool = False,
         statics: bool = False,
         values: bool = False,

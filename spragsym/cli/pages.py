@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 @click.option("--redesign/--no-redesign", default=True, help="Say what to change where it jumps.")
 @click.option(
     "--safety",
-    type=o.Number(POSITIVE),
+    type=o.OneNumber(POSITIVE),
     default=1.2,
     help="Factor on the largest friction, for what to change.",
 )

@@ -42,6 +42,8 @@ class SearchOptions(BoxOptions, DigitOptions):
     stiff : float
         Stiffness of a spring, over that of the contact, from which on states are looked for around
         its anchor first.
+    samples : int
+        Values of a parameter between which floats look for onsets where the search is not complete.
     budget, node_budget, narrow, margin, shrunk, spread, small, pole, pieces
         Of the search over boxes: how many are looked at for one point, and when one is halved; see
         :class:`spragsym.numerics.boxes.BoxOptions`.
@@ -69,3 +71,4 @@ class SearchOptions(BoxOptions, DigitOptions):
     sweeps: int = limit(4)
     halvings: int = limit(7)
     stiff: float = option(3e3, 0.0)
+    samples: int = limit(61, 2)

@@ -13,6 +13,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from .. import algebra, units
+from ..algebra import Pair
 from ..mechanics import MU, PUSHING
 from ..pages import Model
 from . import samples
@@ -258,13 +259,18 @@ def _states(it: Derivation) -> tuple[sp.Symbol, ...]:
 
 def _factors(item: Item, conventions: Conventions, tree: Node, entry: sp.Expr) -> list[sp.Expr]:
     """Factors of parameters by which terms of the print are terms of the derivation, by votes."""
-    whole = sp.expand(to_sympy(tree, _names(item, conventions)))
-    ours = sp.Add.make_args(sp.expand(item.it.expanded(entry)))[:MOST_TERMS]
+
+    def apart(expression: sp.Expr) -> list[Pair]:
+        """Factors of parameters, and what else stands in each term."""
+        terms = sp.Add.make_args(sp.expand(expression))[:MOST_TERMS]
+        return [it.as_independent(*_states(item.it), as_Add=False) for it in terms]
+
+    ours = apart(item.it.expanded(entry))
     votes: dict[sp.Expr, int] = {}
-    for term, own in itertools.product(sp.Add.make_args(whole)[:MOST_TERMS], ours):
-        ratio = term / own
-        if not ratio.has(*_states(item.it)) and ratio.is_finite is not False:
-            votes[ratio] = votes.get(ratio, 0) + 1
+    for factor, state in apart(to_sympy(tree, _names(item, conventions))):
+        for own, same_state in ours:
+            if state == same_state and own != 0:
+                votes[factor / own] = votes.get(factor / own, 0) + 1
     return sorted(votes, key=lambda it: (-votes[it], sp.count_ops(it), str(it)))[:4]
 
 

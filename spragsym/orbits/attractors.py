@@ -121,9 +121,9 @@ def same(one: Attractor, other: Attractor) -> bool:
     if one.kind != other.kind or one.kind == Regime.LIFT_OFF:
         return one.kind == other.kind
     if one.orbit is None or other.orbit is None:
-        return magnitude(apart(one.state, other.state, one.system.field.around)) < SAME * (
-            1 + magnitude(one.state)
-        )
+        states = one.system.scales(one.state).states
+        off = apart(one.state, other.state, one.system.field.around) / states
+        return magnitude(off) < SAME * (1 + magnitude(one.state / states))
     return same_cycle(one.orbit, other.orbit)
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,8 @@ from ..models.parameters import (
     as_numbers,
     as_ranges,
 )
+from ..motion.integrators import Flow
+from ..motion.scales import MotionScales
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import magnitude, norm
@@ -31,7 +34,8 @@ from ..results.result import Result
 from ..statics.equilibria import equilibria
 from .system import FateVerdict, Saddle, System, judged, saddle_near, surely
 
-#: Equilibria that differ by less than this are one.
+#: Equilibria that differ by less than this are one. Lengths are in units of the motion about the
+#: saddle.
 SAME = 1e-9
 
 #: How much longer the motion is followed in each refinement, in units of the saddle's time.
@@ -48,6 +52,9 @@ NEAR = 5e-10
 
 #: A refinement that moves the start by less than this is the last.
 SETTLED = 1e-11
+
+#: Between neighbours on the curve where nobody says, as a share of the range.
+STEP = 1 / 300
 
 #: A step of Newton's method longer than this leads astray.
 FARTHEST = 0.2
@@ -111,7 +118,7 @@ def basin_boundary(
     start: Any = None,
     saddle: Any = None,
     between: Ranges | None = None,
-    step: float = 0.02,
+    step: float | None = None,
     points: int = 80,
     backend: str | None = None,
 ) -> BasinBoundary:
@@ -134,9 +141,11 @@ def basin_boundary(
     saddle : array_like, optional
         Coordinates near the equilibrium; needed where there are several.
     between : mapping, optional
-        Ranges of the two by name; by default 3 to either side of the equilibrium, and 1 for speeds.
-    step : float
-        Between neighbours on the curve.
+        Ranges of the two by name; by default 3 to either side of the equilibrium, and 1 for speeds,
+        in units of the motion, which are 1 for numbers of a common size.
+    step : float, optional
+        Between neighbours on the curve, along the first direction of the plane; a 300th of that
+        range where it is left out.
     points : int
         Most points either way.
 
@@ -178,13 +187,19 @@ def basin_boundary(
         raise ParameterError(f"plane = {plane!r} is not two of {', '.join(names)}")
     axes = [names.index(name) for name in plane]
     known = _saddle(system, p.given(V=V, d=d), saddle)
-    widths = [3.0 if name in model.coordinates else 1.0 for name in plane]
+    scales = system.scales(known.state)
+    units = scales.states[axes]
+    widths = units * [3.0 if name in model.coordinates else 1.0 for name in plane]
     given = as_ranges("between", between, {name: model.any_of(name) for name in plane})
     around = zip(plane, known.state[axes] - widths, known.state[axes] + widths, strict=True)
     ranges = [given.get(name, (low, high)) for name, low, high in around]
-    step, points = as_number("step", step, POSITIVE), as_count("points", points)
-    walk = _Walk(system, known, np.eye(len(names))[axes], ranges, step, points)
-    first, error, span = walk.begun(state_of(model, start))
+    ranges = [(low / unit, high / unit) for (low, high), unit in zip(ranges, units, strict=True)]
+    low, high = ranges[0]
+    whole = (high - low) * STEP
+    step = whole if step is None else as_number("step", step, POSITIVE) / float(units[0])
+    points = as_count("points", points)
+    walk = _Walk(system, scales, known, np.eye(len(names))[axes], ranges, step, points)
+    first, error, span = walk.begun(state_of(model, start) / scales.states)
     (back, why_back), (forth, why_forth) = (walk.follow(first, span, sign) for sign in (-1.0, 1.0))
     found = [*reversed(back), (first, error), *forth]
     differ, told = map(
@@ -192,8 +207,8 @@ def basin_boundary(
     )
     return BasinBoundary(
         plane,
-        np.array([each[axes] for each, _ in found]),
-        np.array([error for _, error in found]),
+        np.array([units * each[axes] for each, _ in found]),
+        np.array([units.max() * error for _, error in found]),
         differ,
         told,
         known.state,
@@ -232,7 +247,8 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     for place in places:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, place)
-            if not any(magnitude(saddle.state - other.state) < SAME for other in found):
+            states = system.scales(saddle.state).states
+            if not any(magnitude((saddle.state - one.state) / states) < SAME for one in found):
                 found.append(saddle)
     if len(found) != 1:
         listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found)
@@ -249,20 +265,36 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
 
 @dataclass(frozen=True)
 class _Walk:
-    """One curve on the manifold, in a plane of which the rows of ``plane`` are the directions."""
+    """One curve on the manifold, in a plane of which the rows of ``plane`` are the directions, all
+    but ``system`` and ``natural`` in units of the motion about the saddle.
+    """
 
     system: System
-    saddle: Saddle
+    scales: MotionScales
+    natural: Saddle
     plane: FloatArray
     to: Any
     step: float
     points: int
 
+    @cached_property
+    def flow(self) -> Flow:
+        """The motion in its units."""
+        return self.system.scaled(self.scales).flow
+
+    @cached_property
+    def saddle(self) -> Saddle:
+        """The saddle in units of the motion."""
+        it, states = self.natural, self.scales.states
+        return Saddle(
+            it.state / states, it.growth * self.scales.time, it.measure * states, it.attracts
+        )
+
     def off(self, state: FloatArray, span: float) -> tuple[float, FloatArray]:
         """How far a motion has come along the direction of growth, and the derivative of that in
         the plane.
         """
-        passage = self.system.flow.fly(state, self.system.constants, span)
+        passage = self.flow.fly(state, self.system.constants, span)
         measure = self.saddle.measure
         return float(measure @ (passage.state - self.saddle.state)), self.plane @ (
             measure @ passage.by_state
@@ -313,7 +345,7 @@ class _Walk:
         constants, reach = self.system.constants, 0.1 * magnitude(self.saddle.measure)
         part, clock = 0.0, 0.0
         for _ in range(20):
-            state = self.system.flow.plain(state, constants, 1 / self.saddle.growth).state
+            state = self.flow.plain(state, constants, 1 / self.saddle.growth).state
             clock += 1 / self.saddle.growth
             part = float(self.saddle.measure @ (state - self.saddle.state))
             if abs(part) > reach:
@@ -410,4 +442,5 @@ class _Walk:
         """
         _, normal = self.off(state, span)
         across = aside * normal / norm(normal) @ self.plane
-        return [_surely(self.system, start) for start in (state - across, state + across)]
+        starts = (self.scales.states * (state + way * across) for way in (-1, 1))
+        return [_surely(self.system, start) for start in starts]

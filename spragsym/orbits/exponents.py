@@ -19,7 +19,7 @@ import numpy as np
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
-from ..motion.scales import MotionScales, scaled
+from ..motion.scales import MotionScales
 from ..motion.shooting import rate
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray, IntArray
@@ -361,8 +361,7 @@ def rates_along(
     scales = scales or system.scales(state)
     if scales.trivial:
         return _rates_along(system, state, span)
-    there = replace(system, flow=replace(system.flow, field=scaled(system.field, scales)))
-    found = _rates_along(there, state / scales.states, span / scales.time)
+    found = _rates_along(system.scaled(scales), state / scales.states, span / scales.time)
     return replace(
         found,
         span=span,

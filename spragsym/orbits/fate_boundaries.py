@@ -22,6 +22,7 @@ from ..core.questions import model_of
 from ..models.field import Field
 from ..models.parameters import FloatArray, ParameterSet, Ranges, varied_range
 from ..motion.regimes import Outcome
+from ..motion.scales import MotionScales
 from ..motion.simulation import state_of
 from ..numerics.vectors import apart, magnitude
 from ..results.result import Result
@@ -55,14 +56,16 @@ NEXT = (0.5, 0.38, 0.62, 0.25, 0.75)
 ROUGH, FINE = ((rtol, 0.0) for rtol in TOLERANCES)
 MOVED = (TOLERANCES[1], TOLERANCES[1])
 
-#: A bracket is narrowed to this by the first of them, and no answer is given if it could not be
-#: narrowed to that.
+#: A bracket is narrowed to this share of the values by the first of them, and no answer is given if
+#: it could not be narrowed to that.
 NARROW, TOO_WIDE = 1e-13, 1e-8
 
-#: How far the place may lie that is found from a start which is moved: the error says how far.
+#: How far the place may lie that is found from a start which is moved, as a share of the values:
+#: the error says how far.
 FARTHEST = 1e-5
 
-#: To either side of what was found it is looked whether fates alternate.
+#: So many shares of the values to either side of what was found it is looked whether fates
+#: alternate.
 ASIDE = (1e-8, 1e-6)
 
 #: As many errors to either side of it both tolerances come to the same, and nearest to it to what
@@ -73,11 +76,11 @@ RESOLVED = (3, 6, 12)
 #: doubling, at most so many points on.
 DOUBLE, FOLLOWED = 0.05, 40
 
-#: A motion that comes as close as this to a saddle hovers at it; of a cycle, relative to its
-#: extent.
+#: A motion that comes as close as this to a saddle, in its own units, hovers at it; of a cycle,
+#: relative to its extent.
 CLOSE = 0.05
 
-#: Time units that the motions of a call are followed in all; what is open by then stays open.
+#: Units of time that the motions of a call are followed in all; what is open by then stays open.
 LONGEST = 5e6
 
 #: Cycles whose periods are less apart, as a logarithm, may be one that is followed; no cycle is
@@ -178,8 +181,8 @@ def fate_boundary(
         Where the motion is undecided at an end and nothing is seen to change between; where what
         changes is the attractor itself, which ends or loses its stability; where motions between
         stay undecided; where fates alternate on both sides more closely than rounding can tell; and
-        where 5e6 time units of motion leave it open. It says what the start comes to on either
-        side, of each change that was seen.
+        where 5e6 of the motion's units of time leave it open. It says what the start comes to on
+        either side, of each change that was seen.
 
     Notes
     -----
@@ -244,6 +247,15 @@ class _Asked:
     known: list[_Fate] = attribute(default_factory=list)
     lost: list[float] = attribute(default_factory=list)
 
+    @property
+    def size(self) -> float:
+        """The largest of the values, by which shares of them are meant."""
+        return max(abs(self.known[0].value), abs(self.known[-1].value))
+
+    def scales(self, value: float) -> MotionScales:
+        """Units of the motion at a value."""
+        return self.at(value).scales(self.start)
+
     def at(self, value: float) -> System:
         """The system at a value."""
         return self.system.at(self.vary, value)
@@ -253,15 +265,17 @@ class _Asked:
         for before in self.known:
             if (before.value, before.way) == (value, way):
                 return before
-        if sum(each.verdict.t for each in self.known) > LONGEST:
+        scales = self.scales(value)
+        if sum(each.verdict.t for each in self.known) > LONGEST * scales.time:
             raise _TooLong(
-                f"{LONGEST:g} time units of motion leave it open whether there are others; "
-                "give a narrower range"
+                f"motions of {LONGEST * scales.time:g} in all leave it open whether there are "
+                "others; give a narrower range"
             )
         with doing(
             "the motion at {} = {:.12g}, after {} others", self.vary, value, len(self.known)
         ):
-            verdict = judged(self.at(value), self.start + way[1], rtol=way[0])
+            start = self.start + way[1] * scales.states
+            verdict = judged(self.at(value), start, rtol=way[0])
         found = _Fate(value, way, verdict, self._label(value, verdict) if verdict.decided else -1)
         insort(self.known, found, key=lambda each: each.value)
         return found
@@ -424,13 +438,14 @@ class _Bracket:
         """The bracket found again about a value, by the tolerance and from the start of another
         way, narrowed.
         """
-        half, most = max(self.width, NARROW * (1 + abs(near))), most * (1 + abs(near))
+        size = self.asked.size
+        half, most = max(self.width, NARROW * size), most * size
         while half < most:
             found = replace(
                 self, low=self.asked.ask(near - half, way), high=self.asked.ask(near + half, way)
             )
             if found.sides == self.sides:
-                return found.narrowed(1e-15 * (1 + abs(near)), way)
+                return found.narrowed(1e-15 * size, way)
             half *= 8
         raise self.alternating(near, most)
 
@@ -489,10 +504,10 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
 
     None where both sides turn out to have one attractor, which is known from then on.
     """
-    asked, scale = bracket.asked, 1 + abs(bracket.low.value) + abs(bracket.high.value)
-    bracket = bracket.narrowed(NARROW * scale)
+    asked = bracket.asked
+    bracket = bracket.narrowed(NARROW * asked.size)
     low, high = bracket.low, bracket.high
-    wide = bracket.width > TOO_WIDE * (1 + abs(low.value))
+    wide = bracket.width > TOO_WIDE * asked.size
     try:
         met = (
             _doubles(asked, low, high)
@@ -522,7 +537,8 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
     error += 4 * float(np.spacing(abs(value)))
     if not bracket.resolved(value, error):
         raise bracket.alternating(value, RESOLVED[-1] * error)
-    for place in asked.inside(*(value + sign * aside for aside in ASIDE for sign in (-1, 1))):
+    asides = (sign * aside * asked.size for aside in ASIDE for sign in (-1, 1))
+    for place in asked.inside(*(value + aside for aside in asides)):
         asked.ask(place)
     kind, state, growth, distance = _saddle(bracket)
     away = [(a.value, b.value) for a, b in asked.changes() if a.value < b.value]
@@ -584,15 +600,16 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     """
     asked = bracket.asked
     system, around = asked.at(bracket.middle), asked.system.field.around
+    scales = asked.scales(bracket.middle)
+    t_end = JUDGED[0] * scales.time
     one, other = (
-        asked.at(each.value).motion(asked.start, JUDGED[0], rtol=FINE[0])
+        asked.at(each.value).motion(asked.start, t_end, rtol=FINE[0])
         for each in (bracket.low, bracket.high)
     )
-    times = np.linspace(0.0, JUDGED[0], int(10 * JUDGED[0]) + 1)
-    parted = times[np.abs(one(times) - other(times)).max(axis=0) > PARTED]
-    hovering = system.flow.plain(
-        asked.start, system.constants, float(parted.min(initial=JUDGED[0]))
-    )
+    times = np.linspace(0.0, t_end, int(10 * JUDGED[0]) + 1)
+    off_by = np.abs(one(times) - other(times)) / scales.states[:, None]
+    parted = times[off_by.max(axis=0) > PARTED]
+    hovering = system.flow.plain(asked.start, system.constants, float(parted.min(initial=t_end)))
     states = np.array(
         [turn.state for turn in hovering.turns if turn.border == -1 and turn.direction < 0]
         or [hovering.state]
@@ -601,9 +618,9 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     for state in states:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, state)
-            off = magnitude(apart(state, saddle.state, around))
-            if saddle.attracts and off < CLOSE:
-                rests[off] = saddle
+            away = apart(state, saddle.state, around)
+            if saddle.attracts and magnitude(away / scales.states) < CLOSE:
+                rests[magnitude(away)] = saddle
     if rests:
         off, rest = min(rests.items())
         return "equilibrium", rest.state, rest.growth, off

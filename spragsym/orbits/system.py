@@ -99,6 +99,10 @@ class System:
         """Units of the motion from a state."""
         return scales_of(self.field, self.constants, state.tolist())
 
+    def scaled(self, scales: MotionScales) -> System:
+        """The system in these units."""
+        return replace(self, flow=replace(self.flow, field=scaled(self.field, scales)))
+
     def mode(self, state: FloatArray) -> Mode:
         """The mode of a state."""
         return self.field.initial_mode(state.tolist(), self.constants)

@@ -10,8 +10,27 @@ import pytest
 
 import spragsym as ss
 from spragsym.motion.scales import scales_of
+from tests.oracles.user_pages import model_of
 
 STICK_SLIP = ss.load("coulomb_stick_slip")
+
+#: A damped mass in two wells, whose hump is as high as the length l makes it.
+WELLS = """'''Two wells.'''
+from spragsym.derive.model import Page
+
+page = Page("A damped mass in two wells.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+F = page.unit("F", "N", "force")
+l = page.parameter("l", "m", "half the distance of the wells", "> 0", 1.0)
+P = page.parameter("P", "N", "push", "real", 0.05)
+c = page.parameter("c", "N s/m", "damper", ">= 0", 0.1)
+x = page.coordinate("x", "m", "place")
+page.kinetic(m * page.rate(x) ** 2 / 2)
+page.potential(-k * x**2 / 2 + k * x**4 / (4 * l**2))
+page.damper(c, along=x)
+page.force(P, along=x)
+"""
 
 #: Sizes of N_0/k, the only scale of the page's numbers.
 SIZES = [1e-6, 3e4, 1e6]
@@ -160,3 +179,39 @@ def test_exponents_and_fates_are_the_same_in_any_units(size: float) -> None:
         assert those.t[-1] == rates.t[-1] * size
     with pytest.raises(ss.errors.ParameterError, match="t_end"):
         ss.fate(one, t_end=-1.0)
+
+
+@pytest.mark.thorough
+def test_the_boundary_of_a_basin_is_the_same_scaled() -> None:
+    """The curve of starts from which the mass stays on the hump."""
+    pytest.importorskip("heyoka")
+    model, found = model_of(WELLS, "wells"), []
+    for size in (1.0, 4.0**10, 4.0**-10):
+        p = model.Parameters(l=size, P=0.05 * size, c=0.1)
+        between = dict.fromkeys(("x", "vx"), (-3.0 * size, 3.0 * size))
+        curve = ss.basin_boundary(p, saddle=[0.0], between=between, points=2)
+        assert curve.boundary.all()
+        assert curve.error.max() < 1e-10 * size
+        found.append(curve.points / size)
+    for other in found[1:]:
+        np.testing.assert_allclose(other, found[0], rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.validate
+@pytest.mark.parametrize("size", [4.0**10, 4.0**-10])
+def test_the_boundary_of_a_fate_is_the_same_scaled(size: float) -> None:
+    """The push at which a start changes its fate."""
+    pytest.importorskip("heyoka")
+    model = model_of(WELLS, "wells")
+    one, other = (
+        ss.fate_boundary(
+            model.Parameters(l=unit, P=0.0, c=0.1),
+            "P",
+            between={"P": (0.02 * unit, 0.05 * unit)},
+            start=(1.5 * unit, 0.0),
+        )
+        for unit in (1.0, size)
+    )
+    assert other.saddle == one.saddle == "equilibrium"
+    assert abs(other.value / size - one.value) <= one.error + other.error / size < 1e-8
+    assert other.distance / size == pytest.approx(one.distance, abs=1e-6)

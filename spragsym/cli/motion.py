@@ -17,7 +17,9 @@ import spragsym as ss
 from ..core.errors import ParameterError
 from ..core.progress import show_progress
 from ..display import own_name
+from ..models.model import Touching, label_of
 from ..models.parameters import FloatArray, ParameterSet
+from ..numerics.interval_arrays import IndexArray
 from . import options as o
 from .case import Case, Row, is_typed
 from .output import drawn, print_rows, refuse, resumed
@@ -320,12 +322,15 @@ def cycles(
         },
         type(found),
     )
-    modes, slips = found.phases, SLIPS if case.model.friction_law else {1: "none"}
+    modes, slips = found.phases, SLIPS if case.model.frictions else {1: "none"}
     phases = case.rows(
         {"t": modes.t, "duration": modes.duration},
         type(modes),
-        state=["contact" if held else case.model.regimes[False] for held in modes.contact],
-        slip=[slips[side] for side in modes.side.tolist()],
+        state=[_touching(case, held) for held in modes.contact.reshape(len(modes.t), -1)],
+        slip=[
+            ", ".join(slips[side] for side in sides)
+            for sides in modes.side.reshape(len(modes.t), -1).tolist()
+        ],
     )
     if prove:
         from .. import precise
@@ -477,6 +482,15 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
             how=case.said(event.how for event in events),
         ),
     }
+
+
+def _touching(case: Case, held: IndexArray) -> str:
+    """In words: which contacts touch in a mode."""
+    contacts = zip(case.model.contacts, held.tolist(), strict=True)
+    opening = {label_of(entry): touches for entry, touches in contacts if entry["border"]}
+    some = tuple(name for name, touches in opening.items() if touches)
+    regime: Touching = len(some) == len(opening) or (some or False)
+    return "contact" if regime is True else case.model.regimes[regime]
 
 
 def _shown(value: object) -> Any:

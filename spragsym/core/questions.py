@@ -38,18 +38,23 @@ WAYS = ("auto", "closed", "search")
 
 #: Questions that are answered for several contacts, and parts of their answers.
 SEVERAL = (
+    "basin",
     "count",
     "cycle",
+    "cycle_branch",
     "equilibria",
     "fate",
+    "fate_map",
     "flutter_onsets",
     "folds",
     "jump_value",
+    "lyapunov",
     "quasi_static_path",
+    "rms_sweep",
     "simulate",
     "sticking_states",
 )
-PARTS_OF_SEVERAL = ("first_ends", "linked", "open_ends")
+PARTS_OF_SEVERAL = ("first_ends", "linked", "open_ends", "rest_index")
 
 
 class NotInClosedForm(Exception):

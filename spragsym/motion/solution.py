@@ -50,13 +50,48 @@ def passed(
     columns: FloatArray | None = None,
 ) -> tuple[Mode, tuple[Crossing, ...]]:
     """How a motion goes on behind a border: its next mode, and the crossings, none where there is
-    no kink; of several at one instant the border's own is the first.
+    no kink; of several at one instant the border's own is the first. What is left at the same
+    instant is left with it.
 
     Where the field jumps, the state and its derivatives by start and ``directions``, the
     ``columns``, are moved: they go on from the border itself, not from where it was noticed; so
     does one that leaves a border on which it stayed, from which errors of steps may have taken it.
     An error where the border does not say how.
     """
+    done, crossings = set[int](), list[Crossing]()
+    following: int | None = row
+    while following is not None:
+        done.add(following)
+        mode, found = _through(problem, following, mode, t, state, directions, columns)
+        crossings += found
+        following = _met(problem, mode, state, done)
+    return mode, tuple(crossings)
+
+
+def _met(problem: Problem, mode: Mode, state: FloatArray, done: set[int]) -> int | None:
+    """A border that is left at the same instant, but for rounding; None where there is none."""
+    field, constants, values = problem.field, problem.constants, np.asarray(state).tolist()
+    for row, border in enumerate(field.borders):
+        sign = border.sign(mode)
+        if not sign or row in done:
+            continue
+        if sign * border.level(values, constants, mode) + GAP * border.kink <= GAP / 8:
+            pulls = field.acceleration(values, constants, mode, FLOATS)
+            if sign * border.rate(values, pulls, constants, mode) < 0:
+                return row
+    return None
+
+
+def _through(
+    problem: Problem,
+    row: int,
+    mode: Mode,
+    t: float,
+    state: FloatArray,
+    directions: FloatArray | None,
+    columns: FloatArray | None,
+) -> tuple[Mode, tuple[Crossing, ...]]:
+    """:func:`passed` through one border, and what begins or ends to stick with it."""
     if problem.field.holding:
         project(problem, mode, state, None)
     border, constants = problem.field.borders[row], problem.constants

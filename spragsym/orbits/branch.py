@@ -293,8 +293,6 @@ def cycle_branch(
     >>> [event.kind for event in branch.events]
     ['end', 'end']
     """
-    if cycle.field.model is not None:
-        cycle.field.model.require_one_contact("cycle_branch")
     require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
     model = cycle.field
     index = model.parameters.index(one_of("vary", vary, model.parameters))
@@ -627,6 +625,8 @@ def cycle_events(
             "torus or grazing"
         )
     model = event.cycle.field
+    if model.model is not None:
+        model.model.require_one_contact("cycle_events")
     free = tuple(model.parameters.index(one_of("vary", name, model.parameters)) for name in vary)
     if len(vary) != 2 or vary[0] == vary[1]:
         raise ParameterError(f"vary = {vary!r} is not two parameters")

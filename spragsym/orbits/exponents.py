@@ -167,7 +167,6 @@ def lyapunov(
     True
     """
     system, state = System.of(p, backend, V=V, d=d), state_of(p.model, start)
-    p.model.require_one_contact("lyapunov")
     unit = system.scales(state).time
     t_end = as_number("t_end", FOLLOWED * unit if t_end is None else t_end, POSITIVE)
     whole = rates_along(system, state, t_end)
@@ -399,9 +398,8 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         sizes = np.abs(np.diag(triangle))
         lost = sizes <= LOST * sizes.max()
         met = (state, passage.state, *(crossing.state for crossing in passage.crossings))
-        if not lost.any() or (
-            lost.sum() == 1 and any(field.stays(system.mode(each)) for each in met)
-        ):
+        stuck = {border.place for each in met for border in field.stays(system.mode(each))}
+        if lost.sum() <= len(stuck):
             sizes[lost] = 0.0  # where it sticks deviations of the sliding speed end
             volume = -math.inf if lost.any() else float(np.linalg.slogdet(passage.by_state)[1])
             return passage.state, turned[:, back], np.log(sizes[back]), volume

@@ -411,7 +411,6 @@ def fate_map(
     (array([1, 2], dtype=int8), array([   nan, 34.267]))
     """
     model = model_of(p)
-    model.require_one_contact("fate_map")
     p.require(*p.ranges)
     p = p.given(V=V, d=d)
     inputs = {name: p[name] for name in p.ranges}

@@ -165,11 +165,16 @@ class Cycle(Result):
     @cached_property
     def phases(self) -> Phases:
         """The modes that one period passes through."""
-        if self.field.model is not None:
-            self.field.model.require_one_contact("phases")
         t = np.array([0.0, *self.events.t, self.period])
-        modes = [self.loop.mode(state)[:2] for state in self.samples((t[1:] + t[:-1]) / 2).T]
-        return Phases(t[:-1], np.diff(t), *np.array(modes, dtype=np.int8).T)
+        states = self.samples((t[1:] + t[:-1]) / 2).T
+        modes = np.array([self.loop.mode(state) for state in states], dtype=np.int8)
+        model = self.field.model
+        if model is None or len(model.contacts) == 1:
+            return Phases(t[:-1], np.diff(t), modes[:, 0], modes[:, 1])
+        names, rubbing = tuple(entry["name"] for entry in model.contacts), model.rubbing
+        first, last = len(names), len(names) + len(rubbing)
+        contact, side = modes[:, :first], modes[:, first:last]
+        return Phases(t[:-1], np.diff(t), contact, side, names, rubbing)
 
     @property
     def spring_force(self) -> tuple[float, float]:
@@ -330,6 +335,9 @@ class Phases(Result):
         not negative, 0 on the opposite one.
     side : ndarray of int, shape (k,)
         1 where the belt is ahead, −1 where the mass is, 0 where it sticks.
+        Of several contacts both have a column for each.
+    contacts, rubbing : tuple of str
+        Names of the contacts, and of those with friction, where there are several.
     """
 
     schema = (
@@ -343,6 +351,19 @@ class Phases(Result):
     duration: FloatArray
     contact: IndexArray
     side: IndexArray
+    contacts: tuple[str, ...] = dataclasses.field(default=(), repr=False)
+    rubbing: tuple[str, ...] = dataclasses.field(default=(), repr=False)
+
+    def _shown(self) -> dict[str, Any]:
+        """The columns of its table: of several contacts one for each."""
+        whole = {} if self.contacts else {"contact": self.contact, "side": self.side}
+        return {
+            "t": self.t,
+            "duration": self.duration,
+            **whole,
+            **{f"contact_{name}": self.contact[:, k] for k, name in enumerate(self.contacts)},
+            **{f"side_{name}": self.side[:, k] for k, name in enumerate(self.rubbing)},
+        }
 
 
 @dataclass(frozen=True, eq=False)

@@ -62,7 +62,11 @@ def searched(
 
 
 def balances_of(
-    model: Model, contact: Asked, within: Ranges | None = None, options: SearchOptions | None = None
+    model: Model,
+    contact: Asked,
+    within: Ranges | None = None,
+    options: SearchOptions | None = None,
+    law: str = "friction_at_rest",
 ) -> list[Balance]:
     """The balances of the combinations of contacts that touch that are asked for, without those
     whose states all lie outside of the ranges ``within``.
@@ -73,7 +77,7 @@ def balances_of(
         combinations: list[Touching] = [key for key in model.regimes if key or always]
     else:
         combinations = [_combination(model, contact)]
-    balances = [Balance(model, key, options=options) for key in combinations]
+    balances = [Balance(model, key, law, options=options) for key in combinations]
     for balance in balances:
         balance.apart = len(balances) > 1
     asked = by_hand(model, within)
@@ -136,10 +140,12 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     rows = np.isfinite(places).all(axis=0)
     if not rows.any():
         return out
-    balance = Balance(p.model, True, "friction_at_speed")
+    balances = balances_of(p.model, None, law="friction_at_speed")
+    balance, states = balances[0], places[:, rows]
     given = np.array([np.broadcast_to(p[name], rows.shape)[rows] for name in balance.parameters])
-    states = places[:, rows]
-    found, _, _ = solved(balance, given.reshape(len(balance.parameters), states.shape[1]))
+    given = given.reshape(len(balance.parameters), states.shape[1])
+    found, *others = (solved(one, given)[0] for one in balances)
+    found = found.then(*others)
     order, slot = _in_slots(found)
     found = found.kept(order)
     point = found.point

@@ -9,7 +9,7 @@ from scipy.optimize import lsq_linear
 
 import spragsym as ss
 from tests.oracles import two_blocks
-from tests.oracles.contact_pages import BLOCKS, FALLING_BLOCKS, PADS, TIED_BLOCKS
+from tests.oracles.contact_pages import BLOCKS, FALLING_BLOCKS, PAD, PADS, TIED_BLOCKS
 from tests.oracles.user_pages import model_of
 
 pytest.importorskip("sympy")
@@ -164,18 +164,130 @@ def test_multipliers_of_cycles_are_differences_of_the_other_drivers_motions(seed
             continue
         if not {"STICK", "SLIP"} <= {ss.Event(kind).name for kind in found.events.which}:
             continue
-        at, step = found.state, 1e-6
-        ends = [
-            two_blocks.Driver(values).run((at + sign * step * unit).tolist(), found.period)
-            for unit in np.eye(4)
-            for sign in (1, -1)
-        ]
-        monodromy = np.array(
-            [(a - b) / (2 * step) for a, b in zip(ends[::2], ends[1::2], strict=True)]
-        ).T
-        ours = found.loop.monodromy
-        np.testing.assert_allclose(ours, monodromy, rtol=0, atol=1e-5 * np.abs(ours).max())
-        told = np.sort(np.abs(np.linalg.eigvals(monodromy)))
+        ours, theirs = found.loop.monodromy, monodromy(values, found.state, found.period)
+        np.testing.assert_allclose(ours, theirs, rtol=0, atol=1e-5 * np.abs(ours).max())
+        told = np.sort(np.abs(np.linalg.eigvals(theirs)))
         np.testing.assert_allclose(np.sort(np.abs(found.multipliers)), told, rtol=0, atol=1e-4)
         seen += 1
     assert seen >= len(seeds) // 4
+
+
+@pytest.mark.thorough
+def test_a_damped_pad_comes_to_the_equilibrium_of_its_combination() -> None:
+    """On both legs, and on the front one alone, by the same index as among the equilibria."""
+    text = (
+        PAD
+        + "\npage.damper(b, along=x)\npage.damper(b, along=y)\npage.damper(b * a**2, along=phi)\n"
+    )
+    text = text.replace(
+        "x = page.coord",
+        'b = page.parameter("b", "N s/m", "damping", ">= 0", 3.0)\nx = page.coord',
+        1,
+    )
+    model = model_of(text, "damped_pad")
+    for mu, touching in ((0.3, "front, rear"), (1.6, "front")):
+        p = model.Parameters(mu0=mu, V=0.5)
+        tr = ss.simulate(p, phi0=0.01, t_end=400.0)
+        out, eq = tr.outcome(), ss.equilibria(p)
+        assert out.regime in (ss.Regime.EQUILIBRIUM, ss.Regime.APPROACHES_EQUILIBRIUM)
+        assert eq["touching"][out.equilibrium] == touching
+        rest = [eq[name][out.equilibrium] for name in model.coordinates]
+        assert out.rest == pytest.approx(rest, abs=1e-9)
+        lifts = tr.contact_force("rear")[-1]
+        assert (lifts == 0) == (touching == "front")
+
+
+def monodromy(values: dict[str, float], state: Any, period: float) -> Any:
+    """Derivatives of the other driver's motion by its start, as central differences."""
+    step = 1e-6
+    ends = [
+        two_blocks.Driver(values).run((state + sign * step * unit).tolist(), period)
+        for unit in np.eye(4)
+        for sign in (1, -1)
+    ]
+    return np.array([(a - b) / (2 * step) for a, b in zip(ends[::2], ends[1::2], strict=True)]).T
+
+
+@pytest.mark.validate
+def test_a_branch_loses_its_stability_where_the_other_drivers_multiplier_is_minus_1() -> None:
+    pytest.importorskip("heyoka")
+    model = model_of(BLOCKS, "blocks")
+    values, start = two_blocks.drawn(2)
+    found = ss.cycle(model.Parameters(**values), near=start)
+    branch = ss.cycle_branch(found, "V", between={"V": (0.105, 0.117)})
+    (doubling,) = branch.of("period_doubling")
+    for cycle in (doubling.cycle, *branch.cycles[::12]):
+        here = {**values, "V": float(cycle.values[model.parameters.index("V")])}
+        end = two_blocks.Driver(here).run(cycle.state.tolist(), cycle.period)
+        np.testing.assert_allclose(end, cycle.state, rtol=0, atol=1e-9)
+        told = np.linalg.eigvals(monodromy(here, cycle.state, cycle.period))
+        least = float(told.real.min())
+        assert min(cycle.multipliers.real) == pytest.approx(least, abs=1e-4)
+        if cycle is doubling.cycle:
+            assert least == pytest.approx(-1, abs=1e-4)
+
+
+@pytest.mark.thorough
+def test_sweeps_and_basins_tell_what_motions_tell() -> None:
+    pytest.importorskip("heyoka")
+    model = model_of(BLOCKS, "blocks")
+    values, start = two_blocks.drawn(2)
+    given = dict(zip(("x_10", "x_20", "vx_10", "vx_20"), start, strict=True))
+    p = model.Parameters(**values | {"V": np.array([0.13, 0.15])})
+    sweep = ss.rms_sweep(p, **given, t_end=400.0, workers=1)
+    for row, V in enumerate(p.V):
+        tr = ss.simulate(model.Parameters(**values | {"V": V}), start=start, t_end=400.0)
+        assert sweep["rms"][row] == pytest.approx(tr.rms(300.0), rel=1e-8)
+        assert sweep["period"][row] == pytest.approx(tr.outcome(300.0).period, rel=1e-9)
+        late = two_blocks.Driver(values | {"V": float(V)})
+        fates = ss.fate_map(p, start=start)
+        assert fates.period[row] == pytest.approx(sweep["period"][row], rel=1e-9)
+        end = late.run(sweep_state(sweep, row), float(sweep["period"][row]))
+        assert end == pytest.approx(sweep_state(sweep, row), abs=1e-8)
+    basin = ss.basin(
+        model.Parameters(**values | {"V": 0.15}), x_1=[0.1, 0.5], vx_1=[0.0], t_end=400.0, workers=1
+    )
+    assert basin.attractor.ravel().tolist() == [0, 0]
+
+
+def sweep_state(sweep: Any, row: int) -> list[float]:
+    """The state of the cycle that a motion of a sweep comes to."""
+    names = ("x_1", "x_2", "vx_1", "vx_2")
+    return [float(sweep[f"cycle_{name}"][row]) for name in names]
+
+
+#: The fault model of F. Galvanetto and S. R. Bishop: friction 1/(1 + γ v) and β times that.
+FAULT = {"beta": 1.0, "kappa": 1.2, "mu_s": 1.0, "mu_k": 1 / 3, "N_1": 1.0, "N_2": 1.3}
+
+
+@pytest.mark.parametrize(
+    ("V", "t_end", "kind"),
+    [
+        pytest.param(0.12, 400.0, "cycle", marks=pytest.mark.thorough),
+        pytest.param(0.1, 12_000.0, "chaotic", marks=pytest.mark.validate),
+    ],
+)
+def test_exponents_of_two_blocks_are_those_of_the_other_drivers_neighbours(
+    V: float, t_end: float, kind: str
+) -> None:
+    """Neighbours part where an exponent is positive, and come together where all are not; two end
+    whenever both blocks stick.
+    """
+    pytest.importorskip("heyoka")
+    model, start = model_of(FALLING_BLOCKS, "falling_blocks"), [0.1, 0.3, 0.0, 0.05]
+    found = ss.lyapunov(model.Parameters(**FAULT, V=V), start=start, t_end=t_end)
+    assert found.kind == kind
+    assert np.isneginf(found.exponents).sum() == 2
+    begun = found.end.tolist()
+    span = 120.0 if kind == "cycle" else 600.0
+    values = {**FAULT, "V": V}
+    one, other = (
+        two_blocks.Driver(values, True).run([begun[0] + off, *begun[1:]], span) for off in (0, 1e-9)
+    )
+    apart = float(np.abs(one - other).max())
+    if kind == "cycle":
+        assert apart < 2e-9  # along the cycle nothing shrinks
+        assert found.exponents[1] < -0.05
+    else:
+        assert apart > 1e-6
+        assert found.exponents[0] > found.error[0]

@@ -126,9 +126,7 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
     p = model.Parameters()
     for ask in (
         lambda: ss.cusps(p, ("mu0", "h")),
-        lambda: ss.fate_map(p),
         lambda: ss.fate_boundary(p, "mu0", between={"mu0": (0.1, 0.2)}),
-        lambda: ss.basin(p, x=[0.0], y=[0.0]),
         lambda: ss.basin_boundary(p),
         lambda: ss.sensitivity(p),
         lambda: ss.bifurcation_set(p, ("mu0", "h")),
@@ -137,8 +135,6 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
         lambda: ss.onset_curves(p, ("mu0", "h")),
         lambda: ss.diagram(p, "mu0", between={"mu0": (0.1, 0.2)}),
         lambda: ss.explore(p),
-        lambda: ss.lyapunov(p),
-        lambda: ss.rms_sweep(p),
     ):
         with pytest.raises(ss.errors.ModelError, match=r"not answered yet of pad_on_2.*2 contacts"):
             ask()

@@ -136,7 +136,6 @@ def rms_sweep(
     >>> [Regime(code).name for code in sweep.regime]
     ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'UNSETTLED']
     """
-    p.model.require_one_contact("rms_sweep")
     model, p = model_of(p), p.given(V=V, d=d)
     p.require(*model.parameters)
     inputs = {

@@ -157,7 +157,8 @@ class Field:
     ways : int
         How many numbers at the end of a mode go with the place alone.
     faces : tuple of int
-        Places in a mode that do too: of contacts that press on either of two faces.
+        Places in a mode that do too: of contacts that press on either of two faces, and of several
+        contacts, any of which may be open at rest, of all.
     curved : bool
         Whether a level is no linear function of the state.
     around : tuple of int
@@ -298,7 +299,9 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
         lambda mode: (*mode[: motion.near], *(1,) * motion.layers, *mode[motion.turn :]),
         where=model.where,
         ways=motion.torsions,
-        faces=motion.faces,
+        faces=motion.faces
+        if len(motion.contacts) == 1
+        else tuple(k for k, entry in enumerate(motion.contacts) if entry["border"]),
         forces=tuple(forces.told_of(model).items()),
         curved=model.about.get("curved", False),
         around=tuple(

@@ -26,7 +26,7 @@ from ..models.parameters import (
     as_numbers,
     degrees,
 )
-from ..numerics.interval_arrays import IndexArray
+from ..numerics.interval_arrays import BoolArray, IndexArray
 from ..numerics.vectors import magnitude
 from ..results.result import Named
 from ..statics.search import rest_index
@@ -416,7 +416,7 @@ class Trajectory(Named):
         before = np.concatenate([sides[:, :1], sides[:, :-1]], axis=1)
         names = [entry["name"] for entry in self.model.contacts]
         rubs = pushing.copy()
-        rubs[[*self.model.field.faces]] = 1  # on the other face too
+        rubs[self._faces] = 1  # on the other face too
         presses = rubs[[names.index(one) for one in rubbing]]
         own, last = (
             getattr(self.model.algebra, forces.named("friction_force", name))(
@@ -549,6 +549,11 @@ class Trajectory(Named):
             [field.initial_mode(state, constants)[sides] for state in self.state.T.tolist()]
         ).T
 
+    @property
+    def _faces(self) -> BoolArray:
+        """Which contacts press on either of two faces."""
+        return np.array([forces.presses_either(entry) for entry in self.model.contacts])
+
     def _pushing(self) -> IndexArray:
         return (self._levels()[0] < 0).astype(int)
 
@@ -558,8 +563,7 @@ class Trajectory(Named):
         """
         sides = self._sides()
         lifted, stuck = (np.diff(part.astype(int)) for part in (self._levels()[0] > 0, sides == 0))
-        none = np.zeros_like(lifted)
-        opens, turns = (none, lifted) if self.model.field.faces else (lifted, none)
+        opens, turns = lifted[~self._faces], lifted[self._faces]
         changes = (opens, 1), (np.diff(sides), -2), (stuck, 1), (turns, 1)
         return np.array(
             [

@@ -170,10 +170,10 @@ class Cycle(Result):
         modes = np.array([self.loop.mode(state) for state in states], dtype=np.int8)
         model = self.field.model
         if model is None or len(model.contacts) == 1:
-            return Phases(t[:-1], np.diff(t), modes[:, 0], modes[:, 1])
+            return Phases(t[:-1], np.diff(t), *modes[:, :2].T)
         names, rubbing = tuple(entry["name"] for entry in model.contacts), model.rubbing
         first, last = len(names), len(names) + len(rubbing)
-        contact, side = modes[:, :first], modes[:, first:last]
+        contact, side = np.split(modes[:, :last], [first], axis=1)
         return Phases(t[:-1], np.diff(t), contact, side, names, rubbing)
 
     @property

@@ -195,23 +195,3 @@ def test_the_boundary_of_a_basin_is_the_same_scaled() -> None:
         found.append(curve.points / size)
     for other in found[1:]:
         np.testing.assert_allclose(other, found[0], rtol=1e-9, atol=1e-9)
-
-
-@pytest.mark.validate
-@pytest.mark.parametrize("size", [4.0**10, 4.0**-10])
-def test_the_boundary_of_a_fate_is_the_same_scaled(size: float) -> None:
-    """The push at which a start changes its fate."""
-    pytest.importorskip("heyoka")
-    model = model_of(WELLS, "wells")
-    one, other = (
-        ss.fate_boundary(
-            model.Parameters(l=unit, P=0.0, c=0.1),
-            "P",
-            between={"P": (0.02 * unit, 0.05 * unit)},
-            start=(1.5 * unit, 0.0),
-        )
-        for unit in (1.0, size)
-    )
-    assert other.saddle == one.saddle == "equilibrium"
-    assert abs(other.value / size - one.value) <= one.error + other.error / size < 1e-8
-    assert other.distance / size == pytest.approx(one.distance, abs=1e-6)

@@ -19,7 +19,7 @@ from ..core.progress import show_progress
 from ..display import own_name
 from ..models.model import Touching, label_of
 from ..models.parameters import FloatArray, ParameterSet
-from ..numerics.interval_arrays import IndexArray
+from ..numerics.interval_arrays import Int8Array
 from . import options as o
 from .case import Case, Row, is_typed
 from .output import drawn, print_rows, refuse, resumed
@@ -484,7 +484,7 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
     }
 
 
-def _touching(case: Case, held: IndexArray) -> str:
+def _touching(case: Case, held: Int8Array) -> str:
     """In words: which contacts touch in a mode."""
     contacts = zip(case.model.contacts, held.tolist(), strict=True)
     opening = {label_of(entry): touches for entry, touches in contacts if entry["border"]}

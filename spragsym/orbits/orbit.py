@@ -38,7 +38,7 @@ from ..motion.shooting import (
 )
 from ..motion.simulation import motion_of
 from ..motion.solution import Events, events_of
-from ..numerics.interval_arrays import ComplexArray, IndexArray
+from ..numerics.interval_arrays import ComplexArray, Int8Array
 from ..numerics.vectors import apart, magnitude
 from ..results.result import Result
 
@@ -349,8 +349,8 @@ class Phases(Result):
 
     t: FloatArray
     duration: FloatArray
-    contact: IndexArray
-    side: IndexArray
+    contact: Int8Array
+    side: Int8Array
     contacts: tuple[str, ...] = dataclasses.field(default=(), repr=False)
     rubbing: tuple[str, ...] = dataclasses.field(default=(), repr=False)
 

@@ -216,8 +216,8 @@ def explore(
       spragsym explore --model two_springs --onsets --out two_springs.html
       spragsym explore --out web/explorer.html --no-open
     """
-    study = None if data is None else study_of(data, model, trust).undamped()
-    chosen = load(study.model if study is not None else model or USUAL)
+    study = None if data is None else study_of(data, model, trust)
+    chosen = load(study.undamped().model if study is not None else model or USUAL)
     if method == "closed" and chosen.search is chosen:
         raise ModelError(f"{chosen.name} brings no closed forms; leave --method out")
     if out.is_dir():
@@ -248,8 +248,11 @@ def page(model: Model, study: Study | None = None, onsets: bool = False) -> str:
     _, p = model.cases()[0]
     about: dict[str, Any] = {}
     if study is not None:
+        damped, study = study, study.undamped()
         p = study.kind.parameter_set(study.values)
         about = {"presets": [(f"Your data: {study.source}", p)], **_units(study)}
+        if damped is not study:
+            about["source"] += " Its damping is left out, which moves no state."
     return explorer_page(model, **about, onsets=_map(model, p, study) if onsets else ("", ""))
 
 
@@ -301,6 +304,4 @@ def _units(study: Study) -> dict[str, Any]:
         f"In the units of {study.source}, at its {fixed}; the model's own number stands beside "
         "each quantity."
     )
-    if study.damping_ratio is not None:
-        source += " Its damping is left out, which moves no state."
     return {"units": units, "source": source}

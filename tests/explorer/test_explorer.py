@@ -134,6 +134,17 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     }
     for name, (quantity, value, unit) in given.items():
         assert units["parameters"][name] == [quantity, pytest.approx(value / wanted[name]), unit]
+    assert "Its damping is left out" in out.read_text(encoding="utf-8")
+    dampers = 'c_x = "1 N s/m"\nc_y = "7 N s/m"\nc_s = "0.7 N s/m"'
+    direct, plain = tmp_path / "direct.toml", tmp_path / "plain.toml"
+    (line,) = re.findall(r"^damping_ratio.*$", data.read_text(encoding="utf-8"), re.MULTILINE)
+    for path, instead in ((direct, dampers), (plain, "")):
+        path.write_text(data.read_text(encoding="utf-8").replace(line, instead), encoding="utf-8")
+        CliRunner().invoke(
+            explore, ["--data", str(path), "--out", str(out), "--no-open", "--force"]
+        )
+        left_out = "Its damping is left out" in out.read_text(encoding="utf-8")
+        assert left_out == (path is direct)
     named = (
         CliRunner()
         .invoke(

@@ -274,7 +274,8 @@ def test_commands_of_the_pages_on_brakes_and_clusters_run(tmp_path: Path) -> Non
         assert_shown(output, run(command, tmp_path))
     for line in "".join(fenced(DOCS / "howto_cluster.md", "sh")).splitlines():
         run(line, tmp_path)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["brake.toml", "rms.nc"]
+    written = sorted(path.name for path in tmp_path.iterdir())
+    assert written == ["brake.toml", "over.csv", "over.svg", "rms.nc"]
 
 
 @pytest.mark.thorough

@@ -54,13 +54,14 @@ class Along:
 
 @dataclass(frozen=True)
 class _States(ByColumn):
-    """Equilibria at one value, shape (n, number), the signs of det K, 0 where rounding may have
-    turned it, and sides of the mirror: 0 on it, or if there is none.
+    """Equilibria at one value, shape (n, number), the signs of det K, sides of the mirror: 0 on it,
+    or if there is none; and whether no rounding may have turned the sign, as on a fold.
     """
 
     q: FloatArray
     signs: FloatArray
     sides: FloatArray
+    sure: BoolArray
 
 
 def undecided_points(eq: Equilibria, vary: str, cuts: Span) -> FloatArray:
@@ -176,7 +177,7 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
     values = np.asarray(eq.parameters[along.vary]).tolist()
     size = np.linalg.norm(K, axis=2).prod(axis=1)  # no determinant is larger
     det = np.linalg.det(K)
-    found = _States(q, np.where(np.abs(det) > ROUNDING * size, np.sign(det), 0.0), sides)
+    found = _States(q, np.sign(det), sides, np.abs(det) > ROUNDING * size)
     return {value: found[point == number] for number, value in enumerate(values)}
 
 
@@ -216,14 +217,14 @@ def _by_tubes(
 
     def needless(there: Place) -> BoolArray:
         """Tubes of steps of which all pairs are known without them: by tubes alone where states
-        may be missing.
+        may be missing, or signs be those of rounding.
         """
         known = joined(there)
         by_tubes = {step: len(pairs) for step, pairs in known.items()}
         told = {
             (one, two)
             for one, two in completed(known)
-            if along.whole
+            if (along.whole and states[one].sure.all() and states[two].sure.all())
             or by_tubes[one, two] == min(states[end].signs.size for end in (one, two))
         }
         told = {step for step in told if "pitchfork" not in _kinds_within(along, step)}

@@ -90,7 +90,8 @@ def test_an_angle_after_a_turn_is_the_same_state() -> None:
     eq = ss.equilibria(p.replace(theta0=stops))
     begin, end = _states(along, eq).values()
     later = replace(end, q=end.q + 2 * np.pi)
-    known, complete = _by_tubes(along, [(0.5, 0.6)], {0.5: begin, 0.6: later})
+    options = ss.ContinuationOptions()
+    known, complete = _by_tubes(along, [(0.5, 0.6)], {0.5: begin, 0.6: later}, options)
     (pairs,) = known.values()
     assert complete == set(known)
     assert pairs == {slot: slot for slot in range(int(eq.count[0]))}

@@ -93,8 +93,8 @@ def test_two_ways_to_one_answer() -> None:
     assert ss.critical_friction(one, between={}, method="closed").value == ss.critical_friction(one)
     rises = functools.partial(ss.certify, one, claim="no jump", vary="theta0")
     for function, p in (
-        (ss.equilibria, a_set("damped")),
-        (ss.jump_value, a_set("damped")),
+        (ss.equilibria, a_set("stribeck")),
+        (ss.jump_value, a_set("stribeck")),
         (rises, one),
     ):
         with pytest.raises(

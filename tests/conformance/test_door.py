@@ -139,5 +139,5 @@ def test_what_has_jumped_has_two_witnesses() -> None:
     assert np.array_equal(closed == 1, ss.jump_value(p) <= p.mu0)
     q = ss.load("cubic_contact").Parameters(theta0=0.9, mu0=[[0.0, 0.1], [0.3, 0.5]])
     assert have_jumped(q).tolist() == (ss.jump_value(q.replace(mu0=0.0)) <= q.mu0).tolist()
-    with pytest.raises(ss.errors.ParameterError, match="stribeck has no mu0"):
+    with pytest.raises(ss.errors.ParameterError, match="stribeck has no friction that rises"):
         have_jumped(a_set("stribeck"))

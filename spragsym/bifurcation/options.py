@@ -61,7 +61,7 @@ class ContinuationOptions(Options):
     """
 
     search: SearchOptions = field(default_factory=SearchOptions)
-    first_step: float = option(0.25, 2.0**-20, 1.0)
+    first_step: float = option(2.0**-5, 2.0**-20, 1.0)
     least_step: float = option(2.0**-14, 2.0**-40, 1.0)
     steps: int = limit(400)
     turn_steps: int = limit(60)

@@ -260,7 +260,8 @@ def sweep_state(sweep: Any, row: int) -> list[float]:
     return [float(sweep[f"cycle_{name}"][row]) for name in names]
 
 
-#: The fault model of F. Galvanetto and S. R. Bishop: friction 1/(1 + γ v) and β times that.
+#: A law that falls with the speed, friction 1/(1 + γ v), and β times that on the other block;
+#: parameters of our own choice, in the form that two-block models have in the literature.
 FAULT = {"beta": 1.0, "kappa": 1.2, "mu_s": 1.0, "mu_k": 1 / 3, "N_1": 1.0, "N_2": 1.3}
 
 

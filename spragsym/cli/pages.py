@@ -4,6 +4,7 @@ page.
 
 from __future__ import annotations
 
+import math
 import os
 import shlex
 import sys
@@ -145,7 +146,7 @@ def _over(
 
 def _known(one: float | str) -> float | str:
     """A number; nothing in place of one that is not there."""
-    return "" if one != one else one  # noqa: PLR0124  # NaN
+    return "" if isinstance(one, float) and math.isnan(one) else one
 
 
 def _picture_over(found: Verdicts) -> Any:

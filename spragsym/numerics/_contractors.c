@@ -7,28 +7,18 @@
  * Arrays are contiguous, of N boxes along the last axis: doubles of shape (2, n, N) with −low and high first, values so too, slopes
  * (2, n, n, N), middle, reach and noise (n, N); none, single, spent and verdicts bytes, along int64, of shape (N,).
  *
- * Rounding as in _tape.c: IEEE 754 doubles to nearest without contraction, ends raised by one unit; NaN bounds nothing, so that every
- * comparison from which something is concluded is false with it. */
+ * Rounding: see _rounding.h. NaN bounds nothing, so that every comparison from which something is concluded is false with it. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
-#include <float.h>
 #include <math.h>
 #include <stdint.h>
 
-#if defined(__FAST_MATH__) || FLT_EVAL_METHOD != 0
-#error "intervals need IEEE 754 doubles, each operation rounded by itself"
-#endif
-#ifdef __clang__
-#pragma STDC FP_CONTRACT OFF
-#endif
+#include "_rounding.h"
 
-#define EPS 0x1p-52
-#define TINY 0x1p-1000
-#define NARROW 0x1p-44
 #define MOST 8
 
-/* What becomes of a box, see Verdict in verdicts.py. */
+/* What becomes of a box, see BoxVerdict in verdicts.py. */
 enum { DROPPED,
     PROVED,
     UNDECIDED,
@@ -44,21 +34,9 @@ typedef struct {
     vector ends[2][MOST];
 } matrix;
 
-static inline double least(double a, double b) {
-    return (a <= b || a != a) ? a : b;
-}
-
-static inline double most(double a, double b) {
-    return (a >= b || a != a) ? a : b;
-}
-
 /* The other one of NaN. */
-static inline double least_known(double a, double b) {
+PART double least_known(double a, double b) {
     return (a <= b || b != b) ? a : b;
-}
-
-static inline double raised(double end, double ulps) {
-    return (fabs(end) * (ulps * EPS) + TINY) + end;
 }
 
 static void identity(int n, vector *Y) {
@@ -240,7 +218,7 @@ static void distance(int n, const box *of, const double *middle, double *to) {
 
 /* Numbers that a search is ruled by. */
 typedef struct {
-    double margin, spread, small, narrow, shrunk;
+    double margin, spread, small, narrow, shrunk, finest;
 } rules;
 
 static double scale_of(double low, double high) {
@@ -248,7 +226,7 @@ static double scale_of(double low, double high) {
 }
 
 /* The unknown in which the residuals change most in proportion to all that they change. */
-static int most_told(int n, const matrix *slopes, const double *widths, const double *scales, const int *closed) {
+static int most_told(int n, const rules *by, const matrix *slopes, const double *widths, const double *scales, const int *closed) {
     vector share = {0.0};
     int known = 1;
     for (int i = 0; i < n; i++) {
@@ -268,7 +246,7 @@ static int most_told(int n, const matrix *slopes, const double *widths, const do
     int best = 0;
     double largest = 0.0;
     for (int j = 0; j < n; j++) {
-        const int done = closed[j] || widths[j] <= NARROW * scales[j];
+        const int done = closed[j] || widths[j] <= by->finest * scales[j];
         const double value = done ? -1.0 : known ? share[j] :
                                                    widths[j];
         if (j == 0 || value > largest || (value != value && largest == largest)) {
@@ -296,7 +274,7 @@ static int divided(int n, const rules *by, const box *before, const box *now, co
         all_small &= widths[i] <= by->small * scales[i];
         narrow &= widths[i] <= by->narrow * scales[i];
         still &= noise[i] < by->spread * widths[i];
-        const double ratio = widths[i] <= NARROW * scales[i] ? 1.0 : widths[i] / (before->ends[0][i] + before->ends[1][i]);
+        const double ratio = widths[i] <= by->finest * scales[i] ? 1.0 : widths[i] / (before->ends[0][i] + before->ends[1][i]);
         left *= closed[i] ? 1.0 : ratio;
     }
     if ((single && (spent || (some_stuck && all_small))) || (narrow && (single || still))) {
@@ -308,7 +286,7 @@ static int divided(int n, const rules *by, const box *before, const box *now, co
     if (left < by->shrunk) {
         return AGAIN;
     }
-    *along = most_told(n, slopes, widths, scales, closed);
+    *along = most_told(n, by, slopes, widths, scales, closed);
     return HALVED;
 }
 
@@ -450,8 +428,8 @@ static PyObject *judged(PyObject *module, PyObject *arguments) {
     int n;
     int sharp;
     rules by;
-    if (!PyArg_ParseTuple(arguments, "y*y*y*y*y*y*iiy*y*(ddddd)w*w*w*w*", of, of + 1, of + 2, of + 3, of + 4, of + 5, &n, &sharp, of + 6, of + 7,
-            &by.margin, &by.spread, &by.small, &by.narrow, &by.shrunk, of + 8, of + 9, of + 10, of + 11)) {
+    if (!PyArg_ParseTuple(arguments, "y*y*y*y*y*y*iiy*y*(dddddd)w*w*w*w*", of, of + 1, of + 2, of + 3, of + 4, of + 5, &n, &sharp, of + 6, of + 7,
+            &by.margin, &by.spread, &by.small, &by.narrow, &by.shrunk, &by.finest, of + 8, of + 9, of + 10, of + 11)) {
         return NULL;
     }
     const Py_ssize_t N = of[10].len;

@@ -9,37 +9,17 @@
  * Each operation does what the same operation of interval_arrays.py does, in the same order, so that both give the same bits; but for
  * exp, log, tanh, atan, sin and cos, which are those of the C library, as far off as NumPy's are allowed to be there.
  *
- * Rounding. IEEE 754 doubles, rounded to nearest, + − × ÷ and √ without contraction: a build that promises less is refused here, and
- * NumPy serves. An end is −low or high, so that both are rounded upward: the exact value lies below the float after r, which is at
- * most r + 2⁻⁵² |r| for normal r, and TINY is added for others; the sum is rounded to nearest, and rounding keeps the order of
- * numbers. NaN bounds nothing: least and most give NaN where either number is NaN, as NumPy's minimum and maximum do. */
+ * Rounding: see _rounding.h. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
-#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 
-#if defined(__FAST_MATH__) || FLT_EVAL_METHOD != 0
-#error "intervals need IEEE 754 doubles, each operation rounded by itself"
-#endif
-#ifdef __clang__
-#pragma STDC FP_CONTRACT OFF
-#endif
-
-/* For processors with wider registers too: the same operations, none contracted. */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__)
-#define WIDER __attribute__((target_clones("avx2", "default")))
-#define PART static inline __attribute__((always_inline))
-#else
-#define WIDER
-#define PART static inline
-#endif
+#include "_rounding.h"
 
 #define BLOCK 256
-#define EPS 0x1p-52
-#define TINY 0x1p-1000
 #define FUNCTION_ULPS 8.0
 #define LEAST (-1e300)
 #define TRIGONOMETRIC_ERROR 0x1p-50
@@ -82,20 +62,6 @@ enum { LOAD,
 typedef struct {
     double ends[2][BLOCK];
 } slot;
-
-PART double least(double a, double b) {
-    const double known = a <= b ? a : b;
-    return a != a ? a : known;
-}
-
-PART double most(double a, double b) {
-    const double known = a >= b ? a : b;
-    return a != a ? a : known;
-}
-
-PART double raised(double end, double ulps) {
-    return (fabs(end) * (ulps * EPS) + TINY) + end;
-}
 
 PART double mignitude(double a, double b) {
     return most(-least(a, b), 0.0);

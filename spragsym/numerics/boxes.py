@@ -30,7 +30,7 @@ from .interval_arrays import (
     width_of,
 )
 from .jets import gradient, variables
-from .verdicts import NARROW, Looked, Rules, Verdict, judged, with_room
+from .verdicts import NARROW, BoxVerdict, Looked, Rules, judged, with_room
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
 CHUNK = 2048
@@ -263,10 +263,10 @@ class _Search:
             ),
             self.rules,
         )
-        proved = found.verdicts == Verdict.PROVED
+        proved = found.verdicts == BoxVerdict.PROVED
         self.unique.append(Pairs(wide, pairs.nodes)[proved])
         self.where.append(Pairs(found.step, pairs.nodes)[proved])
-        left = np.flatnonzero(found.verdicts > Verdict.PROVED)
+        left = np.flatnonzero(found.verdicts > BoxVerdict.PROVED)
         return self._divided(
             Pairs(found.left, pairs.nodes)[left], found.verdicts[left], found.along[left]
         )
@@ -295,11 +295,14 @@ class _Search:
         narrower.
         """
         hard = self.system.given_up(Intervals(now.ends), self.parameters[:, now.nodes])
-        verdicts[hard] = Verdict.UNDECIDED
-        self.undecided.append(now[verdicts == Verdict.UNDECIDED])
-        better, halve = now[verdicts == Verdict.AGAIN], np.flatnonzero(verdicts == Verdict.HALVED)
+        verdicts[hard] = BoxVerdict.UNDECIDED
+        self.undecided.append(now[verdicts == BoxVerdict.UNDECIDED])
+        better, halve = (
+            now[verdicts == BoxVerdict.AGAIN],
+            np.flatnonzero(verdicts == BoxVerdict.HALVED),
+        )
         left = better.then(_cut(now[halve], along[halve]))
-        parted = np.flatnonzero(verdicts == Verdict.PARTED)
+        parted = np.flatnonzero(verdicts == BoxVerdict.PARTED)
         if not parted.size:
             return left
         places, children = self.points.children(now.nodes[parted])

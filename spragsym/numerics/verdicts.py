@@ -22,7 +22,7 @@ from .interval_arrays import (
 NARROW = 2.0**-44
 
 
-class Verdict(IntEnum):
+class BoxVerdict(IntEnum):
     """No root; exactly one; not known, and no use to cut it; its points are to be parted; it has
     become narrower; it is to be halved.
     """
@@ -71,7 +71,7 @@ class Looked:
 @dataclass(frozen=True)
 class Judged:
     """Ends of interval Newton's step, where the root of a proved box lies; of boxes that are to be
-    looked at again what is left; a :class:`Verdict` each; and the unknown in which one is cut.
+    looked at again what is left; a :class:`BoxVerdict` each; and the unknown in which one is cut.
     """
 
     step: FloatArray
@@ -99,7 +99,7 @@ def judged(boxes: Looked, rules: Rules) -> Judged:
         rules.sharp,
         boxes.single,
         boxes.spent,
-        (rules.margin, rules.spread, rules.small, rules.narrow, rules.shrunk),
+        (rules.margin, rules.spread, rules.small, rules.narrow, rules.shrunk, NARROW),
         step,
         left,
         verdicts,
@@ -137,7 +137,7 @@ def by_numpy(boxes: Looked, rules: Rules) -> Judged:
     left = np.zeros_like(boxes.ends)
     left[:, :, rest] = now
     verdicts[rest] = _divided(boxes, rest, now, noise, closed, rules)
-    cut = verdicts[rest] == Verdict.HALVED
+    cut = verdicts[rest] == BoxVerdict.HALVED
     along[rest[cut]] = _most_told(now[:, :, cut], boxes.slopes[:, :, rest[cut]], closed[:, cut])
     return Judged(found.ends, left, verdicts, along)
 
@@ -175,8 +175,8 @@ def _divided(
     better = np.where(closed, 1.0, ratio).prod(axis=0) < rules.shrunk
     return np.select(  # the first that holds
         [done, ~single & (spent | moved), better],
-        [Verdict.UNDECIDED, Verdict.PARTED, Verdict.AGAIN],
-        Verdict.HALVED,
+        [BoxVerdict.UNDECIDED, BoxVerdict.PARTED, BoxVerdict.AGAIN],
+        BoxVerdict.HALVED,
     )
 
 

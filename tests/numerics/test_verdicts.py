@@ -65,10 +65,10 @@ def test_verdicts_are_those_of_numpy(n: int, monkeypatch: pytest.MonkeyPatch) ->
             np.testing.assert_array_equal(
                 getattr(found, name), getattr(expected, name), err_msg=name
             )
-        left = found.verdicts > verdicts.Verdict.PROVED
+        left = found.verdicts > verdicts.BoxVerdict.PROVED
         np.testing.assert_array_equal(found.left[:, :, left], expected.left[:, :, left])
         seen |= set(found.verdicts.tolist())
-    assert seen == {*verdicts.Verdict}
+    assert seen == {*verdicts.BoxVerdict}
 
 
 @pytest.mark.parametrize("n", [1, 2, 3, 5])

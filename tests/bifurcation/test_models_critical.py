@@ -120,3 +120,33 @@ def test_no_tube_is_followed_to_the_fold_at_which_it_ends(monkeypatch: pytest.Mo
     assert before == {0: 0, 1: 1, 2: 2}
     assert len(over) == 1
     assert len(rounds) <= 20
+
+
+@pytest.mark.thorough
+def test_signs_stand_for_tubes_only_where_they_are_sure(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where one of three tubes has arrived, signs tell the other two pairs, unless states may be
+    missing or signs be those of rounding: then no tube is given up for them.
+    """
+    p = ss.load("cubic_contact").Parameters(theta0=0.7)
+    turns = ss.folds(p, "mu0", between={"mu0": (0.3, 1.0)})
+    (fold,) = turns["mu0"]
+    eq = ss.equilibria(p.replace(mu0=fold + np.array([-0.02, -1e-3])))
+    at = np.array([turns[name] for name in p.model.coordinates])
+    along = Along(Balance(p.model, contact=True), p, "mu0", turns["mu0"], turns.kind, at, True)
+    states, asked = _states(along, eq), list[bool]()
+    step = tuple(states)
+    followed = Tubes.followed
+
+    def watched(tubes: Tubes, start: Any, goal: Any, needless: Any) -> Any:
+        end = followed(tubes, start, goal)
+        one = start[np.arange(3)]
+        one.put(np.array([2]), end[np.array([2])])
+        asked.append(bool(needless(one).any()))
+        return end
+
+    monkeypatch.setattr(Tubes, "followed", watched)
+    unsure = {stop: replace(one, sure=~one.sure) for stop, one in states.items()}
+    for way, known in ((along, states), (replace(along, whole=False), states), (along, unsure)):
+        _by_tubes(way, [step], known, ss.ContinuationOptions())
+    assert all(one.sure.all() for one in states.values())
+    assert asked == [True, False, False]

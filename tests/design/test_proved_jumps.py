@@ -29,6 +29,12 @@ def test_parts_tell_what_each_of_their_points_does() -> None:
     np.testing.assert_array_equal(found[told], expected[told])
     assert {0.0, 1.0} == set(found[told].tolist())
 
+    # The same points with another state that is followed: no part says anything of that.
+    middle = ss.equilibria(low.replace(theta0=0.5 * (low.theta0 + high.theta0), mu0=0.0))
+    farthest = np.argmax(middle["x"][: int(middle.count)])
+    other = p.following(x=float(middle["x"][farthest]), y=float(middle["y"][farthest]))
+    assert np.isnan(proved.ended(other)).all()
+
 
 @pytest.mark.thorough
 def test_a_probability_is_the_same_with_proved_parts(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -95,6 +95,7 @@ TRUST = "Run the code of the folder that the file of --data names as its model."
 
 
 # generic in some versions of click
+# ParamType is generic in newer versions of click, and not in those that we allow down to.
 class OneNumber(click.ParamType):  # type: ignore[type-arg,unused-ignore]
     """A number in a range; an error names the option as it is typed."""
 

@@ -31,6 +31,7 @@ OF_COMMANDS = frozenset(
         "prove",
         "quiet",
         "rtol",
+        "sound",
         "state",
         "store",
         "t_end",

@@ -259,6 +259,7 @@ def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: A
     type=click.IntRange(1),
     help="Digits of that proof; more of them prove what repels strongly.",
 )
+@click.option("--sound", is_flag=True, help="Levels of the surface's speed in dB too; with --data.")
 @o.plot("the branch")
 @o.force
 @o.as_json
@@ -269,6 +270,7 @@ def cycles(
     whole: bool,
     prove: bool,
     digits: int | None,
+    sound: bool,
     plot: Path | None,
 ) -> Any:
     """A cycle of the motion with its multipliers; with --vary, a branch of cycles with its
@@ -280,10 +282,11 @@ def cycles(
 
     \b
     Examples:
-      spragsym cycles --theta0 42 spragsym cycles --data brake.toml spragsym cycles --theta0 42
-      --vary theta0=38:60 --plot branch.pdf spragsym cycles --theta0 42 --near 2.54,3.36,0,0.36
-      --vary theta0=30:80 --diagram --plot all.pdf spragsym cycles --model stick_slip -V 0.2 --vary
-      V=0.08:0.3
+      spragsym cycles --theta0 42
+      spragsym cycles --data brake.toml --sound
+      spragsym cycles --theta0 42 --vary theta0=38:60 --plot branch.pdf
+      spragsym cycles --theta0 42 --vary theta0=30:80 --diagram --plot all.pdf
+      spragsym cycles --model stick_slip -V 0.2 --vary V=0.08:0.3
     """
     along = case.span if case.spans else None
     if plot is not None and along is None:
@@ -294,6 +297,8 @@ def cycles(
         raise click.UsageError("--diagram goes with --vary, and without --prove")
     if digits is not None and not prove:
         raise click.UsageError("--digits goes with --prove")
+    if sound and case.study is None:
+        raise click.UsageError("--sound needs metres and seconds: give --data FILE")
     names = case.model.components
     ones = np.array(
         [case.of(name)[1] for name in names]
@@ -346,6 +351,11 @@ def cycles(
         else:
             summary["reason"] = proof.reason
     branch = {} if along is None else _branch(case, found, points, plot)
+    levels: dict[str, Any] = {}
+    if sound and case.study is not None:
+        from ..report.sound import surface_levels
+
+        levels["sound"] = surface_levels(case.study, found)
 
     def tables() -> None:
         print_rows(
@@ -355,12 +365,10 @@ def cycles(
                 for name, value in {"model": case.model.name, **summary}.items()
             ],
         )
-        for title, rows in zip(
-            ("Phases", "Branch", "Events"), (phases, *branch.values()), strict=False
-        ):
-            print_rows(title, rows)
+        for title, rows in {"phases": phases, **levels, **branch}.items():
+            print_rows(title.rpartition("_")[2].capitalize(), rows)
 
-    return {**summary, "phases": phases, **branch}, tables
+    return {**summary, "phases": phases, **levels, **branch}, tables
 
 
 def _diagram(case: Case, p: ParameterSet, starts: list[Any], points: int, plot: Path | None) -> Any:

@@ -279,6 +279,18 @@ def test_commands_of_the_pages_on_brakes_and_clusters_run(tmp_path: Path) -> Non
 
 
 @pytest.mark.thorough
+@needs_a_quick_integrator
+def test_the_page_on_squeal_runs(tmp_path: Path) -> None:
+    """The file that it shows, its commands one after another, and its Python."""
+    page = DOCS / "howto_squeal.md"
+    (tmp_path / "squeal.toml").write_text(fenced(page, "toml")[0], encoding="utf-8")
+    for command, output in commands(page):
+        assert_shown(output, run(command, tmp_path))
+    test = doctest.DocTestParser().get_doctest(fenced(page, "python")[0], {}, page.name, None, 0)
+    assert doctest.DocTestRunner(optionflags=OPTIONS).run(test).failed == 0
+
+
+@pytest.mark.thorough
 def test_the_pages_build_without_warnings(tmp_path: Path) -> None:
     """As ``make docs`` does, but for their cells, which run above."""
     for module in ("sphinx", "myst_nb", "numpydoc", "furo"):

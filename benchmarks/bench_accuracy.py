@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 import spragsym as ss
 from benchmarks import rivals
 from benchmarks.timing import on_backend
+from spragsym.kang_nam.parameters import NAMES
 from spragsym.kang_nam.quartic import adaptive_precision, compiled
-from spragsym.models.parameters import NAMES
 from tests.oracles import c_target
 from tests.oracles.families import FAMILIES
 

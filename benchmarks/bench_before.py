@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from tests.oracles.families import random
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -20,7 +20,7 @@ from spragsym.generated.equilibrium import (
     state,
     t_quartic,
 )
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from spragsym.numerics.polynomials import eigenvalues
 
 Array: TypeAlias = NDArray[np.float64]

@@ -28,10 +28,10 @@ from .design.margins import redesign as redesign
 from .design.probability import jump_probability as jump_probability
 from .design.tube_certificates import certify as certify
 from .explorer import explore as explore
+from .kang_nam.parameters import Parameters as Parameters
+from .kang_nam.parameters import PhysicalParameters as PhysicalParameters
 from .models import Model as Model
 from .models import load as load
-from .models.parameters import Parameters as Parameters
-from .models.quantities import PhysicalParameters as PhysicalParameters
 from .models.quantities import Scales as Scales
 from .motion import Event as Event
 from .motion import Regime as Regime

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from tests.oracles.families import FAMILIES
 from tests.oracles.true_errors import worst_errors, worst_shares, wrong_counts
 

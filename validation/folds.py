@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from tests.oracles import creeping_states, lowest_fold
 from tests.oracles.count_map import count_map_mismatches
 from tests.oracles.families import random_fixed, random_fluttering

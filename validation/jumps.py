@@ -15,7 +15,7 @@ import numpy as np
 import spragsym as ss
 from spragsym.bifurcation.paths import first_end
 from spragsym.kang_nam.jump_values import have_jumped
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from tests.oracles import families
 
 CASES = 120

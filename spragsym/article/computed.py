@@ -16,12 +16,12 @@ from ..bifurcation.critical import critical_friction, critical_value, cusp_frict
 from ..bifurcation.flutter import flutter_onsets
 from ..bifurcation.folds import folds
 from ..bifurcation.paths import quasi_static_path
-from ..core.assumed import MU0_RANGE, ON_CYCLE, D, V
 from ..generated import equilibrium as _equilibrium
 from ..kang_nam.flutter import flutter_boundary
+from ..kang_nam.parameters import Parameters
 from ..kang_nam.steady_sliding import linear_critical_friction, linear_sprag
 from ..models import load
-from ..models.parameters import FloatArray, Parameters, ParameterSet
+from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Regime, simulate
 from ..motion.sweeps import sensitivity
 from ..numerics.polynomials import primitive, real_roots, root_bound
@@ -29,6 +29,7 @@ from ..orbits import Cycle, cycle, fate_boundary
 from ..orbits.system import System
 from ..results import Equilibria, EquilibriumType, Jump
 from ..statics.equilibria import equilibria
+from .assumed import MU0_RANGE, ON_CYCLE, D, V
 from .ledger import printed, rounded
 
 #: What a computation says: whether the row's outcome holds, and the values behind it.

@@ -12,10 +12,10 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..core.assumed import D, V
 from ..core.errors import ConvergenceError
 from ..core.progress import doing
 from ..files.text import filled, shipped_text
+from .assumed import D, V
 
 #: What a row may hold: numbers, words, or lists of them.
 Value: TypeAlias = float | int | str | list[float] | list[int] | list[str]

@@ -14,7 +14,8 @@ from ..design.jumps import Ends
 from ..kang_nam import certificates, jump_values, lowest_fold, states
 from ..kang_nam.cusps import cusps as cusps_at_rest
 from ..kang_nam.folds import folds as folds_at_rest
-from ..models.parameters import NAMES, FloatArray, Parameters, ParameterSet, Ranges, Span
+from ..kang_nam.parameters import NAMES, Parameters
+from ..models.parameters import FloatArray, ParameterSet, Ranges, Span
 from ..models.quantities import Unit
 from ..results import Equilibria
 from ..results.points import LowestEnd, Points

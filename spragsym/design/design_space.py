@@ -24,8 +24,8 @@ from ..bifurcation.turning_points import secants, size_of
 from ..core.errors import ConvergenceError, ParameterError
 from ..core.options import Options, limit, option
 from ..core.progress import doing
-from ..models.parameters import NAMES, POSITIVE, Parameters, ParameterSet, Range, as_number, set_of
-from ..models.quantities import PhysicalParameters
+from ..models.parameters import POSITIVE, ParameterSet, Range, as_number, set_of
+from ..models.quantities import QuantityValues
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..numerics.vectors import norm
 from .jumps import Ends, Followed, first_ends, have_jumped, slopes_of, told
@@ -141,7 +141,7 @@ class Space:
 
 
 def space(
-    base: ParameterSet | PhysicalParameters | Design,
+    base: ParameterSet | QuantityValues | Design,
     scale: Mapping[str, float] | None,
     change: Iterable[str] | None,
     what: str = "scale",
@@ -183,20 +183,20 @@ def space(
     return Space(design, names, origin, np.array(sizes))
 
 
-def _design(base: ParameterSet | PhysicalParameters) -> Design:
+def _design(base: ParameterSet | QuantityValues) -> Design:
     """Design variables: the parameters of a set; of a brake all on which the jump depends where
     friction works fully.
     """
-    if isinstance(base, PhysicalParameters):
+    if isinstance(base, QuantityValues):
         kind = base.kind
         return Design(
             base.known,
             kind.ranges(),
             kind.groups,
             lambda changed: replace(base, **changed),
-            Parameters,
+            base.of_model,
         )
-    names = NAMES if isinstance(base, Parameters) else tuple(base.ranges)
+    names = base.model.balanced
     given = dict(zip(names, base.scalars(*names), strict=True))
     return Design(
         given,

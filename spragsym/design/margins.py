@@ -10,7 +10,7 @@ import numpy as np
 from ..core.errors import ParameterError
 from ..core.questions import Method, model_of, question
 from ..models.parameters import FloatArray, ParameterSet, as_number
-from ..models.quantities import PhysicalParameters
+from ..models.quantities import QuantityValues
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import norm
 from ..results import Result
@@ -40,12 +40,12 @@ class JumpMargin(Result):
     distance: float
     proved: float
     change: Mapping[str, float]
-    parameters: ParameterSet | PhysicalParameters | None
+    parameters: ParameterSet | QuantityValues | None
 
 
 @question
 def jump_margin(
-    p: ParameterSet | PhysicalParameters | Design,
+    p: ParameterSet | QuantityValues | Design,
     scale: Mapping[str, float],
     *,
     vary: str | None = None,
@@ -197,13 +197,13 @@ class Redesign(Result):
 
     distance: float
     change: Mapping[str, float]
-    parameters: ParameterSet | PhysicalParameters | None
+    parameters: ParameterSet | QuantityValues | None
     jump: Mapping[str, float]
 
 
 @question
 def redesign(
-    p: ParameterSet | PhysicalParameters | Design,
+    p: ParameterSet | QuantityValues | Design,
     change: str | Iterable[str],
     target: Mapping[str, float],
     scale: Mapping[str, float] | None = None,

@@ -20,8 +20,8 @@ from ..core.questions import WAYS, Method, model_of
 from ..display import Table
 from ..models import Model
 from ..models.load import USUAL, load
-from ..models.parameters import Parameters, Range, Span, as_count, as_number
-from ..models.quantities import PhysicalParameters, Quantities, quantities
+from ..models.parameters import ParameterSet, Range, Span, as_count, as_number
+from ..models.quantities import Quantities, QuantityValues, quantities
 from ..motion.sweeps import workers as processes
 from ..motion.sweeps.workers import Workers
 from ..numerics.interval_arrays import FloatArray
@@ -34,9 +34,7 @@ from .tube_certificates import Pieces, Splitting
 #: Variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or
 #: corners of a box.
 Distribution: TypeAlias = (
-    Mapping[str, Any]
-    | tuple[Parameters, Parameters]
-    | tuple[PhysicalParameters, PhysicalParameters]
+    Mapping[str, Any] | tuple[ParameterSet, ParameterSet] | tuple[QuantityValues, QuantityValues]
 )
 
 #: What may happen at many points: quantities by name → 1 or 0, or NaN where that is unknown.
@@ -377,7 +375,7 @@ def jump_probability(
     """
     one_of("method", method, WAYS)
     if isinstance(distribution, tuple):
-        asked, in_si = model_of(distribution), isinstance(distribution[0], PhysicalParameters)
+        asked, in_si = model_of(distribution), isinstance(distribution[0], QuantityValues)
     else:
         asked = model if isinstance(model, Model) else load(model or USUAL)
         in_si = not {*distribution}.isdisjoint(
@@ -430,7 +428,7 @@ def bracket(
 
 def _corners(
     model: Model, variables: dict[str, Any]
-) -> tuple[Parameters, Parameters, dict[str, Any]]:
+) -> tuple[ParameterSet, ParameterSet, dict[str, Any]]:
     """Two corners of a box that holds all points, but for tails without an end; laws of what
     varies.
     """

@@ -14,9 +14,9 @@ from matplotlib.colors import to_rgba_array
 
 import spragsym as ss
 
-from ..core.assumed import MU0_RANGE
+from ..article.assumed import ARTICLE, MU0_RANGE, Parameters
 from ..generated import equilibrium as _equilibrium
-from ..models.parameters import ARTICLE, FloatArray, Parameters, Span
+from ..models.parameters import FloatArray, Span
 from ..numerics.interval_arrays import Int8Array
 from ..numerics.polynomials import eigenvalues
 from ..results import EquilibriumType

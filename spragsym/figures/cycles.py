@@ -20,10 +20,10 @@ from matplotlib.transforms import Affine2D
 
 import spragsym as ss
 
-from ..core.assumed import ON_CYCLE, D, V
+from ..article.assumed import ON_CYCLE, D, Parameters, V
 from ..core.errors import ConvergenceError, ParameterError, one_of, require_kind
 from ..files.text import shipped_text
-from ..models.parameters import FloatArray, Parameters
+from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray
 from ..orbits import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
 from ..orbits.diagram import Diagram, Label

@@ -12,8 +12,8 @@ from matplotlib.axes import Axes
 
 import spragsym as ss
 
-from ..core.assumed import MU0_RANGE
-from ..models.parameters import FloatArray, Parameters
+from ..article.assumed import MU0_RANGE, Parameters
+from ..models.parameters import FloatArray
 from ..results import Path
 from .curves import (
     LABELS,

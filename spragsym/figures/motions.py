@@ -13,11 +13,11 @@ from scipy import ndimage
 
 import spragsym as ss
 
-from ..core.assumed import MU0_RANGE, D, V
+from ..article.assumed import MU0_RANGE, D, Parameters, V
 from ..core.errors import require_kind
 from ..generated import laws
 from ..models.forces import contact_force
-from ..models.parameters import FloatArray, Parameters
+from ..models.parameters import FloatArray
 from ..models.quantities import Scales
 from ..motion import Trajectory, simulate
 from ..motion.simulation import row_of

@@ -241,11 +241,7 @@ def bifurcation_figure(
             ax,
             _no("folds and cusps" if onsets is None else "folds, cusps and onsets", found.complete),
         )
-    fixed = [
-        one["name"]
-        for one in model.about["parameters"]
-        if one["role"] == "both" and one["name"] not in found.vary
-    ]
+    fixed = [name for name in model.balanced if name not in found.vary]
     at = ", ".join(
         f"{LETTERS.get(name, name)} = {value:g}"
         for name, value in zip(fixed, p.scalars(*fixed), strict=True)

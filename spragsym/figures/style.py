@@ -22,11 +22,12 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import AutoLocator, FixedLocator
 from numpy.typing import ArrayLike, NDArray
 
+from ..article.assumed import ARTICLE
 from ..display import Column
 from ..files.storage import put
 from ..models import Model
 from ..models.load import USUAL, load
-from ..models.parameters import ARTICLE, Ranges
+from ..models.parameters import Ranges
 from ..results import EquilibriumType, Points
 
 #: Widths of one column and of two, inches.

@@ -4,7 +4,7 @@ function that it answers.
 
 import lazy_loader as _lazy
 
-from ..models.parameters import Parameters as Parameters
+from .parameters import Parameters as Parameters
 
 __getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
 

@@ -27,7 +27,7 @@ from ..bifurcation.defining_systems import ranges
 from ..core.errors import ConvergenceError
 from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
-from ..models.parameters import RANGES, FloatArray, Parameters, Ranges, as_count
+from ..models.parameters import FloatArray, Ranges, as_count
 from ..numerics import polynomials
 from ..numerics.arithmetic import Number
 from ..numerics.chains import link, walked
@@ -49,6 +49,7 @@ from . import kernel
 from .cusps import cusps
 from .folds import folds
 from .kernel import FIXED, Fixed
+from .parameters import RANGES, Parameters
 
 #: Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are compared
 #: with proved folds.

@@ -19,7 +19,7 @@ from ..bifurcation.paths import first_end
 from ..core.questions import NotInClosedForm
 from ..design.certificates import Claim, ProvedParts, corner_values
 from ..generated import catastrophe as _catastrophe
-from ..models.parameters import NAMES, FloatArray, Parameters, ParameterSet
+from ..models.parameters import FloatArray, ParameterSet
 from ..models.quantities import Unit, checked_units
 from ..numerics.affine import Affine, Rounded, cosine_and_sine, sides
 from ..numerics.columns import ByColumn
@@ -27,6 +27,7 @@ from ..numerics.interval_arrays import BoolArray, quiet
 from ..results import EquilibriumType
 from . import kernel
 from .jump_values import first_jumps, point_at, require_usual, with_and_without_friction
+from .parameters import NAMES, Parameters
 from .quartic.solver import count, equilibria
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
-from ..models.parameters import Parameters, Ranges
+from ..models.parameters import Ranges
 from ..numerics import balls, polynomials
 from ..numerics.arithmetic import Number
 from ..numerics.balls import Interval, as_mpf, as_numbers, atan2, decided, sign, with_enough_bits
@@ -18,6 +18,7 @@ from ..results import Points
 from ..results.precise_states import CuspProof, PreciseCusp
 from .folds import STATE, Angles, SurfacePoint, in_contact, listed, unfolded
 from .kernel import FIXED
+from .parameters import Parameters
 
 
 def cusps(

@@ -27,7 +27,7 @@ import numpy as np
 from ..bifurcation.flutter import Onsets
 from ..core.questions import NotInClosedForm
 from ..generated import stability as _stability
-from ..models.parameters import FloatArray, Parameters, Ranges, as_count
+from ..models.parameters import FloatArray, Ranges, as_count
 from ..numerics import balls, polynomials
 from ..numerics.arithmetic import Number
 from ..numerics.balls import Interval, UndecidedSign, atan2, decided, sign, with_enough_bits
@@ -46,6 +46,7 @@ from .bifurcation_sets import CurveCondition, curves
 from .folds import SurfacePoint, listed
 from .kernel import FIXED, Fixed
 from .only import of_article
+from .parameters import Parameters
 
 #: Logarithm of how far from t = tan(θ/2) = 1 onsets are looked for, at most, and minus that at
 #: least.

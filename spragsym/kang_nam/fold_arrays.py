@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from ..models.parameters import NAMES, FloatArray
+from ..models.parameters import FloatArray
 from ..numerics import balls, bernstein
 from ..numerics.affine import Rounded, as_number, cosine_and_sine
 from ..numerics.arithmetic import Number, Polynomial
@@ -27,6 +27,7 @@ from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array, quiet, 
 from ..numerics.polynomials import on_circle
 from . import kernel
 from .kernel import LINEAR
+from .parameters import NAMES
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
-from ..models.parameters import NAMES, RANGES, Parameters, Ranges, Span
+from ..models.parameters import Ranges, Span
 from ..numerics import balls, polynomials
 from ..numerics.arithmetic import Number
 from ..numerics.balls import (
@@ -36,6 +36,7 @@ from ..numerics.polynomials import RootOf, in_t, on_circle, roots_on_the_line
 from ..results.points import Ended, Points, nothing_ends
 from . import kernel
 from .kernel import LINEAR
+from .parameters import NAMES, RANGES, Parameters
 
 PointsT = TypeVar("PointsT", bound=Points)
 

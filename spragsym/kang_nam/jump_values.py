@@ -22,7 +22,7 @@ from ..bifurcation.paths import first_end
 from ..core.errors import ConvergenceError
 from ..core.questions import NotInClosedForm
 from ..design.jumps import Ends
-from ..models.parameters import NAMES, RANGES, FloatArray, Parameters
+from ..models.parameters import FloatArray
 from ..numerics import bernstein
 from ..numerics.affine import UNIT
 from ..numerics.balls import UndecidedSign
@@ -32,6 +32,7 @@ from ..results.equilibria import Equilibria, EquilibriumType
 from . import fold_arrays, kernel
 from .fold_arrays import friction_sextic
 from .folds import folds
+from .parameters import NAMES, RANGES, Parameters
 from .quartic.solver import equilibria
 
 #: Parameters that rise from their lower end; the others move from the value that they have. Folds

@@ -10,8 +10,8 @@ from ..generated import catastrophe as _catastrophe
 from ..generated import equilibrium as _equilibrium
 from ..generated import stability as _stability
 from ..generated.kernel import depressed as depressed
-from ..models.parameters import NAMES
 from ..numerics.arithmetic import Number
+from .parameters import NAMES
 
 #: Parameters in which f is linear: all but θ₀.
 LINEAR = NAMES[1:]

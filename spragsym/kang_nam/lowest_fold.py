@@ -8,7 +8,6 @@ import numpy as np
 
 from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
-from ..models.parameters import Parameters
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, as_floats, decided, sign, with_enough_bits
 from ..numerics.polynomials import RootOf, on_circle
@@ -17,6 +16,7 @@ from . import kernel
 from .cusps import proved_cusps
 from .folds import Angles, SurfacePoint, in_contact, lines_and_sextic, unfolded, with_multiplicity
 from .kernel import FIXED
+from .parameters import Parameters
 
 #: Degrees in sin θ of sin θ₀, and of f″, times the denominator of sin θ₀.
 _DEGREE, _CURVATURE_DEGREE = 6, 9

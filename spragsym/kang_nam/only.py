@@ -9,7 +9,7 @@ from typing import ParamSpec, TypeVar
 from ..core.error_states import in_usual_state
 from ..core.errors import ModelError
 from ..core.questions import model_of
-from ..models.parameters import Parameters
+from .parameters import Parameters
 
 P = ParamSpec("P")
 R = TypeVar("R")

@@ -17,11 +17,12 @@ import numpy as np
 
 from ..generated.models.kang_nam import algebra
 from ..models.field import SETTLED
-from ..models.parameters import FloatArray, Parameters, Span
+from ..models.parameters import FloatArray, Span
 from ..numerics.arithmetic import Number
 from ..numerics.interval_arrays import Int8Array
 from ..numerics.polynomials import eigenvalues
 from ..results import Equilibria, Points
+from .parameters import Parameters
 
 #: Energy of numbers without checks.
 _energy: Any = unwrap(algebra.energy)

@@ -17,20 +17,13 @@ from ..generated import catastrophe as _catastrophe
 from ..generated import kernel as solver
 from ..generated import laws
 from ..generated import linear_sprag as _linear
-from ..models.parameters import (
-    NAMES,
-    NOT_NEGATIVE,
-    POSITIVE,
-    RANGES,
-    FloatArray,
-    Parameters,
-    as_numbers,
-)
+from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, as_numbers
 from ..numerics.interval_arrays import Int8Array, quiet
 from ..results import EquilibriumType, Result
 from . import kernel
 from .kernel import FIXED
 from .only import of_article
+from .parameters import NAMES, RANGES, Parameters
 
 
 @dataclass(frozen=True, eq=False)

@@ -240,13 +240,17 @@ class Model:
         return tuple(known) or self.plane[:1] or self.parameters[:1]
 
     @property
+    def balanced(self) -> tuple[str, ...]:
+        """Parameters on which the balance of forces depends, and not the motion alone."""
+        return tuple(entry["name"] for entry in self.about["parameters"] if entry["role"] == "both")
+
+    @property
     def plane(self) -> tuple[str, ...]:
         """Two parameters for a picture whose reader may choose others: the same, then what else of
         the balance stands first.
         """
-        balanced = [entry["name"] for entry in self.about["parameters"] if entry["role"] == "both"]
         known = [name for name in (self.inclination, self.coefficient) if name is not None]
-        return tuple(dict.fromkeys([*known, *balanced]))[:2]
+        return tuple(dict.fromkeys([*known, *self.balanced]))[:2]
 
     @cached_property
     def columns(self) -> Mapping[str, Column]:

@@ -9,7 +9,7 @@ import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from typing import TYPE_CHECKING, Any, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
@@ -17,12 +17,9 @@ from ..core.errors import NotDimensionlessError, ParameterError, ParameterTypeEr
 from ..display import Tabular
 from .load import load
 from .model import Model, title_drawing_words
-from .parameters import POSITIVE, Carried, Parameters, Range, Values, as_numbers, named
+from .parameters import POSITIVE, Carried, ParameterSet, Range, Values, as_numbers
 from .units import dimension, registry
 from .units import factor as factor
-
-if TYPE_CHECKING:
-    from ..models.parameters import ParameterSet
 
 
 class Quantities:
@@ -248,67 +245,21 @@ class Scales(Tabular):
         return si, float(math.prod(size**power for size, power in zip(sizes, powers, strict=True)))
 
 
-@named
 @dataclass(frozen=True, eq=False)
-class PhysicalParameters(Values):
-    """The model in newtons, metres, kilograms and seconds, or any consistent system of units;
-    scalars or arrays that broadcast.
+class QuantityValues(Values):
+    """The quantities of a model in SI or any consistent system of units, scalars or arrays that
+    broadcast; subclasses have a field for each, None where one may be left out.
 
     Quantities of pint, astropy, unyt and quantities are converted to SI; then all have units that
     have a dimension.
-
-    Parameters
-    ----------
-    m : array_like
-        Mass.
-    k, k_x, k_y, k_c : array_like
-        Stiffness of the inclined spring, along the belt, across it, and of the contact.
-    F_L : array_like
-        Preload.
-    L_0 : array_like
-        Length of the undeformed inclined spring.
-    theta0 : array_like
-        Its inclination, radians, in (0, π).
-    mu0 : array_like
-        Friction coefficient.
-    V : array_like, optional
-        Belt speed.
-    d : array_like, optional
-        Steepness of the friction law in creep, per unit of speed.
-
-    Notes
-    -----
-    Source: text after (9). Lengths are measured in L_0, time in sqrt(m/k_c), forces in k_c L_0.
-
-    Examples
-    --------
-    >>> from math import radians
-    >>> brake = PhysicalParameters(
-    ...     m=0.4, k=1e5, k_x=7e3, k_y=0, k_c=1e6, F_L=350, L_0=0.05,
-    ...     theta0=radians(49), mu0=0.5, V=20,
-    ... )
-    >>> brake.dimensionless().replace(theta0=None)
-    Parameters(mu0=0.5, kappa=0.007, alpha=0.007, sigma=0.1, beta=0.0, V=0.2529822128134704)
-    >>> brake.scales.force
-    50000.0
     """
 
-    m: Any
-    k: Any
-    k_x: Any
-    k_y: Any
-    k_c: Any
-    F_L: Any
-    L_0: Any
-    theta0: Any
-    mu0: Any
-    V: Any = None
-    d: Any = None
-    of_model = Parameters
+    #: The class of what they are without dimension.
+    of_model: ClassVar[type[ParameterSet]]
 
     @property
     def _of_model(self) -> Any:
-        return Parameters.model_of_class()
+        return self.of_model.model_of_class()
 
     def __post_init__(self) -> None:
         bare, carrying = list[str](), list[str]()
@@ -328,9 +279,9 @@ class PhysicalParameters(Values):
 
     def __getattr__(self, name: str) -> Any:
         # Every function of the model first asks its parameters for one of these.
-        if not name.startswith("_") and hasattr(Parameters, name):
+        if not name.startswith("_") and hasattr(self.of_model, name):
             raise NotDimensionlessError(
-                "dimensionless Parameters are needed here, and these are PhysicalParameters; "
+                f"dimensionless Parameters are needed here, and these are {type(self).__name__}; "
                 "call .dimensionless() on them"
             )
         raise AttributeError(
@@ -339,10 +290,8 @@ class PhysicalParameters(Values):
 
     @property
     def kind(self) -> Quantities:
-        """The quantities of the article's model: units, ranges, and what they are without
-        dimension.
-        """
-        return quantities(Parameters.where)
+        """The quantities of the model: units, ranges, and what they are without dimension."""
+        return quantities(self.of_model.where)
 
     @property
     def known(self) -> dict[str, Any]:
@@ -356,9 +305,12 @@ class PhysicalParameters(Values):
         """Scales of length, time and force: multiply a dimensionless result by its scale."""
         return self.kind.scales(self.known)
 
-    def dimensionless(self) -> Parameters:
-        """The system as :class:`Parameters`; without V and d if these were not given."""
-        return Parameters(**{"V": None, "d": None} | self.kind.groups(self.known))
+    def dimensionless(self) -> ParameterSet:
+        """The system without dimension; without what is of the friction law alone if that was not
+        given.
+        """
+        left_out = {self.kind.parameters[name]: None for name in self.kind.of_the_law}
+        return self.of_model(**left_out | self.kind.groups(self.known))
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from ..design.jumps import Ends, first_ends, told
 from ..design.sampling import Correlation, Dependence, dependence
 from ..models.load import USUAL, WITH_DAMPERS
 from ..models.parameters import Range, Ranges, Span, as_number, as_range
-from ..models.quantities import PhysicalParameters, Quantities, Scales, factor, quantities, share
+from ..models.quantities import Quantities, QuantityValues, Scales, factor, quantities, share
 from ..statics.balance import NOTHING
 from .damping import RATIO, modal_dampers
 from .friction_fit import FrictionFit
@@ -122,7 +122,7 @@ class Brake:
 
     def __init__(
         self,
-        parameters: PhysicalParameters | Numbers,
+        parameters: QuantityValues | Numbers,
         tolerance: Mapping[str, Any] | None = None,
         correlation: Correlation | None = None,
         *,
@@ -458,7 +458,7 @@ class Brake:
 
 def _given(parameters: Any, kind: Quantities, damping_ratio: float | None) -> Numbers:
     allowed, model = kind.ranges(), kind.model.where
-    if isinstance(parameters, PhysicalParameters) and model in (USUAL, WITH_DAMPERS[USUAL]):
+    if isinstance(parameters, QuantityValues) and model in (USUAL, WITH_DAMPERS[USUAL]):
         parameters = parameters.known
     if not isinstance(parameters, Mapping):
         raise ParameterError(

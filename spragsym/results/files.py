@@ -36,6 +36,10 @@ FORMAT = 1
 #: Where classes stand whose module or name has changed since a file was written.
 MOVED: Mapping[tuple[str, str], tuple[str, str]] = {
     ("spragsym.report.brake_files", "FrictionFit"): ("spragsym.report.friction_fit", "FrictionFit"),
+    ("spragsym.models.quantities", "PhysicalParameters"): (
+        "spragsym.kang_nam.parameters",
+        "PhysicalParameters",
+    ),
 }
 #: Bytes of a file that is read back, at most.
 LARGEST = 1 << 30

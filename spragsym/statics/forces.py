@@ -71,9 +71,7 @@ class Forces:
         self.parameters: list[str] = list(model.parameters)
         self.angles: dict[str, Sequence[str]] = dict(about["angles"])
         #: Parameters on which the balance depends, and not the motion alone.
-        self.balanced: list[str] = [
-            entry["name"] for entry in about["parameters"] if entry["role"] == "both"
-        ]
+        self.balanced = model.balanced
         #: Parameters that may be 0.
         self.may_vanish = [
             entry["name"]

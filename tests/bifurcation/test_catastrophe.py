@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from tests.oracles import reference
 from tests.oracles.count_map import count_map_mismatches
 from tests.oracles.creeping_states import check, random_path

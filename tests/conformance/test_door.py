@@ -13,7 +13,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.design.jumps import have_jumped
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from tests.conformance.models import MODELS, a_set, load
 
 # ------------------------------------------------------------------------------------------- sets

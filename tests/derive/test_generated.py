@@ -20,7 +20,7 @@ import sympy as sp
 from spragsym import generated
 from spragsym.generated import catastrophe, equilibrium, linear_sprag, stability
 from spragsym.generated.models.kang_nam import algebra
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from tests.oracles import reference
 from tests.support import as_mpf, leaves
 

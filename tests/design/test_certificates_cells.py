@@ -13,7 +13,7 @@ import pytest
 
 from spragsym.kang_nam import certificates
 from spragsym.kang_nam.certificates import Ground, LinearDirection, ParameterBoxes, Verdict
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from spragsym.models.quantities import Unit
 from tests.support import as_fraction
 

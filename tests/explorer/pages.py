@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 
 CHROMIUM = shutil.which("chromium")
 #: Drawing in 3D by software takes most of a test's time: one test has it.

@@ -20,8 +20,8 @@ from spragsym.cli.pages import explore
 from spragsym.derive.kang_nam.library import exported
 from spragsym.explorer import explorer_page
 from spragsym.explorer.page import described
+from spragsym.kang_nam.parameters import NAMES
 from spragsym.models.load import shipped
-from spragsym.models.parameters import NAMES
 from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium
 from tests.support import ROOT
 

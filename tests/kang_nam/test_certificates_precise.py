@@ -8,7 +8,8 @@ import mpmath
 import pytest
 
 import spragsym as ss
-from spragsym.models.parameters import NAMES, RANGES, Range
+from spragsym.kang_nam.parameters import NAMES, RANGES
+from spragsym.models.parameters import Range
 from tests.oracles import reference
 
 # -------------------------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ import sympy as sp
 import spragsym as ss
 from spragsym.kang_nam import cusps, folds
 from spragsym.kang_nam.folds import Angles, SurfacePoint
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from spragsym.numerics import balls, polynomials
 from spragsym.numerics.balls import UndecidedSign
 from spragsym.numerics.polynomials import RootOf

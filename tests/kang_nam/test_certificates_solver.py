@@ -11,8 +11,8 @@ import pytest
 
 import spragsym as ss
 from spragsym.generated import kernel
+from spragsym.kang_nam.parameters import NAMES
 from spragsym.kang_nam.quartic import adaptive_precision, block, compiled, solver
-from spragsym.models.parameters import NAMES
 from tests.oracles.families import FAMILIES
 
 

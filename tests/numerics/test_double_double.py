@@ -13,8 +13,8 @@ import pytest
 import spragsym as ss
 from spragsym.generated import double_double as dd
 from spragsym.generated import kernel
+from spragsym.kang_nam.parameters import NAMES
 from spragsym.kang_nam.quartic import adaptive_precision, block, compiled
-from spragsym.models.parameters import NAMES
 from spragsym.numerics.double_double import DoubleDouble, cosine_and_sine
 from tests.oracles.families import FAMILIES
 from tests.oracles.true_errors import worst_errors, wrong_counts

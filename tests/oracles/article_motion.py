@@ -8,7 +8,7 @@ from typing import Any
 
 from scipy.integrate import solve_ivp
 
-from spragsym.models.parameters import NAMES, Parameters
+from spragsym.kang_nam.parameters import NAMES, Parameters
 
 #: cos θ₀, sin θ₀, μ₀, κ, α, σ, β, V, d.
 Constants = Sequence[float]

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import spragsym as ss
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 
 #: Options with which gcc and clang make vector instructions of the loops; none changes a result.
 FAST = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")

@@ -12,7 +12,7 @@ import sys
 import numpy as np
 
 import spragsym as ss
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from tests.oracles.families import random_fixed
 
 Array = np.ndarray

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 import spragsym as ss
 from benchmarks.timing import on_backend
 from spragsym.derive.kang_nam.library import exported
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from tests.oracles import c_target
 from tests.oracles.families import FAMILIES
 

@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 
 import spragsym as ss
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from tests.oracles.families import FAMILIES
 
 ROOT = Path(__file__).resolve().parents[2]

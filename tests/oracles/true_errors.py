@@ -9,7 +9,7 @@ import numpy as np
 
 import spragsym as ss
 from spragsym import precise
-from spragsym.models.parameters import NAMES
+from spragsym.kang_nam.parameters import NAMES
 from spragsym.results.precise_states import PreciseEquilibrium
 from tests.oracles import reference
 from tests.oracles.families import FAMILIES

@@ -13,8 +13,8 @@ import pytest
 
 import spragsym as ss
 from spragsym.kang_nam import folds, kernel
+from spragsym.kang_nam.parameters import NAMES
 from spragsym.kang_nam.quartic import adaptive_precision
-from spragsym.models.parameters import NAMES
 from spragsym.numerics import balls
 from spragsym.numerics.balls import UndecidedSign
 from spragsym.results.precise_states import PreciseEquilibrium

@@ -13,13 +13,13 @@ from fractions import Fraction
 from typing import Any
 
 from ...core.errors import ConvergenceError
-from ...models.parameters import NAMES, Parameters
 from ...numerics import balls
 from ...numerics.balls import Interval, UndecidedSign, as_mpf, as_numbers
 from ...numerics.polynomials import derivative, evaluate, on_circle, roots_on_the_line, squarefree
 from ...results.equilibria import EquilibriumType
 from ...results.precise_states import PreciseEquilibria, PreciseEquilibrium
 from .. import kernel
+from ..parameters import NAMES, Parameters
 
 #: Bits of the first try, unless parameters are farther apart than that with :data:`ROOM` beside it:
 #: where one is far below the others, so is what decides. Bits at which a discriminant that holds 0

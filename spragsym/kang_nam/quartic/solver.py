@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import BackendError, ConvergenceError, one_of
 from ...core.questions import NotInClosedForm
-from ...models.parameters import NAMES, Parameters, as_count
+from ...models.parameters import as_count
 from ...numerics.columns import reuse_memory
 from ...numerics.interval_arrays import (
     BoolArray,
@@ -27,6 +27,7 @@ from ...numerics.interval_arrays import (
 from ...results.equilibria import Equilibria, Undecided
 from ...statics.states import Linearizing
 from .. import kernel
+from ..parameters import NAMES, Parameters
 from . import block, compiled
 from .block import COLUMNS, Slots
 

@@ -13,7 +13,7 @@ from ...core.error_states import in_usual_state
 from ...core.errors import ParameterTypeError
 from ...core.questions import model_of
 from ...display import named_fields
-from ...models.parameters import FloatArray, Parameters, as_numbers
+from ...models.parameters import FloatArray, ParameterSet, as_numbers
 from ...numerics.interval_arrays import IntArray
 from ...results.result import Named
 from ..regimes import Outcome, Regime, Sets, same_limit, sets_of_rest
@@ -60,7 +60,7 @@ class Basin(Named):
 
 @in_usual_state
 def basin(
-    p: Parameters,
+    p: ParameterSet,
     V: float | None = None,
     d: float | None = None,
     **starts: Any,

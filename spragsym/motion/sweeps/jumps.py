@@ -12,7 +12,7 @@ from ...core.error_states import in_usual_state
 from ...core.errors import ModelError, ParameterError
 from ...core.questions import model_of
 from ...display import Column
-from ...models.parameters import FloatArray, Parameters, as_numbers
+from ...models.parameters import FloatArray, ParameterSet, as_numbers
 from ...results.result import Result
 from .many import Sweep, rms_sweep
 
@@ -52,7 +52,7 @@ class Sensitivity(Result):
 
 @in_usual_state
 def sensitivity(
-    p: Parameters,
+    p: ParameterSet,
     V: ArrayLike | None = None,
     d: ArrayLike | None = None,
     *,
@@ -106,7 +106,7 @@ def sensitivity(
             "takes any axes"
         )
     p.require("theta0")
-    angles = p.theta0
+    angles = p["theta0"]
     if angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
         raise ParameterError(
             "theta0 must be an ascending axis of two angles or more; use "
@@ -114,7 +114,7 @@ def sensitivity(
         )
     p.require(*(name for name, value in (("V", V), ("d", d)) if value is None))
     speeds, creeps = np.atleast_1d(
-        p.V if V is None else as_numbers("V", V), p.d if d is None else as_numbers("d", d)
+        p["V"] if V is None else as_numbers("V", V), p["d"] if d is None else as_numbers("d", d)
     )
     p = p.replace(V=speeds[:, None, None], d=creeps[None, :, None])
     sweep = rms_sweep(p, **options)

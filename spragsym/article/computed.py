@@ -37,9 +37,10 @@ Outcome: TypeAlias = tuple[Any, dict[str, Any]]
 #: Largest friction of Figures 11 to 14.
 MU0_MAX = MU0_RANGE[1]
 
-#: Inclinations far below the fold, degrees, and the one at which the cycle is looked for with other
-#: belts.
-FAR_BELOW, WITH_OTHERS = (10.0, 20.0, 30.0, 40.0), 30.0
+#: Inclinations far below the fold, degrees.
+FAR_BELOW = (10.0, 20.0, 30.0, 40.0)
+#: Inclination at which the cycle is looked for with other belts, degrees.
+WITH_OTHERS = 30.0
 #: V and d of other belts, of which the article states neither: between rest and oscillation the
 #: motions of these are regular.
 OTHER_BELTS = ((0.3, 10.0), (0.5, 5.0), (0.4, 12.5))
@@ -50,15 +51,18 @@ FATES_CHANGE = ((41.0, 42.0), (41.2, 43.0), (41.2, 43.7), (41.2, 42.0))
 #: Inclinations, degrees, at which equilibria are compared with those under dry friction; one, and a
 #: state, on cycles under it.
 OF_STATICS = (10.0, 30.0, 49.0, 90.0, 160.0)
-ON_DRY_CYCLE, ON_STICKING = (
-    (42.0, (2.9429144682, 3.3611284180, 0.0, 0.3671196394)),
-    (60.0, (2.818, 1.213, 0.0, 0.22)),
-)
+ON_DRY_CYCLE = (42.0, (2.9429144682, 3.3611284180, 0.0, 0.3671196394))
+ON_STICKING = (60.0, (2.818, 1.213, 0.0, 0.22))
 
 _article = Parameters.article
-#: θ₀ of grids, degrees, and as it rises; frictions from 0 to the largest, few for a grid.
-_GRID, _RISING = np.linspace(0.1, 179.9, 900), np.radians(np.linspace(0.1, 179.9, 361))
-_FRICTIONS, _FEW = np.linspace(0.0, MU0_MAX, 201), np.linspace(0.0, MU0_MAX, 41)[:, None]
+#: Inclinations of grids, degrees.
+_GRID = np.linspace(0.1, 179.9, 900)
+#: Inclinations as they rise, radians.
+_RISING = np.radians(np.linspace(0.1, 179.9, 361))
+#: Frictions from 0 to the largest.
+_FRICTIONS = np.linspace(0.0, MU0_MAX, 201)
+#: Fewer of them, as a column of a grid.
+_FEW = np.linspace(0.0, MU0_MAX, 41)[:, None]
 _deg = np.degrees
 
 

@@ -45,11 +45,16 @@ from .points import OVER_BORDER, Found, arranged, search
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
 
-#: A state passes from one combination of contacts into another; two branches end; neither is known.
-PASSES, BORDER_FOLD, BORDER = "passes", "border_fold", "border"
-#: Places with rational numbers at which a determinant that is 0 everywhere is 0, and up to which
-#: numerator and denominator they are drawn.
-PLACES, LARGEST = 12, 1 << 30
+#: A state passes from one combination of contacts into another.
+PASSES = "passes"
+#: Two branches end on one side.
+BORDER_FOLD = "border_fold"
+#: Neither is known.
+BORDER = "border"
+#: Places with rational numbers at which a determinant that is 0 everywhere is 0.
+PLACES = 12
+#: Largest numerator and denominator of these numbers.
+LARGEST = 1 << 30
 #: Rates at which two states go apart that are no more apart than this, relatively, are alike.
 ALIKE = 1e-9
 

@@ -28,9 +28,10 @@ from .paths import ModelEnd, first_end
 from .points import INFINITY, OVER_BORDER, escapes, isolated
 from .tubes import Tubes
 
-#: How far beside a cusp its folds are looked for, over the range, and beyond its value, over that
-#: if it is larger than 1.
-ASIDE, BEYOND = (1e-3, 1e-4, 1e-5), 0.05
+#: How far beside a cusp its folds are looked for, over the range.
+ASIDE = (1e-3, 1e-4, 1e-5)
+#: How far beyond its value, over that if it is larger than 1.
+BEYOND = 0.05
 #: Of two values that differ by less than that times their bounds none is the lower one.
 SAME = 4.0
 

@@ -52,7 +52,7 @@ from ..numerics.interval_arrays import (
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.polynomials import derivative
 from ..statics.balance import ENDLESS, Balance, no_direction
-from ..statics.forces import State, Values
+from ..statics.forces import Evaluation, Values
 from ..statics.namespaces import XP
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import settled_by_digits
@@ -68,9 +68,10 @@ FAR = 10.0
 FLAT = 1e-100
 #: Boxes beyond which they lie around no points.
 MANY = 400
-#: Width and number of the arcs of directions looked at one by one: 32 are a full turn, one more
-#: covers what rounding leaves.
-ARC, ARCS = np.pi / 16, np.arange(33)
+#: Width of the arcs of directions looked at one by one.
+ARC = np.pi / 16
+#: Their numbers: 32 are a full turn, one more covers what rounding leaves.
+ARCS = np.arange(33)
 #: Boxes that are looked at in one go, as NumPy takes hardly longer for them than for one.
 FEW = 64
 
@@ -196,12 +197,12 @@ class Condition:
     asked for can't hold, ``given_up`` those that halving would never decide.
     """
 
-    equations: Callable[[State], Sequence[Any]]
+    equations: Callable[[Evaluation], Sequence[Any]]
     order: int = 0
     singular: bool = False
     touching: int | None = None
-    hopeless: Callable[[State], BoolArray] | None = None
-    given_up: Callable[[State], BoolArray] | None = None
+    hopeless: Callable[[Evaluation], BoolArray] | None = None
+    given_up: Callable[[Evaluation], BoolArray] | None = None
 
 
 #: det K = 0.
@@ -231,14 +232,14 @@ def cusp(column: int) -> Condition:
     :func:`spragsym.bifurcation.singularities.told_apart` tells from cusps.
     """
 
-    def equations(at: State) -> Sequence[Any]:
+    def equations(at: Evaluation) -> Sequence[Any]:
         K = at.slopes
         return determinant(K), change(K, column)
 
     return Condition(equations, order=1, singular=True)
 
 
-def _turns(at: State) -> Sequence[Any]:
+def _turns(at: Evaluation) -> Sequence[Any]:
     """det K, and the force along w that the first parameter v brings: w · ∂F/∂v with w K = 0.
 
     A row of the adjugate stands for w: points where that row is 0 are roots as well.
@@ -252,7 +253,7 @@ def _turns(at: State) -> Sequence[Any]:
 TURN = Condition(_turns, order=1, singular=True)
 
 
-def _touch_turns(at: State) -> Sequence[Any]:
+def _touch_turns(at: Evaluation) -> Sequence[Any]:
     """The gap, and the determinant of the slopes of forces and gap by the coordinates and the first
     parameter.
     """
@@ -265,7 +266,7 @@ def _touch_turns(at: State) -> Sequence[Any]:
 TOUCH_TURN = Condition(_touch_turns, order=1, touching=0)
 
 
-def _discriminant(at: State) -> Sequence[Any]:
+def _discriminant(at: Evaluation) -> Sequence[Any]:
     """The discriminant of det(K + κ M) in κ, but for a factor."""
     coefficients = characteristic(at.stiffness(), at.mass())
     if len(coefficients) == 3:
@@ -281,7 +282,7 @@ FLUTTER = Condition(_discriminant)
 HOPF = Condition(lambda at: (hurwitz(_characteristic(None, at)),))
 
 
-def _characteristic(along: int | None, at: State) -> list[Any]:
+def _characteristic(along: int | None, at: Evaluation) -> list[Any]:
     """Coefficients of det(λ² M + λ C + K), the lowest first.
 
     Where C has one entry c, of the coordinate ``along``, the odd ones are c times what they are for
@@ -303,7 +304,7 @@ def undamped_mode(along: int) -> Condition:
     M. A pair ± i ω is where A and B have a common root, however small c is; it is divided out.
     """
 
-    def equations(at: State) -> Sequence[Any]:
+    def equations(at: Evaluation) -> Sequence[Any]:
         """The resultant of B and A, less a multiple of B: it does not depend on the entry in row
         and column ``along``.
         """
@@ -400,13 +401,13 @@ class Augmented(OfFamily):
             self.order,
         )
 
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> Evaluation:
         """The evaluation at unknowns of any number type, from arguments of which those that vary
         are replaced.
         """
-        return State(self.balance, *self.parted(q, values, xp), shape, xp)
+        return Evaluation(self.balance, *self.parted(q, values, xp), shape, xp)
 
-    def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
+    def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
         """Forces and condition."""
         return [*at.forces(), *self.condition.equations(at)]
 
@@ -483,7 +484,7 @@ def _regular_along(boxes: Boxes, spring: int, numbers: IntArray) -> BoolArray:
     arcs = stacked([XP.cos(arc), XP.sin(arc)], every.shape)
     possible = np.flatnonzero(~contractors.apart(arcs.ends, known[:, every].ends))
 
-    def rows(at: State, arcs: Any) -> Sequence[Any]:
+    def rows(at: Evaluation, arcs: Any) -> Sequence[Any]:
         def slopes(length: Any) -> list[Any]:
             fixed = [*at.directions[:place], *arcs, length, *at.directions[place + 3 :]]
             return [list(row) for row in replace(at, fixed=fixed).slopes]

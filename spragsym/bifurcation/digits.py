@@ -23,7 +23,7 @@ from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.precise_roots import narrowed
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from ..statics.balance import Balance, PreciseBalance
-from ..statics.forces import State
+from ..statics.forces import Evaluation
 from ..statics.precise_balance import once_around
 from ..statics.regions import region
 from ..statics.search import balance_of, solved
@@ -135,7 +135,7 @@ def _state(
     return PreciseEquilibrium(named, type_at(system, q), as_mpf(error))
 
 
-def _columns(at: State) -> list[Any]:
+def _columns(at: Evaluation) -> list[Any]:
     """Direction and length of each inclined spring."""
     springs = (at.directions[3 * spring : 3 * spring + 3] for spring in range(at.balance.springs))
     return [value for c, s, length in springs for value in (_angle(c, s), length)]
@@ -249,7 +249,7 @@ def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> lis
     return root
 
 
-def _on_its_side(at: State) -> bool:
+def _on_its_side(at: Evaluation) -> bool:
     """Whether a state is on the side of the contact's border that is asked for."""
     return all(
         (balls.decided(gap, "a gap that is zero") < 0) == touches

@@ -34,11 +34,15 @@ from ..numerics.interval_arrays import (
 )
 from ..numerics.jets import Jet, constant, variables
 from ..statics.balance import PreciseBalance
-from ..statics.forces import State
+from ..statics.forces import Evaluation
 from .defining_systems import FOLD, Augmented, Family
 
-#: Halvings of each range; boxes of a point that are kept, or else their hull; bits at an end.
-HALVINGS, BOXES, BITS = 32, 100, 192
+#: Halvings of each range.
+HALVINGS = 32
+#: Boxes of a point that are kept, or else their hull.
+BOXES = 100
+#: Bits at an end.
+BITS = 192
 #: What is left where states may form lines.
 LINES_OF_STATES = "where det K is 0 in every state: equilibria there form lines, or there are none"
 
@@ -147,7 +151,7 @@ def _root_alone(minor: Number, k: int, signs: Sequence[int]) -> bool:
     return first > 0 and signs[first] != 0
 
 
-def _affine(at: State) -> tuple[Matrix, Sequence[Any]]:
+def _affine(at: Evaluation) -> tuple[Matrix, Sequence[Any]]:
     """K and f of the forces K q + f, from an evaluation at q = 0."""
     return at.slopes, at.forces()
 

@@ -45,7 +45,7 @@ from ..numerics.jets import Jet, constant, gradient, order_of, variables
 from ..results.points import Points
 from ..statics import stability
 from ..statics.balance import NOTHING, Balance
-from ..statics.forces import TURN, State, Values, as_intervals
+from ..statics.forces import TURN, Evaluation, Values, as_intervals
 from ..statics.namespaces import SCALED, XP, NoChart, Scaled
 from ..statics.precise_balance import on_its_side, once_around
 from ..statics.reference_state import in_order
@@ -60,9 +60,10 @@ MANY = 200
 OVER_BORDER = 1e-3
 #: Where the range of a parameter begins that is larger than 0.
 LEAST = 2.0**-300
-#: Up to which value the logarithm is taken, and from which on the parameter itself; between them
-#: both are.
-HIGH, LOW = 2.0**-9, 2.0**-10
+#: Value up to which the logarithm of a parameter is an unknown.
+HIGH = 2.0**-9
+#: Value from which on the parameter itself is; between them both are.
+LOW = 2.0**-10
 #: What kinds of points begin with at which a state runs to infinity.
 INFINITY = "infinity"
 
@@ -397,7 +398,7 @@ class _AtInfinity(OfFamily):
         super().__init__(family)
         self.order, self.limits = len(family.vary) - 1, np.inf
 
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> Evaluation:
         """The evaluation at u/w, at intervals or jets of them in which w is one more variable."""
         order = order_of(*q)
         w = Jet.variable(0, self.n, order)
@@ -412,7 +413,7 @@ class _AtInfinity(OfFamily):
             xp=SCALED,
         )
 
-    def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
+    def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
         """G, |u|² − 1, and with two parameters the determinant."""
         far = set(range(self.balance.n)) - set(self.balance.around)
         rows = [*map(_regular, at.rows("forces")), sum((unknowns[i] ** 2 for i in far), -1)]

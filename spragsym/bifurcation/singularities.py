@@ -56,7 +56,7 @@ from ..results import EquilibriumType
 from ..results.points import Ended, Points, nothing_ends, nowhere
 from ..statics.balance import NOTHING, Balance, PreciseBalance
 from ..statics.equilibria import equilibria
-from ..statics.forces import State, Values
+from ..statics.forces import Evaluation, Values
 from ..statics.namespaces import XP, follows
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_side
@@ -204,7 +204,7 @@ class _OnMirror(OfFamily):
         super().__init__(family)
         self.mirror = mirror
 
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> Evaluation:
         """The state on the mirror with these even coordinates and this parameter, whatever the odd
         ones are.
         """
@@ -214,9 +214,9 @@ class _OnMirror(OfFamily):
         image = self.mirror.image(there, values)
         for i in self.mirror.odd:
             there[i] = image[i] * 0.5
-        return State(self.balance, there, values, shape, xp, self.mirror.upright)
+        return Evaluation(self.balance, there, values, shape, xp, self.mirror.upright)
 
-    def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
+    def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
         """Even rows of the balance, the odd coordinates less those on the mirror, and the
         determinant of the turned block.
         """
@@ -321,14 +321,14 @@ def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
     """
     mirrors, n = [mirror for mirror in _mirrors(family) if len(mirror.odd) == 1], family.balance.n
 
-    def images(at: State) -> list[Intervals]:
+    def images(at: Evaluation) -> list[Intervals]:
         return [stacked(mirror.image(at.q, at.values), at.shape) for mirror in mirrors]
 
-    def changes(at: State, q: Iterable[Any], order: int) -> list[Any]:
+    def changes(at: Evaluation, q: Iterable[Any], order: int) -> list[Any]:
         K = replace(at, q=variables(list(q), order)).slopes
         return [change(K, number) for number in range(n)]
 
-    def hopeless(at: State) -> BoolArray:
+    def hopeless(at: Evaluation) -> BoolArray:
         q, along = at.box.ends, [constant(value) for value in changes(at, at.q, 1)]
         for mirror, image in zip(mirrors, images(at), strict=True):
             (odd,) = mirror.odd
@@ -337,7 +337,7 @@ def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
             )
         return ~np.logical_and.reduce(stacked(along, at.shape).holds_zero())
 
-    def given_up(at: State) -> BoolArray:
+    def given_up(at: Evaluation) -> BoolArray:
         q = at.box
         on = [~contractors.apart(q.ends, image.ends) for image in images(at)]
         # Halving decides what is beside a degenerate pitchfork too slowly.

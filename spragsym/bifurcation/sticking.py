@@ -32,7 +32,7 @@ from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, quiet, 
 from ..numerics.vectors import TURN, apart
 from ..results.points import Points, StickingStates
 from ..statics.balance import NOTHING
-from ..statics.forces import State, as_intervals
+from ..statics.forces import Evaluation, as_intervals
 from ..statics.search import columns
 from .defining_systems import Augmented, Condition, Family, slope
 from .paths import Way
@@ -167,7 +167,7 @@ def _turns(own: ParameterSet, place: int) -> Points:
     """Where a coordinate turns back along the states."""
     family = Family.of(own, (HELD,))
 
-    def equations(at: State) -> Sequence[Any]:
+    def equations(at: Evaluation) -> Sequence[Any]:
         columns = [len(at.q) if k == place else k for k in range(len(at.q))]
         return (determinant([[slope(row, column) for column in columns] for row in at.forces()]),)
 

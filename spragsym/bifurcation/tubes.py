@@ -41,7 +41,7 @@ from ..numerics.interval_arrays import (
     stacked,
 )
 from ..statics.balance import Balance
-from ..statics.forces import State, filled
+from ..statics.forces import Evaluation, filled
 from ..statics.precise_balance import on_side
 from .options import ContinuationOptions
 
@@ -307,7 +307,7 @@ class Tubes(ByColumn):
         found = self.balance.state(box[:-1], self._bounds(box[-1])).directions
         return list(map(Affine.between, found[3 * self.balance.springs :]))
 
-    def _rows(self, at: State) -> list[list[Any]]:
+    def _rows(self, at: Evaluation) -> list[list[Any]]:
         """Derivatives of the forces by row; by the free parameters only where some box has a
         width.
         """

@@ -25,12 +25,10 @@ from .output import print_json, refuse, wrapped, write
 T = TypeVar("T")
 #: Arguments of click.style.
 Style: TypeAlias = Mapping[str, Any]
-_GOOD, _OPEN, _BAD, _DIM = (
-    {"fg": "green"},
-    {"fg": "cyan"},
-    {"fg": "red", "bold": True},
-    {"dim": True},
-)
+_GOOD = {"fg": "green"}
+_OPEN = {"fg": "cyan"}
+_BAD = {"fg": "red", "bold": True}
+_DIM = {"dim": True}
 _STYLES: Mapping[str, Style] = {
     "confirmed": _GOOD,
     "misprint": {"fg": "yellow"},

@@ -31,9 +31,10 @@ if TYPE_CHECKING:
 #: units is there.
 Row: TypeAlias = dict[str, Any]
 Titled: TypeAlias = tuple[str, float]
-#: Values from one end of a range to the other, unless told otherwise; and how far an end may be, in
-#: the model's units.
-COUNT, LARGEST = 11, 1e6
+#: Values from one end of a range to the other, unless told otherwise.
+COUNT = 11
+#: How far an end may be, in the model's units.
+LARGEST = 1e6
 
 
 @dataclass(frozen=True)

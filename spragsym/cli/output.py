@@ -30,8 +30,10 @@ if TYPE_CHECKING:
 WIDTH = 80
 #: Least width of a text beside others.
 LEAST_WIDTH = 20
-#: Most and fewest digits of a number in a table: as many as the line has room for.
-MOST_DIGITS, LEAST_DIGITS = 12, 5
+#: Digits of a number in a table, where the line has room for them.
+MOST_DIGITS = 12
+#: Digits in any case.
+LEAST_DIGITS = 5
 
 
 def line_width() -> int:

@@ -12,8 +12,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from typing import Any, ClassVar
 
-#: Exit code, and seconds that a command has after Ctrl-C to say what is kept.
-INTERRUPTED, _PATIENCE = 130, 0.7
+#: Exit code of a command that Ctrl-C ends.
+INTERRUPTED = 130
+#: Seconds that it has then to say what is kept.
+_PATIENCE = 0.7
 
 
 def _handler() -> Any:

@@ -44,8 +44,12 @@ from ..statics.equilibria import equilibria
 from ..statics.precise_balance import on_side, once_around
 from ..statics.regions import region
 
-#: Outcomes of a part.
-OPEN, SAFE, ENDS = 0, 1, -1
+#: Outcome of a part: not decided.
+OPEN = 0
+#: Outcome of a part: the claim holds.
+SAFE = 1
+#: Outcome of a part: the claim does not hold.
+ENDS = -1
 
 
 @dataclass(frozen=True)

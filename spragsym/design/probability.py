@@ -40,8 +40,10 @@ Distribution: TypeAlias = (
 #: What may happen at many points: quantities by name → 1 or 0, or NaN where that is unknown.
 Event: TypeAlias = Callable[[dict[str, Any]], FloatArray]
 
-#: Points from which on parts of the box are asked first, and how many.
-MANY, PARTS = 1 << 12, 256
+#: Points from which on parts of the box are asked first.
+MANY = 1 << 12
+#: Number of these parts.
+PARTS = 256
 #: Points by default, of which the indices take as many again for every two variables.
 POINTS = 1 << 16
 

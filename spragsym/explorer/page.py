@@ -27,9 +27,12 @@ _ASSETS = resources.files("spragsym.explorer") / "assets"
 
 _LINES = ("solid", "dashed", "dotted", "dash-dotted")
 
-#: How far a slider reaches: times the base value, where there is none or it is 0, and times the
-#: largest value of a preset.
-_REACH, _PLAIN, _ROOM = 2.0, 3.0, 1.2
+#: How far a slider reaches, times the base value.
+_REACH = 2.0
+#: How far, where there is no base value or it is 0.
+_PLAIN = 3.0
+#: How far at least, times the largest value of a preset.
+_ROOM = 1.2
 
 #: Share of a range that a slider keeps from ends that are not allowed.
 _INWARD = 0.003

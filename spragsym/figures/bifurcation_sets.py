@@ -166,13 +166,20 @@ _SHEET_COLORS = {
     EquilibriumType.DIVERGENT: "#f7b78f",
     EquilibriumType.FLUTTER: "#96dcc0",
 }
-#: Proportions of the box, what its sides go over in θ₀ in degrees, μ₀ and x, and the angles under
-#: which it is seen.
-_ASPECT, _RANGE, _ELEVATION, _AZIMUTH = (1.25, 1.1, 0.9), (180.0, 1.0, 4.0), 24.0, -118.0
+#: Proportions of the box.
+_ASPECT = (1.25, 1.1, 0.9)
+#: What its sides go over in θ₀ in degrees, μ₀ and x.
+_RANGE = (180.0, 1.0, 4.0)
+#: Elevation under which it is seen, degrees.
+_ELEVATION = 24.0
+#: Azimuth under which it is seen, degrees.
+_AZIMUTH = -118.0
 #: Columns of points.
 POINT = ("theta0_deg", "mu0", "x")
-#: How far lines stand before the surface, and half of their width, in the units of the proportions.
-_LIFT, _HALF = 0.08, 0.0036
+#: How far lines stand before the surface, in the units of the proportions.
+_LIFT = 0.08
+#: Half of their width.
+_HALF = 0.0036
 
 
 def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, Int8Array]:

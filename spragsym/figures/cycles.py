@@ -28,7 +28,7 @@ from ..numerics.interval_arrays import BoolArray
 from ..orbits import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
 from ..orbits.diagram import Diagram, Label
 from ..orbits.events import SLIDING
-from ..orbits.fates import Kind
+from ..orbits.fates import FateKind
 from .curves import branches, first_fold, shade, table_of
 from .style import (
     BASE_TEXT,
@@ -316,10 +316,10 @@ def figure_cycles_plane(
 
 #: Kinds of a map that have one colour, and its name.
 PLAIN = {
-    Kind.REST: ("#d9d9d9", "rest"),
-    Kind.CHAOTIC: (VERMILION, "chaotic"),
-    Kind.LIFT_OFF: (SKY, "lift-off"),
-    Kind.UNDECIDED: ("white", "undecided"),
+    FateKind.REST: ("#d9d9d9", "rest"),
+    FateKind.CHAOTIC: (VERMILION, "chaotic"),
+    FateKind.LIFT_OFF: (SKY, "lift-off"),
+    FateKind.UNDECIDED: ("white", "undecided"),
 }
 
 
@@ -372,9 +372,9 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
             across, up, np.where(kind == code, 1.0, np.nan), cmap=ListedColormap([colour])
         )
     image = ax.pcolormesh(
-        across, up, np.where(kind == Kind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm()
+        across, up, np.where(kind == FateKind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm()
     )
-    undecided, irregular = found.kind == Kind.UNDECIDED, found.exponent > found.exponent_error
+    undecided, irregular = found.kind == FateKind.UNDECIDED, found.exponent > found.exponent_error
     for marker, colour, size, here in (
         ("x", GREY, 3, undecided & ~irregular),
         ("+", VERMILION, 5, undecided & irregular),
@@ -385,7 +385,7 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
             color=colour,
             markersize=size,
         )
-    if (kind == Kind.CYCLE).any():
+    if (kind == FateKind.CYCLE).any():
         ax.figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
     ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches))
     ax.set(xlabel=label(model.column(varied[0])), ylabel=label(model.column(varied[1])))

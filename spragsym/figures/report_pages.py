@@ -67,8 +67,10 @@ _AS_TEXT: Any = {
 )
 #: Lines on which onsets of oscillation are looked for.
 _ONSETS = 12
-#: Lines of a bifurcation set, and values along the friction.
-_LINES, _VALUES = 40, 80
+#: Lines of a bifurcation set.
+_LINES = 40
+#: Values along the friction.
+_VALUES = 80
 
 
 def report_page(report: Facts) -> str:
@@ -245,9 +247,10 @@ def picture(draw: Callable[[Any], Any]) -> str:
     return re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
 
 
-#: Friction up to which pictures go, at least, and up to which folds are looked for; of another
-#: quantity times its value.
-_TOP, _FAR = 1.0, 3.0
+#: Friction up to which pictures go, at least; of another quantity times its value.
+_TOP = 1.0
+#: Friction up to which folds are looked for; of another quantity times its value.
+_FAR = 3.0
 #: By how much they go beyond what they show.
 _MORE = 0.15
 

@@ -30,19 +30,19 @@ from ..models.load import USUAL, load
 from ..models.parameters import Ranges
 from ..results import EquilibriumType, Points
 
-#: Widths of one column and of two, inches.
-SINGLE, DOUBLE = 3.5, 7.0
+#: Width of one column, inches.
+SINGLE = 3.5
+#: Width of two columns, inches.
+DOUBLE = 7.0
 
 #: Okabe and Ito's colours.
-BLACK, BLUE, VERMILION, GREEN, PURPLE, SKY, ORANGE = (
-    "#000000",
-    "#0072B2",
-    "#D55E00",
-    "#009E73",
-    "#CC79A7",
-    "#56B4E9",
-    "#E69F00",
-)
+BLACK = "#000000"
+BLUE = "#0072B2"
+VERMILION = "#D55E00"
+GREEN = "#009E73"
+PURPLE = "#CC79A7"
+SKY = "#56B4E9"
+ORANGE = "#E69F00"
 GREY = "#6b6b6b"
 
 #: How a kind of equilibrium is drawn.

@@ -15,8 +15,10 @@ from ..core.errors import MissingExtraError, ParameterError, ParameterTypeError
 FilePath: TypeAlias = str | os.PathLike[str]
 #: Categories of Unicode: controls, formats, surrogates, ends of lines and of paragraphs.
 _NOT_PRINTED = ("Cc", "Cf", "Cs", "Zl", "Zp")
-#: Bytes of a file that a user writes by hand, and of a table that an instrument writes.
-BY_HAND, MEASURED = 1 << 20, 8 << 20
+#: Bytes of a file that a user writes by hand, at most.
+BY_HAND = 1 << 20
+#: Bytes of a table that an instrument writes, at most.
+MEASURED = 8 << 20
 
 
 def path_text(path: FilePath) -> str:

@@ -206,8 +206,10 @@ _FINEST = 1e-10
 #: Largest residual of a root that rounding alone can leave, over the polynomial with every term
 #: made positive.
 _RESIDUAL = 1e-13
-#: Friction that is taken for 0, and tan(θ₀/2) that is.
-_NONE, _NEAR = 1e-11, 1e-12
+#: Friction that is taken for 0.
+_NONE = 1e-11
+#: tan(θ₀/2) that is taken for 0.
+_NEAR = 1e-12
 
 
 class CurveCondition(NamedTuple):
@@ -338,8 +340,10 @@ def _pairs(theta0: FloatArray, side: IntArray) -> Iterator[tuple[int, int]]:
 
 #: Degrees in sin θ of what is 0 at an event, at most.
 _DEGREES = 15, 6, 6
-#: Bits of t at an event, at first, and how far beside it directions are taken, over t.
-_BITS, _BESIDE = 64, 4e-14
+#: Bits of t at an event, at first.
+_BITS = 64
+#: How far beside an event directions are taken, over t.
+_BESIDE = 4e-14
 
 
 class Directions(NamedTuple):

@@ -302,8 +302,12 @@ CLAIMS: dict[str, tuple[Callable[[ParameterBoxes], Proved], Callable[[Parameters
 }
 
 
-#: Cells of a box to begin with, how often one is halved in any case, and at most.
-_CELLS, _ALWAYS, _HALVINGS = 4, 4, 40
+#: Cells of a box to begin with.
+_CELLS = 4
+#: How often one is halved in any case.
+_ALWAYS = 4
+#: How often one is halved, at most.
+_HALVINGS = 40
 #: Open cells with which a box is given up.
 _OPEN = 64
 #: A box is given up where the spread of an open quantity comes from its own sides: the direction

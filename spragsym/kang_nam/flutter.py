@@ -214,9 +214,12 @@ def _rank(
         ), np.isfinite(t).sum(axis=0)
 
 
-#: Degrees in cos θ, sin θ, half of those in v: of the resultant, of that for α = 0, and at most of
-#: X and Y in L = X/Y over one denominator.
-_DEGREE, _DEGREE_WITHOUT_ALPHA, _DEGREE_OF_LENGTH = 8, 4, 4
+#: Degree of the resultant in cos θ, sin θ, half of that in v.
+_DEGREE = 8
+#: The same for α = 0.
+_DEGREE_WITHOUT_ALPHA = 4
+#: Largest degree of X and Y in L = X/Y over one denominator.
+_DEGREE_OF_LENGTH = 4
 
 
 @dataclass(frozen=True)

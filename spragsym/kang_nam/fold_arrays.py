@@ -186,8 +186,10 @@ def _where(which: BoolArray, *numbers: Any) -> Rounded:
 # more digits
 
 
-#: Most steps of Newton's rule, each of which squares the error, for arrays and then for balls.
-_STEPS, _FURTHER = 2, 3
+#: Most steps of Newton's rule for arrays, each of which squares the error.
+_STEPS = 2
+#: Most further steps, for balls.
+_FURTHER = 3
 #: Largest error of a value over max(1, |value|), proved.
 LARGEST_ERROR = 1e-12
 #: Bits of balls: enough for a value that loses half of the digits of float64, twice over.

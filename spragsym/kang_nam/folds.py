@@ -134,9 +134,10 @@ def listed(
     return every.between(ranges(p.model, vary, between))
 
 
-#: Degree in t of the fold condition that is eliminated where θ₀ varies, two cubics in cos θ, sin θ;
-#: and in cos θ, sin θ.
-_DEGREE, _HALF = 12, 6
+#: Degree in t of the fold condition that is eliminated where θ₀ varies.
+_DEGREE = 12
+#: Its degree in cos θ, sin θ, two cubics.
+_HALF = 6
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,10 @@ from .folds import Angles, SurfacePoint, in_contact, lines_and_sextic, unfolded,
 from .kernel import FIXED
 from .parameters import Parameters
 
-#: Degrees in sin θ of sin θ₀, and of f″, times the denominator of sin θ₀.
-_DEGREE, _CURVATURE_DEGREE = 6, 9
+#: Degree of sin θ₀ in sin θ.
+_DEGREE = 6
+#: Degree of f″ in sin θ, times the denominator of sin θ₀.
+_CURVATURE_DEGREE = 9
 
 
 def critical_friction(p: Parameters, vary: str | None = None, over: str | None = None) -> LowestEnd:

@@ -125,9 +125,10 @@ def load(name: str | os.PathLike[str]) -> Model:
         return _LOADED[where]
 
 
-#: In ``model.json``, in place of which the digest of all else in it is taken, those of the other
-#: files included.
-_DIGEST, _UNSEALED = re.compile(rb'"digest": "([0-9a-f]{64})"'), b"<digest-of-all>".ljust(64, b"-")
+#: Digest of a folder in ``model.json``, of all else in it, those of the other files included.
+_DIGEST = re.compile(rb'"digest": "([0-9a-f]{64})"')
+#: What stands in its place while it is taken.
+_UNSEALED = b"<digest-of-all>".ljust(64, b"-")
 #: Bytes; no file that is derived is larger.
 _LARGEST = 64 << 20
 

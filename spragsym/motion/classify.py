@@ -42,8 +42,10 @@ LEFT = 4.0
 #: Singular values that are less than this share of the largest are 0 where friction holds.
 HELD = 1e-10
 
-#: Newton's method has gone astray beyond this, in units of the motion; its most steps.
-FAR, ROUNDS = 1e6, 40
+#: Newton's method has gone astray beyond this, in units of the motion.
+FAR = 1e6
+#: Its most steps.
+ROUNDS = 40
 
 
 def classify(course: Course, onward: Onward, tol: float = SETTLED) -> Outcome:

@@ -29,15 +29,18 @@ if TYPE_CHECKING:
 #: digits.
 PLAIN = 1e3
 
-#: Rounds of the periodic QR algorithm, at most, and what counts as triangular.
-ROUNDS, TRIANGULAR = 12, 1e-14
+#: Rounds of the periodic QR algorithm, at most.
+ROUNDS = 12
+#: What counts as triangular.
+TRIANGULAR = 1e-14
 
 #: Errors of a stretch's derivative are at least this, in its own size.
 ROUNDING = 2e-15
 
-#: Trials that tell how far multipliers move by such errors, and what the largest move is multiplied
-#: with.
-TRIALS, SAFETY = 3, 3.0
+#: Trials that tell how far multipliers move by such errors.
+TRIALS = 3
+#: What the largest move is multiplied with.
+SAFETY = 3.0
 
 
 @dataclass(frozen=True)

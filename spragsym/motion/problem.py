@@ -40,9 +40,10 @@ RELATIVE_TOLERANCE = Range(
 #: Default number of steps after which a motion is given up.
 MAX_STEPS = 10_000_000
 
-#: An implicit method takes over where so many steps would follow, and a step times the fastest
-#: decay is more than the second.
-MOST, STABLE = 1e6, 0.5
+#: An implicit method takes over where so many steps would follow …
+MOST = 1e6
+#: … and a step times the fastest decay is more than this.
+STABLE = 0.5
 
 
 class Event(IntEnum):

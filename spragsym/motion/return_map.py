@@ -41,9 +41,10 @@ FEWEST = 3
 #: A multiplier this close to 1 in size is told neither from a stable nor from an unstable one.
 NEUTRAL = 1e-6
 
-#: Cosine between neighbouring steps from which on they go in one direction; distance of the end
-#: from which on a drift goes past.
-ALIGNED, AWAY = 0.98, 0.5
+#: Cosine between neighbouring steps from which on they go in one direction.
+ALIGNED = 0.98
+#: Distance of the end from which on a drift goes past.
+AWAY = 0.5
 
 #: By how much the linearized map may be wrong about a return, relative to the distance at the
 #: return before.
@@ -56,13 +57,16 @@ NOISE = 100.0
 CANDIDATES = 3
 
 
-#: Tolerances of flows that closed orbits are found with: where differences stand for derivatives,
-#: and the finest of heyoka.
-FINE, FINEST = 1e-12, 1e-15
+#: Tolerance of flows that closed orbits are found with, where differences stand for
+#: derivatives.
+FINE = 1e-12
+#: heyoka's finest.
+FINEST = 1e-15
 
-#: Differences of a flow are taken over this; by how much an orbit that is found with them may stay
-#: open.
-STEP, OPEN = 1e-5, 1e-9
+#: Differences of a flow are taken over this.
+STEP = 1e-5
+#: By how much an orbit that is found with them may stay open.
+OPEN = 1e-9
 
 #: For each integrator the tolerance of its plain flow, how nearly orbits close by cheap
 #: derivatives, and how closely in the end.

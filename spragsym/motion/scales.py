@@ -26,8 +26,10 @@ if TYPE_CHECKING:
     from .regimes import Outcome
     from .solution import Crossing, Passage, Solution, Turn
 
-#: Binary digits between one unit and the next, and beyond which a unit is not 1.
-DIGITS, COMMON = 2, 5
+#: Binary digits between one unit and the next.
+DIGITS = 2
+#: Binary digits beyond which a unit is not 1.
+COMMON = 5
 
 
 @dataclass(frozen=True)

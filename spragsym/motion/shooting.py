@@ -30,8 +30,10 @@ CLOSED = 1e-12
 #: A stretch whose derivatives grow beyond this is cut in two.
 LARGEST_GROWTH = 100.0
 
-#: Stretches in one round, at most; and of a guess.
-MOST_STRETCHES, SPLIT = 64, 32
+#: Stretches in one round, at most.
+MOST_STRETCHES = 64
+#: Stretches of a guess, at most.
+SPLIT = 32
 
 #: Stretches begin no nearer to a jump of the field than this share of the longest time between
 #: jumps, each in its stretch.

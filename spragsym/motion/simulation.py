@@ -44,9 +44,11 @@ from .with_scipy import RTOL
 if TYPE_CHECKING:
     from ..models.model import Model
 
-#: Share of a tolerance up to which another one of the same method tells its error, rounding aside;
-#: and the share of that error which the tighter run has, at most.
-CLOSER, LEFT = 0.0101, 0.1
+#: Share of a tolerance up to which another one of the same method tells its error, rounding
+#: aside.
+CLOSER = 0.0101
+#: Share of that error which the tighter run has, at most.
+LEFT = 0.1
 
 
 @in_usual_state

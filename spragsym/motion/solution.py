@@ -21,11 +21,15 @@ from ..results.result import Rows
 from .lobatto import PiecewisePolynomial
 from .problem import Event, Problem, kinds_of
 
-#: A border that was passed no longer ago is met to first order: the square of that, in the motion's
-#: unit of time, is below rounding. Beyond that Newton's method leads back to it, if it is no longer
-#: ago than the second, by so many steps at most; on the way steps in time are no longer than the
-#: last.
-AT_ONCE, LATEST, NEWTON, STEP = 1e-8, 1.0, 5, 0.01
+#: A border that was passed no longer ago is met to first order: the square of that, in the
+#: motion's unit of time, is below rounding.
+AT_ONCE = 1e-8
+#: Newton's method leads back to a border that was passed no longer ago than this.
+LATEST = 1.0
+#: Its most steps.
+NEWTON = 5
+#: Steps in time on the way are no longer than this.
+STEP = 0.01
 
 
 class Crossing(NamedTuple):

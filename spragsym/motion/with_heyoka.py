@@ -41,13 +41,16 @@ from .solution import (
     start_mode,
 )
 
-#: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have
-#: collapsed: at most a second or so. Steps after which a stretch of a flow is given up.
-BURST, MAX_STEPS = 20_000, 2_000_000
+#: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps
+#: have collapsed: at most a second or so.
+BURST = 20_000
+#: Steps after which a stretch of a flow is given up.
+MAX_STEPS = 2_000_000
 
-#: Tolerances of flows with derivatives and of plain ones, whose other steps make them a witness of
-#: the first.
-TOLERANCE, PLAIN = 1e-17, 1e-16
+#: Tolerance of flows with derivatives.
+TOLERANCE = 1e-17
+#: Tolerance of plain ones, whose other steps make them a witness of the first.
+PLAIN = 1e-16
 
 #: Derivatives are carried in this unit, so that they stay below the state: heyoka's error is
 #: relative to the largest of all.

@@ -34,13 +34,17 @@ from .solution import (
 TRIAL_FLOATS = SimpleNamespace(**{**vars(FLOATS), "exp": lambda z: math.exp(min(z, 100.0))})
 TRIAL_ARRAYS = SimpleNamespace(**{**vars(np), "exp": lambda z: np.exp(np.minimum(z, 100.0))})
 
-#: As tight as DOP853 goes, and Radau, whose order is five; the absolute tolerance of flows, as a
-#: share of it.
-RTOL, IMPLICIT, ABSOLUTE = 2.3e-14, 1e-12, 1e-15 / 2.3e-14
+#: As tight as DOP853 goes.
+RTOL = 2.3e-14
+#: As tight as Radau goes, whose order is five.
+IMPLICIT = 1e-12
+#: Absolute tolerance of flows, as a share of the relative one.
+ABSOLUTE = 1e-15 / 2.3e-14
 
-#: Steps after which a stretch of a flow is given up, and between two looks at whether they have
-#: collapsed.
-MAX_STEPS, LOOK = 200_000, 2000
+#: Steps after which a stretch of a flow is given up.
+MAX_STEPS = 200_000
+#: Steps between two looks at whether they have collapsed.
+LOOK = 2000
 #: Coordinates and rates that are larger where steps have become as small as floats grow beyond all
 #: bounds in a finite time.
 LARGE = 1e12

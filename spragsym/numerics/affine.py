@@ -26,9 +26,10 @@ from .jets import Functions, Jet
 
 #: Half a unit in the last place, relative.
 UNIT = 2.0**-53
-#: What an error bound itself may lose by the roundings of one operation, and the underflow of a
-#: product.
-_SLACK, _TINY = 1.0 + 2.0**-45, 1e-320
+#: What an error bound itself may lose by the roundings of one operation.
+_SLACK = 1.0 + 2.0**-45
+#: What it may lose by the underflow of a product.
+_TINY = 1e-320
 
 
 class _Zero(Arithmetic):

@@ -45,8 +45,10 @@ class UndecidedSign(ArithmeticError):
 
 
 T = TypeVar("T")
-#: Bits of the first try and of the last.
-FIRST_BITS, MAXIMUM_BITS = 192, 6144
+#: Bits of the first try.
+FIRST_BITS = 192
+#: Bits of the last try.
+MAXIMUM_BITS = 6144
 #: Digits that an interval must have to become a float.
 FLOAT_DIGITS = 15
 

@@ -44,8 +44,10 @@ EPS = 2.0**-52
 #: More than half the distance between subnormal numbers, and far enough from them that products
 #: with it stay fast.
 TINY = 2.0**-1000
-#: Both as arrays: NumPy takes an array in a third of the time that it takes to make one of a float.
-_UNIT, _TINY = np.array(EPS), np.array(TINY)
+#: As an array: NumPy takes one in a third of the time that it takes to make one of a float.
+_UNIT = np.array(EPS)
+#: As an array, too.
+_TINY = np.array(TINY)
 #: Bound, in units of EPS relative, on the error of NumPy's exp, log, tanh and arctan; what NumPy's
 #: own tests allow is 4.
 FUNCTION_ULPS = 8

@@ -177,8 +177,11 @@ class RootOf:
         return balls.sign_or_zero(value, what, vanishes)
 
 
-#: Ends of the two charts: no round numbers, where roots of symmetric parameters are.
-_BELOW, _BETWEEN = Fraction(-1, 7), Fraction(13, 11)
+#: Lower end of both charts where roots are positive: no round number, where roots of symmetric
+#: parameters are.
+_BELOW = Fraction(-1, 7)
+#: Where the charts meet, no round number either.
+_BETWEEN = Fraction(13, 11)
 
 
 def roots_on_the_line(

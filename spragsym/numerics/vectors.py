@@ -9,9 +9,10 @@ import numpy as np
 
 from .interval_arrays import FloatArray
 
-#: Where a turn of a coordinate that comes around begins: no angle that models have, so that
-#: rounding decides no state's turn.
-TURN, BEGIN = 2 * np.pi, -np.pi + 0.012345
+#: A turn of a coordinate that comes around.
+TURN = 2 * np.pi
+#: Where it begins: no angle that models have, so that rounding decides no state's turn.
+BEGIN = -np.pi + 0.012345
 
 
 def magnitude(numbers: Any) -> float:

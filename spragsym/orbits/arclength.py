@@ -30,16 +30,20 @@ from ..motion.shooting import (
 )
 from ..numerics.vectors import magnitude, norm
 
-#: A test function is known to so many of its errors, and its differences are taken over this.
-SURE, DIFFERENCE = 100.0, 1e-6
+#: A test function is known to so many of its errors.
+SURE = 100.0
+#: Its differences are taken over this.
+DIFFERENCE = 1e-6
 
-#: Largest angle between a step of a branch and its tangents, as its cosine; a smaller one, at which
-#: steps become longer.
-STRAIGHT, STRAIGHTER = 0.97, 0.995
+#: Largest angle between a step of a branch and its tangents, as its cosine.
+STRAIGHT = 0.97
+#: A smaller one, at which steps become longer.
+STRAIGHTER = 0.995
 
-#: Share of the largest singular value below which another one is 0; and how little what does not
-#: close may move an orbit.
-ALONE, STAYS = 1e-10, 1e-6
+#: Share of the largest singular value below which another one is 0.
+ALONE = 1e-10
+#: How little what does not close may move an orbit.
+STAYS = 1e-6
 
 #: The last step of Newton's method, over 1: orbits may be as small as 1e-3 in the model's units.
 FINE = 1e-15
@@ -47,9 +51,11 @@ FINE = 1e-15
 #: A zero of a test function is located to this, in units of the arc.
 LOCATED = 1e-11
 
-#: Steps to a value of the parameter, in shares of the way: the first, all of it where the branch is
-#: straight, and the shortest.
-WHOLE, LEAST_SHARE = 2.0, 1e-3
+#: First step to a value of the parameter, in shares of the way: all of it where the branch is
+#: straight.
+WHOLE = 2.0
+#: Shortest of these steps.
+LEAST_SHARE = 1e-3
 
 
 def in_phase(_: Setting, near: Loop, target: FloatArray) -> Conditions:

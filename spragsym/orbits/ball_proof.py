@@ -30,9 +30,10 @@ from .ball_flow import (
     polynomial,
 )
 
-#: Rounds of Newton's method with the slopes of double precision, and digits that each gains at
-#: least.
-ROUNDS, GAINED = 14, 6
+#: Rounds of Newton's method with the slopes of double precision.
+ROUNDS = 14
+#: Digits that each gains at least.
+GAINED = 6
 
 #: Digits beyond those that are known, with which the next round works: what it gains.
 AHEAD = 12
@@ -41,9 +42,11 @@ AHEAD = 12
 #: has.
 ROUGH = 60
 
-#: Half of the window in which a border is crossed, before the states tell: in units of the radius
-#: of the starts, and at most.
-WINDOW, WIDEST = 1e5, 1e-6
+#: Half of the window in which a border is crossed, before the states tell, in units of the
+#: radius of the starts.
+WINDOW = 1e5
+#: Half of it at most.
+WIDEST = 1e-6
 
 #: Digits up to which more of them are tried than were asked for.
 ENOUGH = 25

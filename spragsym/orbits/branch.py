@@ -63,24 +63,31 @@ from .events import (
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import NEAREST, halved, meets, switched
 
-#: Lengths of a step along the arc: the first, the longest, the one below which a branch is given
-#: up, and that of a kink of it.
-FIRST, LONGEST, SHORTEST, KINK = 0.004, 0.08, 1e-9, 1e-6
+#: Length of the first step along the arc.
+FIRST = 0.004
+#: Length of the longest step.
+LONGEST = 0.08
+#: Length below which a branch is given up.
+SHORTEST = 1e-9
+#: Length of a kink of the branch.
+KINK = 1e-6
 
 #: The same along a curve of events.
 OF_EVENTS = 0.01, 0.1, 1e-6, 1e-4
 
-#: Errors of an end by rounding, where a size vanishes, and of one at an orbit that rests for long,
-#: in ranges of the parameter.
-ROUNDED, RESTED = 1e-12, 1e-6
+#: Error of an end by rounding, where a size vanishes, in ranges of the parameter.
+ROUNDED = 1e-12
+#: Error of an end at an orbit that rests for long, in ranges of the parameter.
+RESTED = 1e-6
 
 #: Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
 LONG = 6.0
 
-#: States move by no more than this in one step, nor by more than this share of the orbit's extent,
-#: however small that is in the model's units: an equilibrium is a closed orbit of every period, and
-#: Newton's method may not fall onto it.
-FAR, SHARE = 0.5, 0.3
+#: States move by no more than this in one step.
+FAR = 0.5
+#: Nor by more than this share of the orbit's extent, however small that is in the model's units:
+#: an equilibrium is a closed orbit of every period, and Newton's method may not fall onto it.
+SHARE = 0.3
 
 #: An orbit of a smaller extent, or of a smaller share of the first one's, has shrunk onto an
 #: equilibrium.
@@ -122,8 +129,10 @@ SPACED = 0.7
 #: How near to such an end the last point is, in shares of the range.
 NEAR = 1e-4
 
-#: Spans of a parameter whose range is not given: of its value, and at least.
-SPAN, NARROWEST = 0.25, 0.02
+#: Span of a parameter whose range is not given, over its value.
+SPAN = 0.25
+#: That span at least.
+NARROWEST = 0.02
 
 
 @dataclass(frozen=True, eq=False)

@@ -42,9 +42,12 @@ from .system import FixedPoints, System
 #: Values of the parameter at which the statics say where equilibria are.
 SEEDS = 13
 
-#: Longest and shortest step along a branch of equilibria, in coordinates and halves of the range;
-#: most steps each way.
-LONGEST, SHORTEST, STEPS = 0.02, 1e-7, 2000
+#: Longest step along a branch of equilibria, in coordinates and halves of the range.
+LONGEST = 0.02
+#: Shortest step along it.
+SHORTEST = 1e-7
+#: Most steps each way.
+STEPS = 2000
 
 #: Equilibria closer than this are one.
 ONE = 1e-7

@@ -46,9 +46,12 @@ DEEPEST = 9
 FLAT = 1e-6
 
 
-#: Slope of a branch, in shares of the range over the arc, below which it is upright; how near 1 a
-#: double multiplier is found; and what is told then.
-UPRIGHT, DOUBLE, APART_FROM_ONES = 1e-8, 1e-4, CRITERIA[1:]
+#: Slope of a branch, in shares of the range over the arc, below which it is upright.
+UPRIGHT = 1e-8
+#: How near 1 a double multiplier is found there.
+DOUBLE = 1e-4
+#: Test functions that tell something there.
+APART_FROM_ONES = CRITERIA[1:]
 
 #: Said of a fold at which the parameter does not turn back.
 CROSSES = "another branch of cycles crosses this one"
@@ -69,9 +72,10 @@ SCATTER = 10.0
 #: A step longer than this is made shorter where an event in it is not located.
 FINEST = 1e-5
 
-#: Level at which an orbit is found that would slide if it touched the border, and by which share at
-#: a time it is neared.
-BESIDE, CLOSER = 1e-11, 0.03
+#: Level at which an orbit is found that would slide if it touched the border.
+BESIDE = 1e-11
+#: Share of the level by which it is neared at a time.
+CLOSER = 0.03
 
 #: Turns of two neighbouring points are one where they are as close as this, in shares of a period
 #: and in states.

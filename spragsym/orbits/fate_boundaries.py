@@ -44,9 +44,10 @@ from .system import (
     surely,
 )
 
-#: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is
-#: undecided at these as well.
-LOOKED_AT, MORE = (0.2, 0.4, 0.6, 0.8), (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)
+#: Shares of the bracket at which fates are looked at before it is narrowed.
+LOOKED_AT = (0.2, 0.4, 0.6, 0.8)
+#: Shares at which they are, too, where an end is undecided.
+MORE = (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)
 
 #: Where to look next in a bracket, as far as motions are undecided.
 NEXT = (0.5, 0.38, 0.62, 0.25, 0.75)
@@ -56,9 +57,10 @@ NEXT = (0.5, 0.38, 0.62, 0.25, 0.75)
 ROUGH, FINE = ((rtol, 0.0) for rtol in TOLERANCES)
 MOVED = (TOLERANCES[1], TOLERANCES[1])
 
-#: A bracket is narrowed to this share of the values by the first of them, and no answer is given if
-#: it could not be narrowed to that.
-NARROW, TOO_WIDE = 1e-13, 1e-8
+#: A bracket is narrowed to this share of the values.
+NARROW = 1e-13
+#: No answer is given if it could not be narrowed to that.
+TOO_WIDE = 1e-8
 
 #: How far the place may lie that is found from a start which is moved, as a share of the values:
 #: the error says how far.
@@ -73,8 +75,10 @@ ASIDE = (1e-8, 1e-6)
 RESOLVED = (3, 6, 12)
 
 #: Periods whose ratio is this close to 2 may be those of a cycle and of what it becomes by a
-#: doubling, at most so many points on.
-DOUBLE, FOLLOWED = 0.05, 40
+#: doubling.
+DOUBLE = 0.05
+#: Points of a branch that are followed to tell.
+FOLLOWED = 40
 
 #: A motion that comes as close as this to a saddle, in its own units, hovers at it; of a cycle,
 #: relative to its extent.
@@ -83,9 +87,10 @@ CLOSE = 0.05
 #: Units of time that the motions of a call are followed in all; what is open by then stays open.
 LONGEST = 5e6
 
-#: Cycles whose periods are less apart, as a logarithm, may be one that is followed; no cycle is
-#: followed after so many failures.
-UNLIKE, LOST = 0.5, 8
+#: Cycles whose periods are less apart, as a logarithm, may be one that is followed.
+UNLIKE = 0.5
+#: Failures after which no cycle is followed.
+LOST = 8
 
 
 @dataclass(frozen=True, eq=False)

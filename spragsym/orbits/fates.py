@@ -42,9 +42,11 @@ from .system import JUDGED, FateVerdict, System, judged, spectrum
 #: as well.
 SHARES = (0.2, 0.8)
 
-#: Motions beside an irregular one that are followed as well, and how far off they begin: one that
-#: settles tells of a transient.
-BESIDE, OFF = 4, 1e-6
+#: Motions beside an irregular one that are followed as well: one that settles tells of a
+#: transient.
+BESIDE = 4
+#: How far off they begin.
+OFF = 1e-6
 
 
 #: Said of a motion that no integrator carries on, as where steps have become too short.
@@ -272,7 +274,7 @@ def _near(system: System, end: FloatArray) -> str:
     return f"a cycle of period {found.period:.6g}, {word}, {distance(found, end):.2g} away"
 
 
-class Kind(IntEnum):
+class FateKind(IntEnum):
     """What a motion comes to, as :attr:`spragsym.results.Fate.kind` has it in words."""
 
     UNDECIDED = 0
@@ -311,7 +313,7 @@ class FateMap(Result):
     """
 
     schema = (
-        Column("kind", "1", "what the motion comes to", Kind),
+        Column("kind", "1", "what the motion comes to", FateKind),
         Column("period", "s", "period of the cycle; NaN for none"),
         Column("exponent", "1/s", "largest Lyapunov exponent but the trivial one"),
         Column("exponent_error", "1/s", "half-width of its 95 % interval; 0 where it is exact"),
@@ -337,7 +339,7 @@ class FateMap(Result):
         """How many points are of each kind."""
         return {
             kind.name.lower().replace("_", "-"): int(np.count_nonzero(self.kind == kind))
-            for kind in Kind
+            for kind in FateKind
         }
 
     def _attributes(self) -> dict[str, Any]:
@@ -451,7 +453,7 @@ def _records(
         )
     except (ParameterError, ArithmeticError) as error:
         return [([], f"{UNFOLLOWED}: {error}")]
-    kind = Kind[found.kind.upper().replace("-", "_")]
+    kind = FateKind[found.kind.upper().replace("-", "_")]
     which = 1 if found.trivial == 0 else 0
     largest, width = float(found.exponents[which]), float(found.error[which])
     return [
@@ -467,5 +469,5 @@ def _made(
     _: object,
 ) -> FateMap:
     """The map of these columns."""
-    columns["kind"] = np.nan_to_num(columns["kind"], nan=Kind.UNDECIDED).astype(np.int8)
+    columns["kind"] = np.nan_to_num(columns["kind"], nan=FateKind.UNDECIDED).astype(np.int8)
     return FateMap(inputs, **settings, **columns, model=model)

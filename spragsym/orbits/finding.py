@@ -44,15 +44,19 @@ from .system import JUDGED, System, judged
 #: turned by then.
 LOOKED_AT = (400.0, 3000.0, 20000.0)
 
-#: Rounds after which a state may return, and most pairs that are tried.
-ROUNDS, TRIES = 60, 8
+#: Rounds after which a state may return, at most.
+ROUNDS = 60
+#: Most pairs that are tried.
+TRIES = 8
 
 #: A return that misses by more than this share of the motion's extent is not tried.
 FAR = 0.3
 
 
-#: A closed orbit of a smaller extent is rest, as is one whose extent is not so many of its errors.
-LEAST, SURE = 1e-9, 100.0
+#: A closed orbit of a smaller extent is rest.
+LEAST = 1e-9
+#: So is one whose extent is not so many of its errors.
+SURE = 100.0
 
 #: So long a motion tells whether anything moves.
 LOOK = 200.0
@@ -65,13 +69,17 @@ STEEP = 1e8
 #: 1 and its numbers.
 AROUND = 1e-13
 
-#: Share of the amplitude at which a motion first comes to a border of the field; the amplitude
-#: where it has none.
-SHARE, FREE = 0.1, 0.01
+#: Share of the amplitude at which a motion first comes to a border of the field.
+SHARE = 0.1
+#: Amplitude where it comes to none.
+FREE = 0.01
 
-#: How closely an amplitude is met, relatively; by how many steps, as the Hopf point is, and the
-#: longest of them, as a factor.
-MET, TRIALS, FARTHEST = 1e-3, 20, 2.0
+#: How closely an amplitude is met, relatively.
+MET = 1e-3
+#: Most steps to it, and to the Hopf point.
+TRIALS = 20
+#: The longest of these steps, as a factor.
+FARTHEST = 2.0
 
 
 @in_usual_state

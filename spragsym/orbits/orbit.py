@@ -56,9 +56,10 @@ OPEN = 1e-10
 #: A trivial multiplier that differs from 1 by more belongs to no orbit that is told.
 UNRESOLVED = 1e-4
 
-#: Periods, and averages as shares of the extent, that differ by less are of one cycle, if the state
-#: of one is as near the other's samples as this share of its extent.
-ALIKE, ON = 1e-6, 0.05
+#: Periods, and averages as shares of the extent, that differ by less are of one cycle …
+ALIKE = 1e-6
+#: … if the state of one is as near the other's samples as this share of its extent.
+ON = 0.05
 
 #: How far from a jump of the field it is looked how far from all of them an orbit may begin, in
 #: stretches.

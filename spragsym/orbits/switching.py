@@ -33,9 +33,10 @@ if TYPE_CHECKING:
 #: First steps off a branch, in states.
 STEPS = (0.02, 0.005, 0.05, 0.0015, 0.12, 4e-4, 1e-4, 2e-5)
 
-#: Halves that come closer than this share of the orbit's extent are one; those this close from the
-#: beginning are an orbit twice round.
-NEAREST, ONE = 1e-3, 1e-9
+#: Halves that come closer than this share of the orbit's extent are one.
+NEAREST = 1e-3
+#: Halves this close from the beginning are an orbit twice round.
+ONE = 1e-9
 
 
 def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:

@@ -39,9 +39,10 @@ JUDGED = (2000.0, 10_000.0, 40_000.0)
 #: Tolerances of motions, the second of which tells what rounding does to those of the first.
 TOLERANCES = (1e-12, 1e-13)
 
-#: Motions have parted beyond this, in their units; where they have, so many that begin within
-#: rounding are followed as well.
-PARTED, BESIDE = 1e-3, 4
+#: Motions have parted beyond this, in their units.
+PARTED = 1e-3
+#: So many that begin within rounding are followed as well, where they have.
+BESIDE = 4
 
 #: What a motion comes to, where that is told, and its word.
 KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}

@@ -29,8 +29,10 @@ FULL = 0.95
 #: Rms of what a fitted friction law leaves, over μ₀, from which on another law is needed.
 POOR = 0.1
 #: d times the slowest measured speed from which on no measurement is on the rising part of the
-#: friction law, and d times the fastest one up to which none is on its level part.
-STEEP, FULL_AT = 8.0, 0.1
+#: friction law.
+STEEP = 8.0
+#: d times the fastest measured speed up to which none is on its level part.
+FULL_AT = 0.1
 #: Speeds in m/s that no belt has: the number was probably meant in mm/s.
 FAST = 100.0
 #: Degrees up to which an inclination looks like radians.
@@ -178,8 +180,10 @@ def _damping(report: Facts) -> Iterator[str]:
     )
 
 
-#: Steps at most, and quantities that one of them names.
-MOST, NAMED = 5, 4
+#: Steps, at most.
+MOST = 5
+#: Quantities that one of them names, at most.
+NAMED = 4
 
 
 def next_steps(report: Facts) -> Rows:

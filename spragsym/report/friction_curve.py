@@ -79,8 +79,10 @@ _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
 _LARGEST = 2.0
 #: A sliding speed in m/s that is smaller is none.
 _SLOWEST = 1e-15
-#: Lines of a file, and those among which its head is.
-_LINES, _ABOVE = 20_000, 100
+#: Lines of a file, at most.
+_LINES = 20_000
+#: Lines among which its head is.
+_ABOVE = 100
 #: What a head looks like.
 EXAMPLE = "v [m/s],mu"
 

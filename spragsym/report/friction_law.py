@@ -22,12 +22,20 @@ from .units import Measured
 if TYPE_CHECKING:
     from .brake import Brake
 
-#: How closely the ends of the friction are enclosed, relative; in how many halvings, and in how
-#: many boxes at once, or few.
-CLOSE, HALVINGS, MOST, FEW = 1e-9, 60, 1 << 12, 1 << 6
-#: Times the belt's own speed up to which a speed is looked for, as a power of two; how closely; and
-#: parts that are looked at.
-OCTAVES, SHARP, SPANS = 30, 2.0**-44, 1 << 12
+#: How closely the ends of the friction are enclosed, relative.
+CLOSE = 1e-9
+#: Most halvings.
+HALVINGS = 60
+#: Boxes that are looked at at once.
+MOST = 1 << 12
+#: Boxes of a rough look.
+FEW = 1 << 6
+#: Times the belt's own speed up to which a speed is looked for, as a power of two.
+OCTAVES = 30
+#: How closely it is.
+SHARP = 2.0**-44
+#: Parts that are looked at.
+SPANS = 1 << 12
 
 
 def friction_depends_on(study: Brake) -> tuple[str, ...]:

@@ -36,16 +36,19 @@ from .tolerances import (
 )
 from .units import Numbers
 
-#: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
-_SHARE, _ANGLE = 0.1, math.radians(1.0)
+#: Tolerance of a quantity that has none, as a share of its value.
+_SHARE = 0.1
+#: Tolerance of an inclination that has none, radians.
+_ANGLE = math.radians(1.0)
 #: A quantity is changed by up to this factor either way, where the data do not say how far it may
 #: change.
 FACTOR = 3.0
 #: By how much of the least joint change it may go further.
 _STRETCH = 2.0
-#: Shares of what is left of the way at which corners of the tolerances are looked at, and into how
-#: many parts, twice, the first that they leave is cut.
-_SHARES, _PARTS = (0.0, 0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 1.0), 8
+#: Shares of what is left of the way at which corners of the tolerances are looked at.
+_SHARES = (0.0, 0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 1.0)
+#: Parts into which the first that they leave is cut, twice.
+_PARTS = 8
 #: Digits of a new value.
 _DIGITS = 3
 

@@ -9,8 +9,10 @@ from .brake import Brake
 
 #: Density of air in kg/m³ times its speed of sound in m/s, at 20 °C and 101325 Pa.
 IMPEDANCE = 1.204 * 343.2
-#: Reference pressure in Pa and reference speed in m/s of ISO 1683, in air.
-PRESSURE, SPEED = 20e-6, 50e-9
+#: Reference pressure of ISO 1683 in air, Pa.
+PRESSURE = 20e-6
+#: Reference speed of ISO 1683, m/s.
+SPEED = 50e-9
 
 
 def surface_levels(study: Brake, found: Cycle) -> list[dict[str, str | float]]:

@@ -37,16 +37,19 @@ LEVEL = 1e9
 SAME = 1e-6
 #: Share of the way from the fold to the state that is left, at which the motion is let go.
 AWAY = 1e-2
-#: Times, in the model's unit, over which it is followed until it is half way, and instants at which
-#: forces are looked at.
-_T_END, _INSTANTS = (1500.0, 24_000.0), 60_000
+#: Times, in the model's unit, over which it is followed until it is half way.
+_T_END = (1500.0, 24_000.0)
+#: Instants at which forces are looked at.
+_INSTANTS = 60_000
 #: Steps of Newton's method to balance the other coordinates.
 _STEPS = 20
 #: Largest time over which a motion from rest is followed.
 T_END = 3000.0
-#: A motion whose swings are less than this share of those a quarter of the time before is on its
-#: way to rest, or beyond bounds.
-_FALLS, _GROWS = 0.99, 2.0
+#: A motion whose swings are less than this share of those a quarter of the time before is on
+#: its way to rest.
+_FALLS = 0.99
+#: One whose swings are more than this many times as large is on its way beyond bounds.
+_GROWS = 2.0
 #: Where a motion that is far out begins: its first two coordinates.
 _FAR = (1.5, 0.5)
 #: What a motion comes to.

@@ -23,8 +23,10 @@ from .units import ENDS, Numbers, hertz
 Json: TypeAlias = dict[str, Any]
 #: Sobol' indices whose 95 % interval is wider to either side are not told.
 RESOLVED = 0.2
-#: Of the names of rows, and where all are short.
-WIDTH, SHORT = 32, 8
+#: Width of the names of rows.
+WIDTH = 32
+#: Their width where all are short.
+SHORT = 8
 #: Digits of a sentence at most.
 MOST_DIGITS = 8
 

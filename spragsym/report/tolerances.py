@@ -20,9 +20,10 @@ from .brake import Brake
 from .friction_law import friction_bounds, friction_depends_on, parameter_ends
 from .units import Measured, Numbers
 
-#: Quantities with tolerances up to which their probability is bracketed by proof, and parts of
-#: them.
-_MOST_SIDES, _PARTS = 4, 200
+#: Quantities with tolerances up to which their probability is bracketed by proof.
+_MOST_SIDES = 4
+#: Parts of them.
+_PARTS = 200
 #: What a share of a distribution is rounded by, where values go over its width.
 _ROUNDING = 2.0**-50
 #: A share of the friction that is none.

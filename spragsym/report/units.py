@@ -42,9 +42,10 @@ PLAIN_UNITS: Mapping[str, str] = {
     "rad": "deg",
     "1": "",
 }
-#: Standard deviations on either side of a normal distribution's mean that its ends are, and that
-#: lie within its range.
-ENDS, WITHIN = 3.0, 6.0
+#: Standard deviations on either side of a normal distribution's mean that its ends are.
+ENDS = 3.0
+#: Standard deviations that lie within its range.
+WITHIN = 6.0
 _POSITIVE = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 _NUMBER = rf"[+-]?{_POSITIVE}"
 _UNIT = r"(?:1\s*/\s*)?(?!sd\b)[^\d\s±\[\],+.-][^±\[\],]*?"

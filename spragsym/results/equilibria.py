@@ -43,7 +43,7 @@ class Undecided(Result):
     reason: str  #: why
 
 
-class Source(Protocol):
+class ColumnSource(Protocol):
     """Where equilibria have their columns from, each made when it is asked for.
 
     It must bring ``undamped``, ``marginal``, ``error``, ``eigenvalues`` and the coordinates; it
@@ -62,7 +62,7 @@ class Source(Protocol):
         ``kind`` and ``eigenvalues``.
         """
 
-    def held(self, columns: Mapping[str, NDArray[Any]]) -> Source:
+    def held(self, columns: Mapping[str, NDArray[Any]]) -> ColumnSource:
         """The source with these columns made, for a file."""
 
 
@@ -171,7 +171,7 @@ class Equilibria(OfStates):
     decided: BoolArray
     undecided: tuple[Undecided, ...]
     remarks: tuple[str, ...]
-    _source: Source = field(repr=False)
+    _source: ColumnSource = field(repr=False)
 
     @property
     def complete(self) -> bool:

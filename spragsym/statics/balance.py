@@ -22,7 +22,7 @@ from ..numerics.arithmetic import Matrix, Number, is_zero
 from ..numerics.balls import ball
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
 from ..numerics.precise_roots import Digits
-from .forces import Forces, State, Values, filled
+from .forces import Evaluation, Forces, Values, filled
 from .namespaces import FREE
 from .systems import Boxes, Linear, StateSystem, as_linear, at_anchors
 
@@ -35,7 +35,7 @@ ENDLESS = Intervals.between([1e290], [1e308])
 SCALE = "l/scale"
 
 #: Rows of forces at a state.
-Rows: TypeAlias = Callable[[State], Sequence[Any]]
+Rows: TypeAlias = Callable[[Evaluation], Sequence[Any]]
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
 
@@ -69,7 +69,7 @@ class Balance(Forces, StateSystem):
             if one or presses_either(it)
         )
 
-    def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
+    def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
         """The forces."""
         return at.forces()
 
@@ -117,7 +117,7 @@ class Balance(Forces, StateSystem):
             return np.zeros(parameters.shape[1:], dtype=np.bool_)
         return self.at_poles(self.state(unknowns, parameters), times * self.options.pole)
 
-    def at_poles(self, at: State, width: float) -> BoolArray:
+    def at_poles(self, at: Evaluation, width: float) -> BoolArray:
         """Whether boxes up to a width hold a pole."""
         out = np.zeros(at.shape, dtype=np.bool_)
         for dx, dy in at.anchors if self.torsions else ():
@@ -133,30 +133,34 @@ class Balance(Forces, StateSystem):
         """
         return self.directed(unknowns, parameters)
 
-    def with_directions(self, at: State) -> FloatArray:
+    def with_directions(self, at: Evaluation) -> FloatArray:
         """Smaller boxes with the same roots, for springs of the given directions, whatever their
         lengths.
         """
         step = contractors.newton(
-            *self._linear(at, at.box.middle, State.forces, lambda at: at.slopes)
+            *self._linear(at, at.box.middle, Evaluation.forces, lambda at: at.slopes)
         )
         return np.fmin(step.ends, at.box.ends)
 
-    def by_rows(self, at: State) -> FloatArray:
+    def by_rows(self, at: Evaluation) -> FloatArray:
         """Bounds on each coordinate from its own row and from forces near 0, where slopes are
         unknown.
         """
-        given = self._linear(at, at.box.nearest_to_zero, State.rows, State.stiffness)
+        given = self._linear(at, at.box.nearest_to_zero, Evaluation.rows, Evaluation.stiffness)
         return np.fmin(contractors.by_rows(*given), at.box.ends)
 
     def _linear(
-        self, at: State, near: FloatArray, forces: Rows, slopes: Callable[[State], Matrix]
+        self, at: Evaluation, near: FloatArray, forces: Rows, slopes: Callable[[Evaluation], Matrix]
     ) -> Linear:
         found = self.linear_rows(at, list(Intervals.point(near)), forces, slopes)
         return as_linear(stacked(found, at.shape), at.box.ends, near)
 
     def linear_rows(
-        self, at: State, near: Sequence[Any], forces: Rows, slopes: Callable[[State], Matrix]
+        self,
+        at: Evaluation,
+        near: Sequence[Any],
+        forces: Rows,
+        slopes: Callable[[Evaluation], Matrix],
     ) -> list[Any]:
         """Entries of :func:`linear`: by the generated slopes, where no length counts and no wave is
         a free unknown.
@@ -170,7 +174,7 @@ class Balance(Forces, StateSystem):
         return _rows(at, near, forces, slopes(replace(at, fixed=fixed)))
 
 
-def linear(at: State, near: FloatArray, forces: Rows) -> Linear:
+def linear(at: Evaluation, near: FloatArray, forces: Rows) -> Linear:
     """What contractors take: forces at points of the boxes, slopes over the boxes, the points and
     distances from them.
 
@@ -180,13 +184,13 @@ def linear(at: State, near: FloatArray, forces: Rows) -> Linear:
     return as_linear(stacked(found, at.shape), at.box.ends, near)
 
 
-def linear_rows(at: State, near: Sequence[Any], forces: Rows) -> list[Any]:
+def linear_rows(at: Evaluation, near: Sequence[Any], forces: Rows) -> list[Any]:
     """Entries of :func:`linear`: forces, and then their slopes, row by row."""
     moved = replace(at, q=jets.variables(at.q, 1), fixed=at.directions)
     return _rows(at, near, forces, [jets.gradient(row, len(at.q)) for row in forces(moved)])
 
 
-def _rows(at: State, near: Sequence[Any], forces: Rows, slopes: Matrix) -> list[Any]:
+def _rows(at: Evaluation, near: Sequence[Any], forces: Rows, slopes: Matrix) -> list[Any]:
     there = replace(at, q=near, fixed=at.directions)
     return [*forces(there), *(entry for row in slopes for entry in row)]
 
@@ -197,7 +201,7 @@ def no_direction(boxes: Boxes, spring: int) -> BoolArray:
     """
     place, n = 3 * spring, boxes.system.balance.n
 
-    def rows(at: State) -> Sequence[Any]:
+    def rows(at: Evaluation) -> Sequence[Any]:
         def forces(*direction: Any) -> Sequence[Any]:
             fixed = [*at.directions[:place], *direction, *at.directions[place + 2 :]]
             return replace(at, fixed=fixed).forces()
@@ -247,7 +251,7 @@ class PreciseBalance(Digits):
             self.state(unknowns).slopes if self.system is self.balance else super().slopes(unknowns)
         )
 
-    def state(self, unknowns: Sequence[Any]) -> State:
+    def state(self, unknowns: Sequence[Any]) -> Evaluation:
         """The evaluation at unknowns."""
         return self.system.at(unknowns, self.arguments, xp=balls.XP)
 
@@ -314,7 +318,7 @@ class BalanceInUnits(Balance):
         """Arguments of the generated functions, units and p/P by name, of any number type."""
         return super().with_angles(self.scaled(values, xp, self.needed), xp)
 
-    def by_parameters(self, at: State, names: Sequence[str]) -> list[list[Any]]:
+    def by_parameters(self, at: Evaluation, names: Sequence[str]) -> list[list[Any]]:
         """Derivatives by P, and by u: Σ e p/u ∂/∂p over the parameters that depend on it."""
         needed = sorted({part for name in names for part in self.scaling.get(name, [name])})
         rows = super().by_parameters(at, needed)

@@ -170,9 +170,9 @@ class Forces:
         """:meth:`arguments` from parameters of shape (P, N)."""
         return self.arguments(self.prepared(bounds))
 
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> Evaluation:
         """The evaluation at coordinates, which functions of parameters alone do not need."""
-        return State(self, q if len(q) else [0] * self.n, values, shape, xp)
+        return Evaluation(self, q if len(q) else [0] * self.n, values, shape, xp)
 
     def sides(self, gaps: Sequence[Intervals]) -> tuple[BoolArray, BoolArray]:
         """Where gaps are on this side of their contacts' borders or on them, and where one is
@@ -190,7 +190,7 @@ class Forces:
             inside, beyond = inside & here, beyond | there
         return inside, beyond
 
-    def by_parameters(self, at: State, names: Sequence[str]) -> list[list[Any]]:
+    def by_parameters(self, at: Evaluation, names: Sequence[str]) -> list[list[Any]]:
         """Derivatives of the forces along each coordinate by parameters, through the friction law
         too; an angle as the angle.
         """
@@ -206,7 +206,7 @@ class Forces:
 
 
 @dataclass
-class State:
+class Evaluation:
     """Coordinates and arguments of one evaluation, all of one number type, and what follows from
     them.
 

@@ -167,8 +167,10 @@ class _ScaledFunctions:
 
 #: ``xp`` at infinity.
 SCALED: Any = _ScaledFunctions()
-#: Functions that are even, and functions that are odd.
-EVEN, ODD = ("cos", "cosh"), ("sin", "sinh", "tanh", "atan")
+#: Functions that are even.
+EVEN = ("cos", "cosh")
+#: Functions that are odd.
+ODD = ("sin", "sinh", "tanh", "atan")
 
 
 class Parity(Arithmetic):

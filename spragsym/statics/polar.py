@@ -62,7 +62,7 @@ from ..numerics.interval_arrays import (
     width_of,
 )
 from .balance import SCALE, Balance
-from .forces import State, Values, as_intervals
+from .forces import Evaluation, Values, as_intervals
 from .namespaces import XP
 from .precise_balance import once_around, refined, settled_by_digits
 from .systems import StateSystem
@@ -98,7 +98,7 @@ class Polar(StateSystem):
             np.concatenate([self.balance.prepared(bounds[:-1]).ends, bounds[-1:].ends], axis=1)
         )
 
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> Evaluation:
         """The state with φ as its turning."""
         nowhere = self.balance.at((), values, shape, xp)
         angle, part, *others = q
@@ -128,7 +128,7 @@ class Polar(StateSystem):
         """
         return [*directions, *(angle if self.turns else 0 for _ in self.balance.torsions)]
 
-    def conditions(self, at: State, unknowns: Sequence[Any]) -> list[Any]:
+    def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> list[Any]:
         """Balance along, and across times l, in the rows of the line's end; of the other
         coordinates.
         """
@@ -157,7 +157,7 @@ class Polar(StateSystem):
                 )
         return out
 
-    def other_forces(self, at: State) -> list[Any]:
+    def other_forces(self, at: Evaluation) -> list[Any]:
         """All but those of this line."""
         forces = list(at.rows("forces_apart"))
         if self.balance.springs == 1:
@@ -177,7 +177,7 @@ class Polar(StateSystem):
 
     def state(
         self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None
-    ) -> State:
+    ) -> Evaluation:
         """The evaluation over boxes."""
         return self.at(
             list(unknowns),
@@ -199,7 +199,7 @@ class Polar(StateSystem):
         return stacked(self.state(Intervals(ends), parameters).q, ends.shape[2:]).ends
 
 
-def end_slopes(at: State, near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
+def end_slopes(at: Evaluation, near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
     """How the vector of every spring changes with the coordinates: for ends that are linear in them
     the same everywhere.
     """

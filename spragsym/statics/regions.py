@@ -41,7 +41,7 @@ from ..numerics.interval_arrays import (
     width_of,
 )
 from .balance import Balance, linear
-from .forces import Forces, State, as_intervals
+from .forces import Evaluation, Forces, as_intervals
 from .namespaces import FREE
 
 #: The plane, as far as it is looked at.
@@ -319,7 +319,7 @@ def _any_direction(balance: Balance, count: int) -> list[Intervals]:
     return directions + [Intervals(np.full((2, count), HALF_TURN)) for _ in balance.torsions]
 
 
-def _near_anchors(at: State, ends: FloatArray) -> FloatArray:
+def _near_anchors(at: Evaluation, ends: FloatArray) -> FloatArray:
     """Hull of the places where a torsion spring's line is shorter than :data:`LENGTH`; without
     bounds where that is not known.
     """
@@ -390,7 +390,7 @@ def _presses(balance: Forces) -> list[int]:
     ]
 
 
-def _by_contact_force(at: State) -> FloatArray:
+def _by_contact_force(at: Evaluation) -> FloatArray:
     """Smaller boxes with the same states in contact: each coordinate from its row, with cosines and
     sines left free.
     """
@@ -418,7 +418,7 @@ def _by_contact_force(at: State) -> FloatArray:
     return np.fmin(found, at.box.ends)
 
 
-def _closed(at: State, contact: int) -> FloatArray:
+def _closed(at: Evaluation, contact: int) -> FloatArray:
     """Smaller boxes with all points of a gap ≤ 0: each coordinate from the gap's slopes by it and
     the others.
     """

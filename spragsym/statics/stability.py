@@ -37,7 +37,7 @@ from ..numerics.interval_arrays import (
 from ..numerics.precise_roots import as_balls, narrowed
 from ..results import Equilibria, EquilibriumType
 from .balance import NOTHING, Balance, PreciseBalance
-from .forces import Pushing, State, as_intervals, filled
+from .forces import Evaluation, Pushing, as_intervals, filled
 
 #: Imaginary part of a λ that is real to floats, over its size.
 REAL = 1e-9
@@ -54,7 +54,7 @@ PLACES = 64
 #: A matrix with all entries of one number type, intervals or balls.
 Taken: TypeAlias = Callable[[Matrix], Matrix]
 #: Numbers whose signs are asked for at a state.
-Ask: TypeAlias = Callable[[State, Taken], Matrix]
+Ask: TypeAlias = Callable[[Evaluation, Taken], Matrix]
 
 
 @dataclass(frozen=True)
@@ -286,7 +286,7 @@ def decay(
     return found
 
 
-def _types(at: State, taken: Taken) -> Matrix:
+def _types(at: Evaluation, taken: Taken) -> Matrix:
     """What tells the type."""
     return invariants(taken(at.stiffness()), taken(at.mass()))
 
@@ -340,7 +340,7 @@ def invariants(K: Matrix, M: Matrix) -> Matrix:
     return e[1:], [determinant([row[:size] for row in hermite[:size]]) for size in range(2, n + 1)]
 
 
-def _signs_over(at: State, ask: Ask) -> list[Int8Array]:
+def _signs_over(at: Evaluation, ask: Ask) -> list[Int8Array]:
     """Signs of what is asked over boxes."""
     parts = ask(at, lambda part: [list(row) for row in matrix(part, at.shape)])
     return [stacked(part, at.shape).signs for part in parts]

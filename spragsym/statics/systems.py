@@ -17,7 +17,7 @@ from ..numerics.arithmetic import Matrix
 from ..numerics.boxes import EquationSystem
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape
 from ..numerics.tape import Tapes
-from .forces import State, Values
+from .forces import Evaluation, Values
 from .namespaces import XP
 from .options import SearchOptions
 
@@ -45,11 +45,11 @@ class StateSystem(EquationSystem):
         """Options of the search for states, which are those of the balance."""
         return self.balance.search_options
 
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> State:
+    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> Evaluation:
         """The evaluation at unknowns, of any number type as the arguments are."""
         raise NotImplementedError
 
-    def conditions(self, at: State, unknowns: Sequence[Any]) -> Sequence[Any]:
+    def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
         """What vanishes at a state, of the number type of the unknowns."""
         raise NotImplementedError
 
@@ -63,7 +63,7 @@ class StateSystem(EquationSystem):
 
     def state(
         self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None
-    ) -> State:
+    ) -> Evaluation:
         """The evaluation over boxes, whose unknowns are intervals or jets of them."""
         at = self.at(list(unknowns), self.balance.arguments(parameters), parameters.shape[1:])
         at.sides = sides
@@ -128,7 +128,7 @@ class StateSystem(EquationSystem):
 
         def rows(unknowns: Any, near: Any, parameters: Any) -> Sequence[Any]:
             at = self.state(unknowns, parameters, balance.anywhere)
-            return balance.linear_rows(at, list(near), State.forces, lambda at: at.slopes)
+            return balance.linear_rows(at, list(near), Evaluation.forces, lambda at: at.slopes)
 
         near = unknowns[: balance.n].middle
         return np.fmin(
@@ -196,7 +196,7 @@ class Boxes:
         return self.unknowns.shape[1:]
 
     @cached_property
-    def state(self) -> State:
+    def state(self) -> Evaluation:
         """The evaluation over all of them."""
         return self.system.state(self.unknowns, self.parameters)
 

@@ -21,11 +21,16 @@ from ...results.precise_states import PreciseEquilibria, PreciseEquilibrium
 from .. import kernel
 from ..parameters import NAMES, Parameters
 
-#: Bits of the first try, unless parameters are farther apart than that with :data:`ROOM` beside it:
-#: where one is far below the others, so is what decides. Bits at which a discriminant that holds 0
-#: is taken for a fold: the latter, and as many again for each power of two between the parameters,
-#: since the discriminant is of the sixth degree in coefficients of theirs.
-FIRST_BITS, ROOM, MAXIMUM_BITS, BITS_A_SPREAD = 128, 96, 4096, 8
+#: Bits of the first try, unless parameters are farther apart than that.
+FIRST_BITS = 128
+#: Bits beside the spread of the parameters: where one is far below the others, so is what
+#: decides.
+ROOM = 96
+#: Bits at which a discriminant that holds 0 is taken for a fold.
+MAXIMUM_BITS = 4096
+#: Bits as many again for each power of two between the parameters, since the discriminant is
+#: of the sixth degree in coefficients of theirs.
+BITS_A_SPREAD = 8
 
 
 def precise_equilibria(

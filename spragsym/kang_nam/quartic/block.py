@@ -28,8 +28,10 @@ TOLERANCE = 1e-12
 _STORED = 4 * 2.0**-53
 
 
-#: Points that are worth a thread of their own, and the same where they are only counted.
-A_THREAD, A_COUNTING_THREAD = 1 << 16, 1 << 19
+#: Points that are worth a thread of their own.
+A_THREAD = 1 << 16
+#: Points that are, where they are only counted.
+A_COUNTING_THREAD = 1 << 19
 
 
 @quiet()

@@ -10,8 +10,10 @@ from ...models.load import fits
 from ...numerics.interval_arrays import FloatArray, Int8Array, IntArray
 from .block import COLUMNS, Slots
 
-#: Points that are worth a thread of their own, and the same where they are only counted.
-A_THREAD, A_COUNTING_THREAD = 1 << 15, 1 << 17
+#: Points that are worth a thread of their own.
+A_THREAD = 1 << 15
+#: Points that are, where they are only counted.
+A_COUNTING_THREAD = 1 << 17
 
 
 def available() -> bool:

@@ -46,8 +46,10 @@ from .workers import Workers, made_or_loaded
 if TYPE_CHECKING:
     from ...models.model import Model
 
-#: Motions of one task at most, and their time in all; a few points are one task each.
-TOGETHER, TOGETHER_FOR = 1024, 2e5
+#: Motions of one task, at most; a few points are one task each.
+TOGETHER = 1024
+#: Their time in all, at most.
+TOGETHER_FOR = 2e5
 
 #: Tasks that every worker gets at least, where there are points enough.
 PARTS = 16

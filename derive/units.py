@@ -9,6 +9,7 @@ number: itself over the one product of their powers that has its dimension.
 import re
 from collections.abc import Mapping
 from fractions import Fraction
+from functools import cache
 from typing import TypeAlias
 
 import sympy as sp
@@ -138,6 +139,7 @@ def _of_sum(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimens
     return next(iter(found), None)
 
 
+@cache
 def powers(dimension: Dimension, units: tuple[Dimension, ...]) -> tuple[Fraction, ...] | None:
     """Exponents p with ``dimension = Π unitsᵢ^pᵢ``; None if there are none."""
     if not units:

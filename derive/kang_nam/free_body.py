@@ -89,7 +89,7 @@ def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpf, mpf
     for start in _STARTS:
         position = anchor(point, mpmath.fp) - start
         try:
-            rough = root(mpmath.fp, (position.real, position.imag), maxsteps=30)
+            rough = root(mpmath.fp, (position.real, position.imag), maxsteps=10)
         except (ValueError, ZeroDivisionError):
             continue
         if (rough[1] < 0) == (contact > 0) and all(

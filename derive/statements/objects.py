@@ -123,15 +123,15 @@ class Derivation:
         gap = sp.S.Zero if self.model.contact.gap is None else self.model.contact.gap
         pushing = {CONTACT: sp.S.One, LIFT_OFF: sp.S.Zero, BOTH: PUSHING}[side]
         known = {DEPTH: -gap, PUSHING: pushing if self.model.contact.unilateral else sp.S.One}
-        return sp.sympify(expression).subs(known).subs(self.plain)
+        return sp.sympify(expression).xreplace(known).xreplace(self.plain)
 
     def steady(self, expression: sp.Expr, side: str = CONTACT) -> sp.Expr:
         """The same, with the friction at steady sliding."""
-        return self.spelled(expression, side).subs(MU, self.friction_at_rest)
+        return self.spelled(expression, side).xreplace({MU: self.friction_at_rest})
 
     def expanded(self, expression: sp.Expr) -> sp.Expr:
         """With lengths and inclinations of lines in coordinates."""
-        return expression.subs({sp.Symbol(name): it for name, it in self.geometry.items()})
+        return expression.xreplace({sp.Symbol(name): it for name, it in self.geometry.items()})
 
     @cached_property
     def motion(self) -> Motion:
@@ -431,9 +431,8 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
         entry = short.subs(parts)
         return Object((entry,), by, steady=True, side=side, short=(short, parts))
     if word == "coefficient" and place.isdigit():
-        polynomial = it.kept("polynomial", side, lambda: _polynomial(*in_mu))
-        power = polynomial.coeff_monomial(length ** int(place))
-        entry = power.subs(MU, it.friction_at_rest)
+        coefficients = it.kept("coefficients", side, lambda: _coefficients(*in_mu))
+        entry = coefficients.get(int(place), sp.S.Zero).subs(MU, it.friction_at_rest)
         return Object((entry,), by, names=frozenset({name}), steady=True, side=side)
     if word not in values or (place and word != "side") or place not in ("", "1", "2"):
         raise NoObject(
@@ -457,10 +456,15 @@ def _cleared(D: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Expr, Names]:
     return scaled.dot(scaled) - matrix.det() ** 2, matrix.det(), parts
 
 
-def _polynomial(D: sp.Matrix, b: sp.Matrix, length: sp.Symbol) -> sp.Poly:
-    """|adj(D) b|² − det² D as a polynomial in L."""
-    d11, d12, d21, d22, b1, b2 = (sp.Poly(entry, length) for entry in (*D, *b))
-    return (d22 * b1 - d12 * b2) ** 2 + (d11 * b2 - d21 * b1) ** 2 - (d11 * d22 - d12 * d21) ** 2
+def _coefficients(D: sp.Matrix, b: sp.Matrix, length: sp.Symbol) -> dict[int, sp.Expr]:
+    """Coefficients of |adj(D) b|² − det² D by the powers of L."""
+    entries = sp.Tuple(*D, *b)
+    # Symbols for cosines and sines: related coefficients would be simplified one by one.
+    waves = {it: sp.Dummy() for it in entries.atoms(sp.cos, sp.sin)}
+    functions = {symbol: it for it, symbol in waves.items()}
+    d11, d12, d21, d22, b1, b2 = (sp.Poly(it, length) for it in entries.xreplace(waves))
+    whole = (d22 * b1 - d12 * b2) ** 2 + (d11 * b2 - d21 * b1) ** 2 - (d11 * d22 - d12 * d21) ** 2
+    return {power: value.xreplace(functions) for (power,), value in whole.terms()}
 
 
 def balance_in_direction(it: Derivation, side: str) -> tuple[sp.Matrix, sp.Matrix, sp.Symbol]:

@@ -23,6 +23,11 @@ def drawn(it: Derivation, held: Object, is_base: bool = False) -> dict[str, Valu
 
     Parameters are random, or those that the page gives as its base values.
     """
+    key = f"{held.side}, steady {held.steady}, base {is_base}"
+    return {**it.kept("samples", key, lambda: _drawn(it, held, is_base))}
+
+
+def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
     rng = np.random.default_rng(20201)
     base = {it.name_of(entry): entry.base for entry in it.page.parameters}
     size = 2 * PAIRS

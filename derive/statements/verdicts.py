@@ -313,8 +313,8 @@ def _vanishes(item: Item, gap: sp.Expr, side: str) -> bool:
     is_open = side == LIFT_OFF and item.it.model.contact.unilateral
     mu = item.it.friction_at_rest if item.held.steady else item.it.friction
     laws = {NORMAL: sp.S.Zero if is_open else item.it.normal, MU: mu}
-    gap = gap.subs(PUSHING, 0 if is_open else 1)
-    named = (gap, gap.subs(laws))
+    gap = gap.xreplace({PUSHING: sp.S.Zero if is_open else sp.S.One})
+    named = dict.fromkeys((gap, gap.xreplace(laws)))
     if any(map(_zero, named)):
         return True
     sign = -1 if side == CONTACT else 1

@@ -38,6 +38,7 @@ EXPLORED = frozenset(
         "friction_at_rest",
         "geometry",
         "grip",
+        "gyroscopic",
         "mass_matrix",
         "regime_rhs",
         "spring_forces",

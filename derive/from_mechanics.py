@@ -74,7 +74,7 @@ def page_from(
     ------
     PageError
         Where the method holds what no page can say, which is named: a constraint, a gyroscopic
-        term, a force that varies in time, or one that is no spring, damper, contact or friction.
+        force, a force that varies in time, or one that is no spring, damper, contact or friction.
     """
     it = _Reader(_formed(method), page, coordinates)
     page.kinetic(it.kinetic)
@@ -143,10 +143,6 @@ class _Reader:
         still = dict.fromkeys(self.rates, 0)
         self.stored = -whole.subs(still)
         self.kinetic = sp.expand(whole + self.stored)
-        if any(sp.diff(self.kinetic, rate).subs(still) != 0 for rate in self.rates):
-            raise refused(
-                f"the Lagrangian holds a term linear in the rates, and {limits.GYROSCOPIC}"
-            )
 
     def plain(self, expression: Any) -> sp.Expr:
         """An expression in the page's symbols."""
@@ -346,7 +342,9 @@ class _Reader:
             )
         if not (C - C.T).applyfunc(self.expanded).is_zero_matrix:
             raise self.refused(
-                f"the forces {', '.join(map(str, forces))} are no dampers: {limits.GYROSCOPIC}"
+                f"the forces {', '.join(map(str, forces))} are no dampers; if they are gyroscopic, "
+                "let the kinetic energy have them, as m*((x′ − W*y)**2 + (y′ + W*x)**2)/2 in a "
+                "frame that turns at W"
             )
         for base, half, row, ends in self.lines(C):
             square = sp.Add(

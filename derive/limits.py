@@ -62,11 +62,10 @@ FRICTION_STATE = Limit(
     "write its steady value as a law of the sliding speed; a bristle may be a light mass that "
     "slides, on a spring and a damper",
 )
-GYROSCOPIC = Limit(
-    "a gyroscopic term, a kinetic energy linear in the rates",
-    "leave it out where the speed of rotation is far below the frequencies; a part without "
-    "rates, as of a centrifugal force, is "
-    "page.potential(…) with the other sign",
+MASS_OF_SPEED = Limit(
+    "a kinetic energy of more than the second power in the rates",
+    "keep its terms without rates, linear and quadratic in them: masses may depend on the place, "
+    "as m*(1 + x**2/L_0**2), and not on the speed",
 )
 WITHOUT_MASS = Limit(
     "a slider without mass",
@@ -87,7 +86,7 @@ LIMITS = (
     PLANE,
     FORCING,
     FRICTION_STATE,
-    GYROSCOPIC,
+    MASS_OF_SPEED,
     WITHOUT_MASS,
     FIFTH_COORDINATE,
 )

@@ -1,4 +1,6 @@
-"""Linearization of any model about steady sliding: M q″ + C q′ + K q = 0 for small deviations."""
+"""Linearization of any model about steady sliding: M q″ + (C + G) q′ + K q = 0 for small
+deviations.
+"""
 
 import sympy as sp
 
@@ -44,7 +46,23 @@ def module(model: Mechanics) -> Module:
                 "((C_11, …), …)",
                 model.depths,
             ),
+            *_gyroscopic(model),
             *(function for friction in model.frictions for function in _slopes(model, friction)),
+        ),
+    )
+
+
+def _gyroscopic(model: Mechanics) -> tuple[Function, ...]:
+    """G, of a model that has one."""
+    if model.gyroscopic.is_zero_matrix:
+        return ()
+    return (
+        of_page(
+            "gyroscopic",
+            "G of a kinetic energy with terms linear in the rates: antisymmetric.",
+            (*model.coordinates, *model.arguments),
+            rows(model.gyroscopic),
+            "((G_11, …), …)",
         ),
     )
 

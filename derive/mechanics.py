@@ -283,7 +283,9 @@ class Mechanics:
     angles: tuple[Angle, ...]
     lines: tuple[Line, ...]
     torsions: tuple[Turning, ...]
-    kinetic: sp.Expr
+    kinetic: sp.Expr  #: the part of it that is quadratic in the rates
+    linear: sp.Expr  #: the part that is linear in them, as in a frame that turns
+    still: sp.Expr  #: the part without them, which stands in the potential with the other sign
     potential: (
         sp.Expr
     )  #: in coordinates, lengths and turnings, without the contact and the applied forces
@@ -475,6 +477,14 @@ class Mechanics:
         """M of the kinetic energy q′ᵀ M q′/2."""
         return sp.hessian(self.kinetic, self.rates)
 
+    @cached_property
+    def gyroscopic(self) -> sp.Matrix:
+        """G of the forces G q′ of a kinetic energy linear in the rates, a · q′: G_ij = ∂a_i/∂q_j −
+        ∂a_j/∂q_i, which is antisymmetric and takes no power.
+        """
+        slopes = sp.Matrix([self.linear]).jacobian(self.rates).jacobian(self.coordinates)
+        return (slopes - slopes.T).applyfunc(expanded)
+
 
 def waves(expression: sp.Basic) -> list[Pair]:
     """Cosine and sine of everything of which the expression takes one of them, in an order of their
@@ -507,7 +517,9 @@ def of(page: Page, units: bool = False) -> Mechanics:
         raise PageError(0, "there is no kinetic energy; add page.kinetic(m * page.rate(x)**2 / 2)")
     scaled = _Scaled(page, units)
     lines, stiffnesses, torsions, rest_energy, dissipation = _lines(page, scaled)
-    potential = rest_energy + sum((scaled(energy) for energy, _ in page.energies), sp.S.Zero)
+    kinetic, linear, still = _by_rates(page, scaled(page.inertia[0]))
+    stored = sum((scaled(energy) for energy, _ in page.energies), sp.S.Zero)
+    potential = rest_energy + stored - still
     contacts = _contacts(page, scaled)
     return Mechanics(
         page=page,
@@ -516,7 +528,9 @@ def of(page: Page, units: bool = False) -> Mechanics:
         parameters=tuple(page.parameters),
         lines=lines,
         torsions=torsions,
-        kinetic=scaled(page.inertia[0]),
+        kinetic=kinetic,
+        linear=linear,
+        still=still,
         potential=expanded(potential),
         stiffnesses=stiffnesses,
         applied=_applied(page, scaled),
@@ -559,6 +573,17 @@ class _Scaled:
         value = value.subs(self.turned).subs(self.numbers, simultaneous=True)
         self.alone |= value.free_symbols & self.angles.keys()
         return value
+
+
+def _by_rates(page: Page, energy: sp.Expr) -> Row:
+    """The kinetic energy without its parts linear in the rates and without rates, and these."""
+    at_rest = dict.fromkeys(page.rates, sp.S.Zero)
+    still = energy.subs(at_rest)
+    linear = sp.Add(*(sp.diff(energy, rate).subs(at_rest) * rate for rate in page.rates))
+    if still == 0 == linear:
+        return energy, linear, still
+    linear, still = expanded(linear), expanded(still)
+    return expanded(energy - linear - still), linear, still
 
 
 def elastic(line: Line, stiffness: sp.Expr) -> sp.Expr:

@@ -364,7 +364,9 @@ class Page:
     # energies and forces
 
     def kinetic(self, energy: sp.Expr) -> None:
-        """Kinetic energy, a quadratic form of the rates."""
+        """Kinetic energy: terms quadratic and linear in the rates, and without them, as in a frame
+        that turns.
+        """
         if self.inertia is not None:
             raise refused(
                 f"line {self.inertia[1]} says the kinetic energy already, and this would replace "

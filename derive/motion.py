@@ -163,12 +163,13 @@ class Motion:
     @cached_property
     def centrifugal(self) -> Row:
         """The terms of Lagrange's equations besides M q″ where the mass matrix depends on the
-        place: d(∂T/∂v)/dt − ∂T/∂q at q″ = 0.
+        place, or the energy has terms linear in the rates: d(∂T/∂v)/dt − ∂T/∂q at q″ = 0.
         """
         it = self.model
-        momenta = [sp.diff(it.kinetic, rate) for rate in it.rates]
+        energy = it.kinetic + it.linear
+        momenta = [sp.diff(energy, rate) for rate in it.rates]
         return tuple(
-            expanded(it.page.rate(momentum) - sp.diff(it.kinetic, symbol))
+            expanded(it.page.rate(momentum) - sp.diff(energy, symbol))
             for momentum, symbol in zip(momenta, it.coordinates, strict=True)
         )
 
@@ -774,7 +775,10 @@ def _stored(motion: Motion, moving: Symbols) -> tuple[Function, ...]:
     return (
         of_page(
             "energy",
-            "Kinetic and stored energy, applied forces and contact included.",
+            "Kinetic and stored energy, applied forces and contact included."
+            if model.gyroscopic.is_zero_matrix and model.still == 0
+            else "Jacobi's integral: the part of the kinetic energy quadratic in the rates, less "
+            "that without rates, and stored energy, applied forces and contact included.",
             (*moving, *model.pushings),
             motion.energy,
             "energy",

@@ -77,7 +77,7 @@ def module(model: Mechanics) -> Module:
     shorthands = {**model.depths, **{line.l: line.length for line in model.lines}}
     mirror = symmetry.mirror(model)
     function = partial(of_page, shorthands=shorthands)
-    T = balance_rows.sums(model)
+    K, T = sp.Matrix(jacobian(model)), balance_rows.sums(model)
     apart = (
         ()
         if T.is_Identity
@@ -93,7 +93,7 @@ def module(model: Mechanics) -> Module:
                 "balance_jacobian",
                 "Their derivatives by the coordinates: the same sums of the rows of K.",
                 state,
-                rows((T * sp.Matrix(jacobian(model))).applyfunc(model.tidy)),
+                rows((T * K).applyfunc(model.tidy)),
                 "((∂F_1/∂q_1, …), …)",
             ),
         )
@@ -116,6 +116,20 @@ def module(model: Mechanics) -> Module:
                 place,
                 tuple(torsion.stiffness for torsion in model.torsions),
                 "(k_1, …)",
+            ),
+        )
+    )
+    # With G the roots λ without damping come in pairs ± λ where K is symmetric.
+    circulatory = (
+        ()
+        if model.gyroscopic.is_zero_matrix
+        else (
+            function(
+                "circulatory",
+                "K − Kᵀ: what friction and forces without a potential bring.",
+                state,
+                rows((K - K.T).applyfunc(model.tidy)),
+                "((0, K_12 − K_21, …), …)",
             ),
         )
     )
@@ -197,7 +211,7 @@ def module(model: Mechanics) -> Module:
                 "forces_jacobian",
                 "K: derivatives of the forces by the coordinates, directions following.",
                 state,
-                jacobian(model),
+                rows(K),
                 "((∂F_1/∂q_1, …), …)",
             ),
             function(
@@ -208,6 +222,7 @@ def module(model: Mechanics) -> Module:
                 "((∂F_1/∂p_1, …, ∂F_1/∂mu), …)",
             ),
             *apart,
+            *circulatory,
         ),
     )
 

@@ -32,6 +32,7 @@ def comes_around(model: Mechanics, place: int) -> bool:
         *model.residuals,
         *(part for line in model.lines for part in (line.dx, line.dy)),
         model.kinetic,
+        model.linear,
         *model.depths.values(),
     ]
     return all(sp.expand(part.subs(symbol, symbol + 2 * sp.pi) - part) == 0 for part in parts)

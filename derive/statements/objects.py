@@ -284,8 +284,8 @@ def _acceleration(it: Derivation, name: str, side: str) -> Object:
 
 def _energy(it: Derivation, name: str, side: str) -> Object:
     """An energy, V also as U; V and L count potentials of constant applied forces or do not."""
-    kinetic = it.spelled(it.model.kinetic)
-    potential = it.spelled(it.model.potential)
+    kinetic = it.spelled(it.model.kinetic + it.model.linear + it.model.still)
+    potential = it.spelled(it.model.potential + it.model.still)
     if name == "T":
         by, names = "mechanics.Mechanics.kinetic", frozenset({name})
         return Object((kinetic,), by, names=names, unit=units.ENERGY)
@@ -364,11 +364,11 @@ def _entries(
 
 
 def _characteristic(it: Derivation, name: str, side: str) -> Object:
-    mass, C = it.model.mass, linearization.damping(it.model)
+    mass, C = it.model.mass, linearization.damping(it.model) + it.model.gyroscopic
     K = sp.Matrix(statics.jacobian(it.model))
     whole = LAMBDA**2 * mass + LAMBDA * C + K
     polynomial = whole.applyfunc(lambda entry: it.steady(entry, side)).det(method="laplace")
-    by = "linearization.damping, statics.jacobian"
+    by = "linearization.damping, mechanics.Mechanics.gyroscopic, statics.jacobian"
     return Object((polynomial,), by, factor="parameters", steady=True, side=side)
 
 
@@ -499,6 +499,7 @@ OBJECTS: Mapping[str, Deriver] = {
     "equilibrium": _equilibrium,
     "mass": _entries(lambda it: it.model.mass, "M", "mechanics.Mechanics.mass"),
     "damping": _entries(lambda it: linearization.damping(it.model), "C", "linearization.damping"),
+    "gyroscopic": _entries(lambda it: it.model.gyroscopic, "G", "mechanics.Mechanics.gyroscopic"),
     "stiffness": _entries(
         lambda it: sp.Matrix(statics.jacobian(it.model)), "K", "statics.jacobian"
     ),

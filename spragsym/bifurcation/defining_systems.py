@@ -267,18 +267,23 @@ TOUCH_TURN = Condition(_touch_turns, order=1, touching=0)
 
 
 def _discriminant(at: Evaluation) -> Sequence[Any]:
-    """The discriminant of det(K + κ M) in κ, but for a factor."""
+    """The discriminant of det(K + κ M) in κ, with G of det(κ M + λ G + K) in κ = λ², but for a
+    factor.
+    """
     coefficients = characteristic(at.stiffness(), at.mass())
+    if at.balance.gyroscopic:
+        coefficients = characteristic(at.stiffness(), at.gyroscopic(), at.mass())[::2]
     if len(coefficients) == 3:
         c, b, a = coefficients
         return (b * b - 4 * a * c,)
     return (resultant(coefficients, derivative(coefficients)),)
 
 
-#: Two roots κ = −λ² of det(K − κ M) meet: the discriminant of that polynomial is 0.
+#: Two roots κ = −λ² of det(K − κ M) meet, or with G and a symmetric K of det(λ² M + λ G + K): the
+#: discriminant of that polynomial is 0.
 FLUTTER = Condition(_discriminant)
-#: Two roots λ of det(λ² M + λ C + K) have the sum 0: the last but one of Hurwitz's determinants is
-#: 0.
+#: Two roots λ of det(λ² M + λ (C + G) + K) have the sum 0: the last but one of Hurwitz's
+#: determinants is 0.
 HOPF = Condition(lambda at: (hurwitz(_characteristic(None, at)),))
 
 
@@ -291,7 +296,7 @@ def _characteristic(along: int | None, at: Evaluation) -> list[Any]:
     """
     K = at.stiffness()
     places = range(len(K))
-    C = at.damping() if along is None else [[int(i == j == along) for j in places] for i in places]
+    C = at.by_rates() if along is None else [[int(i == j == along) for j in places] for i in places]
     return characteristic(K, C, at.mass())
 
 

@@ -38,6 +38,7 @@ from ..statics.stability import (
     is_conservative,
     is_damped,
     only_damped,
+    require_pairs,
     slope_over,
 )
 from .borders import joined as together
@@ -100,9 +101,9 @@ def flutter_onsets(
     vary : str, optional
         A parameter; without it ``theta0``, or the model's first one.
     damping : bool, optional
-        True for Hopf points of the full linearization, det(λ² M + λ C + K) = 0 with dampers and
-        slope of the friction law; False for (27), without C, as the article's flutter. Without it
-        True, unless C is 0, of several contacts for each combination of those that touch.
+        True for Hopf points of the full linearization, det(λ² M + λ (C + G) + K) = 0 with dampers
+        and slope of the friction law; False for (27), without C, as the article's flutter. Without
+        it True, unless C is 0, of several contacts for each combination of those that touch.
     between, within, options, method
         As for :func:`spragsym.folds`; a closed form is there for (27) along θ₀.
 
@@ -121,7 +122,8 @@ def flutter_onsets(
     Raises
     ------
     ParameterError
-        For a parameter that is missing or an array.
+        For a parameter that is missing or an array; without damping where gyroscopic terms act
+        beside friction, or another K that is not symmetric: there every state grows.
     ConvergenceError
         At parameters of the article's model so degenerate that onsets can't be told apart.
 
@@ -155,9 +157,10 @@ def flutter_onsets(
 def _in_combination(family: Family, damping: bool | None) -> Points:
     """Onsets of one combination of contacts that touch."""
     balance, over = family.balance, family.over
-    along = damped_by_friction_alone(balance, over)
+    # With G the pair that crosses is none of a mode that nothing damps.
+    along = None if balance.gyroscopic else damped_by_friction_alone(balance, over)
     slope = None if along is None else slope_over(balance, over)
-    only = only_damped(balance, over) if along is None else along
+    only = only_damped(balance, over) if along is None and not balance.gyroscopic else along
     if damping is None:
         damping = (
             is_damped(balance, over) if slope is None else bool(slope.magnitude.max() > NOTHING)
@@ -166,6 +169,7 @@ def _in_combination(family: Family, damping: bool | None) -> Points:
     conservative = is_conservative(balance, over)
     sought: list[tuple[Any, Frequencies]]
     if not damping:
+        require_pairs(balance, over)
         # Where K is symmetric all κ are real and stay so as K changes: where two meet they pass
         # each other.
         sought = [(None if conservative else FLUTTER, meeting)]
@@ -200,7 +204,8 @@ def _in_combination(family: Family, damping: bool | None) -> Points:
 def _part(family: Family, found: Found, kind: str, frequencies: Frequencies) -> _Part:
     """A row for each frequency that a root has; none for roots whose λ are real."""
     rows, omega = list[int](), list[float]()
-    for row, each in enumerate(zip(*matrices(family, found.roots.middle), strict=True)):
+    every = matrices(family, found.roots.middle, damping=frequencies is not meeting)
+    for row, each in enumerate(zip(*every, strict=True)):
         some = frequencies(*each)
         omega += some
         rows += [row] * len(some)
@@ -212,8 +217,8 @@ def _part(family: Family, found: Found, kind: str, frequencies: Frequencies) -> 
 
 
 def crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
-    """ω of the two roots λ of det(λ² M + λ C + K) whose sum is the nearest to 0, unless they are
-    real.
+    """ω of the two roots λ of det(λ² M + λ (C + G) + K) whose sum is the nearest to 0, unless they
+    are real.
     """
     roots = stability.roots(M, C, K)
     one = _nearest(roots, -roots)
@@ -232,10 +237,14 @@ def _omega(square: Any) -> list[float]:
     return [float(np.sqrt(square.real))] if square.real > 0 else []
 
 
-def meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
-    """ω of the two roots κ of det(K − κ M) that are the nearest to each other, unless they are
-    negative.
+def meeting(M: FloatArray, G: FloatArray, K: FloatArray) -> list[float]:
+    """ω of the two roots κ = −λ² of det(λ² M + λ G + K) that are the nearest to each other, unless
+    they are negative.
     """
+    if G.any():
+        roots = stability.roots(M, G, K)
+        squares = -(roots[roots.imag > 0] ** 2)
+        return [] if squares.size < 2 else _omega(_nearest(squares, squares))
     squares = stability.squares(M, K)
     return _omega(_nearest(squares, squares))
 

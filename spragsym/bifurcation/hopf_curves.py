@@ -20,7 +20,13 @@ from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Inte
 from ..numerics.vectors import magnitude, norm
 from ..results import Curve, Points, Result
 from ..statics import stability
-from ..statics.stability import is_conservative, is_damped, only_damped, slope_over
+from ..statics.stability import (
+    is_conservative,
+    is_damped,
+    only_damped,
+    require_pairs,
+    slope_over,
+)
 from .bifurcation_sets import FoldCurves, on_lines, rows_of
 from .defining_systems import (
     FLUTTER,
@@ -195,7 +201,7 @@ class _Plane(Family):
             for chain in found.chains:
                 known = zip(
                     _at_ends(found.curves, chain, ends).tolist(),
-                    *matrices(self, chain),
+                    *matrices(self, chain, damping=modes is not meeting),
                     strict=True,
                 )
                 for states, omega in _pieces(chain, [_modes(modes, *each) for each in known]):
@@ -251,12 +257,14 @@ class _Plane(Family):
         if not damping:
             points = arranged(self, nothing(self), "")
             ends = np.empty((balance.n + 2, 0))
+            require_pairs(balance, self.over)
             return (
                 points,
                 [] if is_conservative(balance, self.over) else [(FLUTTER, meeting, ends)],
                 (),
             )
-        only = only_damped(balance, self.over) if balance.n > 1 else None
+        alone = balance.n > 1 and not balance.gyroscopic
+        only = only_damped(balance, self.over) if alone else None
         points = self.points(only)
         ends = rows_of(self, points)[:, points.kind == "BT"]
         if only is None:
@@ -301,7 +309,8 @@ class _Plane(Family):
 
     def hardly_damped(self, states: FloatArray) -> BoolArray:
         """Where C is next to nothing beside K."""
-        _, C, K = matrices(self, states)
+        (_, C, K), (_, G, _) = (matrices(self, states, damping) for damping in (True, False))
+        C = C - G
         return np.abs(C).max(axis=(1, 2)) <= UNDAMPED * np.abs(K).max(axis=(1, 2))
 
     def forms(self, curves: FoldCurves, states: FloatArray) -> list[NormalForm | str]:

@@ -152,12 +152,12 @@ def _of_affine_forces(family: Family) -> Found:
     return Found(left, around, whole, LINES_OF_STATES)
 
 
-def matrices(family: Family, z: FloatArray) -> tuple[FloatArray, ...]:
-    """M, C and K, each of shape (N, n, n), at coordinates and the parameters that vary, z of shape
-    (n + number, N).
+def matrices(family: Family, z: FloatArray, damping: bool = True) -> tuple[FloatArray, ...]:
+    """M, C + G, or G without ``damping``, and K, each of shape (N, n, n), at coordinates and the
+    parameters that vary, z of shape (n + number, N).
     """
     n = family.balance.n
-    return stability.linearization(family.balance, z[:n], family.at(z[n:]))
+    return stability.linearization(family.balance, z[:n], family.at(z[n:]), damping)
 
 
 def arranged(

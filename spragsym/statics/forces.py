@@ -87,6 +87,8 @@ class Forces:
         self.springs = len(about["springs"])
         #: Of each torsion spring the number of the spring that it turns with.
         self.torsions: list[int] = [entry["spring"] for entry in about["torsions"]]
+        #: Whether the kinetic energy has terms linear in the rates.
+        self.gyroscopic = hasattr(model.algebra, "gyroscopic")
         #: Names of contacts, and of those that rub.
         self.contacts = [entry["name"] for entry in model.contacts]
         self.rubbing = model.rubbing
@@ -372,6 +374,26 @@ class Evaluation:
         return self.call(
             "damping", [*self.q, *self.directions[: 3 * self.balance.springs]], *pushing
         )
+
+    def gyroscopic(self) -> Matrix:
+        """G of a kinetic energy with terms linear in the rates; 0 of a model without."""
+        if self.balance.gyroscopic:
+            return self.call("gyroscopic", self.q)
+        return [[0] * len(self.q) for _ in self.q]
+
+    def circulatory(self) -> Matrix:
+        """K − Kᵀ, of a model with G; of another it is not asked for, and 0."""
+        if self.balance.gyroscopic:
+            return self.rows("circulatory")
+        return self.gyroscopic()
+
+    def by_rates(self) -> Matrix:
+        """C + G: what the rates bring."""
+        C = self.damping()
+        if not self.balance.gyroscopic:
+            return C
+        rows = zip(C, self.gyroscopic(), strict=True)
+        return [[c + g for c, g in zip(*row, strict=True)] for row in rows]
 
     def slopes_of_friction(self) -> list[Any]:
         """Slopes of the friction laws at steady sliding."""

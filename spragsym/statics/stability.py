@@ -2,7 +2,12 @@
 damps a model.
 
 Types are told by signs that are proved: whether all roots κ = −λ² of det(K − κ M) are real, and
-whether one is negative. All are real where the leading minors of the Hankel matrix of their sums of
+whether one is negative. With a gyroscopic G the λ are those of det(λ² M + λ G + K), a polynomial in
+κ too where K is symmetric. Else every state grows: by flutter, or where all λ to the right are
+real, by divergence. Those to the right are counted by Routh's array, the positive ones among them
+by Sturm's chain.
+
+All κ are real where the leading minors of the Hankel matrix of their sums of
 powers are positive, and not all where one is negative (Hermite); where K is symmetric they are in
 any case. Of a polynomial whose roots are all real, one is negative just if one of their elementary
 symmetric functions is. Signs come from intervals around the state, and where these hold 0 from many
@@ -17,6 +22,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.errors import ParameterError
 from ..models.model import Touching
 from ..numerics import balls
 from ..numerics.arithmetic import Matrix, Number, characteristic, determinant, hurwitz, is_zero
@@ -34,6 +40,7 @@ from ..numerics.interval_arrays import (
     scale_of,
     stacked,
 )
+from ..numerics.polynomials import derivative
 from ..numerics.precise_roots import as_balls, narrowed
 from ..results import Equilibria, EquilibriumType
 from .balance import NOTHING, Balance, PreciseBalance
@@ -41,6 +48,8 @@ from .forces import Evaluation, Pushing, as_intervals, filled
 
 #: Imaginary part of a λ that is real to floats, over its size.
 REAL = 1e-9
+#: Real or imaginary part of a λ without damping beside a λ that is 0, over the largest size.
+MOVED = 1e-7
 #: Growth rate over the frequency below which a state is practically neutral.
 NEUTRAL = 1e-4
 #: States that are looked at together: arrays of intervals of millions would take gigabytes.
@@ -92,7 +101,7 @@ def linearized(
     """The full linearization at some states, by their indices; ``around`` are boxes around all
     states, each alone in its own.
 
-    Source: det(λ² M + λ C + K) = 0; whether something grows by Hurwitz's determinants, see
+    Source: det(λ² M + λ (C + G) + K) = 0; whether something grows by Hurwitz's determinants, see
     :func:`decay`.
     """
     model = eq.parameters.model
@@ -165,15 +174,19 @@ def classified(
     N). A sign that is not known counts as that of 0.
     """
     with quiet():
-        elementary, minors, conservative = _over(balance, balance.prepared_at(given), ends)
-    codes, proved = _told(elementary, minors, conservative)
-    for row, (elementary, minors) in _with_digits(balance, given, ends, ~proved, lambda _: _types):
-        codes[row], proved[row] = _told(elementary, minors, conservative[row])
-    M, _, K = linearization(balance, states, given)
+        signs, real, even = _over(balance, balance.prepared_at(given), ends)
+    codes, proved = _told(signs, real, even)
+    for row, signs in _with_digits(balance, given, ends, ~proved, lambda _: _types):
+        codes[row], proved[row] = _told(signs, real[row], even[row])
+    M, G, K = linearization(balance, states, given, damping=False)
+    if balance.gyroscopic:
+        every = roots(M, G, K)
+        order = np.argsort(-np.abs(every), axis=1, kind="stable")
+        return codes, proved, np.take_along_axis(every, order, axis=1)
     negated = -squares(M, K)  # λ²
     negated = np.take_along_axis(negated, np.argsort(-np.abs(negated), axis=1), axis=1)
-    roots = np.sqrt(negated)
-    return codes, proved, np.concatenate([roots, -roots], axis=1)
+    upper = np.sqrt(negated)
+    return codes, proved, np.concatenate([upper, -upper], axis=1)
 
 
 def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> ComplexArray:
@@ -194,9 +207,9 @@ def squares(M: FloatArray, K: FloatArray) -> ComplexArray:
 
 
 def linearization(
-    balance: Balance, states: FloatArray, given: FloatArray
+    balance: Balance, states: FloatArray, given: FloatArray, damping: bool = True
 ) -> tuple[FloatArray, ...]:
-    """Mass, damping and stiffness matrices at float states, each of shape (N, n, n).
+    """M, C + G, or G without ``damping``, and K at float states, each of shape (N, n, n).
 
     They are NaN where a law has no value, like Hertz's beyond the touch.
     """
@@ -204,13 +217,19 @@ def linearization(
         at = balance.at(list(states), balance.floats(given), states.shape[1:], np)
         return tuple(
             np.moveaxis(filled(part, at.shape), -1, 0)
-            for part in (at.mass(), at.damping(), at.stiffness())
+            for part in (
+                at.mass(),
+                at.by_rates() if damping else at.gyroscopic(),
+                at.stiffness(),
+            )
         )
 
 
 def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
     """The code of one state, shape (n, 1), where one λ is 0, as at a fold: the others decide."""
-    (M,), _, (K,) = linearization(balance, states, given)
+    (M,), (G,), (K,) = linearization(balance, states, given, damping=False)
+    if balance.gyroscopic:
+        return _by_floats(roots(M, G, K))
     every = squares(M, K)
     others = np.delete(every, np.abs(every).argmin())
     if (np.abs(others.imag) > 1e-13 * np.abs(others).max(initial=0.0)).any():
@@ -218,59 +237,82 @@ def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
     return int(EquilibriumType.STABLE if (others.real > 0).all() else EquilibriumType.DIVERGENT)
 
 
+def _by_floats(every: ComplexArray) -> int:
+    """The code of a state by its 2 n λ without damping, of which one is 0, or two are if they come
+    in pairs ± λ.
+    """
+    others = every[np.argsort(np.abs(every))][1:]
+    grow = others[others.real > MOVED * np.abs(others).max(initial=0.0)]
+    if (np.abs(grow.imag) > MOVED * np.abs(grow)).any():
+        return int(EquilibriumType.FLUTTER)
+    return int(EquilibriumType.DIVERGENT if grow.size else EquilibriumType.STABLE)
+
+
 def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray:
     """Boxes of coordinates and prepared parameters all over which all κ are proved to be real,
     those that meet included.
     """
-    _, minors, conservative = _over(balance, parameters, ends)
-    return np.asarray(conservative | (minors > 0).all(axis=0))
+    (_, minors, *_), real, even = _over(balance, parameters, ends)
+    return np.asarray(real | (even & (minors > 0).all(axis=0)))
 
 
 def _over(
     balance: Balance, parameters: Intervals, ends: FloatArray
-) -> tuple[Int8Array, Int8Array, BoolArray]:
-    """Signs of the elementary symmetric functions and of Hermite's minors over boxes, and where K
-    is symmetric.
+) -> tuple[list[Int8Array], BoolArray, BoolArray]:
+    """Signs of :func:`_types` over boxes; where all κ are real in any case, K being symmetric and
+    G 0; and where either holds, so that λ come in pairs ± λ.
     """
     at = balance.state(Intervals(ends), parameters)
-    elementary, minors = _signs_over(at, _types)
-    return elementary, minors, without_flutter(balance, parameters)
+    symmetric = _symmetric(balance, parameters)
+    if not balance.gyroscopic:
+        return _signs_over(at, _types), symmetric, np.ones_like(symmetric)
+    still, same = (
+        matrix(part, at.shape).magnitude.max(axis=(0, 1)) <= NOTHING
+        for part in (at.gyroscopic(), at.circulatory())
+    )
+    symmetric |= same
+    return _signs_over(at, _types), symmetric & still, symmetric | still
 
 
 def without_flutter(balance: Balance, parameters: Intervals) -> BoolArray:
     """Parameters, of shape (…, N), for which all κ are real whatever the state is: K is symmetric,
-    or one number.
+    or one number, and nothing gyroscopic acts.
     """
+    return _symmetric(balance, parameters) & (not balance.gyroscopic)
+
+
+def _symmetric(balance: Balance, parameters: Intervals) -> BoolArray:
+    """Parameters, of shape (…, N), for which K is symmetric whatever the state is."""
     shape = parameters.shape[1:]
     mus = balance.at((), balance.arguments(parameters), shape).felt_frictions
     none = [as_intervals(mu, shape).magnitude <= NOTHING for mu in mus]
-    return _all_real(balance, np.logical_and.reduce(none or [np.ones(shape, dtype=np.bool_)]))
+    return _without_friction(
+        balance, np.logical_and.reduce(none or [np.ones(shape, dtype=np.bool_)])
+    )
 
 
-def _all_real(balance: Balance, frictionless: BoolArray) -> BoolArray:
-    """:func:`without_flutter`: without friction K is symmetric if the page's other forces have a
-    potential.
-    """
+def _without_friction(balance: Balance, frictionless: BoolArray) -> BoolArray:
+    """:func:`_symmetric`: without friction K is, if the page's other forces have a potential."""
     return (balance.model.about["symmetric"] & frictionless) | (balance.n == 1)
 
 
 def decay(
     balance: Balance, given: FloatArray, ends: FloatArray, undamped: Int8Array, growth: FloatArray
 ) -> Int8Array:
-    """What all λ of det(λ² M + λ C + K) = 0 do: 1 where it is proved that none grows, −1 that one
-    does, 0 where it is not known.
+    """What all λ of det(λ² M + λ (C + G) + K) = 0 do: 1 where it is proved that none grows, −1 that
+    one does, 0 where it is not known.
 
     All decay just where the coefficients of that polynomial and Hurwitz's determinants are
     positive; where one of these is negative some λ has a positive real part, since without such all
     would be limits of positive ones. Where these are not told from 0, as of damping that is next to
     nothing, the same test right of half the ``growth`` of floats tells that one grows. Arguments as
-    for :func:`classified`; ``undamped`` says the same of λ² M + K, which counts where C is 0: there
-    every second coefficient is 0.
+    for :func:`classified`; ``undamped`` says the same of λ² M + λ G + K, which counts where C is 0:
+    there every second coefficient may be 0.
     """
 
     def asked(shift: Number) -> Ask:
         return lambda at, taken: _routh_twice(
-            shift, *map(taken, (at.mass(), at.damping(), at.stiffness()))
+            shift, *map(taken, (at.mass(), at.by_rates(), at.stiffness()))
         )
 
     with quiet():
@@ -287,8 +329,42 @@ def decay(
 
 
 def _types(at: Evaluation, taken: Taken) -> Matrix:
-    """What tells the type."""
-    return invariants(taken(at.stiffness()), taken(at.mass()))
+    """What tells the type; with G Routh's array and Sturm's chain too."""
+    K, M = taken(at.stiffness()), taken(at.mass())
+    if not at.balance.gyroscopic:
+        return invariants(characteristic(K, M))
+    a = characteristic(K, taken(at.gyroscopic()), M)
+    return [*invariants(a[::2]), *_growing(a)]
+
+
+def _growing(a: list[Any]) -> Matrix:
+    """Numbers by whose changes of sign roots of a polynomial are counted: those to the right, and
+    at 0 and far out, the real ones.
+
+    The first is the column of Routh's array of the polynomial times λ + 1: with a root on the left
+    the sum of all is not 0, at which the array would end. The others are ends of Sturm's chain.
+    """
+    b = [low + high for low, high in zip([*a, 0], [0, *a], strict=True)][::-1]
+    rows = [b[::2], b[1::2]]
+    while rows[-1]:
+        rows.append(_reduced(*rows[-2:]))
+    chain = [a[::-1], derivative(a)[::-1]]
+    while len(chain[-1]) > 1:
+        chain.append([-entry for entry in _reduced(_reduced(*chain[-2:]), chain[-1])])
+    return [
+        [row[0] for row in rows[:-1]],
+        [part[-1] for part in chain],
+        [part[0] for part in chain],
+    ]
+
+
+def _reduced(one: list[Any], two: list[Any]) -> list[Any]:
+    """A row, the highest coefficient first, less the multiple of another that takes its first
+    entry away.
+    """
+    factor = one[0] / two[0]
+    more = [*two, *[0] * (len(one) - len(two))]
+    return [x - factor * y for x, y in zip(one[1:], more[1:], strict=True)]
 
 
 def _routh_twice(shift: Number, M: Matrix, C: Matrix, K: Matrix) -> Matrix:
@@ -322,13 +398,12 @@ def _told_to_decay(signs: Sequence[Int8Array]) -> Int8Array:
     return np.where(here != 0, here, np.minimum(beyond, 0)).astype(np.int8)
 
 
-def invariants(K: Matrix, M: Matrix) -> Matrix:
+def invariants(coefficients: list[Any]) -> Matrix:
     """Elementary symmetric functions e₁ … eₙ of the κ, and the minors of sizes 2 to n of Hermite's
-    matrix, of any number type.
+    matrix, of any number type, by the coefficients of det M Π (κ_i + λ²), the lowest first.
     """
-    n = len(K)
-    # det(K + κ M) = det M Π (κ_i + κ): the coefficient of κᵏ is e_{n−k} det M.
-    coefficients = characteristic(K, M)
+    n = len(coefficients) - 1
+    # That of λ²ᵏ is e_{n−k} det M.
     e = [1, *(coefficients[n - k] / coefficients[n] for k in range(1, n + 1))]
     sums: list[Any] = [n]
     for k in range(1, 2 * n - 1):
@@ -347,18 +422,30 @@ def _signs_over(at: Evaluation, ask: Ask) -> list[Int8Array]:
 
 
 def _told(
-    elementary: Int8Array, minors: Int8Array, conservative: BoolArray
+    signs: Sequence[Int8Array], real: BoolArray, even: BoolArray
 ) -> tuple[Int8Array, BoolArray]:
-    """Codes, and whether the signs that are known decide them; 0 for a sign that is not known."""
-    flutter = (minors < 0).any(axis=0) & ~conservative
-    real = conservative | (minors > 0).all(axis=0)
+    """Codes, and whether the signs that are known decide them, 0 for one that is not; ``real`` and
+    ``even`` as :func:`_over` has them.
+    """
+    elementary, minors, *counted = signs
+    flutter = (minors < 0).any(axis=0) & ~real
+    real = real | (minors > 0).all(axis=0)
     divergent = (elementary < 0).any(axis=0)
     code = np.where(
         flutter,
         EquilibriumType.FLUTTER,
         np.where(divergent, EquilibriumType.DIVERGENT, EquilibriumType.STABLE),
     ).astype(np.int8)
-    return code, flutter | (real & (divergent | (elementary > 0).all(axis=0)))
+    proved = flutter | (real & (divergent | (elementary > 0).all(axis=0)))
+    if not counted:
+        return code, proved
+    known = np.logical_and.reduce([(part != 0).all(axis=0) for part in counted])
+    right, at_zero, far = (np.abs(np.diff(part, axis=0)).sum(axis=0) // 2 for part in counted)
+    other = np.where(right > at_zero - far, EquilibriumType.FLUTTER, EquilibriumType.DIVERGENT)
+    return (
+        np.where(even | ~known, code, other).astype(np.int8),
+        np.where(even, proved, known),
+    )
 
 
 def _with_digits(
@@ -383,10 +470,18 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> EquilibriumType:
     """The type of a state of balls; :class:`UndecidedSign` where a sign that it takes is not
     decided.
     """
-    balance, (elementary, minors) = precise.balance, _signs_at(precise, q, _types)
-    mus = as_balls([[*precise.state(q).felt_frictions]], precise.bits)[0]
-    none = all(low == 0 == high for low, high in map(balls.ends, mus))
-    code, proved = _told(elementary, minors, _all_real(balance, np.array([none])))
+    balance, at = precise.balance, precise.state(q)
+    mus, still, same = (
+        all(
+            low == 0 == high
+            for row in as_balls(part, precise.bits)
+            for low, high in map(balls.ends, row)
+        )
+        for part in ([[*at.felt_frictions]], at.gyroscopic(), at.circulatory())
+    )
+    symmetric = _without_friction(balance, np.array([mus])) | same
+    signs = _signs_at(precise, q, _types)
+    code, proved = _told(signs, symmetric & still, symmetric | still)
     if not proved[0]:
         raise UndecidedSign("a state on the border of its type")
     return EquilibriumType(int(code[0]))
@@ -426,7 +521,9 @@ def is_damped(balance: Balance, over: Intervals) -> bool:
     states = np.random.default_rng(0).uniform(-FAR, FAR, (balance.n, PLACES)) * np.geomspace(
         0.01, 3.0, PLACES
     )
-    C = linearization(balance, states, point)[1]
+    at = balance.at(list(states), balance.floats(point), states.shape[1:], np)
+    with quiet():
+        C = filled(at.damping(), at.shape)
     return bool((np.isfinite(C) & (C != 0)).any())
 
 
@@ -458,3 +555,16 @@ def is_conservative(balance: Balance, over: Intervals) -> bool:
     """
     with quiet():
         return bool(without_flutter(balance, balance.prepared(over)).all())
+
+
+def require_pairs(balance: Balance, over: Intervals) -> None:
+    """An error where λ without damping do not come in pairs ± λ: with G and a K that is not
+    symmetric something grows in every state.
+    """
+    with quiet():
+        if balance.gyroscopic and not _symmetric(balance, balance.prepared(over)).all():
+            raise ParameterError(
+                "without damping no state is stable where gyroscopic terms act beside friction, or "
+                "another force without a potential, so that no flutter sets in; ask for the onsets "
+                "of the damped model, damping=True, with dampers on the page"
+            )

@@ -175,10 +175,10 @@ BEYOND: dict[str, tuple[limits.Limit, str, str, str]] = {
         "lambda v, z: mu0 * tanh(d * v) * z",
         "page.friction(",
     ),
-    "a gyroscopic term": (
-        limits.GYROSCOPIC,
+    "a mass that depends on the speed": (
+        limits.MASS_OF_SPEED,
         "page.kinetic(",
-        "page.kinetic(c * x * page.rate(y) + ",
+        "page.kinetic(m * page.rate(y) ** 4 / V**2 + ",
         "page.kinetic(",
     ),
     "five coordinates": (

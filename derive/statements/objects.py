@@ -368,7 +368,7 @@ def _characteristic(it: Derivation, name: str, side: str) -> Object:
     K = sp.Matrix(statics.jacobian(it.model))
     whole = LAMBDA**2 * mass + LAMBDA * C + K
     polynomial = whole.applyfunc(lambda entry: it.steady(entry, side)).det(method="laplace")
-    by = "linearization.damping, mechanics.Mechanics.gyroscopic, statics.jacobian"
+    by = "linearization.damping, statics.jacobian"
     return Object((polynomial,), by, factor="parameters", steady=True, side=side)
 
 

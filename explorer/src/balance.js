@@ -63,6 +63,7 @@ export function balanceAt(algebra, about, point) {
     stiffness: (q, contact, along = directions(q)) => call("forces_jacobian", q, along, contact),
     mass: (q) => algebra.mass_matrix(...q, ...motion),
     damping: (q, contact) => algebra.damping?.(...q, ...lines(q), ...motion, pushing(contact)) ?? q.map(() => q.map(() => 0)),
+    gyroscopic: (q) => algebra.gyroscopic?.(...q, ...motion),
     gap: (q) => algebra.contact_gap?.(...q, ...statics) ?? -1,
     /** Directions that do not turn: cosine and sine of every spring, by angles; so far away no torque has a force. */
     held: (angles) => [...angles.flatMap((angle) => [Math.cos(angle), Math.sin(angle), FAR]), ...Array(about.torsions).fill(0)],

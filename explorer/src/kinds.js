@@ -5,8 +5,17 @@ import { determinant, EigenvalueDecomposition, Matrix, solve } from "ml-matrix";
 /** Squares of roots with an imaginary part below this share of the largest are real. */
 const REAL = 1e-13;
 
-/** "stable", "divergent" or "flutter", as the Python package says it, from mass and stiffness matrices. */
-export function kindOf(mass, stiffness) {
+/** Real parts of roots without damping above this share of the largest root grow, with gyroscopic terms: double ones are known to no more. */
+const GROWS = 1e-7;
+
+/** "stable", "divergent" or "flutter", as the Python package says it, from mass and stiffness matrices, and what is gyroscopic if anything is. */
+export function kindOf(mass, stiffness, gyroscopic) {
+  if (gyroscopic) {
+    const { realEigenvalues, imaginaryEigenvalues } = spectrum(mass, gyroscopic, stiffness);
+    const limit = GROWS * Math.max(...realEigenvalues.map((real, i) => Math.hypot(real, imaginaryEigenvalues[i])));
+    const growing = imaginaryEigenvalues.filter((_, i) => realEigenvalues[i] > limit);
+    return growing.some((imaginary) => Math.abs(imaginary) > limit) ? "flutter" : growing.length ? "divergent" : "stable";
+  }
   const { realEigenvalues, imaginaryEigenvalues } = new EigenvalueDecomposition(solve(new Matrix(mass), new Matrix(stiffness)));
   const size = Math.max(...realEigenvalues.map((real, i) => Math.hypot(real, imaginaryEigenvalues[i])));
   const complex = imaginaryEigenvalues.map((imaginary) => Math.abs(imaginary) > REAL * size);
@@ -22,15 +31,16 @@ const STIFF = 1e6;
 const NEUTRAL = 1e-4;
 
 /** What small deviations do with dampers and the slope of the friction law: stable, neutral or unstable, and at what rate they grow. */
-export function stabilityOf(mass, damping, stiffness, undamped) {
+export function stabilityOf(mass, damping, stiffness, undamped, gyroscopic) {
   if (![damping, stiffness].flat(2).every(Number.isFinite)) {
     return { stability: "", rate: NaN };
   }
   if (!damping.flat().some(Boolean)) {
-    const rate = undamped === "stable" ? 0 : withoutDamping(mass, stiffness);
+    const rate = undamped === "stable" ? 0 : gyroscopic ? fastest(mass, gyroscopic, stiffness).rate : withoutDamping(mass, stiffness);
     return { stability: rate ? "unstable" : "neutral", rate };
   }
-  const { rate, frequency } = fastest(mass, damping, stiffness);
+  const by_rates = gyroscopic ? damping.map((row, i) => row.map((entry, j) => entry + gyroscopic[i][j])) : damping;
+  const { rate, frequency } = fastest(mass, by_rates, stiffness);
   return { stability: Math.abs(rate) <= NEUTRAL * frequency ? "neutral" : rate < 0 ? "stable" : "unstable", rate };
 }
 
@@ -40,15 +50,20 @@ function withoutDamping(mass, stiffness) {
   return Math.max(...realEigenvalues.map((real, i) => Math.sqrt((Math.hypot(real, imaginaryEigenvalues[i]) - real) / 2)));
 }
 
-/** The root of largest real part, with dampers and the slope of the friction law, from mass, damping and stiffness matrices. */
-function fastest(mass, damping, stiffness) {
+/** All roots λ of det(λ² M + λ B + K), from M, what the rates bring, and K. */
+function spectrum(mass, damping, stiffness) {
   const n = mass.length;
   const [from_damping, from_stiffness] = [damping, stiffness].map((part) => solve(new Matrix(mass), new Matrix(part)).mul(-1));
   const companion = Matrix.zeros(2 * n, 2 * n);
   const stiffest = from_stiffness.to1DArray().reduce((most, entry) => Math.max(most, Math.abs(entry)), 0);
   const scale = stiffest > STIFF ? Math.sqrt(stiffest) : 1; // of rates; none that makes the matrix orthogonal, where QR steps stand still
   companion.setSubMatrix(Matrix.eye(n).mul(scale), 0, n).setSubMatrix(from_stiffness.div(scale), n, 0).setSubMatrix(from_damping, n, n);
-  const { realEigenvalues, imaginaryEigenvalues } = new EigenvalueDecomposition(companion);
+  return new EigenvalueDecomposition(companion);
+}
+
+/** The root of largest real part of the same. */
+function fastest(mass, damping, stiffness) {
+  const { realEigenvalues, imaginaryEigenvalues } = spectrum(mass, damping, stiffness);
   const rate = Math.max(...realEigenvalues);
   const frequencies = imaginaryEigenvalues.map((imaginary, i) => (Math.abs(imaginary) > 1e-9 * Math.hypot(realEigenvalues[i], imaginary) ? Math.abs(imaginary) : Infinity));
   const own = frequencies[realEigenvalues.indexOf(rate)];

@@ -107,9 +107,9 @@ function once({ coordinates }, q) {
 /** One state with its kind, which a proof may have told. */
 export function described(balance, q, contact, told = null) {
   const along = balance.directions(q);
-  const [mass, stiffness] = [balance.mass(q), balance.stiffness(q, contact, along)];
-  const undamped = told ?? kindOf(mass, stiffness);
-  return { q, contact, undamped, ...stabilityOf(mass, balance.damping(q, contact), stiffness, undamped), along };
+  const [mass, gyroscopic, stiffness] = [balance.mass(q), balance.gyroscopic(q), balance.stiffness(q, contact, along)];
+  const undamped = told ?? kindOf(mass, stiffness, gyroscopic);
+  return { q, contact, undamped, ...stabilityOf(mass, balance.damping(q, contact), stiffness, undamped, gyroscopic), along };
 }
 
 /**

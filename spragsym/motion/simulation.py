@@ -376,7 +376,9 @@ class Trajectory(Named):
         return course_of(self.samples, counts, self.model.field)
 
     def energy(self) -> FloatArray:
-        """Kinetic and stored energy, contact and applied forces included, at the samples."""
+        """Kinetic and stored energy, contact and applied forces included, at the samples; with
+        terms of the kinetic energy linear in the rates, or without them, Jacobi's integral.
+        """
         return self.model.algebra.energy(*self.state, *self._arguments(), *self._pushing())
 
     def friction_power(self) -> FloatArray:

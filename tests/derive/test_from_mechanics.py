@@ -77,6 +77,20 @@ def test_a_damper_between_two_coordinates_resists_their_difference(tmp_path: Pat
     assert folder.render(ours, "")["algebra.py"] == folder.render(theirs, "")["algebra.py"]
 
 
+@pytest.mark.thorough
+def test_a_lagrangian_with_terms_linear_in_the_rates_is_a_kinetic_energy(tmp_path: Path) -> None:
+    linear = LAGRANGE.replace("- stored, [X, Y],", "+ m * V / L_0 * X * Y.diff() - stored, [X, Y],")
+    ours = read(tmp_path, "kang_nam", linear)
+    text = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
+    turned = text.replace("page.kinetic(", "page.kinetic(m * V / L_0 * x * page.rate(y) + ")
+    (tmp_path / "theirs.py").write_text(
+        turned.replace("..model", "spragsym.derive.model"), encoding="utf-8"
+    )
+    theirs = folder.render(pages.read(tmp_path / "theirs.py", "kang_nam"), "")["algebra.py"]
+    assert folder.render(ours, "")["algebra.py"] == theirs
+    assert "def gyroscopic" in theirs
+
+
 @pytest.mark.parametrize(
     ("before", "after", "words"),
     [
@@ -89,7 +103,6 @@ def test_a_damper_between_two_coordinates_resists_their_difference(tmp_path: Pat
             "along x holds N beside contact and friction",
         ),
         ("mu * N * belt.x", "(mu * N + m * V / L_0 * Y.diff()) * belt.x", "gyroscopic"),
-        ("- stored, [X, Y],", "+ m * V / L_0 * X * Y.diff() - stored, [X, Y],", "gyroscopic"),
         ("(length - L_0) ** 2)", "(length - L_0) ** 4 / L_0**2)", "is no spring of a page"),
         (
             "sp.sqrt((L_0 * cos(theta0) - X) ** 2",

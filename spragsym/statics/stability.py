@@ -348,7 +348,7 @@ def _growing(a: list[Any]) -> Matrix:
     rows = [b[::2], b[1::2]]
     while rows[-1]:
         rows.append(_reduced(*rows[-2:]))
-    chain = [a[::-1], derivative(a)[::-1]]
+    chain = [a[::-1], [*derivative(a)][::-1]]
     while len(chain[-1]) > 1:
         chain.append([-entry for entry in _reduced(_reduced(*chain[-2:]), chain[-1])])
     return [

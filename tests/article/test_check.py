@@ -21,7 +21,7 @@ from spragsym.derive.kang_nam import article, free_body, ledger
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.kang_nam.ledger import Row
 from spragsym.derive.kang_nam.mechanics import AX, AY
-from spragsym.derive.statements import verdicts
+from spragsym.derive.statements.comparison import Comparison
 from spragsym.derive.statements.papers import Paper, Statement
 from spragsym.derive.statements.reading import Item, opened
 from spragsym.derive.statements.tree import Equation, Node, nodes, printed, to_sympy, with_part
@@ -356,7 +356,7 @@ def test_every_mutation_is_caught_and_located(id: str) -> None:
             others = (*item.equations[:place], other, *item.equations[place + 1 :])
             whole = side if item.held.is_value else Node("add", (side, Node("neg", (right,))))
             after = changed if item.held.is_value else Node("add", (changed, Node("neg", (right,))))
-            holds = verdicts.agrees(dataclasses.replace(item, equations=others), {})
+            holds = Comparison(dataclasses.replace(item, equations=others)).agrees
             neutral = PRINTED[id].expect in ("confirmed", "definition") and is_neutral(
                 item, whole, after
             )

@@ -1,0 +1,285 @@
+"""A printed statement beside what it is about: at samples, and by exact algebra."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TypeAlias
+
+import numpy as np
+import sympy as sp
+from sympy.core.relational import Relational
+
+from .. import algebra
+from ..algebra import Pair
+from ..mechanics import MU, PUSHING
+from .objects import BOTH, CONTACT, LAMBDA, LIFT_OFF, NORMAL
+from .reading import Item
+from .repair import Values, evaluated, same
+from .samples import numeric
+from .tree import Equation, Node, printed, to_sympy
+
+#: Terms of either side of a residual, by whose ratios its factor is found.
+MOST_TERMS = 40
+
+
+@dataclass(frozen=True)
+class Convention:
+    """Coordinates of the print as sign · coordinate of the page + shift."""
+
+    sign: int = 1
+    shift: sp.Expr = field(default_factory=lambda: sp.S.Zero)
+
+    def said(self, name: str) -> str:
+        """In words."""
+        shift = "" if self.shift == 0 else f" + {self.shift}"
+        return f"{name} of the print is {'-' if self.sign < 0 else ''}{name}{shift} of the page"
+
+
+Conventions: TypeAlias = dict[str, Convention]
+
+
+@dataclass(frozen=True)
+class Component:
+    """One printed side, and what it ought to be: values, and the same exactly."""
+
+    tree: Node
+    ways: tuple[tuple[Values, sp.Expr], ...]
+    left: str = ""
+
+    @property
+    def said(self) -> str:
+        """The equation, in SymPy's syntax."""
+        return equation_of(self.left, printed(self.tree))
+
+
+def equation_of(left: str, text: str) -> str:
+    """A text beside the name that it gives a value to, or beside 0."""
+    return f"{left} = {text}" if left else f"{text} = 0"
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """A statement beside its object, in the conventions of its paper."""
+
+    item: Item
+    conventions: Conventions = field(default_factory=dict)
+
+    @cached_property
+    def converted(self) -> dict[str, sp.Expr]:
+        """Names of the print that stand for something else than on the page, and for what."""
+        found: dict[str, sp.Expr] = {}
+        it = self.item.it
+        for moving in zip(it.model.coordinates, it.model.rates, it.accelerations, strict=True):
+            if (convention := self.conventions.get(str(moving[0]))) is not None:
+                found |= {str(symbol): convention.sign * symbol for symbol in moving}
+                found[str(moving[0])] += it.measured(convention.shift)
+        return found
+
+    @cached_property
+    def values(self) -> dict[str, Values]:
+        """Values of the print's names where the page's are the samples'."""
+        known = self.item.values
+        changed = {name: numeric(it, [*known])(known) for name, it in self.converted.items()}
+        values = {**known, **changed}
+        for name, tree in self.item.defined.items():
+            values[name] = evaluated(tree, values)
+        return values
+
+    @cached_property
+    def names(self) -> dict[str, sp.Expr]:
+        """What the print's names are in the page's symbols; geometry stays in names."""
+        it = self.item.it
+        names = it.names | {name: sp.Symbol(name) for name in it.geometry}
+        names |= self.converted
+        names |= self.item.bound
+        for name, tree in self.item.defined.items():
+            names[name] = to_sympy(tree, names)
+        return names
+
+    def exactly(self, tree: Node) -> sp.Expr:
+        """A tree of the print in the page's symbols."""
+        return to_sympy(tree, self.names)
+
+    # --------------------------------------------------------------------------------- components
+
+    def components(self, factors: bool = True) -> list[Component]:
+        """Every printed equation with what its side ought to be, once for each possible factor."""
+        item, held = self.item, self.item.held
+        found = []
+        for equation, place in zip(item.equations, held.index, strict=True):
+            if (side := judged_side(item, equation)) is None:
+                continue
+            tree, left = side
+            sign = self._sign(place)
+            target, entry = sign * item.targets[place], sign * held.entries[place]
+            if held.is_value:
+                meant = [one.entry for one in held.readings] or [entry]
+                ways = zip(item.readings or (target,), meant, strict=True)
+                found.append(Component(tree, tuple(ways), left))
+                continue
+            tried = [sp.S.One, sp.S.NegativeOne]
+            own = evaluated(tree, self.values)
+            plain = any(same(own, way * target) for way in (1, -1))
+            if factors and not plain and held.factor in ("parameters", "monomial"):
+                tried += self._factors(tree, held.entries[place])
+            sizes = [numeric(it, [*item.values])(item.values) for it in tried]
+            pairs = zip(sizes, tried, strict=True)
+            found.append(Component(tree, tuple((size * target, it * entry) for size, it in pairs)))
+        return found
+
+    def _sign(self, place: int) -> int:
+        """The sign by which an entry changes with the coordinates."""
+        names = [str(symbol) for symbol in self.item.it.model.coordinates]
+        signs = [self.conventions.get(name, Convention()).sign for name in names]
+        match self.item.held.law:
+            case "covector" | "vector":
+                return signs[place]
+            case "form":
+                return signs[place // len(signs)] * signs[place % len(signs)]
+            case _:
+                return 1
+
+    def _factors(self, tree: Node, entry: sp.Expr) -> list[sp.Expr]:
+        """Factors of parameters by which terms of the print are derived ones, by votes."""
+        it = self.item.it
+        model = it.model
+        states = (*model.coordinates, *model.rates, *it.accelerations, LAMBDA, NORMAL, MU)
+
+        def apart(expression: sp.Expr) -> list[Pair]:
+            """Factors of parameters, and what else stands in each term."""
+            terms = sp.Add.make_args(sp.expand(expression))[:MOST_TERMS]
+            return [term.as_independent(*states, as_Add=False) for term in terms]
+
+        ours = apart(it.expanded(entry))
+        votes: dict[sp.Expr, int] = {}
+        for factor, state in apart(self.exactly(tree)):
+            for own, same_state in ours:
+                if state == same_state and own != 0:
+                    votes[factor / own] = votes.get(factor / own, 0) + 1
+        return sorted(votes, key=lambda it: (-votes[it], sp.count_ops(it), str(it)))[:4]
+
+    # ----------------------------------------------------------------------------------- equality
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the statement holds at all samples."""
+        parts = self.components(factors=False)
+        return bool(parts) and all(
+            any(self.holds(part.tree, target) for target, _ in part.ways) or self._factored(part)
+            for part in parts
+        )
+
+    def _factored(self, part: Component) -> bool:
+        """Whether the ratio of both is the same in both states of every pair."""
+        if self.item.held.factor != "parameters":
+            return False
+        with np.errstate(all="ignore"):
+            ratio = evaluated(part.tree, self.values) / part.ways[0][0]
+        return same(ratio[::2], ratio[1::2])
+
+    def holds(self, tree: Node, target: Values) -> bool:
+        """Whether a tree has the values that it ought to have, but for a constant in an energy."""
+        own = evaluated(tree, self.values)
+        if self.item.held.factor == "constant":  # the same difference in both states of a pair
+            gap, size = own - target, np.abs(own) + np.abs(target)
+            return bool((np.abs(gap[::2] - gap[1::2]) <= 1e-9 * size[::2]).all())
+        return same(own, target)
+
+    def proved(self, tree: Node, entry: sp.Expr) -> bool:
+        """Whether a tree is the derived expression, by exact algebra."""
+        if self._is_short(tree, entry):
+            return True
+        it, held = self.item.it, self.item.held
+        gap = self.exactly(tree) - entry
+        if held.factor == "constant":
+            states = (*it.model.coordinates, *it.model.rates)
+            return all(is_zero(sp.diff(it.expanded(gap), symbol)) for symbol in states)
+        sides = (CONTACT, LIFT_OFF) if held.side == BOTH else (held.side,)
+        return all(self._vanishes(gap, side) for side in sides)
+
+    def _is_short(self, tree: Node, entry: sp.Expr) -> bool:
+        """Whether a tree is the derived expression in shorthands, whatever they stand for."""
+        held = self.item.held
+        if held.short is None or entry not in (held.entries[0], -held.entries[0]):
+            return False
+        symbol_of = {value: symbol for symbol, value in held.short[1].items()}
+        known = {name: symbol_of.get(value, value) for name, value in self.names.items()}
+        entry = held.short[0] if entry == held.entries[0] else -held.short[0]
+        return is_zero(to_sympy(tree, known) - entry)
+
+    def _vanishes(self, gap: sp.Expr, side: str) -> bool:
+        """Whether a difference is 0 on a side of the contact: as it stands, or by the laws."""
+        it = self.item.it
+        is_open = side == LIFT_OFF and it.model.contact.unilateral
+        mu = it.friction_at_rest if self.item.held.steady else it.friction
+        laws = {NORMAL: sp.S.Zero if is_open else it.normal, MU: mu}
+        gap = gap.xreplace({PUSHING: sp.S.Zero if is_open else sp.S.One})
+        named = dict.fromkeys((gap, gap.xreplace(laws)))
+        if any(map(is_zero, named)):
+            return True
+        sign = -1 if side == CONTACT else 1
+        return any(is_zero(self._on_side(it.expanded(one), sign)) for one in named)
+
+    def _on_side(self, value: sp.Expr, side: int) -> sp.Expr:
+        """A value with the gap's size and sign, and relations to 0, as they are on a side."""
+        it = self.item.it
+        if it.model.contact.gap is None or not it.model.contact.unilateral:
+            return value
+        gap = it.expanded(it.spelled(it.model.contact.gap))
+        for node in value.atoms(sp.Abs, sp.sign, Relational):
+            size = node.lhs - node.rhs if isinstance(node, Relational) else node.args[0]
+            for way in (1, -1):
+                if is_zero(size - way * gap):
+                    known = side * gap if isinstance(node, sp.Abs) else sp.Integer(side * way)
+                    if isinstance(node, Relational):
+                        known = node.func(known, 0)
+                    value = value.xreplace({node: known})
+        return value
+
+
+def judged_side(item: Item, equation: Equation) -> tuple[Node, str] | None:
+    """What of an equation is held against the object, and the name that it gives to it."""
+    left, right = equation.left, equation.right
+    is_residual = printed(right) == "0"
+    if not item.held.is_value and not is_residual:
+        return Node("add", (left, Node("neg", (right,), at=right.at))), ""
+    if item.held.is_value and (printed(left) in item.held.names or _is_new(item, left)):
+        return right, printed(left)
+    return (left, "") if is_residual else None  # 2 T = … is no value of T; an expression alone is
+
+
+def _is_new(item: Item, left: Node) -> bool:
+    """Whether a name on the left is none of the page, or, of a scale, what is scaled."""
+    known = item.held.law != "scale" and left.value in item.it.names
+    return left.kind == "symbol" and not known
+
+
+def is_zero(expression: sp.Expr) -> bool:
+    """Whether an expression is 0 on all unit circles."""
+    plain, names, circles = _on_circles(expression)
+    return not plain.has(sp.Piecewise) and algebra.equal(plain.xreplace(names), sp.S.Zero, circles)
+
+
+def normal_form(expression: sp.Expr) -> sp.Expr:
+    """An expression modulo sin² + cos² = 1 of every angle: 0 exactly where it is 0."""
+    plain, names, circles = _on_circles(expression)
+    if plain.has(sp.Piecewise):  # a choice that is not made is compared with nothing
+        return plain
+    gap = algebra.difference(plain.xreplace(names), sp.S.Zero, circles)
+    return gap.xreplace({dummy: node for node, dummy in names.items()})
+
+
+def _on_circles(plain: sp.Expr) -> tuple[sp.Expr, Mapping[sp.Expr, sp.Expr], algebra.Circles]:
+    """An expression in cosines and sines of angles, and what stands for these."""
+    if plain.has(sp.tan, sp.cot):
+        plain = plain.replace(sp.cot, lambda angle: sp.cos(angle) / sp.sin(angle))
+        plain = plain.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))
+    plain = sp.expand_trig(plain)
+    angles = sorted({node.args[0] for node in plain.atoms(sp.cos, sp.sin)}, key=sp.default_sort_key)
+    circles = tuple((sp.Dummy("c", real=True), sp.Dummy("s", real=True)) for _ in angles)
+    names: dict[sp.Expr, sp.Expr] = {}
+    for angle, (cosine, sine) in zip(angles, circles, strict=True):
+        names |= {sp.cos(angle): cosine, sp.sin(angle): sine}
+    return plain, names, circles

@@ -8,14 +8,23 @@ import sympy as sp
 
 from ..algebra import Names, Pair, Row
 from . import unit_circles, elimination, stability
-from . import nomenclature as nm
+from .nomenclature import B, L, M, alpha, c, c0, fa, fa_v, fb, fb_v, fd, fd_v, fm, fm_v, kappa
+from .nomenclature import p, q, s, s0, sigma
 from .elimination import f_form
 from .equilibrium import POLES, equal
+from .unit_circles import (
+    ascending,
+    in_half_angle,
+    polynomial,
+    reduce_circles,
+    require,
+    rotate_derivative,
+)
 
 #: f′, f″ and f‴ with respect to θ.
-slope = sp.expand(unit_circles.rotate_derivative(f_form))
-curvature = sp.expand(unit_circles.rotate_derivative(slope))
-third = sp.expand(unit_circles.rotate_derivative(curvature))
+slope = sp.expand(rotate_derivative(f_form))
+curvature = sp.expand(rotate_derivative(slope))
+third = sp.expand(rotate_derivative(curvature))
 
 
 @cache
@@ -25,9 +34,9 @@ def surface() -> sp.Expr:
         elimination.f_in_parameters(),
         surface_in_coefficients().subs(elimination.f_coefficients()),
     )
-    (friction,) = sp.solve(f, nm.M)
-    unit_circles.require(
-        not sp.diff(f, nm.M).has(nm.M) and sp.simplify(friction - surface) == 0,
+    (friction,) = sp.solve(f, M)
+    require(
+        not sp.diff(f, M).has(M) and sp.simplify(friction - surface) == 0,
         "f, linear in M, and the surface",
     )
     return surface
@@ -35,8 +44,8 @@ def surface() -> sp.Expr:
 
 def surface_in_coefficients() -> sp.Expr:
     """The same, with a and b kept as symbols."""
-    arranged = nm.fa * nm.s * nm.c + nm.fb * nm.c + nm.q * nm.alpha * nm.c0 * nm.s
-    return arranged / (nm.s * (nm.kappa - nm.sigma * (nm.s0 - nm.s)))
+    arranged = fa * s * c + fb * c + q * alpha * c0 * s
+    return arranged / (s * (kappa - sigma * (s0 - s)))
 
 
 @cache
@@ -44,10 +53,10 @@ def slope_identity() -> bool:
     """L det K = ∂f/∂θ wherever f = 0: with the friction for which f = 0 put in, the two sides are
     the same function.
     """
-    on_surface = {nm.M: surface()}
+    on_surface = {M: surface()}
     determinant = stability.in_shorthand(stability.stiffness()).det()
-    left = (nm.L * determinant).subs(nm.L, elimination.state()[nm.L])
-    right = unit_circles.rotate_derivative(elimination.f_in_parameters())
+    left = (L * determinant).subs(L, elimination.state()[L])
+    right = rotate_derivative(elimination.f_in_parameters())
     return equal(left.subs(on_surface), right.subs(on_surface))
 
 
@@ -58,12 +67,12 @@ def slope_identity() -> bool:
 @cache
 def fold_relations() -> Names:
     """b and d on a fold, from f = f′ = 0, which are linear in the two."""
-    solution = sp.solve([f_form, slope], [nm.fb, nm.fd], dict=True)[0]
+    solution = sp.solve([f_form, slope], [fb, fd], dict=True)[0]
     arranged = {
-        nm.fb: -(nm.s**2) * (nm.fa * nm.s + nm.fm * nm.c),
-        nm.fd: -nm.fa * nm.c**3 + nm.fm * nm.s * (1 + nm.c**2),
+        fb: -(s**2) * (fa * s + fm * c),
+        fd: -fa * c**3 + fm * s * (1 + c**2),
     }
-    unit_circles.require(
+    require(
         all(unit_circles.equal(solution[symbol], value) for symbol, value in arranged.items()),
         "b and d on a fold",
     )
@@ -85,9 +94,9 @@ def fold_angles() -> Pair:
     > 0.
     """
     along, across = fold_residuals()
-    (s0,) = sp.solve(along, nm.s0)
-    (c0,) = sp.solve(across, nm.c0)
-    return s0, c0
+    (sine0,) = sp.solve(along, s0)
+    (cosine0,) = sp.solve(across, c0)
+    return sine0, cosine0
 
 
 @cache
@@ -99,14 +108,14 @@ def fold_quartic() -> tuple[Row, Names]:
     takes :func:`fold_quadratic`. Dividing by p B and q α first keeps every coefficient a sum of a
     few squares and products.
     """
-    s0, c0 = fold_angles()
+    sine0, cosine0 = fold_angles()
     line, parabola = sp.symbols("u:2"), sp.symbols("g:3")
-    sine, cosine = (unit_circles.polynomial(names, nm.M) for names in (line, parabola))
+    sine, cosine = (polynomial(names, M) for names in (line, parabola))
     values = (
-        *unit_circles.ascending(s0, nm.M),
-        *unit_circles.ascending(sp.cancel(c0.subs(nm.s0, sine)), nm.M),
+        *ascending(sine0, M),
+        *ascending(sp.cancel(cosine0.subs(s0, sine)), M),
     )
-    coefficients = unit_circles.ascending(sp.expand(sine**2 + cosine**2 - 1), nm.M)
+    coefficients = ascending(sp.expand(sine**2 + cosine**2 - 1), M)
     return coefficients, dict(zip((*line, *parabola), map(sp.factor_terms, values), strict=True))
 
 
@@ -116,14 +125,14 @@ def fold_quadratic() -> Row:
     M.
     """
     _, across = fold_residuals()
-    s0, _ = fold_angles()
-    return _coefficients_in_M(sp.cancel((nm.p * nm.B * across.subs(nm.s0, s0)).subs(nm.alpha, 0)))
+    sine0, _ = fold_angles()
+    return _coefficients_in_M(sp.cancel((p * B * across.subs(s0, sine0)).subs(alpha, 0)))
 
 
 def _coefficients_in_M(condition: sp.Expr) -> Row:
     numerator, denominator = sp.fraction(sp.together(condition))
-    unit_circles.require(not denominator.free_symbols, "the fold condition, a polynomial in M")
-    return tuple(value / denominator for value in unit_circles.ascending(numerator, nm.M))
+    require(not denominator.free_symbols, "the fold condition, a polynomial in M")
+    return tuple(value / denominator for value in ascending(numerator, M))
 
 
 @cache
@@ -134,18 +143,18 @@ def fold_conic() -> Row:
     The fold relations are lines in M, so that M drops out of u1 w2 − u2 w1. But for the last one,
     which has the factor cos θ, the coefficients are polynomials in sin θ.
     """
-    threshold = nm.kappa + nm.sigma * nm.s * (2 - nm.s**2)
+    threshold = kappa + sigma * s * (2 - s**2)
     conic = (
-        nm.kappa * nm.p * threshold - nm.fa * nm.s**2 * (nm.sigma + nm.kappa * nm.s),
-        nm.p * nm.B * threshold - nm.sigma * (nm.kappa * nm.p - nm.fa * nm.s**3),
-        -nm.p * nm.B * nm.sigma,
-        -nm.q * nm.alpha * nm.sigma * nm.s**2 * nm.c,
+        kappa * p * threshold - fa * s**2 * (sigma + kappa * s),
+        p * B * threshold - sigma * (kappa * p - fa * s**3),
+        -p * B * sigma,
+        -q * alpha * sigma * s**2 * c,
     )
     (u1, w1), (u2, w2) = (
-        (relation.subs(nm.M, 0), sp.diff(relation, nm.M)) for relation in fold_residuals()
+        (relation.subs(M, 0), sp.diff(relation, M)) for relation in fold_residuals()
     )
-    gap = u1 * w2 - u2 * w1 - unit_circles.polynomial(conic[:3], nm.s0) - conic[3] * nm.c0
-    unit_circles.require(
+    gap = u1 * w2 - u2 * w1 - polynomial(conic[:3], s0) - conic[3] * c0
+    require(
         equal(gap.subs(elimination.f_coefficients()), sp.S.Zero),
         "the conic of folds at a direction",
     )
@@ -161,18 +170,18 @@ def fold_events(conic: Row) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """
     e0, e1, e2, square = conic
     v, ec = sp.symbols("v ec")
-    half_angle = {nm.s0: 2 * v / (1 + v**2), nm.c0: (1 - v**2) / (1 + v**2)}
-    condition = (e0 + e1 * nm.s0 + e2 * nm.s0**2 + ec * nm.c0).subs(half_angle)
+    half_angle = {s0: 2 * v / (1 + v**2), c0: (1 - v**2) / (1 + v**2)}
+    condition = (e0 + e1 * s0 + e2 * s0**2 + ec * c0).subs(half_angle)
     quartic = sp.Poly(sp.cancel(condition * (1 + v**2) ** 2), v)
     meeting = sp.expand(27 * sp.discriminant(quartic)).subs(ec, sp.sqrt(square))
     border = sp.expand(quartic.all_coeffs()[0] * quartic.all_coeffs()[-1]).subs(ec, sp.sqrt(square))
-    s0, c0 = (value.subs(nm.M, 0) for value in fold_angles())
-    rest = sp.cancel((nm.p * nm.B * nm.q * nm.alpha) ** 2 * (s0**2 + c0.subs(nm.s0, s0) ** 2 - 1))
+    sine0, cosine0 = (value.subs(M, 0) for value in fold_angles())
+    rest = sp.cancel((p * B * q * alpha) ** 2 * (sine0**2 + cosine0.subs(s0, sine0) ** 2 - 1))
     return meeting, border, rest
 
 
 #: Coefficients of ∂f/∂v, of the form of f: f is linear in every parameter v but θ₀.
-CHANGE = {nm.fa: nm.fa_v, nm.fb: nm.fb_v, nm.fd: nm.fd_v, nm.fm: nm.fm_v}
+CHANGE = {fa: fa_v, fb: fb_v, fd: fd_v, fm: fm_v}
 
 
 @cache
@@ -184,21 +193,18 @@ def fold_sextic() -> Row:
     value of v gives the same.
     """
     change = f_form.subs(CHANGE)
-    condition = unit_circles.reduce_circles(
-        sp.expand(slope * change - f_form * unit_circles.rotate_derivative(change))
-    )
-    return unit_circles.in_half_angle(condition, 3)
+    condition = reduce_circles(sp.expand(slope * change - f_form * rotate_derivative(change)))
+    return in_half_angle(condition, 3)
 
 
 def fold_cubics() -> tuple[Row, Row]:
     """Coefficients, lowest power first, of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀ on the
     fold through t at friction M.
     """
-    s0, c0 = fold_angles()
-    values = nm.p * nm.B * s0, nm.p * nm.B * nm.q * nm.alpha * c0.subs(nm.s0, s0)
+    sine0, cosine0 = fold_angles()
+    values = p * B * sine0, p * B * q * alpha * cosine0.subs(s0, sine0)
     sine, cosine = (
-        tuple(map(sp.factor_terms, unit_circles.in_half_angle(sp.cancel(value), 3)))
-        for value in values
+        tuple(map(sp.factor_terms, in_half_angle(sp.cancel(value), 3))) for value in values
     )
     return sine, cosine
 
@@ -210,10 +216,10 @@ def fold_cubics() -> tuple[Row, Row]:
 @cache
 def cusp_friction() -> sp.Expr:
     """m on a cusp: f″ = 0 on the fold."""
-    condition = unit_circles.reduce_circles(curvature.subs(fold_relations()))
-    (friction,) = sp.solve(condition, nm.fm)
-    arranged = 3 * nm.fa * nm.s * nm.c / (3 * nm.s**2 - 2)
-    unit_circles.require(unit_circles.equal(friction, arranged), "m on a cusp")
+    condition = reduce_circles(curvature.subs(fold_relations()))
+    (friction,) = sp.solve(condition, fm)
+    arranged = 3 * fa * s * c / (3 * s**2 - 2)
+    require(unit_circles.equal(friction, arranged), "m on a cusp")
     return arranged
 
 
@@ -222,17 +228,13 @@ def cusp_angles() -> Pair:
     """sin θ₀ and cos θ₀ / cos θ on a cusp, rational functions of s = sin θ with the factor 3 s² − 2
     kept together.
     """
-    s, S = nm.s, 3 * nm.s**2 - 2
-    sine = (nm.sigma * (nm.B - nm.alpha) * s**3 / (nm.p * S) - nm.kappa) / nm.B
-    G = (
-        3 * nm.kappa * nm.p * nm.q * s * S
-        - 4 * nm.B * nm.p * nm.sigma * (1 - s**2)
-        + 3 * nm.sigma * nm.alpha * nm.q * s**4
-    )
-    ratio = (nm.B - nm.alpha) * G / (nm.B * nm.alpha * nm.p * nm.q * S**2)
-    on_cusp = {nm.M: cusp_friction().subs(elimination.f_coefficients()) / nm.sigma, nm.s0: sine}
+    S = 3 * s**2 - 2
+    sine = (sigma * (B - alpha) * s**3 / (p * S) - kappa) / B
+    G = 3 * kappa * p * q * s * S - 4 * B * p * sigma * (1 - s**2) + 3 * sigma * alpha * q * s**4
+    ratio = (B - alpha) * G / (B * alpha * p * q * S**2)
+    on_cusp = {M: cusp_friction().subs(elimination.f_coefficients()) / sigma, s0: sine}
     derived = (value.subs(on_cusp) for value in fold_angles())
-    unit_circles.require(all(map(equal, derived, (sine, ratio * nm.c))), "the angles of a cusp")
+    require(all(map(equal, derived, (sine, ratio * c))), "the angles of a cusp")
     return sine, ratio
 
 
@@ -244,12 +246,12 @@ def cusp_polynomial() -> Row:
     It is (B p α q)² (3 s² − 2)⁴ (sin² θ₀ + cos² θ₀ − 1) with :func:`cusp_angles`. Contact only, α >
     0 and a ≠ 0; the terms of degree 10 cancel.
     """
-    s0, ratio = cusp_angles()
-    scale = nm.B * nm.p * nm.alpha * nm.q * (3 * nm.s**2 - 2) ** 2
+    sine0, ratio = cusp_angles()
+    scale = B * p * alpha * q * (3 * s**2 - 2) ** 2
     condition = (
-        sp.cancel(scale * s0) ** 2 + (1 - nm.s**2) * sp.cancel(scale * ratio) ** 2 - scale**2
+        sp.cancel(scale * sine0) ** 2 + (1 - s**2) * sp.cancel(scale * ratio) ** 2 - scale**2
     )
-    return unit_circles.ascending(sp.expand(condition.subs(POLES)), nm.s)
+    return ascending(sp.expand(condition.subs(POLES)), s)
 
 
 @cache
@@ -259,17 +261,13 @@ def cusp_cubic() -> Row:
     The numerator of cos θ₀ in :func:`cusp_angles`, which must vanish with α, over B − α.
     """
     _, ratio = cusp_angles()
-    numerator = sp.cancel(
-        ratio * nm.B * nm.alpha * nm.p * nm.q * (3 * nm.s**2 - 2) ** 2 / (nm.B - nm.alpha)
-    )
-    return unit_circles.ascending(
-        sp.expand(numerator.subs(POLES).subs(nm.alpha, 0) / nm.sigma), nm.s
-    )
+    numerator = sp.cancel(ratio * B * alpha * p * q * (3 * s**2 - 2) ** 2 / (B - alpha))
+    return ascending(sp.expand(numerator.subs(POLES).subs(alpha, 0) / sigma), s)
 
 
 def identities() -> dict[str, bool]:
     """The closed forms, each decided by exact algebra."""
-    mirror = {nm.c: -nm.c, nm.c0: -nm.c0, nm.M: -nm.M}
+    mirror = {c: -c, c0: -c0, M: -M}
     f = elimination.f_in_parameters()
     return {
         "L det K = f′ at every equilibrium": slope_identity(),
@@ -279,8 +277,8 @@ def identities() -> dict[str, bool]:
         "the cusp polynomial has degree 9": len(cusp_polynomial()) == 10,
         "no cusp is lost at 3 sin² θ = 2: the cusp polynomial is 16 σ⁴ (B − α)⁴/27 there": (
             sp.expand(
-                sp.rem(unit_circles.polynomial(cusp_polynomial(), nm.s), 3 * nm.s**2 - 2, nm.s)
-                - sp.Rational(16, 27) * nm.sigma**4 * (nm.B - nm.alpha) ** 4
+                sp.rem(polynomial(cusp_polynomial(), s), 3 * s**2 - 2, s)
+                - sp.Rational(16, 27) * sigma**4 * (B - alpha) ** 4
             )
             == 0
         ),

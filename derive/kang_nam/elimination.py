@@ -11,9 +11,11 @@ from functools import cache
 import sympy as sp
 
 from ..algebra import Names, Row
-from . import unit_circles, equilibrium
-from . import nomenclature as nm
+from . import equilibrium
+from .nomenclature import B, L, M, alpha, b1, b2, c, c0, fa, fb, fd, fm, kappa, nbar, p, q, s
+from .nomenclature import s0, sigma, tt, x, y
 from .equilibrium import spell_out
+from .unit_circles import ascending, in_half_angle, polynomial, require
 
 # ---------------------------------------------------------------------------------- the published
 # quartic in L
@@ -32,19 +34,19 @@ def quartic_in_L() -> Row:
 
     This is (20) times det(D)²: adj(D) = det(D) D⁻¹, and |D⁻¹ b|² = bᵀ D⁻ᵀ D⁻¹ b = bᵀ (D Dᵀ)⁻¹ b.
     """
-    return unit_circles.ascending(cleared(*equilibrium.matrix_form()), nm.L)
+    return ascending(cleared(*equilibrium.matrix_form()), L)
 
 
 #: D and b in shorthands, for the family in n̄.
-MATRIX = sp.Matrix([[nm.sigma - nm.p * nm.L, -nm.M * nm.L], [0, nm.sigma - nm.q * nm.L]])
-RIGHT_SIDE = {nm.b1: -nm.alpha * nm.c0 - nm.M * nm.s0, nm.b2: -nm.B * nm.s0 - nm.kappa}
+MATRIX = sp.Matrix([[sigma - p * L, -M * L], [0, sigma - q * L]])
+RIGHT_SIDE = {b1: -alpha * c0 - M * s0, b2: -B * s0 - kappa}
 
 
 @cache
 def quartic_in_L_shorthand() -> Row:
     """The same coefficients in terms of b₁, b₂, p, q and M, as (A1)–(A9) write them."""
-    coefficients = unit_circles.ascending(cleared(MATRIX, sp.Matrix([nm.b1, nm.b2])), nm.L)
-    return tuple(sp.factor_terms(sp.collect(value, (nm.b1, nm.b2))) for value in coefficients)
+    coefficients = ascending(cleared(MATRIX, sp.Matrix([b1, b2])), L)
+    return tuple(sp.factor_terms(sp.collect(value, (b1, b2))) for value in coefficients)
 
 
 # ------------------------------------------------------------------------------------------ the
@@ -57,18 +59,16 @@ def state() -> Names:
     occur.
     """
     _, across = equilibrium.balance()
-    (length,) = sp.solve(across, nm.L)
-    shorthand = (nm.sigma * nm.s + nm.B * nm.s0 + nm.kappa) / (nm.q * nm.s)
-    unit_circles.require(sp.simplify(length - spell_out(shorthand)) == 0, "L(θ) from F_y = 0")
-    y = (nm.sigma * (nm.s0 - nm.s) - nm.kappa) / nm.q
-    unit_circles.require(
-        sp.simplify(spell_out(y - (nm.s0 - shorthand * nm.s))) == 0, "y(θ) = s₀ − L s"
-    )
-    return {nm.L: shorthand, nm.y: y, nm.x: nm.c0 - nm.L * nm.c}
+    (length,) = sp.solve(across, L)
+    shorthand = (sigma * s + B * s0 + kappa) / (q * s)
+    require(sp.simplify(length - spell_out(shorthand)) == 0, "L(θ) from F_y = 0")
+    height = (sigma * (s0 - s) - kappa) / q
+    require(sp.simplify(spell_out(height - (s0 - shorthand * s))) == 0, "y(θ) = s₀ − L s")
+    return {L: shorthand, y: height, x: c0 - L * c}
 
 
 #: f(θ) = a s c + b c + d s − m s².
-f_form = nm.fa * nm.s * nm.c + nm.fb * nm.c + nm.fd * nm.s - nm.fm * nm.s**2
+f_form = fa * s * c + fb * c + fd * s - fm * s**2
 
 
 @cache
@@ -77,25 +77,25 @@ def f_coefficients() -> Names:
     digits are lost.
     """
     along, _ = equilibrium.balance()
-    f = sp.expand(sp.simplify(spell_out(nm.q * nm.s * along.subs(nm.L, state()[nm.L]))))
-    derived = sp.Poly(f, nm.c, nm.s).as_dict()
-    unit_circles.require(
+    f = sp.expand(sp.simplify(spell_out(q * s * along.subs(L, state()[L]))))
+    derived = sp.Poly(f, c, s).as_dict()
+    require(
         set(derived) <= {(1, 1), (1, 0), (0, 1), (0, 2)}, "f has the four terms s c, c, s and s²"
     )
     arranged = {
-        nm.fa: nm.sigma * (nm.B - nm.alpha),
-        nm.fb: -nm.p * (nm.B * nm.s0 + nm.kappa),
-        nm.fd: nm.q * nm.alpha * nm.c0 + nm.M * (nm.sigma * nm.s0 - nm.kappa),
-        nm.fm: nm.M * nm.sigma,
+        fa: sigma * (B - alpha),
+        fb: -p * (B * s0 + kappa),
+        fd: q * alpha * c0 + M * (sigma * s0 - kappa),
+        fm: M * sigma,
     }
-    for powers, value in {(1, 1): nm.fa, (1, 0): nm.fb, (0, 1): nm.fd, (0, 2): -nm.fm}.items():
+    for powers, value in {(1, 1): fa, (1, 0): fb, (0, 1): fd, (0, 2): -fm}.items():
         # n̄² = n̄ for n̄ in {0, 1}.
         gap = sp.rem(
             sp.expand(derived.get(powers, 0) - spell_out(value.subs(arranged))),
-            nm.nbar**2 - nm.nbar,
-            nm.nbar,
+            nbar**2 - nbar,
+            nbar,
         )
-        unit_circles.require(gap == 0, f"coefficient of c^{powers[0]} s^{powers[1]} in f")
+        require(gap == 0, f"coefficient of c^{powers[0]} s^{powers[1]} in f")
     return arranged
 
 
@@ -108,7 +108,7 @@ def f_in_parameters() -> sp.Expr:
 @cache
 def quartic_in_t() -> Row:
     """Coefficients, lowest power first, of (1 + t²)² f with t = tan(θ/2), in a, b, d, m."""
-    return tuple(map(sp.factor_terms, unit_circles.in_half_angle(f_form, 2)))
+    return tuple(map(sp.factor_terms, in_half_angle(f_form, 2)))
 
 
 @cache
@@ -121,16 +121,15 @@ def resolvent_cubic() -> Row:
     and needs no division by b.
     """
     ell = sp.Symbol("ell")
-    conic = f_form + ell * (nm.c**2 + nm.s**2 - 1)
+    conic = f_form + ell * (c**2 + s**2 - 1)
     homogeneous = sp.Symbol("h")
     form = sp.expand(
         sp.cancel(
-            homogeneous**2
-            * conic.subs({nm.c: nm.c / homogeneous, nm.s: nm.s / homogeneous}, simultaneous=True)
+            homogeneous**2 * conic.subs({c: c / homogeneous, s: s / homogeneous}, simultaneous=True)
         )
     )
-    determinant = sp.hessian(form, (nm.c, nm.s, homogeneous)).det()
-    *lower, leading = unit_circles.ascending(sp.expand(determinant), ell)
+    determinant = sp.hessian(form, (c, s, homogeneous)).det()
+    *lower, leading = ascending(sp.expand(determinant), ell)
     return tuple(sp.expand(value / leading) for value in (*lower, leading))
 
 
@@ -140,19 +139,19 @@ def resolvent_cubic() -> Row:
 
 def identities() -> dict[str, bool]:
     """How the two eliminations are related: statements, and whether exact algebra confirms each."""
-    t, ell = nm.tt, sp.Symbol("ell")
-    in_t = sp.Poly(unit_circles.polynomial(quartic_in_t(), t), t)
-    cubic = sp.Poly(unit_circles.polynomial(resolvent_cubic(), ell), ell)
-    length, f = state()[nm.L], f_in_parameters()
+    t, ell = tt, sp.Symbol("ell")
+    in_t = sp.Poly(polynomial(quartic_in_t(), t), t)
+    cubic = sp.Poly(polynomial(resolvent_cubic(), ell), ell)
+    length, f = state()[L], f_in_parameters()
 
     # In contact; lift-off is the same with β − 1 for β and μ₀ = 0. M, B and κ stay symbols.
-    in_L = unit_circles.polynomial(quartic_in_L_shorthand(), nm.L)
-    published = (nm.q * nm.s) ** 2 * in_L.subs(RIGHT_SIDE).subs(nm.L, length)
-    factored = (nm.sigma - nm.q * length) ** 2 * f * f.subs(nm.c, -nm.c)
+    in_L = polynomial(quartic_in_L_shorthand(), L)
+    published = (q * s) ** 2 * in_L.subs(RIGHT_SIDE).subs(L, length)
+    factored = (sigma - q * length) ** 2 * f * f.subs(c, -c)
 
     # Where a s + b = 0 the terms in cos θ cancel, so that θ and π − θ are roots together: there L =
     # σ/(σ + α).
-    shared = {nm.s: -nm.fb / nm.fa}
+    shared = {s: -fb / fa}
     false_root = spell_out(length.subs(shared).subs(f_coefficients()))
     return {
         "the roots in t multiply to −1": quartic_in_t()[0] == -quartic_in_t()[4],
@@ -160,11 +159,11 @@ def identities() -> dict[str, bool]:
             published, factored
         ),
         "f(θ) = f(π − θ) with cos θ ≠ 0 only at L = σ/(σ + α), where D is singular": sp.simplify(
-            false_root - sp.solve(equilibrium.matrix_form()[0][0, 0], nm.L)[0]
+            false_root - sp.solve(equilibrium.matrix_form()[0][0, 0], L)[0]
         )
         == 0,
         "f(θ) − f(π − θ) = 2 cos θ (a s + b)": sp.expand(
-            f_form - f_form.subs(nm.c, -nm.c) - 2 * nm.c * (nm.fa * nm.s + nm.fb)
+            f_form - f_form.subs(c, -c) - 2 * c * (fa * s + fb)
         )
         == 0,
         "the resolvent cubic has the discriminant of the t-quartic": sp.expand(

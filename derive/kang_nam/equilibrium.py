@@ -11,20 +11,20 @@ import sympy as sp
 
 from ..algebra import Names, Pair
 from . import mechanics, unit_circles
-from . import nomenclature as nm
+from .nomenclature import B, L, M, alpha, beta, c, c0, mu, mu0, n, nbar, p, q, s, s0, sigma, x, y
 
-CONTACT = {nm.nbar: 1}
-LIFTOFF = {nm.nbar: 0}
+CONTACT = {nbar: 1}
+LIFTOFF = {nbar: 0}
 
 #: The shorthands of the elimination in terms of the parameters.
 SHORTHANDS: Names = {
-    nm.B: nm.beta + nm.nbar,
-    nm.M: nm.mu0 * nm.nbar,
-    nm.p: nm.alpha + nm.sigma,
-    nm.q: nm.B + nm.sigma,
+    B: beta + nbar,
+    M: mu0 * nbar,
+    p: alpha + sigma,
+    q: B + sigma,
 }
 #: Those without another shorthand than B in them.
-POLES = {symbol: SHORTHANDS[symbol] for symbol in (nm.p, nm.q)}
+POLES = {symbol: SHORTHANDS[symbol] for symbol in (p, q)}
 
 
 def equal(left: sp.Expr, right: sp.Expr) -> bool:
@@ -43,7 +43,7 @@ def spell_out(expression: sp.Expr) -> sp.Expr:
 
 def displacement() -> Names:
     """x and y from the spring's length and direction: (4) and (5)."""
-    return {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s}
+    return {x: c0 - L * c, y: s0 - L * s}
 
 
 @cache
@@ -52,7 +52,7 @@ def balance_cartesian() -> Pair:
     sliding.
     """
     equations = mechanics.motion()
-    rest = {**mechanics.AT_REST, nm.mu: nm.mu0, nm.n: mechanics.contact_family()}
+    rest = {**mechanics.AT_REST, mu: mu0, n: mechanics.contact_family()}
     return equations.x.subs(rest), equations.y.subs(rest)
 
 
@@ -68,10 +68,10 @@ def matrix_form() -> tuple[sp.Matrix, sp.Matrix]:
     """D and b of D (cos θ, sin θ)ᵀ = b: (16)–(19), (A10), (A11) and (22), (24), (25), (A12),
     (A13).
     """
-    direction = sp.Matrix([nm.c, nm.s])
+    direction = sp.Matrix([c, s])
     forces = sp.Matrix(balance())
     D = forces.jacobian(direction)
-    b = -forces.subs({nm.c: 0, nm.s: 0})
+    b = -forces.subs({c: 0, s: 0})
     if sp.expand(forces - (D * direction - b)) != sp.zeros(2, 1):
         raise ArithmeticError(
             "the balance of forces is not linear in cos θ and sin θ: (16) has no D and b"

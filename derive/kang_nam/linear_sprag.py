@@ -11,7 +11,8 @@ import sympy as sp
 
 from ..algebra import Pair, Row
 from . import unit_circles, mechanics, stability
-from . import nomenclature as nm
+from .nomenclature import L, T, c, c0, kappa, mu, mu0, nbar, s, s0, sigma, x, y
+from .unit_circles import ascending
 
 
 @cache
@@ -19,45 +20,42 @@ def balance() -> sp.Matrix:
     """Forces at steady sliding in contact, with the inclined spring's energy at a constant
     direction; dimensionless.
     """
-    stretch = nm.x * nm.c0 + nm.y * nm.s0
-    energy = nm.sigma * stretch**2 / 2
+    stretch = x * c0 + y * s0
+    energy = sigma * stretch**2 / 2
     page = mechanics.of_page()
     along, across = (
-        mechanics.in_article(page, row).subs({nm.mu: nm.mu0, nm.nbar: 1})
-        for row in page.residuals_apart
+        mechanics.in_article(page, row).subs({mu: mu0, nbar: 1}) for row in page.residuals_apart
     )
-    return sp.Matrix([along + sp.diff(energy, nm.x), across + sp.diff(energy, nm.y)])
+    return sp.Matrix([along + sp.diff(energy, x), across + sp.diff(energy, y)])
 
 
 @cache
 def stiffness() -> sp.Matrix:
     """The matrix of the linear balance."""
-    return balance().jacobian([nm.x, nm.y]).applyfunc(sp.factor)
+    return balance().jacobian([x, y]).applyfunc(sp.factor)
 
 
 @cache
 def equilibrium() -> Pair:
     """x and y; both have the pole det = 0."""
-    solution = sp.solve(list(balance()), [nm.x, nm.y], dict=True)[0]
-    return sp.factor(solution[nm.x]), sp.factor(solution[nm.y])
+    solution = sp.solve(list(balance()), [x, y], dict=True)[0]
+    return sp.factor(solution[x]), sp.factor(solution[y])
 
 
 @cache
 def pole_friction() -> sp.Expr:
     """μ₀ at which the displacement is infinite, as a function of T = tan θ₀."""
     determinant = stiffness().det()
-    on_tangent = sp.cancel(determinant.subs(nm.s0, nm.T * nm.c0) / nm.c0**2).subs(
-        nm.c0, 1 / sp.sqrt(1 + nm.T**2)
-    )
-    (friction,) = sp.solve(sp.expand(sp.simplify(on_tangent)), nm.mu0)
-    return sp.collect(sp.cancel(friction), nm.T)
+    on_tangent = sp.cancel(determinant.subs(s0, T * c0) / c0**2).subs(c0, 1 / sp.sqrt(1 + T**2))
+    (friction,) = sp.solve(sp.expand(sp.simplify(on_tangent)), mu0)
+    return sp.collect(sp.cancel(friction), T)
 
 
 @cache
 def pole_quadratic() -> Row:
     """Coefficients, lowest power first, of the quadratic in tan θ₀ whose roots are the poles."""
-    numerator = sp.fraction(sp.cancel(pole_friction() - nm.mu0))[0]
-    return tuple(map(sp.factor, unit_circles.ascending(numerator, nm.T)))
+    numerator = sp.fraction(sp.cancel(pole_friction() - mu0))[0]
+    return tuple(map(sp.factor, ascending(numerator, T)))
 
 
 @cache
@@ -67,18 +65,17 @@ def critical_friction_squared() -> sp.Expr:
     """
     e0, e1, e2 = pole_quadratic()
     discriminant = sp.expand(e1**2 - 4 * e0 * e2)
-    return sp.factor(sp.solve(discriminant, nm.mu0**2)[0])
+    return sp.factor(sp.solve(discriminant, mu0**2)[0])
 
 
 def identities() -> dict[str, bool]:
     """The linear model is the nonlinear one, linearized about the undeformed state."""
-    undeformed = {nm.L: 1, nm.c: nm.c0, nm.s: nm.s0, nm.nbar: 1}
+    undeformed = {L: 1, c: c0, s: s0, nbar: 1}
     gap = stability.stiffness().subs(undeformed) - stiffness()
-    x, y = equilibrium()
+    place = sp.Matrix(equilibrium())
     return {
         "its stiffness is K at x = y = 0": all(unit_circles.equal(entry, 0) for entry in gap),
         "its displacement solves K (x, y) = (0, −κ)": all(
-            unit_circles.equal(entry, 0)
-            for entry in stiffness() * sp.Matrix([x, y]) + sp.Matrix([0, nm.kappa])
+            unit_circles.equal(entry, 0) for entry in stiffness() * place + sp.Matrix([0, kappa])
         ),
     }

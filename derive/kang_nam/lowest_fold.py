@@ -15,6 +15,7 @@ from ..algebra import Row, manifestly_positive
 from .equilibrium import POLES
 from .theorem import Step, alpha, beta, in_contact, kappa, s0, sigma
 from .unit_circles import by_inclination
+from .unit_circles import polynomial, require
 
 
 # -------------------------------------------------------------------------------------- where the
@@ -41,7 +42,7 @@ def turning_line() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     derived = without * by_inclination(with_friction) - with_friction * by_inclination(without)
     line = PARTS[weight], PARTS[constant], PARTS[along].subs(PARTS)
     arranged = nm.q * nm.s * (line[1] + line[2] * nm.s0 - line[0] * nm.c * nm.c0)
-    unit_circles.require(equilibrium.equal(derived, arranged), "the line f = f_θ₀ = 0")
+    require(equilibrium.equal(derived, arranged), "the line f = f_θ₀ = 0")
     return line
 
 
@@ -74,12 +75,10 @@ def turning_quadratics() -> tuple[Row, Row]:
         .subs(nm.M, friction)
         .subs(nm.c0, (l0 + l1 * nm.s0) / (w * nm.c))
     )
-    arranged = unit_circles.polynomial(slope, nm.s0) * nm.alpha / (w * nm.c**2)
+    arranged = polynomial(slope, nm.s0) * nm.alpha / (w * nm.c**2)
     # sin θ₀ is free here: that it belongs to the angle of cos θ₀ is the second quadratic.
     gap = sp.numer(sp.together((derived - arranged).subs(elimination.f_coefficients()).subs(POLES)))
-    unit_circles.require(
-        sp.expand(sp.rem(sp.expand(gap), nm.c**2 + nm.s**2 - 1, nm.c)) == 0, "f_θ₀ on a fold"
-    )
+    require(sp.expand(sp.rem(sp.expand(gap), nm.c**2 + nm.s**2 - 1, nm.c)) == 0, "f_θ₀ on a fold")
     return slope, circle
 
 
@@ -106,7 +105,7 @@ def turning_polynomial() -> Row:
     outer, upper, lower = map(sp.expand, minors(one, two))
     factor = sp.Poly(sp.expand(-nm.kappa * (nm.s**2 - 1) * PARTS[weight].subs(POLES) ** 2), nm.s)
     quotient, rest = sp.div(sp.Poly(sp.expand(outer**2 - upper * lower), nm.s), factor)
-    unit_circles.require(rest.is_zero, "the factors of the resultant")
+    require(rest.is_zero, "the factors of the resultant")
     return tuple(sp.factor(value) for value in reversed(quotient.all_coeffs()))
 
 
@@ -117,7 +116,7 @@ def identities() -> dict[str, bool]:
     outer, upper, lower = minors(one, two)
     resultant = outer**2 - upper * lower
     root = -outer / upper
-    values = (unit_circles.polynomial(row, root) for row in (one, two))
+    values = (polynomial(row, root) for row in (one, two))
     return {
         "where the curve of folds turns back in μ₀, sin θ is a root of a polynomial of degree "
         "9": len(turning_polynomial()) == 10,

@@ -8,7 +8,16 @@ import sympy as sp
 
 from ..algebra import Names, Pair, Row
 from . import unit_circles, elimination, equilibrium, mechanics
-from . import nomenclature as nm
+from .nomenclature import B, L, M, alpha, beta, c, c0, kappa, mu, mu0, n, nbar, p, q, s, s0
+from .nomenclature import sigma, vx, vy
+from .unit_circles import (
+    ascending,
+    by_inclination,
+    polynomial,
+    reduce_circles,
+    require,
+    rotate_derivative,
+)
 
 lam = sp.Symbol("lambda")
 
@@ -23,8 +32,7 @@ def _gradient(expression: sp.Expr) -> Pair:
     }
     return tuple(
         sp.expand(
-            sp.diff(expression, coordinate).subs(polar)
-            + sp.diff(expression, nm.L).subs(polar) * slope
+            sp.diff(expression, coordinate).subs(polar) + sp.diff(expression, L).subs(polar) * slope
         )
         for coordinate, slope in slopes.items()
     )
@@ -40,9 +48,9 @@ def stiffness() -> sp.Matrix:
 def damping() -> sp.Matrix:
     """∂(F_x, F_y)/∂(x', y') at steady sliding: the term that (27) leaves out, in y, μ₀, d and V."""
     forces = sp.Matrix(mechanics.motion()).subs(
-        {nm.mu: mechanics.smooth_friction(sp.S.One), nm.n: mechanics.contact_family()}
+        {mu: mechanics.smooth_friction(sp.S.One), n: mechanics.contact_family()}
     )
-    return sp.simplify(forces.jacobian([nm.vx, nm.vy]).subs(mechanics.AT_REST))
+    return sp.simplify(forces.jacobian([vx, vy]).subs(mechanics.AT_REST))
 
 
 def characteristic(K: sp.Matrix, C: sp.Matrix) -> sp.Expr:
@@ -64,8 +72,8 @@ def trace_identity() -> bool:
     onset of flutter is a fold.
     """
     _, across = equilibrium.balance()
-    (preload,) = sp.solve(in_contact(across), nm.kappa)
-    positive = nm.p + (nm.B * nm.s0 + preload) / (nm.L * nm.s)
+    (preload,) = sp.solve(in_contact(across), kappa)
+    positive = p + (B * s0 + preload) / (L * s)
     return equilibrium.equal(in_shorthand(stiffness()).trace(), positive)
 
 
@@ -74,20 +82,19 @@ def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
     """u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, the two balances in contact at
     given θ and μ₀.
     """
-    friction, preload = nm.M / nm.B, nm.sigma * nm.s + nm.kappa
+    friction, preload = M / B, sigma * s + kappa
     lines = (
-        -preload / nm.B,
-        nm.q * nm.s / nm.B,
-        friction * preload - nm.sigma * nm.c,
-        nm.p * nm.c - friction * nm.sigma * nm.s,
+        -preload / B,
+        q * s / B,
+        friction * preload - sigma * c,
+        p * c - friction * sigma * s,
     )
     sine, cosine = (
-        (constant + slope * nm.L).subs(equilibrium.POLES)
-        for constant, slope in (lines[:2], lines[2:])
+        (constant + slope * L).subs(equilibrium.POLES) for constant, slope in (lines[:2], lines[2:])
     )
-    gaps = [in_contact(force).subs(nm.s0, sine) for force in equilibrium.balance()]
-    gaps[0] -= nm.alpha * nm.c0 - cosine
-    unit_circles.require(
+    gaps = [in_contact(force).subs(s0, sine) for force in equilibrium.balance()]
+    gaps[0] -= alpha * c0 - cosine
+    require(
         all(unit_circles.equal(gap, 0) for gap in gaps),
         "the balance at a direction, linear in the spring length",
     )
@@ -99,17 +106,15 @@ def flutter_quadratic() -> Row:
     """Coefficients, lowest power first, of L² times the discriminant: zero at an onset with spring
     length L in direction θ.
     """
-    discriminant = sp.expand(nm.L**2 * flutter_discriminant(in_shorthand(stiffness())))
-    coefficients = map(unit_circles.reduce_circles, unit_circles.ascending(discriminant, nm.L))
-    difference = nm.alpha - nm.B
+    discriminant = sp.expand(L**2 * flutter_discriminant(in_shorthand(stiffness())))
+    coefficients = map(reduce_circles, ascending(discriminant, L))
+    difference = alpha - B
     arranged = (
-        nm.sigma**2,
-        2 * nm.sigma * (difference * (nm.c**2 - nm.s**2) + 2 * nm.M * nm.s * nm.c),
+        sigma**2,
+        2 * sigma * (difference * (c**2 - s**2) + 2 * M * s * c),
         difference**2,
     )
-    unit_circles.require(
-        all(map(unit_circles.equal, arranged, coefficients)), "the discriminant of (27)"
-    )
+    require(all(map(unit_circles.equal, arranged, coefficients)), "the discriminant of (27)")
     return arranged
 
 
@@ -123,14 +128,12 @@ def flutter_elimination() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """
     u1, w1, u2, w2 = LINES
     e0, e1, e2 = QUADRATIC
-    g0 = u2**2 + nm.alpha**2 * (u1**2 - 1)
-    g1 = 2 * (u2 * w2 + nm.alpha**2 * u1 * w1)
-    g2 = w2**2 + nm.alpha**2 * w1**2
+    g0 = u2**2 + alpha**2 * (u1**2 - 1)
+    g1 = 2 * (u2 * w2 + alpha**2 * u1 * w1)
+    g2 = w2**2 + alpha**2 * w1**2
     X, Y, Z = e0 * g2 - e2 * g0, e2 * g1 - e1 * g2, e1 * g0 - e0 * g1
-    resultant = sp.resultant(
-        *(unit_circles.polynomial(one, nm.L) for one in (QUADRATIC, (g0, g1, g2))), nm.L
-    )
-    unit_circles.require(sp.expand(X**2 - Y * Z - resultant) == 0, "X² − Y Z, the resultant")
+    resultant = sp.resultant(*(polynomial(one, L) for one in (QUADRATIC, (g0, g1, g2))), L)
+    require(sp.expand(X**2 - Y * Z - resultant) == 0, "X² − Y Z, the resultant")
     return X, Y, Z
 
 
@@ -143,8 +146,8 @@ def flutter_without_alpha() -> sp.Expr:
     e0, e1, e2 = QUADRATIC
     condition = e0 * w2**2 - e1 * u2 * w2 + e2 * u2**2
     X, Y, Z = flutter_elimination()
-    unit_circles.require(
-        sp.expand((X**2 - Y * Z).subs(nm.alpha, 0) - condition**2) == 0,
+    require(
+        sp.expand((X**2 - Y * Z).subs(alpha, 0) - condition**2) == 0,
         "the resultant at α = 0, a square",
     )
     return condition
@@ -169,28 +172,25 @@ def flutter_crossing() -> tuple[Pair, Names]:
     )
     e0, e1, e2 = flutter_quadratic()
     names = {
-        a_t: nm.s * (nm.p * nm.L - nm.sigma) - nm.M * nm.L * nm.c,
-        a_l: -nm.p * nm.c - nm.M * nm.s,
-        a_0: nm.M * nm.c0 - nm.alpha * nm.s0,
-        b_t: -nm.c * (nm.q * nm.L - nm.sigma),
-        b_l: -nm.q * nm.s,
-        b_0: nm.B * nm.c0,
-        d_t: 4
-        * nm.sigma
-        * nm.L
-        * (nm.M * (nm.c**2 - nm.s**2) - 2 * (nm.alpha - nm.B) * nm.s * nm.c),
-        d_l: e1 + 2 * e2 * nm.L,
+        a_t: s * (p * L - sigma) - M * L * c,
+        a_l: -p * c - M * s,
+        a_0: M * c0 - alpha * s0,
+        b_t: -c * (q * L - sigma),
+        b_l: -q * s,
+        b_0: B * c0,
+        d_t: 4 * sigma * L * (M * (c**2 - s**2) - 2 * (alpha - B) * s * c),
+        d_l: e1 + 2 * e2 * L,
     }
     changes = [
         change
-        for form in (*map(in_contact, equilibrium.balance()), e0 + e1 * nm.L + e2 * nm.L**2)
+        for form in (*map(in_contact, equilibrium.balance()), e0 + e1 * L + e2 * L**2)
         for change in (
-            unit_circles.rotate_derivative(form),
-            sp.diff(form, nm.L),
-            unit_circles.by_inclination(form),
+            rotate_derivative(form),
+            sp.diff(form, L),
+            by_inclination(form),
         )
     ]
-    unit_circles.require(
+    require(
         all(map(equilibrium.equal, names.values(), changes)),
         "the derivatives at an onset",
     )
@@ -206,11 +206,11 @@ def flutter_friction() -> sp.Expr:
     is linear in M.
     """
     e0, e1, e2 = flutter_quadratic()
-    (friction,) = sp.solve(unit_circles.polynomial((e0, e1, e2), nm.L), nm.M)
-    arranged = -(
-        e0 + 2 * nm.sigma * (nm.alpha - nm.B) * (nm.c**2 - nm.s**2) * nm.L + e2 * nm.L**2
-    ) / (4 * nm.sigma * nm.s * nm.c * nm.L)
-    unit_circles.require(unit_circles.equal(friction, arranged), "the friction at an onset")
+    (friction,) = sp.solve(polynomial((e0, e1, e2), L), M)
+    arranged = -(e0 + 2 * sigma * (alpha - B) * (c**2 - s**2) * L + e2 * L**2) / (
+        4 * sigma * s * c * L
+    )
+    require(unit_circles.equal(friction, arranged), "the friction at an onset")
     return arranged
 
 
@@ -223,27 +223,21 @@ def flutter_cubic() -> Row:
     from :func:`flutter_friction`.
     """
     along, _ = equilibrium.balance()
-    scale = 4 * nm.sigma * nm.s * nm.c * nm.L
-    condition = sp.cancel(scale * in_contact(along).subs(nm.M, flutter_friction()))
-    cosine = sp.expand(condition).coeff(nm.c0, 1)
-    rest = sp.expand(cosine * nm.c0 - condition)
-    length = elimination.state()[nm.L]
+    scale = 4 * sigma * s * c * L
+    condition = sp.cancel(scale * in_contact(along).subs(M, flutter_friction()))
+    cosine = sp.expand(condition).coeff(c0, 1)
+    rest = sp.expand(cosine * c0 - condition)
+    length = elimination.state()[L]
     return tuple(
-        value
-        for part in (cosine, rest)
-        for value in unit_circles.ascending(sp.expand(part.subs(nm.L, length)), nm.s0)
+        value for part in (cosine, rest) for value in ascending(sp.expand(part.subs(L, length)), s0)
     )
 
 
 def in_contact(force: sp.Expr) -> sp.Expr:
     """A balance in contact, with B for β + 1 and M for μ₀."""
-    return (
-        force.subs(nm.mu0 * nm.nbar, nm.M)
-        .subs(equilibrium.CONTACT)
-        .subs({nm.mu0: nm.M, nm.beta: nm.B - 1})
-    )
+    return force.subs(mu0 * nbar, M).subs(equilibrium.CONTACT).subs({mu0: M, beta: B - 1})
 
 
 def in_shorthand(K: sp.Matrix) -> sp.Matrix:
     """K with B for β + n̄ and M for μ₀ n̄."""
-    return K.subs(nm.mu0 * nm.nbar, nm.M).subs(nm.nbar, nm.B - nm.beta).applyfunc(sp.expand)
+    return K.subs(mu0 * nbar, M).subs(nbar, B - beta).applyfunc(sp.expand)

@@ -13,9 +13,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from . import catastrophe, unit_circles, elimination, equilibrium, stability
+from . import catastrophe, elimination, equilibrium, stability
 from . import nomenclature as nm
 from ..algebra import manifestly_positive
+from .unit_circles import rotate_derivative
 
 
 @dataclass(frozen=True)
@@ -228,7 +229,7 @@ def smallest_without_friction() -> tuple[Step, ...]:
         .subs(POSITIVE)
         .subs(nm.mu0, 0)
     )
-    ratio = unit_circles.rotate_derivative(nm.fa + nm.fb / nm.s + nm.fd / nm.c)
+    ratio = rotate_derivative(nm.fa + nm.fb / nm.s + nm.fd / nm.c)
     slope = ratio.subs(elimination.f_coefficients()).subs(nm.M, 0)
     slope = sp.expand(
         equilibrium.spell_out(slope).subs(POSITIVE).subs({nm.c: cosine, nm.s: sine, nm.c0: cosine0})

@@ -8,27 +8,27 @@ import sympy as sp
 
 from ..algebra import Row
 from .. import algebra
-from . import nomenclature as nm
+from .nomenclature import UNIT_CIRCLES, c, c0, s, s0, tt
 
 
 def reduce_circles(polynomial: sp.Expr) -> sp.Expr:
     """Normal form of a polynomial modulo cos² = 1 − sin² for θ and θ₀."""
-    return algebra.reduce_circles(polynomial, nm.UNIT_CIRCLES)
+    return algebra.reduce_circles(polynomial, UNIT_CIRCLES)
 
 
 def equal(left: sp.Expr, right: sp.Expr) -> bool:
     """Whether two expressions are the same function of θ and θ₀."""
-    return algebra.equal(left, right, nm.UNIT_CIRCLES)
+    return algebra.equal(left, right, UNIT_CIRCLES)
 
 
 def rotate_derivative(expression: sp.Expr) -> sp.Expr:
     """d/dθ of an expression in ``c`` and ``s``: dc = −s dθ, ds = c dθ."""
-    return sp.diff(expression, nm.s) * nm.c - sp.diff(expression, nm.c) * nm.s
+    return sp.diff(expression, s) * c - sp.diff(expression, c) * s
 
 
 def by_inclination(expression: sp.Expr) -> sp.Expr:
     """d/dθ₀ of an expression in ``c0`` and ``s0``."""
-    return sp.diff(expression, nm.s0) * nm.c0 - sp.diff(expression, nm.c0) * nm.s0
+    return sp.diff(expression, s0) * c0 - sp.diff(expression, c0) * s0
 
 
 def ascending(polynomial: sp.Expr, variable: sp.Symbol) -> Row:
@@ -45,8 +45,8 @@ def in_half_angle(expression: sp.Expr, power: int) -> Row:
     """Coefficients in t = tan(θ/2), lowest power first, of (1 + t²)^power times an expression in
     ``c`` and ``s``.
     """
-    t = nm.tt
-    turned = expression.subs({nm.c: (1 - t**2) / (1 + t**2), nm.s: 2 * t / (1 + t**2)})
+    t = tt
+    turned = expression.subs({c: (1 - t**2) / (1 + t**2), s: 2 * t / (1 + t**2)})
     return ascending(sp.cancel(sp.together((1 + t**2) ** power * turned)), t)
 
 

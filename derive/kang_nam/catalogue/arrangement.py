@@ -6,13 +6,13 @@ import sympy as sp
 
 from ...algebra import Names, Row, Symbols
 from .. import unit_circles, elimination, equilibrium, mechanics
-from .. import nomenclature as nm
+from ..nomenclature import PARAMETERS, c, c0, fa, fb, fd, fm, s, s0, vx, vy
 
-ANGLE0 = (nm.c0, nm.s0)
-ANGLE = (nm.c, nm.s)
+ANGLE0 = (c0, s0)
+ANGLE = (c, s)
 #: A point of parameters, all of them but the friction, and those that are stiffnesses.
-POINT, WITHOUT_FRICTION, STIFFNESS = (*ANGLE0, *nm.PARAMETERS), nm.PARAMETERS[1:], nm.PARAMETERS[2:]
-F_COEFFICIENTS = (nm.fa, nm.fb, nm.fd, nm.fm)
+POINT, WITHOUT_FRICTION, STIFFNESS = (*ANGLE0, *PARAMETERS), PARAMETERS[1:], PARAMETERS[2:]
+F_COEFFICIENTS = (fa, fb, fd, fm)
 F_AT = (*ANGLE, *F_COEFFICIENTS)
 
 
@@ -45,6 +45,4 @@ def further(listed: Symbols, result: sp.Expr) -> Symbols:
     among the arguments ``listed``.
     """
     free = result.free_symbols - set(listed)
-    return tuple(
-        symbol for symbol in (nm.vx, nm.vy, *mechanics.further_parameters()) if symbol in free
-    )
+    return tuple(symbol for symbol in (vx, vy, *mechanics.further_parameters()) if symbol in free)

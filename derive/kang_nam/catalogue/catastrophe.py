@@ -4,9 +4,11 @@ import sympy as sp
 
 from ...algebra import Names, Pair, Row
 from ...emit.function import Function, Module
-from .. import catastrophe, unit_circles, elimination, equilibrium, theorem
-from .. import nomenclature as nm
+from .. import catastrophe, elimination, equilibrium, theorem
+from ..nomenclature import B, M, PARAMETERS, alpha, beta, c, c0, fa, fa_v, fb, fb_v, fd, fd_v
+from ..nomenclature import fm, fm_v, kappa, mu0, p, q, s, s0, sigma, theta0
 from . import lowest_fold
+from ..unit_circles import by_inclination, rotate_derivative
 from .arrangement import (
     ANGLE,
     ANGLE0,
@@ -28,20 +30,20 @@ def _line(relation: sp.Expr, symbol: sp.Symbol) -> Pair:
 
 def module() -> Module:
     contact = in_contact()
-    s0, c0 = catastrophe.fold_angles()
+    sine0, cosine0 = catastrophe.fold_angles()
     spelled = [
         sp.expand(equilibrium.spell_out(relation).subs(equilibrium.CONTACT))
         for relation in catastrophe.fold_residuals()
     ]
     friction = tuple(
-        value.subs(nm.M, nm.mu0) for value in (sp.factor_terms(s0), c0.subs(nm.s0, s0))
+        value.subs(M, mu0) for value in (sp.factor_terms(sine0), cosine0.subs(s0, sine0))
     )
     quartic, quartic_names = catastrophe.fold_quartic()
     events, events_without_alpha, conic_names, line_names = _fold_events()
     sextic, sextic_names = _fold_sextic()
     cusp_polynomial, cusp_names = _cusp_polynomial()
     cusp_s0, cusp_ratio = catastrophe.cusp_angles()
-    cusp_mu = catastrophe.cusp_friction() / nm.c / nm.sigma
+    cusp_mu = catastrophe.cusp_friction() / c / sigma
     return Module(
         "catastrophe",
         "The equilibrium surface, its folds (f = f′ = 0) and cusps (f″ = 0 as well), in contact.",
@@ -60,14 +62,14 @@ def module() -> Module:
                 "The two fold relations as lines in mu0: u1 + w1 mu0 = 0 and u2 + w2 mu0 = 0.",
                 "f = f′ = 0",
                 (*ANGLE, *ANGLE0, *WITHOUT_FRICTION),
-                tuple(part for it in spelled for part in _line(it, nm.mu0)),
+                tuple(part for it in spelled for part in _line(it, mu0)),
                 "u1, w1, u2, w2",
             ),
             Function(
                 "fold_angles",
                 "sin θ₀ and cos θ₀ of the fold through θ at friction μ₀. Needs α > 0.",
                 "f = f′ = 0",
-                (*ANGLE, *nm.PARAMETERS),
+                (*ANGLE, *PARAMETERS),
                 friction,
                 "sin0, cos0",
                 contact,
@@ -76,7 +78,7 @@ def module() -> Module:
                 "fold_sine",
                 "sin θ₀ of the fold through θ at friction μ₀, for any α ≥ 0.",
                 "f = f′ = 0",
-                (*ANGLE, *nm.PARAMETERS),
+                (*ANGLE, *PARAMETERS),
                 friction[0],
                 "sin0",
                 contact,
@@ -107,7 +109,7 @@ def module() -> Module:
                 "one has θ₀ = 0 or π, and "
                 "where one has μ₀ = 0. Needs α > 0.",
                 "f = f′ = 0",
-                (nm.s, *WITHOUT_FRICTION),
+                (s, *WITHOUT_FRICTION),
                 events,
                 "meeting, border, frictionless",
                 {**contact, **conic_names},
@@ -118,11 +120,11 @@ def module() -> Module:
                 "where "
                 "they meet at π/2.",
                 "f = f′ = 0",
-                (nm.s, nm.kappa, nm.sigma, nm.beta),
+                (s, kappa, sigma, beta),
                 events_without_alpha,
                 "meeting, border, middle",
                 {
-                    name: sp.sympify(value).subs({nm.p: nm.sigma, nm.alpha: 0})
+                    name: sp.sympify(value).subs({p: sigma, alpha: 0})
                     for name, value in {**contact, **line_names}.items()
                 },
             ),
@@ -130,11 +132,8 @@ def module() -> Module:
                 "fold_quadratic",
                 "The same for α = 0: e0 + e1 μ₀ + e2 μ₀², and sin θ₀ as for α > 0.",
                 "f = f′ = 0",
-                (*ANGLE, nm.kappa, nm.sigma, nm.beta),
-                tuple(
-                    sp.factor(value.subs({nm.p: nm.sigma}))
-                    for value in catastrophe.fold_quadratic()
-                ),
+                (*ANGLE, kappa, sigma, beta),
+                tuple(sp.factor(value.subs({p: sigma})) for value in catastrophe.fold_quadratic()),
                 "e0, e1, e2",
                 contact,
             ),
@@ -165,7 +164,7 @@ def module() -> Module:
                 "all folds along a parameter v but θ₀; minus its sign is that of dv/dθ on the "
                 "surface.",
                 "f = f′ = 0",
-                (*F_COEFFICIENTS, nm.fa_v, nm.fb_v, nm.fd_v, nm.fm_v),
+                (*F_COEFFICIENTS, fa_v, fb_v, fd_v, fm_v),
                 sextic,
                 "e0, …, e6",
                 sextic_names,
@@ -176,7 +175,7 @@ def module() -> Module:
                 "θ₀, on the fold "
                 "through θ at friction μ₀.",
                 "f = f′ = 0",
-                nm.PARAMETERS,
+                PARAMETERS,
                 _fold_cubics(),
                 "(S0, …, S6), (C0, …, C6)",
                 contact,
@@ -196,7 +195,7 @@ def module() -> Module:
                 "cusp_cubic",
                 "The same for α = 0: e0 + e1 s + e2 s² + e3 s³.",
                 "f = f′ = f″ = 0",
-                (nm.kappa, nm.sigma, nm.beta),
+                (kappa, sigma, beta),
                 tuple(map(sp.factor, catastrophe.cusp_cubic())),
                 "e0, e1, e2, e3",
                 contact,
@@ -205,7 +204,7 @@ def module() -> Module:
                 "cusp_point",
                 "sin θ₀, and cos θ₀ and μ₀ over cos θ, on a cusp. Needs α > 0 for the second.",
                 "f = f′ = f″ = 0",
-                (nm.s, *WITHOUT_FRICTION),
+                (s, *WITHOUT_FRICTION),
                 (cusp_s0, cusp_ratio, cusp_mu),
                 "sin0, cos0/cos, mu0/cos",
                 contact,
@@ -223,7 +222,7 @@ def module() -> Module:
                 "cusp_sine",
                 "sin θ₀, and μ₀ over cos θ, on a cusp, for any α ≥ 0.",
                 "f = f′ = f″ = 0",
-                (nm.s, *WITHOUT_FRICTION),
+                (s, *WITHOUT_FRICTION),
                 (cusp_s0, cusp_mu),
                 "sin0, mu0/cos",
                 contact,
@@ -249,28 +248,24 @@ def _fold_events() -> tuple[Row, Row, Names, Names]:
         P: 12 * product - 12 * e1**2 + middle**2,
         Q: 72 * product * middle + 36 * e1**2 * middle - 216 * e1**2 * e0 - 2 * middle**3,
     }
-    sine, cosine = nm.fa * nm.s**3 - nm.kappa * nm.p, nm.fa * (1 - nm.s**2)
-    rest = (
-        (nm.q * nm.alpha * sine) ** 2
-        + (1 - nm.s**2) * (nm.p * nm.B * cosine) ** 2
-        - (nm.p * nm.B * nm.q * nm.alpha) ** 2
-    )
-    names = {**kept, square: (last / nm.c) ** 2 * (1 - nm.s**2), **parts}
+    sine, cosine = fa * s**3 - kappa * p, fa * (1 - s**2)
+    rest = (q * alpha * sine) ** 2 + (1 - s**2) * (p * B * cosine) ** 2 - (p * B * q * alpha) ** 2
+    names = {**kept, square: (last / c) ** 2 * (1 - s**2), **parts}
     events = (4 * P**3 - Q**2, product, rest)
     derived = catastrophe.fold_events((e0, e1, e2, square))
     require_same("meetings of folds, and their borders", events[:2], derived[:2], parts)
     require_same("folds without friction", events[2:], derived[2:], elimination.f_coefficients())
-    s, k, B = nm.s, nm.kappa, nm.B  # e0 + e1 + e2, in which little is lost
-    at_middle = nm.sigma * (
-        k**2
+    # e0 + e1 + e2, in which little is lost
+    at_middle = sigma * (
+        kappa**2
         + (1 - s)
-        * (k * B * (1 + s + s**2) - k * nm.sigma * (1 - s - s**2) - B * nm.sigma * (1 - s))
+        * (kappa * B * (1 + s + s**2) - kappa * sigma * (1 - s - s**2) - B * sigma * (1 - s))
     )
-    spelled = {**kept, nm.fa: nm.sigma * nm.B, nm.p: nm.sigma}
+    spelled = {**kept, fa: sigma * B, p: sigma}
     require_same(
         "folds at θ₀ = π/2",
         (at_middle,),
-        ((e0 + e1 + e2).subs(spelled).subs(spelled).subs(nm.alpha, 0),),
+        ((e0 + e1 + e2).subs(spelled).subs(spelled).subs(alpha, 0),),
     )
     without_alpha = (e1**2 - 4 * e0 * e2, e0, at_middle)
     return events, without_alpha, names, kept
@@ -279,17 +274,13 @@ def _fold_events() -> tuple[Row, Row, Names, Names]:
 def _changes() -> tuple[Row, ...]:
     """How a, b, d and m change with each parameter, in the order of f."""
     rows = []
-    for parameter in (nm.theta0, *nm.PARAMETERS):
+    for parameter in (theta0, *PARAMETERS):
         row = []
         for symbol in F_COEFFICIENTS:
             value = equilibrium.spell_out(elimination.f_coefficients()[symbol]).subs(
                 equilibrium.CONTACT
             )
-            change = (
-                unit_circles.by_inclination(value)
-                if parameter == nm.theta0
-                else sp.diff(value, parameter)
-            )
+            change = by_inclination(value) if parameter == theta0 else sp.diff(value, parameter)
             row.append(sp.factor_terms(change))
         rows.append(tuple(row))
     return tuple(rows)
@@ -301,20 +292,19 @@ def _in_differences() -> Row:
         raise ArithmeticError(
             "the reference state without friction is not what certificates over boxes take it to be"
         )
-    c, s, c0, s0, B = nm.c, nm.s, nm.c0, nm.s0, nm.B
-    rise, push = B * (s - s0) - nm.kappa, -(nm.sigma * (s - s0) + nm.kappa)
-    along = B * (s * c0 - c * s0) + nm.sigma * s * (c0 - c) - nm.kappa * c
-    along_slope = B * (c * c0 + s * s0) + nm.sigma * (c * (c0 - c) + s**2) + nm.kappa * s
-    friction, friction_slope = s * push, c * (push - nm.sigma * s)
-    value = nm.sigma * c * rise + nm.alpha * along + nm.mu0 * friction
-    slope = nm.sigma * (B * c**2 - s * rise) + nm.alpha * along_slope + nm.mu0 * friction_slope
+    rise, push = B * (s - s0) - kappa, -(sigma * (s - s0) + kappa)
+    along = B * (s * c0 - c * s0) + sigma * s * (c0 - c) - kappa * c
+    along_slope = B * (c * c0 + s * s0) + sigma * (c * (c0 - c) + s**2) + kappa * s
+    friction, friction_slope = s * push, c * (push - sigma * s)
+    value = sigma * c * rise + alpha * along + mu0 * friction
+    slope = sigma * (B * c**2 - s * rise) + alpha * along_slope + mu0 * friction_slope
     f = equilibrium.spell_out(elimination.f_in_parameters()).subs(equilibrium.CONTACT)
-    by_friction = sp.diff(f, nm.mu0)
+    by_friction = sp.diff(f, mu0)
     derived = (
         f,
-        unit_circles.rotate_derivative(f),
+        rotate_derivative(f),
         by_friction,
-        unit_circles.rotate_derivative(by_friction),
+        rotate_derivative(by_friction),
     )
     arranged = (value, slope, friction, friction_slope)
     require_same("f in differences", arranged, derived, in_contact())
@@ -326,12 +316,12 @@ def _fold_sextic() -> tuple[Row, Names]:
     s²) bm + s² c dm.
     """
     pairs = (
-        ("ab", nm.fa, nm.fb),
-        ("ad", nm.fa, nm.fd),
-        ("am", nm.fa, nm.fm),
-        ("bd", nm.fb, nm.fd),
-        ("bm", nm.fb, nm.fm),
-        ("dm", nm.fd, nm.fm),
+        ("ab", fa, fb),
+        ("ad", fa, fd),
+        ("am", fa, fm),
+        ("bd", fb, fd),
+        ("bm", fb, fm),
+        ("dm", fd, fm),
     )
     change = catastrophe.CHANGE
     ab, ad, am, bd, bm, dm = (sp.Symbol(name) for name, _, _ in pairs)
@@ -355,9 +345,9 @@ def _fold_cubics() -> tuple[Row, Row]:
     """With p B sin θ₀ = a s³ + m s² c − p κ = S, p B q α cos θ₀ = p B (m s (1 + c²) − a c³ + M κ) −
     m S.
     """
-    a, m, width, load = nm.fa, nm.fm, nm.p * nm.B, nm.p * nm.kappa
+    a, m, width, load = fa, fm, p * B, p * kappa
     sine = (-load, sp.S.Zero, 4 * m - 3 * load, 8 * a, -4 * m - 3 * load, sp.S.Zero, -load)
-    push = nm.M * nm.kappa
+    push = M * kappa
     bare = (push - a, 4 * m, 3 * (a + push), 0, 3 * (push - a), 4 * m, a + push)
     cosine = tuple(width * one - m * other for one, other in zip(bare, sine, strict=True))
     spelled = elimination.f_coefficients()
@@ -374,10 +364,8 @@ def _unfolding() -> tuple[Pair, ...]:
         change = elimination.f_form.subs(
             dict(zip(F_COEFFICIENTS, row, strict=True)), simultaneous=True
         )
-        pair = change, unit_circles.rotate_derivative(change)
-        pairs.append(
-            tuple(sp.factor_terms(sp.collect(sp.expand(part), (nm.c, nm.s))) for part in pair)
-        )
+        pair = change, rotate_derivative(change)
+        pairs.append(tuple(sp.factor_terms(sp.collect(sp.expand(part), (c, s))) for part in pair))
     return tuple(pairs)
 
 
@@ -386,20 +374,19 @@ def _cusp_polynomial() -> tuple[Row, Names]:
     G of cos θ₀; degree 9.
     """
     g0, g1, g4, r, width, k = sp.symbols("g0 g1 g4 r width k")
-    s = nm.s
     names = {
         **in_contact(),
-        r: nm.alpha * nm.q,
-        k: nm.kappa * nm.p,
-        g0: -4 * nm.B * nm.p * nm.sigma,
-        g1: -6 * k * nm.q,
-        g4: 3 * nm.sigma * r,
-        width: nm.B - nm.alpha,
+        r: alpha * q,
+        k: kappa * p,
+        g0: -4 * B * p * sigma,
+        g1: -6 * k * q,
+        g4: 3 * sigma * r,
+        width: B - alpha,
     }
-    S, first = 3 * s**2 - 2, nm.fa * s**3 - k * (3 * s**2 - 2)
+    S, first = 3 * s**2 - 2, fa * s**3 - k * (3 * s**2 - 2)
     second = g0 * (1 - s**2) + g1 * (s - sp.Rational(3, 2) * s**3) + g4 * s**4
     expanded = sp.expand(
-        (r * first * S) ** 2 + width**2 * (1 - s**2) * second**2 - (nm.B * nm.p * r) ** 2 * S**4
+        (r * first * S) ** 2 + width**2 * (1 - s**2) * second**2 - (B * p * r) ** 2 * S**4
     )
     coefficients = sp.Poly(expanded, s).all_coeffs()[::-1]
     local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}

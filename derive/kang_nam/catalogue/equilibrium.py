@@ -5,7 +5,27 @@ import sympy as sp
 from ...algebra import Names, Pair, Row
 from ...emit.function import Function, Module, rows
 from .. import catastrophe, elimination, equilibrium
-from .. import nomenclature as nm
+from ..nomenclature import (
+    p,
+    q,
+    L,
+    M,
+    alpha,
+    b1,
+    b2,
+    beta,
+    c,
+    c0,
+    fa,
+    fd,
+    kappa,
+    mu0,
+    nbar,
+    s,
+    sigma,
+    x,
+    y,
+)
 from .arrangement import (
     ANGLE,
     ANGLE0,
@@ -21,7 +41,6 @@ from .arrangement import (
 
 def _quartic(case: dict[sp.Symbol, int]) -> tuple[Row, Names]:
     """The quartic in L in the arrangement that keeps its squares together, and its shorthands."""
-    b1, b2, p, q, M, sigma = nm.b1, nm.b2, nm.p, nm.q, nm.M, nm.sigma
     arranged = (
         sigma**2 * (b1**2 + b2**2 - sigma**2),
         2 * sigma * (M * b1 * b2 - q * (b1**2 - sigma**2) - p * (b2**2 - sigma**2)),
@@ -35,18 +54,18 @@ def _quartic(case: dict[sp.Symbol, int]) -> tuple[Row, Names]:
         **shorthands(case),
         **elimination.RIGHT_SIDE,
     }
-    require_same("right side of (16)", (names[nm.b1], names[nm.b2]), tuple(b))
-    if case[nm.nbar] == 0:
-        arranged = tuple(value.subs(nm.M, 0) for value in arranged)
-        names[nm.b1] = names[nm.b1].subs(nm.M, 0)
-        del names[nm.M]
+    require_same("right side of (16)", (names[b1], names[b2]), tuple(b))
+    if case[nbar] == 0:
+        arranged = tuple(value.subs(M, 0) for value in arranged)
+        names[b1] = names[b1].subs(M, 0)
+        del names[M]
     return arranged, names
 
 
 def _matrix(D: sp.Matrix, case: dict[sp.Symbol, int]) -> tuple[Row, ...]:
     """D of (18) or (24) with p and q kept together."""
     require_same("D", tuple(elimination.MATRIX), tuple(D))
-    return rows(elimination.MATRIX if case[nm.nbar] else elimination.MATRIX.subs(nm.M, 0))
+    return rows(elimination.MATRIX if case[nbar] else elimination.MATRIX.subs(M, 0))
 
 
 def module() -> Module:
@@ -67,7 +86,7 @@ def module() -> Module:
                 "contact_matrix",
                 "D of the balance in contact.",
                 "(17), (18)",
-                (nm.L, nm.mu0, *STIFFNESS),
+                (L, mu0, *STIFFNESS),
                 _matrix(D, contact),
                 "((D11, D12), (D21, D22))",
                 shorthands(contact),
@@ -76,7 +95,7 @@ def module() -> Module:
                 "contact_vector",
                 "b of the balance in contact.",
                 "(19), (A10), (A11)",
-                (*ANGLE0, nm.mu0, nm.kappa, nm.alpha, nm.beta),
+                (*ANGLE0, mu0, kappa, alpha, beta),
                 tuple(b.subs(contact)),
                 "b1, b2",
             ),
@@ -93,7 +112,7 @@ def module() -> Module:
                 "liftoff_matrix",
                 "D of the balance in lift-off.",
                 "(24)",
-                (nm.L, *STIFFNESS),
+                (L, *STIFFNESS),
                 _matrix(D, liftoff),
                 "((D11, D12), (D21, D22))",
                 shorthands(liftoff),
@@ -102,7 +121,7 @@ def module() -> Module:
                 "liftoff_vector",
                 "b of the balance in lift-off.",
                 "(25), (A12), (A13)",
-                (*ANGLE0, nm.kappa, nm.alpha, nm.beta),
+                (*ANGLE0, kappa, alpha, beta),
                 tuple(b.subs(liftoff)),
                 "b3, b4",
             ),
@@ -120,7 +139,7 @@ def module() -> Module:
                 "a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ "
                 "F_x(θ, L(θ)).",
                 "(12), (13) eliminated",
-                (*POINT, nm.nbar),
+                (*POINT, nbar),
                 F_COEFFICIENTS,
                 "a, b, d, m",
                 shorthands(),
@@ -131,10 +150,10 @@ def module() -> Module:
                 "rounding errors are "
                 "measured.",
                 "rounding-error analysis",
-                (*POINT, nm.nbar),
+                (*POINT, nbar),
                 (
-                    trig[nm.fa].subs(nm.alpha, -nm.alpha),
-                    trig[nm.fd].subs({nm.c0: sp.Abs(nm.c0), nm.kappa: -nm.kappa}),
+                    trig[fa].subs(alpha, -alpha),
+                    trig[fd].subs({c0: sp.Abs(c0), kappa: -kappa}),
                 ),
                 "|a|, |d|",
                 shorthands(),
@@ -152,7 +171,7 @@ def module() -> Module:
                 "df/dθ, which is L det K at an equilibrium.",
                 "(12), (13) eliminated",
                 F_AT,
-                sp.collect(catastrophe.slope, nm.s),
+                sp.collect(catastrophe.slope, s),
                 "f′",
             ),
             Function(
@@ -186,16 +205,16 @@ def module() -> Module:
                 "state",
                 "Spring length and displacement at an equilibrium with direction θ.",
                 "(4), (5), (13) or (15)",
-                (*ANGLE, *ANGLE0, nm.kappa, nm.sigma, nm.beta, nm.nbar),
-                (nm.L, state[nm.x], state[nm.y]),
+                (*ANGLE, *ANGLE0, kappa, sigma, beta, nbar),
+                (L, state[x], state[y]),
                 "L, x, y",
-                {**shorthands(), nm.L: state[nm.L]},
+                {**shorthands(), L: state[L]},
             ),
             Function(
                 "residuals",
                 "F_x and F_y at spring length L and direction θ.",
                 "(12)–(15)",
-                (*ANGLE, nm.L, *POINT, nm.nbar),
+                (*ANGLE, L, *POINT, nbar),
                 _residuals(along, across),
                 "F_x, F_y",
             ),
@@ -204,10 +223,10 @@ def module() -> Module:
 
 
 def _residuals(along: sp.Expr, across: sp.Expr) -> Pair:
-    x, y = equilibrium.displacement().values()
     arranged = (
-        nm.sigma * (1 - nm.L) * nm.c + nm.alpha * x + nm.mu0 * nm.nbar * y,
-        nm.sigma * (1 - nm.L) * nm.s + (nm.beta + nm.nbar) * y + nm.kappa,
+        sigma * (1 - L) * c + alpha * x + mu0 * nbar * y,
+        sigma * (1 - L) * s + (beta + nbar) * y + kappa,
     )
+    arranged = tuple(force.subs(equilibrium.displacement()) for force in arranged)
     require_same("residuals (14), (15)", arranged, (along, across))
     return arranged

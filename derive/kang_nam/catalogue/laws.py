@@ -5,13 +5,13 @@ import sympy as sp
 from ...algebra import reached
 from ...emit.function import Function, Module
 from .. import mechanics
-from .. import nomenclature as nm
+from ..nomenclature import V, creep, mu0, vx, x, y
 from .arrangement import ANGLE0, further
 
 
 def module() -> Module:
     friction, length = mechanics.friction().replace(sp.sign, reached), mechanics.spring_length()
-    speeds = (nm.vx, nm.mu0, nm.V, nm.creep)
+    speeds = (vx, mu0, V, creep)
     return Module(
         "laws",
         "The length of the inclined spring, and the friction law.",
@@ -20,10 +20,10 @@ def module() -> Module:
                 "spring_length",
                 "Length of the inclined spring.",
                 "(6) corrected",
-                (nm.x, nm.y, *ANGLE0),
+                (x, y, *ANGLE0),
                 length,
                 "L",
-                further=further((nm.x, nm.y), length),
+                further=further((x, y), length),
             ),
             Function(
                 "friction",

@@ -4,15 +4,15 @@ import sympy as sp
 
 from ...emit.function import Function, Module
 from .. import linear_sprag
-from .. import nomenclature as nm
+from ..nomenclature import T, kappa, mu0
 from .arrangement import POINT, STIFFNESS, require_same
 
 
 def module() -> Module:
     determinant = sp.Symbol("determinant")
     K = linear_sprag.stiffness()
-    arranged = (nm.kappa * K[0, 1] / determinant, -nm.kappa * K[0, 0] / determinant)
-    names = {determinant: sp.collect(sp.expand(K.det()), nm.mu0)}
+    arranged = (kappa * K[0, 1] / determinant, -kappa * K[0, 0] / determinant)
+    names = {determinant: sp.collect(sp.expand(K.det()), mu0)}
     require_same("linear displacement", arranged, linear_sprag.equilibrium(), names)
     return Module(
         "linear_sprag",
@@ -32,7 +32,7 @@ def module() -> Module:
                 "pole_quadratic",
                 "Coefficients of e0 + e1 T + e2 T², whose roots T = tan θ₀ are the poles.",
                 "determinant of the linear model",
-                (nm.mu0, *STIFFNESS),
+                (mu0, *STIFFNESS),
                 linear_sprag.pole_quadratic(),
                 "e0, e1, e2",
             ),
@@ -40,7 +40,7 @@ def module() -> Module:
                 "pole_friction",
                 "μ₀ with a pole at T = tan θ₀.",
                 "determinant of the linear model",
-                (nm.T, *STIFFNESS),
+                (T, *STIFFNESS),
                 sp.factor_terms(linear_sprag.pole_friction()),
                 "mu0",
             ),

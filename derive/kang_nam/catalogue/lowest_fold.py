@@ -4,7 +4,7 @@ import sympy as sp
 
 from ...emit.function import Function
 from .. import lowest_fold
-from .. import nomenclature as nm
+from ..nomenclature import s, s0
 from .arrangement import WITHOUT_FRICTION, in_contact
 
 
@@ -19,7 +19,7 @@ def functions() -> tuple[Function, ...]:
     }
     outer, upper, _ = lowest_fold.minors(first, second)
     weight, constant, along = lowest_fold.turning_line()
-    cosine = sp.factor_terms(constant + along * nm.s0) / weight
+    cosine = sp.factor_terms(constant + along * s0) / weight
     return (
         Function(
             "turning_polynomial",
@@ -36,7 +36,7 @@ def functions() -> tuple[Function, ...]:
             "turning_sine",
             "Numerator and denominator of sin θ₀ where the curve of folds turns back in μ₀.",
             "f = f′ = f_θ₀ = 0",
-            (nm.s, *WITHOUT_FRICTION),
+            (s, *WITHOUT_FRICTION),
             (-outer, upper),
             "numerator, denominator",
             names,
@@ -45,7 +45,7 @@ def functions() -> tuple[Function, ...]:
             "turning_cosine",
             "cos θ cos θ₀ where the curve of folds turns back in μ₀. Needs α > 0.",
             "f = f_θ₀ = 0",
-            (nm.s, nm.s0, *WITHOUT_FRICTION),
+            (s, s0, *WITHOUT_FRICTION),
             cosine,
             "cos cos0",
             in_contact(),

@@ -7,7 +7,8 @@ import sympy as sp
 from ...algebra import Names, Row
 from ...emit.function import Function, Module, rows
 from .. import stability
-from .. import nomenclature as nm
+from ..nomenclature import B, C11, K11, K12, K21, K22, L, M, PARAMETERS, V, alpha, beta, c
+from ..nomenclature import creep, kappa, mu0, nbar, p, q, s, sigma, y
 from .arrangement import (
     ANGLE,
     ANGLE0,
@@ -23,23 +24,23 @@ from .arrangement import (
 def module() -> Module:
     contact = in_contact()
     K = stability.stiffness()
-    pull = nm.sigma / nm.L
+    pull = sigma / L
     arranged = sp.Matrix(
         [
-            [nm.p - pull * nm.s**2, pull * nm.s * nm.c + nm.M],
-            [pull * nm.s * nm.c, nm.q - pull * nm.c**2],
+            [p - pull * s**2, pull * s * c + M],
+            [pull * s * c, q - pull * c**2],
         ]
     )
     require_same("K (28)", tuple(arranged), tuple(K))
-    entries = (nm.K11, nm.K12, nm.K21, nm.K22)
+    entries = (K11, K12, K21, K22)
     generic, C = sp.Matrix(2, 2, entries), stability.damping()
     damped = sp.Matrix(C)
-    damped[0, 0] = nm.C11
+    damped[0, 0] = C11
     characteristic = sp.Poly(stability.characteristic(generic, damped), stability.lam).all_coeffs()
     determinant = generic.det()
     crossing, crossing_names = stability.flutter_crossing()
     cubic, cubic_names = _flutter_cubic()
-    at_friction = (*ANGLE, *nm.PARAMETERS)
+    at_friction = (*ANGLE, *PARAMETERS)
     return Module(
         "stability",
         "Linearization about an equilibrium: K, its invariants, the damping that (27) leaves "
@@ -49,7 +50,7 @@ def module() -> Module:
                 "stiffness",
                 "K, the Jacobian of (F_x, F_y).",
                 "(28)",
-                (*ANGLE, nm.L, nm.mu0, *STIFFNESS, nm.nbar),
+                (*ANGLE, L, mu0, *STIFFNESS, nbar),
                 rows(arranged),
                 "((K11, K12), (K21, K22))",
                 shorthands(),
@@ -67,11 +68,7 @@ def module() -> Module:
                 "damping",
                 "∂F_x/∂x' at steady sliding.",
                 "(8), (10) linearized",
-                tuple(
-                    symbol
-                    for symbol in (nm.y, nm.mu0, nm.V, nm.creep, nm.nbar)
-                    if C[0, 0].has(symbol)
-                ),
+                tuple(symbol for symbol in (y, mu0, V, creep, nbar) if C[0, 0].has(symbol)),
                 C[0, 0],
                 "C11",
                 further=further((), C[0, 0]),
@@ -80,7 +77,7 @@ def module() -> Module:
                 "characteristic",
                 "Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27).",
                 "(27) with damping",
-                (*entries, nm.C11),
+                (*entries, C11),
                 tuple(characteristic),
                 "e4, e3, e2, e1, e0",
             ),
@@ -99,7 +96,7 @@ def module() -> Module:
                 "Coefficients of e0 + e1 L + e2 L², which is L² times the discriminant of "
                 "(27), in contact.",
                 "(27)",
-                (*ANGLE, nm.mu0, *STIFFNESS),
+                (*ANGLE, mu0, *STIFFNESS),
                 stability.flutter_quadratic(),
                 "e0, e1, e2",
                 contact,
@@ -118,11 +115,11 @@ def module() -> Module:
                 "flutter_without_alpha",
                 "The same for α = 0: zero at the θ of every flutter onset, where L = −u2/w2.",
                 "(27), (14), (15)",
-                (*ANGLE, nm.mu0, nm.kappa, nm.sigma, nm.beta),
+                (*ANGLE, mu0, kappa, sigma, beta),
                 stability.flutter_without_alpha(),
                 "condition",
                 {
-                    name: value.subs(nm.alpha, 0)
+                    name: value.subs(alpha, 0)
                     for name, value in {**contact, **_flutter_names()}.items()
                 },
             ),
@@ -131,7 +128,7 @@ def module() -> Module:
                 "N, J: L² times the discriminant changes by N/J per unit of θ₀, along "
                 "equilibria in contact.",
                 "(27), (14), (15)",
-                (*ANGLE, nm.L, *ANGLE0, nm.mu0, *STIFFNESS),
+                (*ANGLE, L, *ANGLE0, mu0, *STIFFNESS),
                 crossing,
                 "N, J",
                 {**contact, **crossing_names},
@@ -150,7 +147,7 @@ def module() -> Module:
                 "flutter_friction",
                 "μ₀ at a flutter onset with spring length L in direction θ, in contact.",
                 "(27)",
-                (*ANGLE, nm.L, *STIFFNESS),
+                (*ANGLE, L, *STIFFNESS),
                 stability.flutter_friction(),
                 "mu0",
                 contact,
@@ -175,25 +172,24 @@ def _flutter_cubic() -> tuple[Row, Names]:
     and the spring's pull along.
     """
     l0, l1, y0, y1, e0, e1, e2, m1, m2 = sp.symbols("l0 l1 y0 y1 e0 e1 e2 m1 m2")
-    c, s, sigma = nm.c, nm.s, nm.sigma
     pull = 4 * sigma * s * c**2
     names = {
-        l0: (sigma * s + nm.kappa) / (nm.q * s),
-        l1: nm.B / (nm.q * s),
-        y0: -(sigma * s + nm.kappa) / nm.q,
-        y1: sigma / nm.q,
+        l0: (sigma * s + kappa) / (q * s),
+        l1: B / (q * s),
+        y0: -(sigma * s + kappa) / q,
+        y1: sigma / q,
         **dict(
             zip(
                 (e0, e1, e2),
-                (value.subs(nm.M, 0) for value in stability.flutter_quadratic()),
+                (value.subs(M, 0) for value in stability.flutter_quadratic()),
                 strict=True,
             )
         ),
         m1: -pull * sigma,
-        m2: pull * nm.p,
+        m2: pull * p,
     }
     d0, d1, d2 = e0 + l0 * (e1 + e2 * l0), l1 * (e1 + 2 * e2 * l0), e2 * l1**2
-    weight = 4 * sigma * s * c * nm.alpha
+    weight = 4 * sigma * s * c * alpha
     cubic = (
         weight * l0,
         weight * l1,

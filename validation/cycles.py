@@ -65,9 +65,11 @@ def regimes(rng: np.random.Generator) -> dict[str, Any]:
     early, late = (rms_sweep(p, **rest, t_end=end, transient=end - window) for end, window in TIMES)
     told = np.flatnonzero(~np.isin(early.regime, (Regime.UNSETTLED, Regime.FAILED))).tolist()
     pairs = [(early.outcome(i), late.outcome(i)) for i in told]
+    field = p.model.field
+    constants = field.constants(ss.Parameters.article(theta0=1.0).scalars(*p.model.parameters))
     wrong = [
         f"{one}, later {two}"
         for one, two in pairs
-        if one.equilibrium != two.equilibrium or not same_limit(one, two, ())
+        if one.equilibrium != two.equilibrium or not same_limit(one, two, field, constants)
     ]
     return {"kind": "regimes", "wrong": wrong, "limits told": len(told)}

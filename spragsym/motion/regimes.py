@@ -14,13 +14,14 @@ import numpy as np
 from ..bifurcation.sticking import sticking_states
 from ..core.errors import ConvergenceError, ParameterError
 from ..display import Column, named_fields
-from ..models.field import SETTLED
+from ..models.field import SETTLED, Field, Values
 from ..models.parameters import FloatArray, ParameterSet
 from ..numerics.vectors import TURN, apart, magnitude
 from ..results.result import Named
+from .scales import scales_of
 
 #: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are
-#: one.
+#: one, in units of the motion.
 SAME = 1e-6
 
 
@@ -179,48 +180,63 @@ def sets_of_rest(p: ParameterSet) -> Sets:
 
 
 def same_limit(
-    one: Outcome, other: Outcome, around: Sequence[int], sets: Callable[[], Sets] = lambda: ()
+    one: Outcome,
+    other: Outcome,
+    field: Field,
+    constants: Values,
+    sets: Callable[[], Sets] = lambda: (),
 ) -> bool:
-    """Whether two motions of one set of parameters have one limit, by all numbers of its state.
+    """Whether two motions of one set of parameters have one limit, by all numbers of its state, in
+    units of the motion there.
 
-    ``around`` are the places of coordinates that come around, ``sets`` gives the sets of rest, each
-    of which is one limit. What has no limit is not told apart.
+    ``sets`` gives the sets of rest, each of which is one limit. What has no limit is not told
+    apart.
     """
     if one.limit != other.limit:
         return False
-    if one.limit == Regime.EQUILIBRIUM:
-        near = SAME * (1 + magnitude(one.rest))
-        if magnitude(apart(one.rest, other.rest, around)) < near:
-            return True
-        places = {_sets_that_hold(each.rest, sets(), around, near) for each in (one, other)}
-        return len(places) == 1 and len(places.pop()) == 1
-    if one.limit != Regime.LIMIT_CYCLE:
+    if one.limit not in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE):
         return True
+    around = field.around
+    state = one.cycle or (*one.rest, *(0.0,) * len(one.rest))
+    units = scales_of(field, constants, state).states
+    if one.limit == Regime.EQUILIBRIUM:
+        units = units[: len(one.rest)]
+        near = SAME * (1 + magnitude(one.rest / units))
+        if magnitude(apart(one.rest, other.rest, around) / units) < near:
+            return True
+        places = {_sets_that_hold(each.rest, sets(), around, near * units) for each in (one, other)}
+        return len(places) == 1 and len(places.pop()) == 1
     # Two cycles, by period, averages, and the one state that stands for each, all found by Newton's
     # method.
     turns = np.isnan(one.cycle_mean), np.isnan(other.cycle_mean)
     if turns[0] != turns[1]:
         return False
-    averages = (one.cycle_mean - other.cycle_mean, one.cycle_rms - other.cycle_rms)
-    off = magnitude([*apart(one.cycle, other.cycle, around), *(() if turns[0] else averages)])
-    reach = max(abs(each.cycle[0] - each.cycle_mean) for each in (one, other))
+    averages = np.subtract([one.cycle_mean, one.cycle_rms], [other.cycle_mean, other.cycle_rms])
+    off = magnitude(
+        [
+            *apart(one.cycle, other.cycle, around) / units,
+            *(() if turns[0] else averages / units[0]),
+        ]
+    )
+    reach = max(abs(each.cycle[0] - each.cycle_mean) for each in (one, other)) / units[0]
     # An x that stands still beside what moves has no reach but rounding.
     far = 10 * SETTLED * (1.0 if turns[0] else reach)
     return bool(
-        abs(one.period / other.period - 1) < SETTLED and off < max(far, SAME * magnitude(one.cycle))
+        abs(one.period / other.period - 1) < SETTLED
+        and off < max(far, SAME * magnitude(one.cycle / units))
     )
 
 
 def _sets_that_hold(
-    rest: Sequence[float], sets: Sets, around: Sequence[int], near: float
+    rest: Sequence[float], sets: Sets, around: Sequence[int], near: FloatArray
 ) -> tuple[int, ...]:
     """Rows of the sets whose boxes hold a place; boxes of several may meet."""
 
     def inside(place: int, low: float, high: float) -> bool:
-        value = rest[place]
+        value, room = rest[place], float(near[place])
         if place in around:  # the angle of a whole turn that is behind the lower end
-            value = low + (value - low + near) % TURN - near
-        return low - near <= value <= high + near
+            value = low + (value - low + room) % TURN - room
+        return low - room <= value <= high + room
 
     return tuple(
         row

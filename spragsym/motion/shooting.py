@@ -602,10 +602,10 @@ def error_of(loop: Loop, differs: float = 0.0) -> float:
     return magnitude(errors_of(loop, differs))
 
 
-def extent(loop: Loop) -> float:
-    """How far apart the turns of an orbit are: the largest of all components."""
+def extent(loop: Loop, units: FloatArray | float = 1.0) -> float:
+    """Range of the turns of an orbit: the largest of all components, in their units."""
     states = [*(turn.state for turn in loop.turns()), *loop.states, *loop.ends]
-    return float(np.ptp(states, axis=0).max())
+    return float((np.ptp(states, axis=0) / units).max())
 
 
 def growth(loop: Loop) -> float:

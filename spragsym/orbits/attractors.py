@@ -15,6 +15,7 @@ from ..models.field import Values
 from ..models.parameters import FloatArray
 from ..motion.classify import spectrum_at_rest
 from ..motion.regimes import SAME, Regime
+from ..motion.shooting import in_scales, natural
 from ..numerics.vectors import apart, magnitude
 from .arclength import Setting, along, started
 from .finding import cycle_at
@@ -61,11 +62,10 @@ def followed(known: Attractor, system: System) -> Attractor:
     if known.orbit is not None:
         return _of_cycle(system, followed_cycle(known.orbit, system.values))
     index, span = _varied(known.system.values, system.values)
-    point = along(
-        FixedPoints(system.field).started(known.system, known.state, index, span),
-        system.values[index],
-    )
-    return _at_rest(system, point.loop.state)
+    scales = known.system.scales(known.state)
+    there = known.system.scaled(scales)
+    rest = FixedPoints(there.field).started(there, known.state / scales.states, index, span)
+    return _at_rest(system, natural(along(rest, system.values[index]).loop).state)
 
 
 def followed_cycle(known: Cycle, values: Values) -> Cycle:
@@ -73,8 +73,9 @@ def followed_cycle(known: Cycle, values: Values) -> Cycle:
     or is lost, on the way.
     """
     index, span = _varied(known.values, values)
-    setting = Setting(known.loop.flow, (index,), known.period, (span,))
-    return cycle_of(along(started(setting, known.loop.guess), values[index]).loop)
+    own = in_scales(known.loop)
+    setting = Setting(own.flow, (index,), own.period, (span,))
+    return cycle_of(along(started(setting, own.guess), values[index]).loop)
 
 
 def _varied(now: Values, then: Values) -> tuple[int, float]:

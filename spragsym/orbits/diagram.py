@@ -27,6 +27,8 @@ from ..core.questions import model_of
 from ..core.remarks import At, Remark
 from ..display import Column
 from ..models.parameters import FloatArray, ParameterSet, Ranges, Span, as_count, varied_range
+from ..motion.scales import MotionScales
+from ..motion.shooting import natural
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import apart, magnitude
 from ..results import Equilibria
@@ -42,17 +44,17 @@ from .system import FixedPoints, System
 #: Values of the parameter at which the statics say where equilibria are.
 SEEDS = 13
 
-#: Longest step along a branch of equilibria, in coordinates and halves of the range.
+#: Longest step along a branch of equilibria, in units of the motion and halves of the range.
 LONGEST = 0.02
 #: Shortest step along it.
 SHORTEST = 1e-7
 #: Most steps each way.
 STEPS = 2000
 
-#: Equilibria closer than this are one.
+#: Equilibria closer than this, in units of the motion, are one.
 ONE = 1e-7
 
-#: A Hopf point is located to this, relatively.
+#: A Hopf point is located to this, in ranges of the parameter.
 LOCATED = 1e-6
 
 #: Real parts below this are not growth.
@@ -275,7 +277,7 @@ def diagram(
                 )
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*(label for _, own in rests for label in own), *_of_cycles(branches)]
-    remarks += _left_alone(vary, labels, born_at)
+    remarks += _left_alone(vary, labels, born_at, LOCATED * (high - low))
     spans = [undecided_points(known, vary, (low, high)) for _, known in seeds]
     undecided = joined(np.concatenate([undecided_parts(onsets, (low, high)), *spans]))
     remarks += [
@@ -296,12 +298,14 @@ def diagram(
     )
 
 
-def _left_alone(vary: str, labels: Sequence[Label], known: FloatArray) -> Iterator[str]:
+def _left_alone(
+    vary: str, labels: Sequence[Label], known: FloatArray, near: float
+) -> Iterator[str]:
     """Hopf points of the motion that are none of the statics', whose friction may be another: none
     is followed from there.
     """
     for value in (label.value for label in labels if label.label == "H"):
-        if not (np.abs(known - value) < LOCATED * (1 + abs(value))).any():
+        if not (np.abs(known - value) < near).any():
             yield Remark(
                 "no cycles were followed from the Hopf point {}: it is the motion's, not the "
                 "statics'",
@@ -359,9 +363,8 @@ def _labels(rest: FixedPoints, line: Sequence[Point], number: int) -> Iterator[L
             hopf = hopf if pair > 1e-6 > total else None
         for label, place in (("LP", fold), ("H", hopf)):
             if place is not None:
-                yield Label(
-                    label, place.value, float(place.loop.states[0, 0]), "equilibria", number
-                )
+                x = float(natural(place.loop).state[0])
+                yield Label(label, place.value, x, "equilibria", number)
 
 
 def _passes(line: Sequence[Point], point: Point) -> bool:
@@ -390,11 +393,26 @@ def _seeds(p: ParameterSet, vary: str, to: Span) -> list[tuple[bool, Equilibria]
     return found
 
 
+def _scales_of_all(p: ParameterSet, seeds: Sequence[tuple[bool, Equilibria]]) -> MotionScales:
+    """Units of the motion at rest at the largest of all coordinates."""
+    names = p.model.coordinates
+    most = [
+        max(
+            (magnitude([0.0, *known.coordinates[name][known.states]]) for _, known in seeds),
+            default=0.0,
+        )
+        for name in names
+    ]
+    return System.of(p, None).scales(np.array([*most, *np.zeros(len(names))]))
+
+
 def _equilibria(
     p: ParameterSet, vary: str, to: Span, seeds: Sequence[tuple[bool, Equilibria]]
 ) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:
     """All branches on which there is one of the equilibria known, with their labels."""
     model, found = p.model, list[tuple[bool, list[Point]]]()
+    index, span = model.parameters.index(vary), (to[1] - to[0]) / 2
+    scales = _scales_of_all(p.replace(**{vary: sum(to) / 2}), seeds)
     for contact, known in seeds:
         grid = np.asarray(known.parameters[vary])
         places = np.stack([*known.coordinates.values()], axis=-1)
@@ -404,19 +422,23 @@ def _equilibria(
                 state = system.equilibrium(places[i, j])
             except ConvergenceError:
                 continue
-            rest = FixedPoints(system.field, system.field.exact(system.mode(state)))
-            point = rest.started(system, state, model.parameters.index(vary), (to[1] - to[0]) / 2)
+            own = system.scaled(scales)
+            rest = FixedPoints(own.field, system.field.exact(system.mode(state)))
+            point = rest.started(own, state / scales.states, index, span)
             if any(pushed == contact and _passes(line, point) for pushed, line in found):
                 continue
             back, forth = (list(_followed(rest, point.turned(sign), to)) for sign in (-1.0, 1.0))
             line = [*(each.turned(-1.0) for each in reversed(back)), point, *forth]
-            states = np.array([each.loop.states[0, : len(model.coordinates)] for each in line])
+            states = np.array([each.loop.state[: len(model.coordinates)] for each in line])
             stable = np.array(
                 [max(value.real for value in rest.eigenvalues(each)) < NEUTRAL for each in line]
             )
             values = np.array([each.value for each in line])
             branch = EquilibriumBranch(
-                values, states, stable, "contact" if contact else model.regimes[False]
+                values,
+                states * scales.places,
+                stable,
+                "contact" if contact else model.regimes[False],
             )
             yield branch, list(_labels(rest, line, len(found)))
             found.append((contact, line))

@@ -119,7 +119,8 @@ class FateBoundary(Result):
         The saddle's eigenvalue, or for a cycle the logarithm of its multiplier over its period. NaN
         for an unknown one.
     distance : float
-        How near the motion comes to that.
+        How near the motion comes to that, in units of the motion, which are 1 for numbers of a
+        common size.
     below, above : Outcome
         What the start comes to on either side.
     others : ndarray, shape (k, 2)
@@ -317,13 +318,19 @@ class _Asked:
             if self.at(value).same_limit(each.verdict.outcome, verdict.outcome):
                 return label
 
-        def unlike(fate: _Fate) -> float:
-            """How far apart two periods are, as a logarithm; 0 for what has none."""
-            one, other = fate.verdict.outcome.period, verdict.outcome.period
-            return abs(math.log(one / other)) if one > 0 and other > 0 else 0.0
+        def unlike(fate: _Fate) -> tuple[float, float]:
+            """Difference of two periods, as a logarithm, 0 for what has none; and of two states."""
+            one, other = fate.verdict.outcome, verdict.outcome
+            off = apart(one.rest or one.cycle, other.rest or other.cycle, self.system.field.around)
+            states = self.scales(value).states[: len(off)]
+            periods = one.period > 0 and other.period > 0
+            return (
+                abs(math.log(one.period / other.period)) if periods else 0.0,
+                float(np.abs(off / states).max(initial=0.0)),
+            )
 
         likeliest = min(nearest.values(), key=unlike, default=None)
-        if likeliest is not None and unlike(likeliest) < UNLIKE and len(self.lost) < LOST:
+        if likeliest is not None and unlike(likeliest)[0] < UNLIKE and len(self.lost) < LOST:
             try:
                 if same(self.followed(likeliest, value), attractor(self.at(value), verdict)):
                     return likeliest.label
@@ -614,7 +621,8 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     times = np.linspace(0.0, t_end, int(10 * JUDGED[0]) + 1)
     off_by = np.abs(one(times) - other(times)) / scales.states[:, None]
     parted = times[off_by.max(axis=0) > PARTED]
-    hovering = system.flow.plain(asked.start, system.constants, float(parted.min(initial=t_end)))
+    own, until = system.scaled(scales), float(parted.min(initial=t_end)) / scales.time
+    hovering = own.flow.plain(asked.start / scales.states, own.constants, until)
     states = np.array(
         [turn.state for turn in hovering.turns if turn.border == -1 and turn.direction < 0]
         or [hovering.state]
@@ -622,19 +630,19 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     rests: dict[float, Saddle] = {}
     for state in states:
         with suppress(ConvergenceError):
-            saddle = saddle_near(system, state)
-            away = apart(state, saddle.state, around)
-            if saddle.attracts and magnitude(away / scales.states) < CLOSE:
-                rests[magnitude(away)] = saddle
+            saddle = saddle_near(system, scales.states * state)
+            away = magnitude(apart(state, saddle.state / scales.states, around))
+            if saddle.attracts and away < CLOSE:
+                rests[away] = saddle
     if rests:
         off, rest = min(rests.items())
         return "equilibrium", rest.state, rest.growth, off
     extent = np.ptp(states, axis=0).max()
     for begin, end in returns(hovering.turns, around):
         with suppress(ConvergenceError):
-            cycle = cycle_at(system, begin.state, end.t - begin.t)
+            cycle = cycle_at(own, begin.state, end.t - begin.t)
             growth = growth_of_cycle(cycle)
-            near = distance(cycle, begin.state)
+            near = distance(cycle, scales.states * begin.state)
             if growth is not None and near < CLOSE * extent:
                 return "cycle", cycle.state, growth, near
-    return "unknown", states[-1], math.nan, math.nan
+    return "unknown", scales.states * states[-1], math.nan, math.nan

@@ -21,6 +21,7 @@ from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as
 from ..motion import Trajectory
 from ..motion.integrators import Flow
 from ..motion.regimes import Regime
+from ..motion.scales import scales_of
 from ..motion.shooting import (
     Guess,
     Loop,
@@ -35,7 +36,7 @@ from ..motion.shooting import (
 )
 from ..motion.solution import Turn
 from ..numerics.balls import UndecidedSign
-from ..numerics.vectors import apart, in_one_turn, magnitude
+from ..numerics.vectors import apart, in_one_turn, magnitude, norm
 from .arclength import differences
 from .orbit import Cycle, cycle_of
 from .system import JUDGED, System, judged
@@ -65,13 +66,13 @@ LOOK = 200.0
 STEEP = 1e8
 
 
-#: Least half-width of the box that is taken around the Hopf point of the motion, over the larger of
-#: 1 and its numbers.
+#: Least half-width of the box that is taken around the Hopf point of the motion, over its numbers,
+#: which are no less than 1 in units of the motion and of the parameter.
 AROUND = 1e-13
 
 #: Share of the amplitude at which a motion first comes to a border of the field.
 SHARE = 0.1
-#: Amplitude where it comes to none.
+#: Amplitude where it comes to none, in units of the motion.
 FREE = 0.01
 
 #: How closely an amplitude is met, relatively.
@@ -179,16 +180,16 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
         raise ParameterError(
             f"near = {start.tolist()}: the motion is not defined there; give another state"
         )
+    scales = system.scales(start)
+    own = system.scaled(scales)
     try:
         for time in () if approached else LOOKED_AT[:looks]:
-            span = time * system.scales(start).time
-            passage = flow.plain(start, system.constants, span, loose=True)
-            if (found := _by_returns(system, passage.turns)) is not None:
+            passage = own.flow.plain(start / scales.states, own.constants, time, loose=True)
+            if (found := _by_returns(own, passage.turns)) is not None:
                 return _checked(found)
             if len(passage.turns) > 2:
                 break
-        unit = system.scales(start).time
-        verdict = judged(system, start, times=[t * unit for t in JUDGED[:looks]])
+        verdict = judged(system, start, times=[t * scales.time for t in JUDGED[:looks]])
     except ConvergenceError as error:
         raise ConvergenceError(f"the motion can't be followed: {error}{_steep(system)}") from error
     if verdict.kind == Regime.LIMIT_CYCLE:
@@ -282,7 +283,7 @@ def returns(
     nearest, or the first one (0), or the last one (−1).
 
     One counts only if it is twice as near as those of fewer rounds that count. Those come first
-    that are the nearest, times their rounds.
+    that are the nearest, times their rounds. States are in units of the motion.
     """
     turns = [turn for turn in turns if turn.border == -1]
     highest, found, best = [turn for turn in turns if turn.direction < 0], [], 2 * FAR
@@ -351,21 +352,22 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
     place = model.parameters.index(vary)
     if amplitude is not None:
         amplitude = as_number("amplitude", amplitude, POSITIVE)
-    given, state, radius = _of_the_motion(model, onsets.given(row), onsets.state(row), place, form)
-    flow = Flow.of(model.field, backend)
+    given, state, radii = _of_the_motion(model, onsets.given(row), onsets.state(row), place, form)
     try:
-        form = normal_form(
-            model, given, state, vary, np.full(state.size + 1, radius), law="friction_at_speed"
-        )
+        form = normal_form(model, given, state, vary, radii, law="friction_at_speed")
     except UndecidedSign as reason:
         raise ConvergenceError(
             f"the motion has no generic Hopf point beside the onset: {reason}"
         ) from reason
-    most = int(np.abs(form.q[: len(state)]).argmax())
+    system, rest = System(Flow.of(model.field, backend), tuple(given.tolist())), still(state)
+    scales = system.scales(rest)
+    most = int(np.abs(form.q[: len(state)] / scales.places).argmax())
     size = float(np.abs(form.q[most]))
-    border, reach = _first_border(model, given, state, form)
+    border, reach = _first_border(system, rest, form)
     if amplitude is None:
-        z = min(SHARE * reach if border else FREE, 1.0, _within(model, given, place, form))
+        unit = 1 / norm(form.q / scales.states)
+        free = SHARE * reach if border else FREE * unit
+        z = min(free, unit, _within(model, given, place, form))
         asked = 2 * z * size
     else:
         z, asked = amplitude / 2 / size, amplitude
@@ -374,7 +376,7 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
         remedy += f"; to first order only amplitudes below {least:.3g} do not come to {border}"
     for _ in range(TRIALS):
         try:
-            found = _along(flow, given, state, place, form, z)
+            found = _along(system, rest, place, form, z)
         except ConvergenceError as error:
             raise ConvergenceError(
                 f"no cycle of the amplitude {asked:.3g} was found: {error}; {remedy}"
@@ -388,56 +390,63 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
     )
 
 
-def _along(
-    flow: Flow, given: FloatArray, state: FloatArray, place: int, form: NormalForm, z: float
-) -> Cycle:
+def still(place: FloatArray) -> FloatArray:
+    """The state at rest in a place."""
+    return np.append(place, np.zeros(len(place)))
+
+
+def _along(system: System, rest: FloatArray, place: int, form: NormalForm, z: float) -> Cycle:
     """The cycle whose largest state has the part 2 |z| along q, as the normal form has it to first
     order.
     """
-    n = len(state)
+    scales = system.scales(rest)
+    own, unit = system.scaled(scales), 1 / norm(form.q / scales.states)
     known = abs(form.lyapunov) > form.lyapunov_error
     aside = -form.omega * form.lyapunov * z**2 / form.crossing if known else 0.0
-    rest = np.append(state, np.zeros(n))
-    first = rest + form.along * aside + 2 * z * form.q.real + z**2 * (form.square.real + form.mean)
-    start = given.copy()
+    ahead = form.along * aside + 2 * z * form.q.real + z**2 * (form.square.real + form.mean)
+    first, middle = (rest + ahead) / scales.states, rest / scales.states
+    start = list(system.values)
     start[place] += aside
 
     # What is asked of the first state: its part along q, as the normal form has it.
-    measure = form.p.conjugate()
-    wanted = float((measure @ (first - rest)).real)
+    measure = form.p.conjugate() * scales.states / unit
+    wanted = float((measure @ (first - middle)).real)
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        seen = measure @ (loop.state - rest)
+        seen = measure @ (loop.state - middle)
         wide = np.zeros((2, loop.states.size + 2))
-        wide[:, : 2 * n] = measure.real, measure.imag
+        wide[:, : len(rest)] = measure.real, measure.imag
         return np.array([seen.real - wanted, seen.imag]), wide
 
-    guess = split(
-        flow, Guess(first[None], 2 * math.pi / form.omega, tuple(start.tolist()), (place,))
-    ).guess
-    return cycle_of(solved(flow, guess, conditions, reach=4 * z))
+    period = 2 * math.pi / form.omega / scales.time
+    guess = split(own.flow, Guess(first[None], period, tuple(start), (place,))).guess
+    return cycle_of(natural(solved(own.flow, guess, conditions, reach=4 * z / unit)))
 
 
 def _of_the_motion(
     model: Model, given: FloatArray, state: FloatArray, place: int, form: NormalForm
-) -> tuple[FloatArray, FloatArray, float]:
-    """Parameters and coordinates at the Hopf point of the motion itself, and how well they are
-    known, by Newton's method.
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Parameters and coordinates at the Hopf point of the motion itself, and how well each is
+    known, by Newton's method in units of the motion and of the parameter: its value, or what makes
+    of the pair's real part its frequency.
     """
     field, n = model.field, len(state)
+    scales = scales_of(field, field.constants(given.tolist()), still(state).tolist())
+    units = np.array([*scales.places, abs(given[place]) or form.omega / abs(form.crossing)])
 
     def residual(unknowns: FloatArray) -> FloatArray:
         values = given.copy()
-        values[place] = unknowns[n]
+        *q, values[place] = units * unknowns
         constants = field.constants(values.tolist())
-        u = [*unknowns[:n].tolist(), *[0.0] * n]
+        u = still(np.array(q)).tolist()
         mode = field.exact(field.mode_at_rest(u, constants))
-        accelerations = field.acceleration(u, constants, mode, FLOATS)
+        accelerations = np.array(field.acceleration(u, constants, mode, FLOATS), dtype=float)
         roots = np.linalg.eigvals(field.matrix(u, constants, mode))
         near = roots[np.abs(roots - 1j * form.omega).argmin()]
-        return np.array([*accelerations, near.real / form.crossing])
+        off = near.real / form.crossing / units[n]
+        return np.append(accelerations * scales.time**2 / scales.places, off)
 
-    found = np.append(state, given[place])
+    found = np.append(state, given[place]) / units
     scale = 1 + magnitude(found)
     for _ in range(TRIALS):
         step = np.linalg.lstsq(differences(residual, found, 1e-6 * scale), residual(found))[0]
@@ -447,18 +456,15 @@ def _of_the_motion(
     if not width <= 1e-7 * scale:
         raise ConvergenceError("the motion's own Hopf point was not found beside the onset")
     there = given.copy()
-    there[place] = found[n]
-    return there, found[:n], 4 * max(width, AROUND * scale)
+    *q, there[place] = units * found
+    return there, np.array(q), 4 * max(width, AROUND * scale) * units
 
 
-def _first_border(
-    model: Model, given: FloatArray, state: FloatArray, form: NormalForm
-) -> tuple[str, float]:
+def _first_border(system: System, rest: FloatArray, form: NormalForm) -> tuple[str, float]:
     """The border that gap or sliding speed would come to first, and the |z| at which they do, to
     first order; none, infinity.
     """
-    field = model.field
-    constants, rest = field.constants(given.tolist()), np.append(state, np.zeros(len(state)))
+    field, constants = system.field, system.constants
     borders = [border for border in field.borders if any(border.crossings)]
     if not borders:
         return "", math.inf
@@ -469,7 +475,8 @@ def _first_border(
         return np.array([border.level(u.tolist(), constants, mode) for border in borders])
 
     with np.errstate(divide="ignore"):
-        reach = np.abs(levels(rest)) / (2 * np.abs(differences(levels, rest, 1e-6) @ form.q))
+        steps = 1e-6 * system.scales(rest).states
+        reach = np.abs(levels(rest)) / (2 * np.abs(differences(levels, rest, steps) @ form.q))
     return borders[int(reach.argmin())].name, float(reach.min())
 
 

@@ -20,6 +20,7 @@ from ..files import storage
 from ..models.field import Field, Values
 from ..models.parameters import FloatArray
 from ..motion.lobatto import PiecewisePolynomial
+from ..motion.scales import scales_of
 from ..motion.shooting import (
     Guess,
     Loop,
@@ -309,18 +310,25 @@ def _cycle_of(loop: Loop) -> Cycle:
 
 def same_cycle(one: Cycle, other: Cycle) -> bool:
     """Whether two cycles at the same values of the parameters are one."""
-    size = max(extent(one.loop), extent(other.loop))
-    if (
-        abs(one.period / other.period - 1) >= ALIKE
-        or max(abs(one.rms - other.rms), abs(one.mean - other.mean)) >= ALIKE * size
-    ):
+    units = units_of(one)
+    size = max(extent(one.loop, units), extent(other.loop, units))
+    averages = np.abs([one.rms - other.rms, one.mean - other.mean]) / units[0]
+    if abs(one.period / other.period - 1) >= ALIKE or averages.max() >= ALIKE * size:
         return False
     return distance(one, other.state) < ON * size
 
 
+def units_of(cycle: Cycle) -> FloatArray:
+    """Units of the motion on a cycle, (m,)."""
+    return scales_of(cycle.field, cycle.loop.constants, cycle.loop.state.tolist()).states
+
+
 def distance(cycle: Cycle, state: FloatArray) -> float:
-    """How far a state is from the nearest sample of a cycle, but for whole turns."""
-    return float(np.abs(apart(cycle.samples.states.T, state, cycle.field.around)).max(axis=1).min())
+    """Distance of a state to the nearest sample of a cycle, but for whole turns, in units of the
+    motion.
+    """
+    off = apart(cycle.samples.states.T, state, cycle.field.around) / units_of(cycle)
+    return float(np.abs(off).max(axis=1).min())
 
 
 @dataclass(frozen=True, eq=False)

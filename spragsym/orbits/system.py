@@ -72,7 +72,7 @@ class System:
 
     def same_limit(self, one: Outcome, other: Outcome) -> bool:
         """Whether two motions have one limit."""
-        return same_limit(one, other, self.field.around, lambda: self._sets_of_rest)
+        return same_limit(one, other, self.field, self.constants, lambda: self._sets_of_rest)
 
     @cached_property
     def _sets_of_rest(self) -> Sets:
@@ -101,7 +101,9 @@ class System:
         return scales_of(self.field, self.constants, state.tolist())
 
     def scaled(self, scales: MotionScales) -> System:
-        """The system in these units."""
+        """The system in these units; itself where all are 1."""
+        if scales.trivial:
+            return self
         return replace(self, flow=replace(self.flow, field=scaled(self.field, scales)))
 
     def mode(self, state: FloatArray) -> Mode:
@@ -113,10 +115,8 @@ class System:
         n = len(self.field.coordinates)
         start = np.concatenate([near[:n], np.zeros(n)])
         scales = self.scales(start)
-        if scales.trivial:
-            return equilibrium_near(self.field, self.constants, start[:n])
-        there = scaled(self.field, scales)
-        found = equilibrium_near(there, self.constants, (start / scales.states)[:n])
+        field = self.scaled(scales).field
+        found = equilibrium_near(field, self.constants, (start / scales.states)[:n])
         return found * scales.states
 
     def linearization(self, state: FloatArray) -> FloatArray:

@@ -7,9 +7,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import spragsym as ss
+from spragsym.motion.regimes import Outcome, Regime, same_limit
 from spragsym.motion.scales import scales_of
+from spragsym.orbits.attractors import Attractor, followed
+from spragsym.orbits.system import System
 from tests.oracles.user_pages import model_of
 
 STICK_SLIP = ss.load("coulomb_stick_slip")
@@ -195,3 +199,96 @@ def test_the_boundary_of_a_basin_is_the_same_scaled() -> None:
         found.append(curve.points / size)
     for other in found[1:]:
         np.testing.assert_allclose(other, found[0], rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.validate
+def test_the_boundary_between_two_fates_is_the_same_scaled() -> None:
+    """The push beyond which the mass comes to rest in the other well, against another
+    integrator.
+    """
+    pytest.importorskip("heyoka")
+    model, found = model_of(WELLS, "wells"), []
+    for size in (1.0, 4.0**10, 4.0**-10):
+        between = {"P": (0.03 * size, 0.05 * size)}
+        one = ss.fate_boundary(
+            model.Parameters(l=size, c=0.1), "P", between=between, start=[1.6 * size, 0.0]
+        )
+        assert (one.saddle, one.error < 1e-11 * size) == ("equilibrium", True)
+        found.append((one.value / size, one.distance, one.state[0] / size, one.growth))
+    for other in found[1:]:
+        assert other == pytest.approx(found[0], rel=1e-9)
+    sides = list[bool]()
+    for P in (found[0][0] - 1e-8, found[0][0] + 1e-8):
+        ends = solve_ivp(
+            lambda _, u, P=P: [u[1], u[0] - u[0] ** 3 - 0.1 * u[1] + P],
+            (0.0, 400.0),
+            [1.6, 0.0],
+            method="DOP853",
+            rtol=1e-12,
+            atol=1e-13,
+        )
+        sides.append(ends.y[0, -1] > 0.0)
+    assert sides[0] != sides[1]
+
+
+@pytest.mark.thorough
+def test_an_attractor_is_followed_in_any_units() -> None:
+    """To the largest root of x³ − x = P, and no farther than where that ends, at 2/√27."""
+    model = model_of(WELLS, "wells")
+    for size in (1.0, 4.0**20, 4.0**-20):
+        system = System.of(model.Parameters(l=size, P=0.0), "scipy")
+        known = Attractor(Regime.EQUILIBRIUM, system, np.array([size, 0.0]))
+        for P in (-0.3, 0.2):
+            found = followed(known, system.at("P", P * size))
+            assert found.state[0] / size == pytest.approx(np.roots([1, 0, -1, -P]).max(), rel=1e-12)
+        with pytest.raises(ss.errors.ConvergenceError):
+            followed(known, system.at("P", -0.4 * size))
+
+
+@pytest.mark.thorough
+def test_a_diagram_is_the_same_scaled() -> None:
+    """Its folds are where x³ − x = P has two roots that are one."""
+    model = model_of(WELLS, "wells")
+    for size in (1.0, 4.0**-10, 4.0**10):
+        p = model.Parameters(l=size, c=0.1)
+        found = ss.diagram(p, "P", between={"P": (-0.5 * size, 0.5 * size)})
+        (line,) = found.equilibria
+        assert line.values[0] / size == pytest.approx(-0.5, rel=1e-12)
+        places = sorted((at.value / size, at.height / size) for at in found.labels)
+        folds = np.array([(-2 / 3, 1.0), (2 / 3, -1.0)]) / math.sqrt(3.0)
+        np.testing.assert_allclose(places, folds, rtol=1e-6)
+
+
+@pytest.mark.thorough
+def test_a_cycle_is_born_in_any_units() -> None:
+    """At the onset at which it is unstable: an amplitude is met to a thousandth, and where none is
+    asked for it suits the units.
+    """
+    pytest.importorskip("heyoka")
+    from tests.oracles.dimensional_pages import dimensional, units
+
+    model, found = dimensional("stick_slip"), []
+    base = {entry["name"]: entry["base"] for entry in model.about["parameters"]}
+    for size in (1.0, 4.0**10, 4.0**-10):
+        of_parameters, of_state = units(model, (size, size, size))
+        p = model.Parameters(**{name: base[name] * of_parameters[name] for name in base})
+        speed = of_parameters["V"]
+        onsets = ss.flutter_onsets(p, vary="V", between={"V": (1.0 * speed, 2.0 * speed)})
+        assert len(onsets) == 1
+        free, born = (ss.cycle(onset=onsets, amplitude=given) for given in (None, 0.05 * size))
+        assert not free.stable
+        assert 1e-3 < free.amplitude / size < 1.0
+        found.append((born.parameters["V"] / speed, *born.state / of_state))
+    for other in found[1:]:
+        np.testing.assert_allclose(other, found[0], rtol=1e-3, atol=1e-9)
+
+
+def test_rests_that_are_far_apart_in_their_units_are_two() -> None:
+    """A micrometre is no tolerance for what is as small: three rests of one mass."""
+    model = model_of(WELLS, "wells")
+    for size in (1.0, 1e-9, 1e9):
+        p = model.Parameters(l=size, P=0.0)
+        constants = model.field.constants(p.scalars(*model.parameters))
+        rests = [Outcome(Regime.EQUILIBRIUM, rest=(x * size,)) for x in (-1.0, 1.0, 1.0 + 1e-8)]
+        assert not same_limit(rests[0], rests[1], model.field, constants)
+        assert same_limit(rests[1], rests[2], model.field, constants)

@@ -83,6 +83,10 @@ def of_the_block(V: float) -> float:
     return float(found.t_events[0][-1] - found.t_events[0][-2])
 
 
+def _constants(model: Any) -> tuple[float, ...]:
+    return tuple(model.field.constants(model.Parameters().scalars(*model.parameters)))
+
+
 def test_a_block_beside_what_comes_to_rest_has_its_least_period() -> None:
     model = model_of(BESIDE, "beside")
     near = [{"r": 0.3, "x": 0.1}.get(name, 0.0) for name in model.components]
@@ -95,7 +99,7 @@ def test_a_block_beside_what_comes_to_rest_has_its_least_period() -> None:
     told = ss.fate(model.Parameters(), start=near)
     assert (told.kind, told.outcome.period) == ("cycle", pytest.approx(found.period, rel=1e-9))
     far = ss.fate(model.Parameters(), start=found.state)
-    assert same_limit(told.outcome, far.outcome, ())
+    assert same_limit(told.outcome, far.outcome, model.field, _constants(model))
 
 
 def test_a_motor_of_limited_power_turns_once_in_a_period() -> None:
@@ -127,5 +131,6 @@ def test_cycles_beside_what_rests_are_one_or_two_by_what_moves() -> None:
     other = Outcome(
         Regime.LIMIT_CYCLE, period=7.0, cycle_mean=0.0, cycle_rms=0.0, cycle=(0.0, 0.41, 0.0, 0.0)
     )
-    assert same_limit(one, same, ())
-    assert not same_limit(one, other, ())
+    model = model_of(BESIDE, "beside")
+    assert same_limit(one, same, model.field, _constants(model))
+    assert not same_limit(one, other, model.field, _constants(model))

@@ -16,7 +16,7 @@ from ...display import named_fields
 from ...models.parameters import FloatArray, ParameterSet, as_numbers
 from ...numerics.interval_arrays import IntArray
 from ...results.result import Named
-from ..regimes import Outcome, Regime, Sets, same_limit, sets_of_rest
+from ..regimes import Outcome, Regime, same_limit, sets_of_rest
 from .many import Sweep, rms_sweep
 
 
@@ -122,12 +122,15 @@ def basin(
     (one, first), (other, second) = axes.items()
     options: dict[str, Any] = {one + "0": first[:, None], other + "0": second, **starts}
     sweep = rms_sweep(p, **options)
-    sets = cache(partial(sets_of_rest, p))
-    return Basin((one, other), (first, second), *_attractors(sweep, sets), sweep)
+    field, sets = sweep.model.field, cache(partial(sets_of_rest, p))
+    one_limit = partial(
+        same_limit, field=field, constants=field.constants(p.scalars(*p.ranges)), sets=sets
+    )
+    return Basin((one, other), (first, second), *_attractors(sweep, one_limit), sweep)
 
 
 def _attractors(
-    sweep: Sweep, sets: Callable[[], Sets]
+    sweep: Sweep, one_limit: Callable[[Outcome, Outcome], bool]
 ) -> tuple[IntArray, tuple[tuple[Regime, int, float, float], ...]]:
     """Group motions by what they settle to or approach: by all numbers of an equilibrium's place or
     of a cycle's one state, or by the set of rest.
@@ -136,11 +139,7 @@ def _attractors(
     known: list[Outcome] = []
     for index in np.argwhere(sweep.regime != Regime.FAILED):
         outcome = sweep.outcome(tuple(index))
-        same = (
-            i
-            for i, other in enumerate(known)
-            if same_limit(other, outcome, sweep.model.field.around, sets)
-        )
+        same = (i for i, other in enumerate(known) if one_limit(other, outcome))
         labels[tuple(index)] = label = next(same, len(known))
         if label == len(known):
             known.append(outcome)

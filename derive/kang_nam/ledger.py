@@ -5,12 +5,14 @@
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import mpmath
 import sympy as sp
 
 from .. import pages
+from ..emit import targets
 from ..statements import verdicts
 from ..statements.papers import Paper
 from ..statements.reading import Item, Verdict, opened, prepared
@@ -25,6 +27,8 @@ SOUND = ("confirmed", "misprint", "approximation", "definition")
 FAILED = "failed"
 #: Statuses of rows whose printed form is the derived one.
 _AS_PRINTED = ("confirmed", "definition")
+#: A formula in Markdown.
+_MATH = "```math\n{}\n```"
 
 
 @dataclass(frozen=True)
@@ -201,91 +205,34 @@ def summary(rows: tuple[Row, ...]) -> dict[str, int]:
 
 def markdown(ledger: Ledger, header: str) -> str:
     """A page that a referee can read."""
-    lines = [
-        "# Ledger: the article's equations against the derivation",
-        "",
-        header,
-        "",
-        "Every numbered equation, appendix coefficient and definition of J. Kang and J. Nam, "
-        "*Minimal Model for Sprag-Slip "
-        "Oscillation as Catastrophe-Type Behavior*, Applied Sciences 10 (2020) 2748, as "
-        "printed, against what follows from "
-        "energies and forces. Equality is decided by exact algebra modulo sin² + cos² = 1. "
-        "What is derived stands in the "
-        "arrangement of the print, so that the two can be compared by eye; ledger.json also "
-        "has the form that the derivation itself "
-        "arrives at, and leaves out a derived form that is the printed one.",
-        "",
-        "Shorthands: $B = \\beta + \\overline{n}$, $M = \\mu_o \\overline{n}$, $p = \\alpha + "
-        "\\sigma$, $q = B + \\sigma$.",
-        "",
-        "Outcome: "
-        + ", ".join(f"{count} {status}" for status, count in summary(ledger.rows).items())
-        + ".",
-        "",
-        "| row | where | status | derived by |",
-        "|---|---|---|---|",
-        *(
-            f"| [{row.id}](#{row.id.lower()}) | {row.where} | {row.status} | "
-            f"{row.derived_by and f'`{row.derived_by}`'} |"
-            for row in ledger.rows
-        ),
-        "",
-        "## Rows that differ from the print",
-        "",
-    ]
+    sections: dict[bool, list[str]] = {True: [], False: []}
     for row in ledger.rows:
-        if row.status not in _AS_PRINTED:
-            lines += _section(row)
-    lines += ["## Rows that stand as printed", "", "Printed and derived:", ""]
-    for row in ledger.rows:
-        if row.status in _AS_PRINTED:
-            lines += _section(row)
-    lines += [
-        "## Identities",
-        "",
-        *(f"- {_mark(holds)} {claim}" for claim, holds in ledger.identities.items()),
-        "",
-    ]
-    lines += [
-        "## One or three",
-        "",
-        "For 0 < θ₀ < π, κ > 0, σ > 0, α, β ≥ 0 and every μ₀ ≥ 0 there are one or three "
-        "steady-sliding equilibria, counted "
-        "with multiplicity, and of three different ones the middle one is divergent. With s = "
-        "sin θ and s* = s₀ − κ/σ, each "
-        "step decided by exact algebra:",
-        "",
-        *(
-            f"{number}. {_mark(step.holds)} {step.claim}"
-            for number, step in enumerate(ledger.theorem, 1)
-        ),
-        "",
-        "## The lowest fold",
-        "",
-        "For κ > 0, σ > 0 and α, β ≥ 0 the least friction at which, over 0 < θ₀ < π, the "
-        "reference state ends is the least of: "
-        "the cusps with 0 < θ₀ < π/2 and μ₀ ≥ 0; the points with 0 < θ₀ < π/2, μ₀ > 0 and f″ "
-        "< 0 at which the curve of folds turns back, "
-        "f = f′ = f_θ₀ = 0; the folds at θ₀ = 0 with μ₀ > 0 and f″ < 0. Where there is none "
-        "of these it never ends:",
-        "",
-        *(
-            f"{number}. {_mark(step.holds)} {step.claim}"
-            for number, step in enumerate(ledger.lowest_fold, 1)
-        ),
-        "",
-    ]
+        sections[row.status in _AS_PRINTED] += _section(row)
+    counts = (f"{count} {status}" for status, count in summary(ledger.rows).items())
+    table = (
+        f"| [{row.id}](#{row.id.lower()}) | {row.where} | {row.status} | "
+        f"{row.derived_by and f'`{row.derived_by}`'} |"
+        for row in ledger.rows
+    )
+    claims = (f"- {_mark(holds)} {claim}" for claim, holds in ledger.identities.items())
+    words = {
+        "header": header,
+        "outcome": ", ".join(counts),
+        "table": "\n".join(table),
+        "different": "\n\n".join(sections[False]),
+        "as_printed": "\n\n".join(sections[True]),
+        "identities": "\n".join(claims),
+        "one_or_three": _numbered(ledger.theorem),
+        "lowest_fold": _numbered(ledger.lowest_fold),
+    }
+    text = Path(__file__).with_name("ledger.txt").read_text(encoding="utf-8")
+    return targets.spoken(text, words)
+
+
+def _numbered(steps: Sequence[Step]) -> str:
+    """Steps of a proof, one a line."""
+    lines = (f"{n}. {_mark(step.holds)} {step.claim}" for n, step in enumerate(steps, 1))
     return "\n".join(lines)
-
-
-def side_by_side(printed: str, derived: str) -> list[str]:
-    """Two forms, one above the other, as Markdown."""
-    rows = [
-        rf"&\text{{{name}:}} && {latex}"
-        for name, latex in (("printed", printed), ("derived", derived))
-    ]
-    return ["```math", r"\begin{aligned}", rows[0] + r" \\", rows[1], r"\end{aligned}", "```"]
 
 
 def _mark(holds: bool) -> str:
@@ -293,25 +240,21 @@ def _mark(holds: bool) -> str:
 
 
 def _section(row: Row) -> list[str]:
+    """A row in paragraphs; what differs, printed above derived, so that the eye compares them."""
+    lines = [f"### {row.id}"]
     if row.status in _AS_PRINTED:
-        lines = [f"### {row.id}", "", f"```math\n{row.printed}\n```", ""]
+        lines.append(_MATH.format(row.printed))
     else:
-        lines = [
-            f"### {row.id}",
-            "",
-            f"{row.where}: **{row.status}**.",
-            "",
-            *side_by_side(row.printed, row.derived),
-            "",
-        ]
-        lines += ["Printed less derived:", "", f"```math\n{row.difference}\n```", ""]
-    for title, text in (
-        ("Note", row.note),
-        ("Cause", row.cause),
-        ("Second derivation", row.evidence),
-        ("Consequence", row.consequence),
-        ("Limit", row.limit),
-    ):
-        if text:
-            lines += [f"{title}: {text}.", ""]
-    return lines
+        both = rf"&\text{{printed:}} && {row.printed} \\" + "\n"
+        both += rf"&\text{{derived:}} && {row.derived}"
+        lines.append(f"{row.where}: **{row.status}**.")
+        lines.append(_MATH.format(f"\\begin{{aligned}}\n{both}\n\\end{{aligned}}"))
+        lines += ["Printed less derived:", _MATH.format(row.difference)]
+    notes = {
+        "Note": row.note,
+        "Cause": row.cause,
+        "Second derivation": row.evidence,
+        "Consequence": row.consequence,
+        "Limit": row.limit,
+    }
+    return [*lines, *(f"{title}: {text}." for title, text in notes.items() if text)]

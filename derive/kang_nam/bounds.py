@@ -128,14 +128,9 @@ def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:
             cancels,
         )
     if expression.is_Mul:
-        rounding = [part for part in parts if not _is_power_of_two(part)]
-        return Counted(
-            sp.Mul(*(part.size for part in parts)),
-            sum(part.count for part in parts) + max(len(rounding) - 1, 0),
-            any(part.cancels for part in parts),
-        )
+        return math.prod(parts[1:], start=parts[0])
     if expression.is_Pow and expression.exp == 2:
-        return Counted(parts[0].size ** 2, 2 * parts[0].count + 1, parts[0].cancels)
+        return parts[0] * parts[0]
     if expression.is_Pow and expression.exp == -1:
         return 1 / parts[0]
     if isinstance(expression, sp.Abs):

@@ -640,3 +640,29 @@ def test_a_bracket_that_leaves_most_open_is_said_to_say_nothing(
     )
     rows = dict(texts._tolerances(report))
     assert ("next to nothing" not in rows["the same by proof"]) == says
+
+
+@pytest.mark.thorough
+def test_changes_hold_at_full_slip_where_faster_sliding_jumps() -> None:
+    """What works at the belt's speed is less than μ₀, at which the brake jumps: changes keep the
+    jump beyond μ₀ of every brake within the tolerances.
+    """
+    inclined = {"theta0": math.radians(30.0), "V": 1.0, "d": -math.log(0.1)}
+    jump = float(np.asarray(ss.jump_value(brake(**inclined).dimensionless())))
+    study = ss.Study(brake(**inclined, mu0=1.05 * jump), tolerance={"mu0": "5 %", "theta0": "1 %"})
+    found = study.report(oscillation=False, probability=False)
+    assert found.reach == "faster"
+    assert len(found.redesign) > 2
+    for change in found.redesign:
+        assert change.outcome == "proved"
+        angle = change.after.get("theta0", inclined["theta0"])
+        for off in (0.99, 1.01):
+            new = brake(**inclined | change.after | {"theta0": off * angle})
+            assert np.asarray(ss.jump_value(new.dimensionless())) > 1.05 * 1.05 * jump
+
+
+def test_a_jump_at_the_friction_itself_is_neither_below_nor_beyond() -> None:
+    assert facts.percent_beyond(0.0, 0.0) == 0.0
+    assert facts.percent_beyond(0.3, 0.0) == math.inf
+    assert facts.percent_beyond(-0.3, 0.0) == -math.inf
+    assert facts.percent_beyond(0.3, 0.2) == pytest.approx(50.0)

@@ -650,7 +650,7 @@ def test_changes_hold_at_full_slip_where_faster_sliding_jumps() -> None:
     inclined = {"theta0": math.radians(30.0), "V": 1.0, "d": -math.log(0.1)}
     jump = float(np.asarray(ss.jump_value(brake(**inclined).dimensionless())))
     study = ss.Study(brake(**inclined, mu0=1.05 * jump), tolerance={"mu0": "5 %", "theta0": "1 %"})
-    found = study.report(oscillation=False, probability=False)
+    found = study.report(oscillation=False, probability=False, safety=1.0)
     assert found.reach == "faster"
     assert len(found.redesign) > 2
     for change in found.redesign:

@@ -50,6 +50,7 @@ def render(page: Page, docstring: str = "") -> str:
     _leaning(sheet, page)
     _body(sheet, page)
     _forces(sheet, page)
+    _frame(sheet, page)
     _axes(sheet, names[: 2 if page.normal is not None and page.normal.gap is not None else 1])
     return sheet.svg(page.summary)
 
@@ -397,6 +398,22 @@ def _forces(sheet: Sheet, page: Page) -> None:
         arrow(sheet, start, end, style="ink force")
         anchor = "end" if side < 0 else "start"
         sheet.name(_letter(bare), beside, anchor=anchor, style="force-name")
+
+
+def _frame(sheet: Sheet, page: Page) -> None:
+    """An arc around the mass where the kinetic energy has terms linear in the rates, with what they
+    hold beside masses: the speed of the frame.
+    """
+    energy, _ = page.inertia or (sp.S.Zero, 0)
+    still = dict.fromkeys(page.rates, 0)
+    slopes = sp.Tuple(*(sp.diff(energy, rate).subs(still) for rate in page.rates))
+    speeds = slopes.free_symbols - set(page.places)
+    speeds -= sp.hessian(energy, page.rates).free_symbols
+    if speeds:
+        arc = [cmath.rect(72.0, -math.radians(angle)) for angle in range(20, 161, 10)]
+        sheet.line(*arc, style="ink thin")
+        arrow(sheet, arc[-2], arc[-1])
+        sheet.name(", ".join(sorted(map(str, speeds))), arc[0] + 8 - 4j, anchor="start")
 
 
 def _axes(sheet: Sheet, names: list[str]) -> None:

@@ -36,9 +36,7 @@ Theta = page.unit("Theta", "kg m^2", "moment of inertia of the disc about a diam
 k_t = page.unit("k_t", "N m", "stiffness of the bearing against tilting")
 r = page.unit("r", "m", "radius of the pads")
 
-mu0 = page.parameter(
-    "mu0", "1", "friction coefficient", ">= 0", 0.9, latex=r"\mu_o", role="friction"
-)
+mu0 = page.parameter("mu0", "1", "friction coefficient", ">= 0", 0.9, latex=r"\mu_o")
 Omega = page.parameter("Omega", "1/s", "speed of the disc", "> 0", 0.2, latex=r"\Omega")
 Phi = page.parameter(
     "Phi", "kg m^2", "moment of inertia of the disc about its axis", ">= 0", 2.0, becomes="phi"

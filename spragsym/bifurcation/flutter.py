@@ -34,11 +34,11 @@ from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_its_side, refined
 from ..statics.search import balances_of, seen
 from ..statics.stability import (
+    comes_in_pairs,
     damped_by_friction_alone,
     is_conservative,
     is_damped,
     only_damped,
-    require_pairs,
     slope_over,
 )
 from .borders import joined as together
@@ -61,6 +61,12 @@ NO_DAMPING = (
     "without damping two frequencies meet there, and all eigenvalues stay on the imaginary "
     "axis up to it: no generic Hopf point; "
     "ask for the onsets of the damped model, damping=True"
+)
+#: Why none is searched for without damping.
+NEVER_STABLE = (
+    "without damping no state is stable where gyroscopic terms act beside friction, or another "
+    "force without a potential, so that no flutter sets in; ask for the onsets of the damped "
+    "model, damping=True"
 )
 #: Why one has that is not told from 0, and one that is smaller than what its law can mean.
 NEAR_ZERO = "the first Lyapunov coefficient is not told from 0 by its bound"
@@ -122,8 +128,7 @@ def flutter_onsets(
     Raises
     ------
     ParameterError
-        For a parameter that is missing or an array; without damping where gyroscopic terms act
-        beside friction, or another K that is not symmetric: there every state grows.
+        For a parameter that is missing or an array.
     ConvergenceError
         At parameters of the article's model so degenerate that onsets can't be told apart.
 
@@ -169,7 +174,9 @@ def _in_combination(family: Family, damping: bool | None) -> Points:
     conservative = is_conservative(balance, over)
     sought: list[tuple[Any, Frequencies]]
     if not damping:
-        require_pairs(balance, over)
+        if not comes_in_pairs(balance, over):
+            unknown = replace(nothing(family), whole=np.zeros(1, dtype=np.bool_))
+            return _joined(family, [(unknown, [], [])], flat=False, said=(NEVER_STABLE,))
         # Where K is symmetric all κ are real and stay so as K changes: where two meet they pass
         # each other.
         sought = [(None if conservative else FLUTTER, meeting)]
@@ -272,7 +279,7 @@ def frequencies(roots: ComplexArray) -> list[float]:
     )
 
 
-def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
+def _joined(family: Family, parts: list[_Part], flat: bool, said: tuple[str, ...] = ()) -> Points:
     """All parts in one result; ``flat`` where the last is of places without slope."""
     each, kinds, frequencies = zip(*parts, strict=True)
     kind, omega = np.array([*chain(*kinds)], dtype=np.str_), np.array([*chain(*frequencies)])
@@ -293,6 +300,7 @@ def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
         )
 
     remarks = (
+        *said,
         *(_undamped(family, each[-1].roots.left) if flat else ()),
         *of_ends(family, found, symmetric),
     )

@@ -21,10 +21,10 @@ from ..numerics.vectors import magnitude, norm
 from ..results import Curve, Points, Result
 from ..statics import stability
 from ..statics.stability import (
+    comes_in_pairs,
     is_conservative,
     is_damped,
     only_damped,
-    require_pairs,
     slope_over,
 )
 from .bifurcation_sets import FoldCurves, on_lines, rows_of
@@ -38,7 +38,17 @@ from .defining_systems import (
     of_kind,
     undamped_mode,
 )
-from .flutter import Frequencies, crossing, every, form_or_why, frequencies, meeting, of_forms, told
+from .flutter import (
+    NEVER_STABLE,
+    Frequencies,
+    crossing,
+    every,
+    form_or_why,
+    frequencies,
+    meeting,
+    of_forms,
+    told,
+)
 from .normal_forms import NormalForm
 from .options import ContinuationOptions
 from .points import arranged, matrices, nothing, search
@@ -257,7 +267,8 @@ class _Plane(Family):
         if not damping:
             points = arranged(self, nothing(self), "")
             ends = np.empty((balance.n + 2, 0))
-            require_pairs(balance, self.over)
+            if not comes_in_pairs(balance, self.over):
+                return points, [], (NEVER_STABLE,)
             return (
                 points,
                 [] if is_conservative(balance, self.over) else [(FLUTTER, meeting, ends)],

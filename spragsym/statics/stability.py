@@ -22,7 +22,6 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.errors import ParameterError
 from ..models.model import Touching
 from ..numerics import balls
 from ..numerics.arithmetic import Matrix, Number, characteristic, determinant, hurwitz, is_zero
@@ -557,14 +556,9 @@ def is_conservative(balance: Balance, over: Intervals) -> bool:
         return bool(without_flutter(balance, balance.prepared(over)).all())
 
 
-def require_pairs(balance: Balance, over: Intervals) -> None:
-    """An error where λ without damping do not come in pairs ± λ: with G and a K that is not
-    symmetric something grows in every state.
+def comes_in_pairs(balance: Balance, over: Intervals) -> bool:
+    """Whether λ without damping come in pairs ± λ all over the ranges; with G and a K that is not
+    symmetric they do not, and something grows in every state.
     """
     with quiet():
-        if balance.gyroscopic and not _symmetric(balance, balance.prepared(over)).all():
-            raise ParameterError(
-                "without damping no state is stable where gyroscopic terms act beside friction, or "
-                "another force without a potential, so that no flutter sets in; ask for the onsets "
-                "of the damped model, damping=True, with dampers on the page"
-            )
+        return not balance.gyroscopic or bool(_symmetric(balance, balance.prepared(over)).all())

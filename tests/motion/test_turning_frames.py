@@ -121,3 +121,10 @@ def test_the_compiled_backend_moves_as_the_others() -> None:
     for row, W in enumerate(p.W.tolist()):
         alone = ss.simulate(p.replace(W=W), x0=0.3, t_end=200.0)
         assert swept.rms[row] == pytest.approx(alone.rms(), rel=1e-6)
+
+
+def test_without_damping_nothing_sets_in_where_every_state_grows() -> None:
+    found = ss.flutter_onsets(rotor().Parameters(), "f", damping=False, between={"f": (0.1, 0.5)})
+    assert not len(found)
+    assert not found.complete
+    assert "no state is stable" in found.remarks[0]

@@ -76,7 +76,7 @@ def page_from(
         Where the method holds what no page can say, which is named: a constraint, a gyroscopic
         force, a force that varies in time, or one that is no spring, damper, contact or friction.
     """
-    it = _Reader(_formed(method), page, coordinates)
+    it = _MethodReader(_formed(method), page, coordinates)
     page.kinetic(it.kinetic)
     said = it.named("contact", contact, _CONTACT), it.named("friction", friction, _FRICTION)
     forces, still = it.split(*said), dict.fromkeys(it.rates, 0)
@@ -96,7 +96,7 @@ def _formed(method: Any) -> Any:
     return method.eom_method
 
 
-class _Reader:
+class _MethodReader:
     """What a method holds, in a page's symbols."""
 
     def __init__(

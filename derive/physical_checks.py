@@ -11,7 +11,7 @@ import sympy as sp
 from . import laws, limits, signs, units
 from .mechanics import DEPTH, SLIP, FrictionForce, Mechanics, NormalForce, number
 from .model import Datum, Page, PageError
-from .statement_checks import Statement, statements
+from .statement_checks import PageExpression, statements
 from .units import Dimension, UnitsError, spelled
 
 #: Penetrations and speeds at which a law that can't be decided by its form is looked at.
@@ -37,7 +37,7 @@ def check_units(page: Page) -> None:
             )
 
 
-def _check_dimension(it: Statement, known: dict[sp.Symbol, Dimension]) -> None:
+def _check_dimension(it: PageExpression, known: dict[sp.Symbol, Dimension]) -> None:
     unknown = sorted(str(symbol) for symbol in it.value.free_symbols if symbol not in known)
     if unknown:
         time = f": {limits.FORCING}" if {"t", "time"} & set(unknown) else ""

@@ -387,7 +387,7 @@ def check_used(page: Page) -> None:
 
 
 @dataclass(frozen=True)
-class Statement:
+class PageExpression:
     """An expression of the page and what it is; times ``per`` it has the ``dimension``, which is
     any where that is None.
     """
@@ -399,17 +399,17 @@ class Statement:
     per: sp.Expr = sp.S.One
 
 
-def statements(page: Page) -> Iterator[Statement]:
+def statements(page: Page) -> Iterator[PageExpression]:
     """Every expression of the page."""
     for element in page.elements:
         kind, along, line = element.what, element.along, element.line
         if along is not None:
-            yield Statement(along, f"along of this {kind}", line, None)
+            yield PageExpression(along, f"along of this {kind}", line, None)
         for part in (part for end in element.ends or () for part in end):
-            yield Statement(part, "the end of this line", line, units.LENGTH)
+            yield PageExpression(part, "the end of this line", line, units.LENGTH)
         if kind == "spring":
             dimension = units.LENGTH if along is None else units.NONE
-            yield Statement(
+            yield PageExpression(
                 element.rest,
                 "the undeformed length of this spring",
                 line,
@@ -417,13 +417,13 @@ def statements(page: Page) -> Iterator[Statement]:
                 1 / (along or sp.S.One),
             )
         for function in (sp.cos, sp.sin) if kind == "torsion spring" else ():
-            yield Statement(
+            yield PageExpression(
                 function(element.rest), "the inclination at rest of this spring", line, units.NONE
             )
         dimension = units.STIFFNESS if along is None and kind != "torsion spring" else units.ENERGY
         if kind == "damper":
             dimension = units.times(dimension, units.TIME)
-        yield Statement(
+        yield PageExpression(
             element.strength,
             f"the {element.quality} of this {kind}",
             line,
@@ -431,27 +431,29 @@ def statements(page: Page) -> Iterator[Statement]:
             (along or sp.S.One) ** 2,
         )
     for energy, line in page.energies:
-        yield Statement(energy, "this potential energy", line, units.ENERGY)
+        yield PageExpression(energy, "this potential energy", line, units.ENERGY)
     if page.inertia is not None:
-        yield Statement(page.inertia[0], "the kinetic energy", page.inertia[1], units.ENERGY)
+        yield PageExpression(page.inertia[0], "the kinetic energy", page.inertia[1], units.ENERGY)
     for force in page.forces:
         alone = len(force.place) == 1
         for component, place in zip(force.components, force.place, strict=True):
-            yield Statement(
+            yield PageExpression(
                 place, "the place of this force", force.line, None if alone else units.LENGTH
             )
             work = (units.ENERGY, place) if alone else (units.FORCE, sp.S.One)
-            yield Statement(component, "this force", force.line, *work)
+            yield PageExpression(component, "this force", force.line, *work)
     for contact in page.contacts:
-        yield Statement(contact.gap or sp.S.Zero, "the gap", contact.line, units.LENGTH)
+        yield PageExpression(contact.gap or sp.S.Zero, "the gap", contact.line, units.LENGTH)
         what = "the normal force" if contact.gap is None else "the contact law"
-        yield Statement(expression_of(contact.law(DEPTH)), what, contact.line, units.FORCE)
+        yield PageExpression(expression_of(contact.law(DEPTH)), what, contact.line, units.FORCE)
     for it in page.frictions:
-        yield Statement(it.along, "the displacement that friction opposes", it.line, units.LENGTH)
-        yield Statement(it.belt, "the belt's speed", it.line, units.SPEED)
+        yield PageExpression(
+            it.along, "the displacement that friction opposes", it.line, units.LENGTH
+        )
+        yield PageExpression(it.belt, "the belt's speed", it.line, units.SPEED)
         for sign in (1, -1):
-            yield Statement(
+            yield PageExpression(
                 expression_of(it.law(sign * SLIP)), "the friction law", it.line, units.NONE
             )
-        yield Statement(it.at_rest or sp.S.Zero, "at_rest", it.line, units.NONE)
-        yield Statement(it.holds or sp.S.Zero, "what friction holds", it.line, units.NONE)
+        yield PageExpression(it.at_rest or sp.S.Zero, "at_rest", it.line, units.NONE)
+        yield PageExpression(it.holds or sp.S.Zero, "what friction holds", it.line, units.NONE)

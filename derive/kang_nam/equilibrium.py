@@ -51,9 +51,9 @@ def balance_cartesian() -> Pair:
     """(12) and (13) in x, y and L: (8) and (9) at rest, with μ₀ for the friction at steady
     sliding.
     """
-    equations = mechanics.motion()
     rest = {**mechanics.AT_REST, mu: mu0, n: mechanics.contact_family()}
-    return equations.x.subs(rest), equations.y.subs(rest)
+    along, across = (row.subs(rest) for row in mechanics.motion())
+    return along, across
 
 
 @cache

@@ -15,7 +15,7 @@ from sympy.physics import units
 from sympy.physics.units.systems.si import dimsys_SI
 
 from . import free_body
-from .free_body import DIGITS, Point, show
+from .free_body import DIGITS, ParameterPoint, show
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Explanation:
     cause: str
     #: Both are asked with :data:`.free_body.DIGITS` digits.
     evidence: Callable[[], tuple[bool, str]]
-    consequence: Callable[[Point], str]
+    consequence: Callable[[ParameterPoint], str]
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ def _below(value: mpf) -> str:
 
 
 def _length_evidence() -> tuple[bool, str]:
-    point = Point(theta0_deg=Fraction(62))
+    point = ParameterPoint(theta0_deg=Fraction(62))
     x, y = mpf(3) / 10, -mpf(1) / 7
     theta0 = point.number("theta0")
     pythagoras = mpmath.sqrt((mpmath.cos(theta0) - x) ** 2 + (mpmath.sin(theta0) - y) ** 2)
@@ -61,7 +61,7 @@ def _length_evidence() -> tuple[bool, str]:
     return gap < mpf(10) ** (5 - DIGITS), "the distance in the complex plane agrees to 45 digits"
 
 
-def _length_consequence(point: Point) -> str:
+def _length_consequence(point: ParameterPoint) -> str:
     ((x, y),) = free_body.equilibria(point)
     length = free_body.spring_length(point, x, y)
     theta = mpmath.arg(free_body.anchor(point) - mpmath.mpc(x, y))
@@ -73,7 +73,7 @@ def _length_consequence(point: Point) -> str:
 
 
 def _preload_evidence() -> tuple[bool, str]:
-    point = Point(theta0_deg=Fraction(71), beta=Fraction(1, 3))
+    point = ParameterPoint(theta0_deg=Fraction(71), beta=Fraction(1, 3))
     x, y, one = mpf(2) / 7, -mpf(1) / 9, mpf(1)
     gap = abs(free_body.forces(point, x, y, one)[1] - free_body.energy_slope_y(point, x, y, one))
     return gap < mpf(
@@ -81,10 +81,10 @@ def _preload_evidence() -> tuple[bool, str]:
     ) ** -20, "virtual work: the slope of the energy has the term κ and agrees to 20 digits"
 
 
-def _preload_consequence(point: Point) -> str:
+def _preload_consequence(point: ParameterPoint) -> str:
     (with_preload,) = free_body.equilibria(point)
     # Without κ, (13) is solved by the undeformed state, where the contact force is zero as well.
-    residual = free_body.forces(Point(kappa=Fraction(0)), mpf(0), mpf(0), mpf(1))
+    residual = free_body.forces(ParameterPoint(kappa=Fraction(0)), mpf(0), mpf(0), mpf(1))
     return (
         "the undeformed state x = y = 0 would be an equilibrium (residual "
         f"{_below(max(map(abs, residual)))}) "
@@ -106,7 +106,7 @@ def _force_scale_evidence() -> tuple[bool, str]:
     return holds, "dimensional analysis: N/k_c is a length, N/(k_c L_o) a number"
 
 
-def _force_scale_consequence(point: Point) -> str:
+def _force_scale_consequence(point: ParameterPoint) -> str:
     (right,) = free_body.equilibria(point)
     (literal,) = free_body.equilibria(point, Fraction(1, 10))
     return (
@@ -118,7 +118,7 @@ def _force_scale_consequence(point: Point) -> str:
     )
 
 
-def _liftoff_polynomial(point: Point, constant: str) -> list[mpf]:
+def _liftoff_polynomial(point: ParameterPoint, constant: str) -> list[mpf]:
     """Lift-off coefficients d₄ … d₀ written out from A6–A9, with the constant term of either
     reading.
     """
@@ -141,7 +141,7 @@ def _liftoff_polynomial(point: Point, constant: str) -> list[mpf]:
 
 
 def _constant_evidence() -> tuple[bool, str]:
-    point = Point()
+    point = ParameterPoint()
     lengths = [
         free_body.spring_length(point, x, y) for x, y in free_body.equilibria(point, contact=0)
     ]
@@ -159,7 +159,7 @@ def _constant_evidence() -> tuple[bool, str]:
     )
 
 
-def _constant_consequence(point: Point) -> str:
+def _constant_consequence(point: ParameterPoint) -> str:
     values = {reading: _liftoff_polynomial(point, reading)[-1] for reading in ("right", "printed")}
     roots = mpmath.polyroots(_liftoff_polynomial(point, "printed"), maxsteps=200, extraprec=200)
     real = [show(mpmath.re(root), 6) for root in roots if abs(mpmath.im(root)) < 1e-20]

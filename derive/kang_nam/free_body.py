@@ -23,7 +23,7 @@ DIGITS = 50
 
 
 @dataclass(frozen=True)
-class Point:
+class ParameterPoint:
     """Numbers for the parameters; ``theta0_deg`` in degrees, the rest exact rationals."""
 
     theta0_deg: Fraction = Fraction(article.BASE_ANGLE_DEG)
@@ -40,13 +40,13 @@ class Point:
         return exact * arithmetic.pi / 180 if name == "theta0" else exact
 
 
-def anchor(point: Point, arithmetic: Any = mpmath.mp) -> mpmath.mpc:
+def anchor(point: ParameterPoint, arithmetic: Any = mpmath.mp) -> mpmath.mpc:
     """Where the inclined spring is held, over L_0."""
     return arithmetic.expj(point.number("theta0", arithmetic))
 
 
 def forces(
-    point: Point, x: mpf, y: mpf, contact: mpf, arithmetic: Any = mpmath.mp
+    point: ParameterPoint, x: mpf, y: mpf, contact: mpf, arithmetic: Any = mpmath.mp
 ) -> tuple[mpf, mpf]:
     """Minus the sum of forces on the mass at rest, over k_c L_0; ``contact`` is the contact
     stiffness over k_c.
@@ -60,7 +60,7 @@ def forces(
     return alpha * x - pull.real - mu0 * push, beta * y - pull.imag - push + kappa
 
 
-def energy_slope_y(point: Point, x: mpf, y: mpf, contact: mpf) -> mpf:
+def energy_slope_y(point: ParameterPoint, x: mpf, y: mpf, contact: mpf) -> mpf:
     """∂/∂y of the energy of springs, contact and preload, by numerical differentiation."""
 
     def energy(height: mpf) -> mpf:
@@ -72,7 +72,7 @@ def energy_slope_y(point: Point, x: mpf, y: mpf, contact: mpf) -> mpf:
 
 
 @cache
-def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpf, mpf]]:
+def equilibria(point: ParameterPoint, contact: int | Fraction = 1) -> list[tuple[mpf, mpf]]:
     """Rest positions (x, y) in contact, or in lift-off for ``contact=0``, sorted by x.
 
     Newton's method from a grid of starting points, first in floats, then in the precision of the
@@ -105,7 +105,7 @@ _STARTS = [
 ]
 
 
-def spring_length(point: Point, x: mpf, y: mpf) -> mpf:
+def spring_length(point: ParameterPoint, x: mpf, y: mpf) -> mpf:
     """Distance from the anchor to the mass, as a distance in the complex plane."""
     return abs(anchor(point) - mpmath.mpc(x, y))
 

@@ -18,7 +18,7 @@ from ..statements.papers import Paper
 from ..statements.reading import Item, Verdict, opened, prepared
 from ..statements.tree import symbols, to_sympy
 from . import article, explanations
-from .free_body import DIGITS, Point
+from .free_body import DIGITS, ParameterPoint
 from .theorem import Step
 
 #: Statuses of a row that passes the check.
@@ -32,7 +32,7 @@ _MATH = "```math\n{}\n```"
 
 
 @dataclass(frozen=True)
-class Row:
+class LedgerRow:
     """The outcome for one printed statement; every text is LaTeX or plain words, every empty field
     means not applicable.
 
@@ -67,7 +67,7 @@ class Row:
         }
 
 
-def run(paper: Paper | None = None) -> list[Row]:
+def run(paper: Paper | None = None) -> list[LedgerRow]:
     """Check every printed statement of the article, or of another file of them."""
     paper = article.printed() if paper is None else paper
     model = pages.read(pages.SHIPPED / "kang_nam.py")
@@ -120,14 +120,14 @@ def _exact(item: Item | Verdict) -> str:
     return item.latex(sp.factor_terms(sp.expand(gap)))
 
 
-def failures(rows: Sequence[Row]) -> list[Row]:
+def failures(rows: Sequence[LedgerRow]) -> list[LedgerRow]:
     """Rows that do not pass the check."""
     return [row for row in rows if row.status not in SOUND]
 
 
-def _explained(found: verdicts.Row, exact: str) -> Row:
+def _explained(found: verdicts.Row, exact: str) -> LedgerRow:
     """The verdict on a statement with what we say about it."""
-    row = Row(
+    row = LedgerRow(
         found.id,
         found.where,
         found.status,
@@ -166,11 +166,11 @@ def _explained(found: verdicts.Row, exact: str) -> Row:
             derived=found.repaired_latex,
             cause=misprint.cause,
             evidence=evidence,
-            consequence=misprint.consequence(Point()),
+            consequence=misprint.consequence(ParameterPoint()),
         )
 
 
-def _failed(row: Row, note: str) -> Row:
+def _failed(row: LedgerRow, note: str) -> LedgerRow:
     return replace(row, status=FAILED, note=note)
 
 
@@ -180,7 +180,7 @@ class Ledger:
     theorems.
     """
 
-    rows: tuple[Row, ...]
+    rows: tuple[LedgerRow, ...]
     identities: dict[str, bool]
     theorem: tuple[Step, ...]
     lowest_fold: tuple[Step, ...]
@@ -198,7 +198,7 @@ def as_dict(ledger: Ledger) -> dict[str, Any]:
     }
 
 
-def summary(rows: tuple[Row, ...]) -> dict[str, int]:
+def summary(rows: tuple[LedgerRow, ...]) -> dict[str, int]:
     """How many rows have each status."""
     return dict(sorted(Counter(row.status for row in rows).items()))
 
@@ -239,7 +239,7 @@ def _mark(holds: bool) -> str:
     return "proved:" if holds else "NOT PROVED:"
 
 
-def _section(row: Row) -> list[str]:
+def _section(row: LedgerRow) -> list[str]:
     """A row in paragraphs; what differs, printed above derived, so that the eye compares them."""
     lines = [f"### {row.id}"]
     if row.status in _AS_PRINTED:

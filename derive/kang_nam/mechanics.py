@@ -7,15 +7,15 @@ these forces: where a changed page takes away what they rest on, the derivation 
 """
 
 from functools import cache
-from typing import NamedTuple
 
 import sympy as sp
 
 from .. import laws, pages
+from ..algebra import Pair
 from ..emit.quantities import Quantity
 from ..mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, number
 from ..model import Datum, Page, expression_of
-from ..motion import Motion as General
+from ..motion import Motion
 from . import nomenclature as nm
 
 #: Accelerations, with dimensions and without.
@@ -146,24 +146,18 @@ def replace_length(expression: sp.Expr) -> sp.Expr:
 # equations of motion
 
 
-class Motion(NamedTuple):
-    """Residuals of the two equations of motion, ``acceleration terms − forces = 0``."""
-
-    x: sp.Expr
-    y: sp.Expr
-
-
 @cache
-def motion() -> Motion:
-    """The dimensionless equations of motion, (8) and (9), at rest (12) and (13), in x, y and the
-    spring length L, for a contact force n and a friction coefficient μ yet to be given.
+def motion() -> Pair:
+    """The dimensionless equations of motion, ``acceleration terms − forces = 0``: (8) and (9), at
+    rest (12) and (13), in x, y and the spring length L, for a contact force n and a friction
+    coefficient μ yet to be given.
     """
-    general = General(of_page())
+    general = Motion(of_page())
     accelerations = dict(zip(general.named, (AX, AY), strict=True))
     along, across = (
         sp.expand(in_article(of_page(), row.subs(accelerations))) for row in general.balance(nm.n)
     )
-    return Motion(along, across)
+    return along, across
 
 
 # ------------------------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from . import tree
-from .lexer import Cursor, Item, Items, nested, split
+from .lexer import Cursor, Token, Tokens, nested, split
 from .matrices import Matrix, Value, determinant, identity, inverse, named, negative, node_of
 from .matrices import paired, product, quotient, shape_of, total
 from .names import LAWS, Name, Names, moved
@@ -89,7 +89,7 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     >>> printed(equation.left)
     'm*ax + 1/2*k*x'
     """
-    reader = _Reader(vocabulary)
+    reader = _LatexReader(vocabulary)
     items = nested(text)
     while len(items) == 1 and items[0].items is not None and items[0].text == "{":
         items = items[0].items
@@ -99,9 +99,9 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     return equations
 
 
-def _pieces(items: Items) -> list[list[Item]]:
+def _pieces(items: Tokens) -> list[list[Token]]:
     """Equations that stand beside or below each other; a line may go on with an operator."""
-    pieces: list[list[Item]] = [[]]
+    pieces: list[list[Token]] = [[]]
     broken = False
     for number, it in enumerate(items):
         if it.text in ("\\\\", r"\quad", r"\qquad", ",", ";"):
@@ -126,7 +126,7 @@ def _pieces(items: Items) -> list[list[Item]]:
     return pieces
 
 
-class _Reader:
+class _LatexReader:
     """Recursive descent over items, with the names of one vocabulary."""
 
     def __init__(self, vocabulary: Vocabulary) -> None:
@@ -150,7 +150,7 @@ class _Reader:
             node = self.names.rate(node)
         return node
 
-    def equations(self, items: Items) -> list[Equation]:
+    def equations(self, items: Tokens) -> list[Equation]:
         """Equations of one piece: each side with the first one."""
         for it in items:
             if it.text in _RELATIONS and it.text not in _EQUAL:
@@ -165,7 +165,7 @@ class _Reader:
             found += paired(before if is_number else values[0], value, items[0].at[0])
         return found
 
-    def side(self, items: Items, place: int, named: bool) -> Value:
+    def side(self, items: Tokens, place: int, named: bool) -> Value:
         """A side of an equation; a name alone on it need not be one of the page."""
         if not items:
             raise Unread("a side of the equation is empty", place)
@@ -186,12 +186,12 @@ class _Reader:
         shape = self.matrices.get(node.value) if node.kind == "symbol" else None
         return node if shape is None else named(node, shape)
 
-    def number(self, items: Items) -> Node:
+    def number(self, items: Tokens) -> Node:
         """An expression that is no matrix."""
         value = self.expression(items)
         return node_of(value, items[0].at[0])
 
-    def expression(self, items: Items) -> Value:
+    def expression(self, items: Tokens) -> Value:
         """A sum of terms."""
         items = [it for it in items if it.text != "&"]
         if not items:
@@ -212,7 +212,7 @@ class _Reader:
             terms.append(_over(negative(value), items[one:stop]) if sign == "-" else value)
         return terms[0] if len(terms) == 1 else _over(total(terms, items[0].at[0]), items)
 
-    def term(self, items: Items) -> Value:
+    def term(self, items: Tokens) -> Value:
         """A product of factors, by juxtaposition or by a sign, over one factor behind a slash."""
         factors: list[Factor] = []
         here, explicit = Cursor(items), True
@@ -294,7 +294,7 @@ class _Reader:
         stop = raised[-1] if power is not None and raised else here.end
         return self.named(name, power, here, (start, stop))
 
-    def named(self, name: Name, power: Items | None, here: Cursor, at: tuple[int, int]) -> Factor:
+    def named(self, name: Name, power: Tokens | None, here: Cursor, at: tuple[int, int]) -> Factor:
         """A name with its exponent, or as a function of time."""
         known = self.names.known(name, at)
         if name == Name("e") and power is not None:
@@ -317,11 +317,11 @@ class _Reader:
             return self.powered(node, here, at[0]) if bracket is not None else Factor(node)
         return Factor(_power(node, self.number(power), (at[0], here.end)))
 
-    def is_time(self, items: Items) -> bool:
+    def is_time(self, items: Tokens) -> bool:
         """Whether a bracket holds the time alone."""
         return len(items) == 1 and items[0].text.removeprefix("\\") in self.names.times()
 
-    def product_only(self, node: Node, bracket: Items, place: int) -> None:
+    def product_only(self, node: Node, bracket: Tokens, place: int) -> None:
         """Refuse f(x), a product or a function of x."""
         if any(it.text == "," for it in bracket):
             raise Unread(f"{node.value} is no function that is known", place)
@@ -349,7 +349,7 @@ class _Reader:
             raise Unread("two exponents", here.at)
         return Factor(value)
 
-    def matrix_power(self, matrix: Matrix, exponent: Items, start: int) -> Matrix:
+    def matrix_power(self, matrix: Matrix, exponent: Tokens, start: int) -> Matrix:
         """A matrix transposed, inverted or as it stands."""
         match [it.text for it in _flat(exponent)]:
             case []:
@@ -394,7 +394,7 @@ class _Reader:
             return Node("call", (value,), "sqrt", at)
         return Node("pow", (value, Node("div", (ONE, degree), at=at)), at=at)
 
-    def environment(self, item: Item) -> Value:
+    def environment(self, item: Token) -> Value:
         """A matrix, or a choice by conditions."""
         inner = (item.items or ())[item.text == "array" :]
         rows = [split(row, "&") for row in split(inner, "\\\\") if row]
@@ -404,7 +404,7 @@ class _Reader:
             raise Unread("rows of different length", item.at[0])
         return np.array([[self.number(cell) for cell in row] for row in rows])
 
-    def choice(self, rows: list[list[list[Item]]], item: Item) -> Node:
+    def choice(self, rows: list[list[list[Token]]], item: Token) -> Node:
         """Values with the conditions under which they hold."""
         pairs = []
         for value, condition in rows:
@@ -413,7 +413,7 @@ class _Reader:
             pairs.append(Node("call", pair, "Tuple", (value[0].at[0], condition[-1].at[1])))
         return Node("call", tuple(pairs), "Piecewise", item.at)
 
-    def condition(self, items: Items, place: int) -> Node:
+    def condition(self, items: Tokens, place: int) -> Node:
         """A relation, or a chain of them, behind a word as "if"."""
         unread = (r"\quad", r"\qquad", r"\text", r"\mathrm", ",", ".")
         kept = [it for it in items if it.text not in unread]
@@ -543,13 +543,13 @@ class _Reader:
             value = self.names.rate(value)
         return self.powered(moved(value, (start, here.end)), here, start)
 
-    def only_name(self, items: Items) -> Name | None:
+    def only_name(self, items: Tokens) -> Name | None:
         """The name that stands alone, without an exponent."""
         here = Cursor(items)
         name, power = self.name(here)
         return name if here.item is None and power is None else None
 
-    def name(self, here: Cursor) -> tuple[Name | None, Items | None]:
+    def name(self, here: Cursor) -> tuple[Name | None, Tokens | None]:
         """A name with indices and primes, and its exponent; where none is, nothing is taken."""
         begin, it = here.place, here.item
         if it is None:
@@ -575,7 +575,7 @@ class _Reader:
         if name is None:
             here.place = begin
             return None, None
-        exponent: Items | None = None
+        exponent: Tokens | None = None
         while here.text in ("_", "^", "'"):
             sign, place = here.text, here.at
             here.take()
@@ -602,7 +602,7 @@ class _Reader:
         return name, exponent
 
 
-def _argument(here: Cursor) -> Items:
+def _argument(here: Cursor) -> Tokens:
     """The argument of a command: a group, or the next token."""
     it = here.take()
     if it.items is not None and it.text == "{":
@@ -614,9 +614,9 @@ def _argument(here: Cursor) -> Items:
     return [it]
 
 
-def _flat(items: Items) -> list[Item]:
+def _flat(items: Tokens) -> list[Token]:
     """Tokens without braces and styles."""
-    flat: list[Item] = []
+    flat: list[Token] = []
     for it in items:
         if it.text == "{":
             flat += _flat(it.items or ())
@@ -625,21 +625,21 @@ def _flat(items: Items) -> list[Item]:
     return flat
 
 
-def _inside(items: Items) -> Items:
-    """Items without a style on the first of them: \\mathrm{d} x as d x."""
+def _inside(items: Tokens) -> Tokens:
+    """Tokens without a style on the first of them: \\mathrm{d} x as d x."""
     if items and items[0].text in _ROMAN:
         return [*_flat(items[1:2]), *items[2:]]
     return items
 
 
-def _bracket(it: Item | None, kinds: tuple[str, ...] = ("(",)) -> Items | None:
+def _bracket(it: Token | None, kinds: tuple[str, ...] = ("(",)) -> Tokens | None:
     """What stands in a bracket here, with braces around it or without."""
     while it is not None and it.text == "{" and it.items is not None and len(it.items) == 1:
         it = it.items[0]
     return it.items if it is not None and it.text in kinds else None
 
 
-def _is_sign(items: Items, number: int) -> bool:
+def _is_sign(items: Tokens, number: int) -> bool:
     """Whether a sign stands between terms, not in an exponent or behind another operator."""
     if items[number].text not in ("+", "-", r"\pm", r"\mp"):
         return False
@@ -649,7 +649,7 @@ def _is_sign(items: Items, number: int) -> bool:
     return before not in ("^", "_")
 
 
-def _over(value: Value, items: Items) -> Value:
+def _over(value: Value, items: Tokens) -> Value:
     """A value at the place of all that it was read from, brackets too."""
     at = (items[0].at[0], items[-1].at[1])
     return replace(value, at=at) if isinstance(value, Node) and value.kind != "number" else value

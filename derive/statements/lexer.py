@@ -1,4 +1,4 @@
-r"""LaTeX as nested items: tokens, and groups of what stands between two brackets.
+r"""LaTeX as nested tokens: a group is what stands between two brackets.
 
 What prints nothing (spaces, sizes of brackets, labels, alignment environments) is gone after this
 step, and a bare ``|`` has become the bracket that it is.
@@ -15,20 +15,20 @@ from .tree import Unread
 
 
 @dataclass(frozen=True)
-class Item:
+class Token:
     """A token, or a group whose ``text`` is its opening bracket or its environment."""
 
     text: str
     at: tuple[int, int]
-    items: tuple[Item, ...] | None = None
+    items: tuple[Token, ...] | None = None
 
 
-Items = Sequence[Item]
+Tokens = Sequence[Token]
 
 
-def split(items: Items, *signs: str) -> list[list[Item]]:
+def split(items: Tokens, *signs: str) -> list[list[Token]]:
     """What stands between signs."""
-    parts: list[list[Item]] = [[]]
+    parts: list[list[Token]] = [[]]
     for it in items:
         if it.text in signs:
             parts.append([])
@@ -41,11 +41,11 @@ def split(items: Items, *signs: str) -> list[list[Item]]:
 class Cursor:
     """A place among items."""
 
-    items: Items
+    items: Tokens
     place: int = 0
 
     @property
-    def item(self) -> Item | None:
+    def item(self) -> Token | None:
         """What stands here, or nothing behind the last one."""
         return self.items[self.place] if self.place < len(self.items) else None
 
@@ -64,7 +64,7 @@ class Cursor:
         """Where in the print what stands before ends."""
         return self.items[self.place - 1].at[1]
 
-    def take(self) -> Item:
+    def take(self) -> Token:
         """What stands here; the place moves behind it."""
         if self.item is None:
             raise Unread("an argument is missing", self.end)
@@ -95,9 +95,9 @@ _DIGIT = ("^", "_", r"\frac", r"\dfrac", r"\tfrac", r"\sqrt")
 BINARY = ("+", "/", r"\cdot", r"\times", "*", "=", ":=", ",", ";", "<", ">", "^", "_")
 
 
-def nested(text: str) -> tuple[Item, ...]:
-    """Items of a print in LaTeX."""
-    stack: list[tuple[str, int, list[Item], bool]] = [("", 0, [], False)]
+def nested(text: str) -> tuple[Token, ...]:
+    """Tokens of a print in LaTeX."""
+    stack: list[tuple[str, int, list[Token], bool]] = [("", 0, [], False)]
     for token, start, stop, side in _tokens(text):
         opened, begin, inner, sized = stack[-1]
         bar = token == "|"
@@ -112,9 +112,9 @@ def nested(text: str) -> tuple[Item, ...]:
             stack.pop()
             _one_way(inner, start)
             kind = "|bare" if bar and not sized else opened
-            stack[-1][2].append(Item(kind, (begin, stop), tuple(inner)))
+            stack[-1][2].append(Token(kind, (begin, stop), tuple(inner)))
         else:
-            inner.append(Item(token, (start, stop)))
+            inner.append(Token(token, (start, stop)))
     opened, begin, inner, _ = stack[-1]
     if opened:
         raise Unread(f"{opened} is not closed", begin)
@@ -144,12 +144,12 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
     return tokens
 
 
-def _awaits(inner: Items) -> bool:
+def _awaits(inner: Tokens) -> bool:
     """Whether an operand has to follow."""
     return inner[-1].items is None and inner[-1].text in (*BINARY, "-")
 
 
-def _one_way(inner: Items, place: int) -> None:
+def _one_way(inner: Tokens, place: int) -> None:
     """Refuse bars that can be paired in two ways: |a| b |c|."""
     bars = [number for number, it in enumerate(inner) if it.text == "|bare"]
     for one, other in itertools.pairwise(bars):

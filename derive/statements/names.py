@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from ..model import acceleration_of
-from .lexer import Items
+from .lexer import Tokens
 from .tree import Node, Unread, Vocabulary, printed
 
 #: Names of a law: what stands in brackets behind them may be their argument.
@@ -99,7 +99,7 @@ class Names:
         moving = {*self.next, *self.next.values(), *LAWS}
         return node.value in moving if node.kind == "symbol" else any(map(self._moves, node.args))
 
-    def word(self, items: Items, place: int) -> int:
+    def word(self, items: Tokens, place: int) -> int:
         """How many items spell a name of the page that has several letters: a k c that is kc."""
         letters = ""
         for it in items[place:]:

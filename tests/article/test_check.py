@@ -19,7 +19,7 @@ from sympy.parsing.latex import parse_latex
 from spragsym.derive import pages
 from spragsym.derive.kang_nam import article, free_body, ledger
 from spragsym.derive.kang_nam import nomenclature as nm
-from spragsym.derive.kang_nam.ledger import Row
+from spragsym.derive.kang_nam.ledger import LedgerRow
 from spragsym.derive.kang_nam.mechanics import AX, AY
 from spragsym.derive.statements.comparison import Comparison
 from spragsym.derive.statements.papers import Paper, Statement
@@ -34,7 +34,9 @@ PRINTED = {entry.id: entry for entry in article.printed().statements}
 
 
 @pytest.fixture(scope="module")
-def rows(once: Callable[[str, Callable[[], list[Row]]], list[Row]]) -> dict[str, Row]:
+def rows(
+    once: Callable[[str, Callable[[], list[LedgerRow]]], list[LedgerRow]],
+) -> dict[str, LedgerRow]:
     return {row.id: row for row in once("check", ledger.run)}
 
 
@@ -46,7 +48,7 @@ def items() -> dict[str, Item]:
     return {item.statement.id: item for item in found if isinstance(item, Item)}
 
 
-def check_with(id: str, text: str, *others: str) -> Row:
+def check_with(id: str, text: str, *others: str) -> LedgerRow:
     """The row for a printed statement whose LaTeX was changed, with others that it needs."""
     kept = [it for it in article.printed().statements if it.id in (id, *others)]
     changed = [dataclasses.replace(it, text=text) if it.id == id else it for it in kept]
@@ -59,15 +61,15 @@ def check_with(id: str, text: str, *others: str) -> Row:
 # rows
 
 
-def test_every_printed_statement_has_a_row(rows: dict[str, Row]) -> None:
+def test_every_printed_statement_has_a_row(rows: dict[str, LedgerRow]) -> None:
     assert rows.keys() == EQUATIONS | APPENDIX | DEFINITIONS
 
 
-def test_no_row_failed(rows: dict[str, Row]) -> None:
+def test_no_row_failed(rows: dict[str, LedgerRow]) -> None:
     assert not ledger.failures(list(rows.values()))
 
 
-def test_statuses(rows: dict[str, Row]) -> None:
+def test_statuses(rows: dict[str, LedgerRow]) -> None:
     by_status = {
         status: {id for id, row in rows.items() if row.status == status} for status in ledger.SOUND
     }
@@ -77,7 +79,7 @@ def test_statuses(rows: dict[str, Row]) -> None:
     assert by_status["definition"] == {"eq-3", "eq-4", "eq-5", "eq-7", "eq-10", "def-prime"}
 
 
-def test_rows_say_what_their_status_asks_for(rows: dict[str, Row]) -> None:
+def test_rows_say_what_their_status_asks_for(rows: dict[str, LedgerRow]) -> None:
     for row in rows.values():
         assert row.printed
         assert row.derived
@@ -405,7 +407,7 @@ def test_evidence_feels_the_physics(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "virtual work" in row.note
 
 
-def test_a_row_names_the_function_that_derives_it(rows: dict[str, Row]) -> None:
+def test_a_row_names_the_function_that_derives_it(rows: dict[str, LedgerRow]) -> None:
     """What stands under "derived by" is there, below ``derive`` or its ``statements``."""
     for row in rows.values():
         if row.id in ("eq-3", "def-prime"):  # names that are new to the page

@@ -39,10 +39,10 @@ def declared(kind: str) -> str:
 
 def routine(it: Routine, kinds: Kinds, prefix: str) -> str:
     """A function's definition; generated algebra is called by ``prefix`` and its name."""
-    return _Printer(it, kinds, prefix).definition()
+    return _CPrinter(it, kinds, prefix).definition()
 
 
-class _Printer(Printer):
+class _CPrinter(Printer):
     step = "    "
     begin = "for (int i = 0; i < {}; i++) {{"
 

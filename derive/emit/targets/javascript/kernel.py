@@ -44,7 +44,7 @@ def render(material: Material) -> str:
     return (
         "".join(lines)
         + "\n"
-        + "\n".join(_Printer(it, source).definition() for it in printed(source, asked))
+        + "\n".join(_JavaScriptPrinter(it, source).definition() for it in printed(source, asked))
     )
 
 
@@ -52,7 +52,7 @@ def _said(text: str, indent: str = "") -> str:
     return f"{comment(text, indent)}\n" if text else ""
 
 
-class _Printer(Printer):
+class _JavaScriptPrinter(Printer):
     begin = "for (let pass = 0; pass < {}; pass++) {{"
 
     def __init__(self, it: Routine, source: Source) -> None:

@@ -32,7 +32,9 @@ def render(material: Material) -> list[str]:
     )
     asked = [name for name in source.routines if method_name(name) in words]
     said: set[str] = set()
-    return [_Printer(it, source, material, said).definition() for it in printed(source, asked)]
+    return [
+        _MatlabPrinter(it, source, material, said).definition() for it in printed(source, asked)
+    ]
 
 
 def _syntax(library: str) -> Syntax:
@@ -54,7 +56,7 @@ def _syntax(library: str) -> Syntax:
     )
 
 
-class _Printer(Printer):
+class _MatlabPrinter(Printer):
     begin, end, gives = "for pass = 1:{}", "end", "result = {};"
 
     def __init__(self, it: Routine, source: Source, material: Material, said: set[str]) -> None:

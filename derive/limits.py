@@ -46,6 +46,13 @@ EITHER_FACE = Limit(
     "F_L + k*y; what presses on either of two faces, in a slot or on a hoop, rubs with |N|: "
     "page.normal_force(N, unilateral=False)",
 )
+PULLING = Limit(
+    "a contact law that is not seen to push, law(depth) >= 0, for every depth > 0 and all "
+    "parameters of their domains",
+    'give domains that decide it, as "> 0", or a form that does, as '
+    "k*depth + k_3*depth**3; what holds on as well never opens: "
+    "page.contact(gap, law, unilateral=False)",
+)
 PLANE = Limit(
     "friction in a plane, whose direction turns with the sliding",
     "keep the direction along which it slides most, as page.friction(x, V, …), and say what "
@@ -81,6 +88,7 @@ LIMITS = (
     CONTACT_DAMPING,
     NORMAL_SPEED,
     EITHER_FACE,
+    PULLING,
     NONLINEAR_DAMPER,
     STICKING,
     PLANE,

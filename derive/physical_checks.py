@@ -207,11 +207,8 @@ def _check_contact(model: Mechanics, contact: NormalForce) -> None:
             "the normal force is 0, so that nothing pushes and nothing rubs; give one that is "
             "positive",
         )
-    given = contact.line and contact.gap is None and not contact.either_face
-    if given and not signs.is_nonnegative(model, contact.law):
-        where = signs.witness(model, contact.law)
-        pulls = f" pulls: {where}; " if where else ": "
-        raise PageError(contact.line, f"the normal force {contact.law}{pulls}{limits.EITHER_FACE}")
+    if contact.line and contact.gap is None and not contact.either_face:
+        _check_pushes(model, contact, f"the normal force {contact.law}", limits.EITHER_FACE)
     if contact.unilateral and contact.law.subs(contact.depth, 0) != 0:
         raise PageError(
             contact.line,
@@ -219,14 +216,17 @@ def _check_contact(model: Mechanics, contact: NormalForce) -> None:
             "touches the belt; a force that jumps there is not "
             "covered: let it begin at 0, or say unilateral=False for a mass that never leaves",
         )
-    if not contact.unilateral or signs.is_nonnegative(model, contact.law):
-        return
-    if where := signs.witness(model, contact.law):
-        raise PageError(
-            contact.line,
-            f"the contact law pulls: {where}; a belt pushes, law(depth) >= 0 for every depth > 0 "
-            'and all parameters of their domains, which the page gives, as "> 0"',
-        )
+    stiffness = sp.diff(contact.law, contact.depth)  # where that is nowhere negative the law rises
+    if contact.unilateral and not signs.is_nonnegative(model, stiffness):
+        _check_pushes(model, contact, "the contact law", limits.PULLING)
+
+
+def _check_pushes(model: Mechanics, contact: NormalForce, what: str, limit: limits.Limit) -> None:
+    """Refuse a force that is not proved to push, with the place where it pulls if one is found."""
+    if not signs.is_nonnegative(model, contact.law):
+        where = signs.witness(model, contact.law)
+        pulls = f" pulls: {where}; " if where else ": "
+        raise PageError(contact.line, f"{what}{pulls}{limit}")
 
 
 def _check_friction(model: Mechanics, sliding: FrictionForce) -> None:

@@ -47,7 +47,29 @@ _FREE = sp.Dummy(real=True)
 
 def _is_nonnegative(expression: sp.Expr) -> bool:
     forms = (expression, sp.factor_terms(sp.expand(expression)))
-    return any(bool(form.is_nonnegative) for form in forms)
+    return any(bool(form.is_nonnegative) for form in forms) or _is_nonnegative_polynomial(
+        expression
+    )
+
+
+def _is_nonnegative_polynomial(expression: sp.Expr) -> bool:
+    """Whether an expression is a polynomial of one quantity, with numbers as coefficients, that is
+    nowhere negative: it changes its sign at roots of odd multiplicity only.
+    """
+    unknown = expression.free_symbols
+    if len(unknown) != 1 or not expression.is_polynomial(*unknown):
+        return False
+    (symbol,) = unknown
+    half = bool(symbol.is_nonnegative)
+    changes = [
+        sp.Poly(factor, symbol)
+        for factor, times in sp.sqf_list(expression)[1]
+        if times % 2 and not (half and factor == symbol)
+    ]
+    if not all(factor.get_domain() in (sp.ZZ, sp.QQ) for factor in changes):
+        return False
+    roots = sum(factor.count_roots(0 if half else None) for factor in changes)
+    return roots == 0 and bool(sp.LC(expression, symbol) > 0)
 
 
 def _bounded(model: Mechanics, expression: sp.Expr) -> dict[sp.Expr, _Ends]:

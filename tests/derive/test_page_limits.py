@@ -107,6 +107,12 @@ BEYOND: dict[str, tuple[limits.Limit, str, str, str]] = {
         "page.normal_force(F_L + k * y)",
         "page.normal_force(",
     ),
+    "a law that is not seen to push": (
+        limits.PULLING,
+        "lambda depth: k_c * depth",
+        "lambda depth: k_c * depth * (1 - k_c * depth / F_L + (k_c * depth / F_L)**2)",
+        "page.contact(",
+    ),
     "a coefficient with speeds": (
         limits.NONLINEAR_DAMPER,
         DAMPER,

@@ -58,6 +58,21 @@ def test_a_force_that_pulls_somewhere_is_refused_with_the_place(force: str, tmp_
         read(tmp_path, force)
 
 
+#: Every parameter of the page stands in a spring too.
+LAW = "page.spring(k_3 * L_0**2, along=x)\npage.contact(y, lambda depth: {})"
+
+
+def read_law(tmp_path: Path, law: str) -> pages.Model:
+    text = shipped_page(
+        "cubic_contact",
+        ("import Abs, Page", "import Abs, Page, log"),
+        ("page.contact(y, lambda depth: k_c * depth + k_3 * depth**3)", LAW.format(law)),
+    )
+    path = tmp_path / "mine.py"
+    path.write_text(text, encoding="utf-8")
+    return pages.read(path)
+
+
 def test_a_law_that_pulls_at_some_parameters_is_refused(tmp_path: Path) -> None:
     """At the base value it pushes everywhere."""
     text = shipped_page(
@@ -68,6 +83,33 @@ def test_a_law_that_pulls_at_some_parameters_is_refused(tmp_path: Path) -> None:
     path.write_text(text, encoding="utf-8")
     with pytest.raises(PageError, match=r"the contact law pulls: at .*gamma = -"):
         pages.read(path)
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        "k_c * L_0 * log(1 + depth / L_0)",
+        "k_c * depth * (1 - depth / L_0 + (depth / L_0) ** 2)",
+        "k_c * L_0 * (exp(depth / L_0) - 1)",
+        "k_c * depth * (2 + sin(depth / L_0))",
+    ],
+)
+def test_a_law_that_pushes_is_taken(law: str, tmp_path: Path) -> None:
+    """It rises, has no root, or is least at ends of what is bounded."""
+    read_law(tmp_path, law)
+
+
+@pytest.mark.parametrize(
+    ("law", "seen"),
+    [
+        ("k_c * depth * (1 - 2 * depth / L_0 + (depth / L_0) ** 2 / 2)", "pulls: at depth = "),
+        ("k_c * depth * (1 - k_3 * L_0 * depth / k_c)", "pulls: at "),
+        ("depth * (k_c - k_3 * L_0 * depth + (k_3 * L_0 * depth) ** 2 / k_c)", "not seen to push"),
+    ],
+)
+def test_a_law_that_is_not_proved_to_push_is_refused(law: str, seen: str, tmp_path: Path) -> None:
+    with pytest.raises(PageError, match=rf"line \d+: the contact law.*{seen}"):
+        read_law(tmp_path, law)
 
 
 def test_no_proof_of_a_drawn_expression_has_a_counterexample(tmp_path: Path) -> None:

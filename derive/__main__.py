@@ -126,10 +126,8 @@ def models(*, variant: bool = False) -> dict[str, str]:
         if (
             model.name == ARTICLE and not variant
         ):  # its page of the explorer is written without SymPy
-            files |= {
-                f"models/{model.name}/{name}": text
-                for name, text in export.for_the_browser(model, write.header()).items()
-            }
+            module = f"models/{model.name}/{model.name}.mjs"
+            files[module] = export.for_the_browser(model, write.header())
     return files
 
 

@@ -12,7 +12,7 @@ from typing import TypeAlias
 
 import sympy as sp
 
-from . import drawing, folder, motion, pages, units
+from . import folder, motion, pages, units
 from .emit import definitions, targets
 from .emit.function import Function, renamed
 from .emit.python import algebra
@@ -85,15 +85,10 @@ def export(
     return targets.render(written_in, replace(made, motion=moves))
 
 
-def for_the_browser(model: pages.Model, header: str) -> dict[str, str]:
-    """What the explorer shows of a page: the functions that it calls as an ES module, and its
-    drawing.
-    """
+def for_the_browser(model: pages.Model, header: str) -> str:
+    """The functions of a page that the explorer calls, as an ES module."""
     files = targets.render("javascript", material(model, header, EXPLORED))
-    return {
-        f"{model.name}.mjs": files[f"{library(model.name)}.mjs"],
-        f"{model.name}.svg": drawing.render(model.page, model.docstring),
-    }
+    return files[f"{library(model.name)}.mjs"]
 
 
 def material(

@@ -50,7 +50,10 @@ def render(model: Model, header: str, shared: Shared | None = None) -> dict[str,
     one, and new ones are entered; the folder then stands in ``generated/models``. Without, the
     folder stands alone.
     """
-    files = {"algebra.py": _algebra(model, header, shared)}
+    files = {
+        "algebra.py": _algebra(model, header, shared),
+        f"{model.name}.svg": drawing.render(model.page, model.docstring),
+    }
     if shared is None:
         files["page.py"] = model.text
         files["_broadcast.py"] = python.beside("_broadcast.py", header)

@@ -53,7 +53,7 @@ SENTENCES: list[tuple[str, list[tuple[str, bool]]]] = [
     (r"does not sprag: ", [(FULL, False)]),
     (r"has no jump at", [(EXISTS, False)]),
     (r"reference state jumps at a friction of ", [(EXISTS, True)]),
-    (r"^Proved.*sprags\.$|^That is proved", [(SOME, False)]),
+    (r"^Proved.*sprags\.$|^That it does not sprag is proved", [(SOME, False)]),
     (r"% of all brakes sprag", [(SOME, True)]),
     (r"a proof for all of them was not found", [("it is proved", False)]),
 ]

@@ -9,6 +9,7 @@ in the balance of forces.
 CLOSED_FORMS = dict.fromkeys(
     (
         "claims",
+        "count",
         "critical_friction",
         "cusps",
         "first_ends",

@@ -15,8 +15,10 @@ from ..kang_nam import certificates, jump_values, lowest_fold, states
 from ..kang_nam.cusps import cusps as cusps_at_rest
 from ..kang_nam.folds import folds as folds_at_rest
 from ..kang_nam.parameters import NAMES, Parameters
+from ..kang_nam.quartic import solver
 from ..models.parameters import FloatArray, ParameterSet, Ranges, Span
 from ..models.quantities import Unit
+from ..numerics.interval_arrays import Int8Array
 from ..results import Equilibria
 from ..results.points import LowestEnd, Points
 
@@ -47,6 +49,11 @@ def linked(
     if turns is None or vary not in NAMES or not eq.complete:
         raise NotInClosedForm
     return states.linked(undamped(p), vary, eq, turns, most=most, only=only)
+
+
+def count(p: ParameterSet) -> Int8Array:
+    """The closed form of :func:`spragsym.count`."""
+    return solver.count(undamped(p))
 
 
 def open_ends(p: ParameterSet, vary: str, span: Span, turns: Points) -> list[Points]:

@@ -23,6 +23,7 @@ from ..motion import Trajectory, simulate
 from ..motion.simulation import row_of
 from ..motion.sweeps import Workers, rms_sweep, sensitivity
 from ..numerics.interval_arrays import BoolArray
+from ..orbits import Cycle
 from .curves import first_fold
 from .planes import draw_bifurcation_set
 from .style import (
@@ -216,6 +217,41 @@ def draw_spectrum(
     end = frequency * found.frequency[min(2 * last + 8, found.frequency.size - 1)]
     ax.set(xlim=(0, end), ylim=(0, None), xlabel=across, ylabel=up)
     return line
+
+
+#: Samples of one period.
+_SAMPLES = 1024
+#: Least amplitude of a harmonic that is drawn, as a share of the largest.
+_SEEN = 0.005
+
+
+def draw_harmonics(
+    cycle: Cycle,
+    of: str = "x",
+    ax: Axes | None = None,
+    *,
+    length: float = 1.0,
+    frequency: float = 1.0,
+    labels: tuple[str, str] | None = None,
+) -> Any:
+    """Amplitudes of a cycle's harmonics as stems at n f, as far as they matter; returns the
+    stems.
+    """
+    require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
+    ax, model = own_axes(ax), cycle.field.model
+    row = cycle.samples(np.arange(_SAMPLES) * cycle.period / _SAMPLES)[model.components.index(of)]
+    amplitude = 2 * length * np.abs(np.fft.rfft(row))[1:] / _SAMPLES
+    last = int(np.flatnonzero(amplitude >= _SEEN * amplitude.max())[-1]) + 1
+    n = np.arange(1, last + 1)
+    places = frequency * n / cycle.period
+    stems = ax.vlines(places, 0.0, amplitude[:last], color=BLUE, linewidth=1.4)
+    ax.plot(places, amplitude[:last], "o", color=BLUE, markersize=3)
+    across, up = labels or (
+        rf"frequency $\times\ {in_letters(model.unit('s'))}$",
+        f"amplitude of {of}",
+    )
+    ax.set(xlim=(0, places[-1] + places[0]), ylim=(0, None), xlabel=across, ylabel=up)
+    return stems
 
 
 @styled

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MultipleLocator
+from scipy.ndimage import distance_transform_edt
 
 import spragsym as ss
 
@@ -18,7 +19,8 @@ from ..core.errors import ModelError, require_kind
 from ..core.questions import model_of
 from ..models import Model
 from ..models.parameters import ParameterSet, Ranges
-from ..results import BifurcationSet
+from ..numerics.interval_arrays import FloatArray
+from ..results import BifurcationSet, Equilibria, EquilibriumType
 from .style import (
     BLACK,
     GREY,
@@ -35,7 +37,11 @@ from .style import (
     stacked,
     styled,
     window,
+    write_along,
 )
+
+#: Colour of a part of a plane in which states are unstable.
+UNSTABLE = "#f7dfd0"
 
 
 def _table(found: BifurcationSet | OnsetCurves, *names: str) -> Table:
@@ -76,21 +82,25 @@ def draw_bifurcation_set(
     return [*artists, *_plane(ax, model, found)]
 
 
-def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
+def draw_onset_curves(
+    found: OnsetCurves, ax: Axes | None = None, *, shown: Ranges | None = None
+) -> list[Any]:
     """Curves of Hopf points in the plane of two parameters, as maps of stability are printed;
     returns the artists.
 
     Full where the onset is supercritical (gentle), dashed where it is subcritical (dangerous),
     dotted where that is undecided; dots where l₁ changes its sign (generalized Hopf, GH), squares
     for points of two conditions (Bogdanov–Takens, BT; zero–Hopf, ZH; double Hopf, HH). Without
-    damping two modes meet on grey lines. The axes span the ranges that were searched, and undecided
-    stretches of lines are shaded.
+    damping two modes meet on grey lines; with it, where oscillations grow is shaded and called
+    unstable. Undecided stretches of lines are thick.
 
     Parameters
     ----------
     found : OnsetCurves
         Of :func:`spragsym.onset_curves`.
     ax : Axes, optional
+    shown : mapping, optional
+        Ranges that the axes span, in place of those that were searched.
     """
     require_kind("found", found, OnsetCurves, "those of ss.onset_curves(...)")
     ax, model = own_axes(ax), found.points.parameters.model
@@ -113,8 +123,58 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
             artists.append(
                 ax.annotate(text, place, aside, textcoords="offset points", fontsize="x-small")
             )
-    _span(ax, model, found.vary, found.between)
+    shown = shown or found.between
+    if found.damping and found.curves:
+        shade_oscillating(ax, found.points.parameters, found.vary, shown)
+    _span(ax, model, found.vary, shown)
     return [*artists, *_plane(ax, model, found)]
+
+
+#: Values of either parameter between which growth rates are interpolated, with closed forms.
+_CLOSED = 48
+#: The same where each state is searched.
+_SEARCHED = 16
+
+
+def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ranges) -> None:
+    """Shade where a state in contact oscillates with a growing amplitude, by its eigenvalues with
+    all damping, and name the shaded part.
+
+    Parameters
+    ----------
+    ax : Axes
+    p : Parameters
+        Scalars; those that vary are not used.
+    vary : pair of str
+        Two parameters: across and up.
+    shown : mapping
+        Their ranges; growth rates are interpolated between values within.
+    """
+    model = p.model
+    n = _CLOSED if model.closed else _SEARCHED
+    ends = ([p.ranges[name].reached(end) for end in shown[name]] for name in vary)
+    across, up = (np.linspace(low, high, n) for low, high in ends)
+    inside = dict(zip(vary, (across, up[:, None]), strict=True))
+    growth = growth_of_oscillations(ss.equilibria(p.replace(**inside)))
+    if not (growth > 0).any():
+        return
+    places = [model.column(name).size * inside[name].ravel() for name in vary]
+    ax.contourf(*places, growth, levels=[0.0, np.inf], colors=[UNSTABLE], zorder=0)
+    # The name stands where the shade reaches farthest around.
+    depth = distance_transform_edt(np.pad(growth > 0, 1))[1:-1, 1:-1]
+    row, column = np.unravel_index(np.argmax(depth), depth.shape)
+    write_along(ax, "unstable", places[0][column], places[1][row], color=VERMILION, ha="center")
+
+
+def growth_of_oscillations(eq: Equilibria) -> FloatArray:
+    """The largest growth rate over all states in contact that do not diverge without damping,
+    bounded to a hundredth of the largest eigenvalue; that below 0 where there is no such state.
+    """
+    roots = np.nan_to_num(eq.damped_eigenvalues)
+    most = 0.01 * np.abs(roots).max(initial=0.0)
+    oscillates = np.isin(eq.undamped, (EquilibriumType.STABLE, EquilibriumType.FLUTTER))
+    growth = np.where(oscillates, roots.real.max(axis=-1), -most).max(axis=-1, initial=-most)
+    return np.clip(growth, -most, most)
 
 
 def _plane(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[Any]:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import partial
 from typing import Any
+from urllib.parse import quote
 
 import numpy as np
 from matplotlib import rc_context
@@ -20,18 +21,20 @@ from matplotlib.patches import Rectangle
 import spragsym as ss
 
 from ..bifurcation.defining_systems import ranges
+from ..bifurcation.hopf_curves import OnsetCurves
 from ..core.errors import ConvergenceError, SpragsymError
 from ..core.questions import model_of
 from ..files.text import filled
-from ..models.parameters import ParameterSet, Ranges, Span, varied_range
+from ..models.load import mechanism
+from ..models.parameters import ParameterSet, Ranges, Span
 from ..report.advice import Rows, warnings
 from ..report.facts import Facts
 from ..report.states import unit_of
 from ..report.texts import about as about_of
 from ..report.texts import sections, verdict
 from .curves import curves_between, draw_branches, draw_path, mark_folds
-from .motions import draw_phase, draw_spectrum
-from .planes import draw_onset_curves, draw_plane
+from .motions import draw_harmonics, draw_phase, draw_spectrum
+from .planes import draw_onset_curves, draw_plane, growth_of_oscillations
 from .style import (
     BLACK,
     BLUE,
@@ -71,6 +74,20 @@ _ONSETS = 12
 _LINES = 40
 #: Values along the friction.
 _VALUES = 80
+#: Kinds of onsets: how a line is drawn, and the words for it.
+ONSETS = {
+    "gentle": ("full line", "it begins with a small amplitude (supercritical)"),
+    "dangerous": ("dashed", "with a large one at once (subcritical)"),
+    "undecided": ("dotted", "which of the two is not decided"),
+}
+#: Points of two conditions, in plain words.
+MEETINGS = {
+    "BT": "BT: a line ends where two states meet",
+    "ZH": "ZH: a line touches one on which two states meet",
+    "HH": "HH: two lines cross, and two frequencies set in",
+}
+#: Least margin of an axis, as a share of what was searched.
+_LEAST = 0.03
 
 
 def report_page(report: Facts) -> str:
@@ -99,7 +116,8 @@ def report_page(report: Facts) -> str:
         warnings=warnings(report),
         drawn=pictures(report),
         headed=(headed | {"Data": data}).items(),
-        mechanism=study.kind.drawing,
+        mechanism=quote(mechanism(study.kind.model)),
+        drawing=study.kind.drawing,
     )
 
 
@@ -112,8 +130,8 @@ def pictures(report: Facts) -> Rows:
         yield from _stability_map(report)
     if odds is not None and not all(np.isnan(one[1]) for one in odds.sobol.values()):
         caption = (
-            "Which tolerance decides whether it jumps: Sobol' indices, dark alone, "
-            "light with interactions; bars: 95 % intervals."
+            "Which tolerance decides whether it jumps: Sobol' indices, inner bars alone, "
+            "outer ones with interactions; lines: 95 % intervals."
         )
         yield picture(partial(draw_shares, odds.sobol)), caption
     if report.oscillation is not None and report.oscillation.alive:
@@ -131,26 +149,20 @@ def _planes(report: Facts) -> Rows:
         study.kind.about["coordinates"][0],
     )
     angle, friction = p.model.inclination, p.model.coefficient
-    if angle is not None and friction is not None and study.of_friction:
+    jump, lowest = (math.nan if one is None else one for one in (jump, report.mu_lowest))
+    seen = not lowest > _top(high, jump)  # a plane that no line crosses shows nothing
+    if angle is not None and friction is not None and study.of_friction and seen:
         angles = study.quantities[str(study.kind.inclination)]
-        jump = math.nan if jump is None else jump
         caption = "On the lines two states of sliding meet; where it is shaded there are three."
         caption += (
             " Cross: the friction at which the reference state jumps at this angle."
             if jump < math.inf
             else ""
         )
+        box = {angle: (angles.low, angles.high), friction: (low, high)}
         with suppress(SpragsymError):
             yield (
-                picture(
-                    partial(
-                        draw_operating_point,
-                        p,
-                        {angle: (angles.low, angles.high), friction: (low, high)},
-                        jump,
-                        n=_LINES,
-                    )
-                ),
+                picture(partial(draw_operating_point, p, box, jump, n=_LINES)),
                 f"Where the brake works (dot) and its tolerances (box). {caption}",
             )
     unit, size = unit_of(study)
@@ -183,30 +195,50 @@ def _stability_map(report: Facts) -> Rows:
     angle, friction = p.model.inclination, p.model.coefficient
     if angle is None or friction is None or not study.moves:
         return
-    (low, _, high), angles = study.friction, study.quantities[str(study.kind.inclination)]
+    angles, between = study.quantities[str(study.kind.inclination)], study.friction[::2]
     known = (
         (value for value in report.folds[friction][friction].tolist() if value < 3)
         if friction in report.folds
         else ()
     )
-    top = max(1.0, 1.15 * high, *(1.15 * value for value in known))
+    top = max(1.0, 1.15 * between[1], *(1.15 * value for value in known))
     with suppress(SpragsymError):
         onsets = ss.onset_curves(p, (angle, friction), _ONSETS, between={friction: (0.0, top)})
         if not onsets.curves and not len(onsets.undecided):  # an empty plane shows nothing
             return
+        box = {angle: (angles.low, angles.high), friction: between}
+        shown = {name: _around(onsets, name, box[name]) for name in onsets.vary}
 
         def draw(ax: Any) -> None:
-            draw_onset_curves(onsets, ax)
-            mark_brake(ax, p, (angles.low, angles.high), (low, high))
+            draw_onset_curves(onsets, ax, shown=shown)
+            mark_brake(ax, p, box[angle], box[friction])
 
+        grows = float(growth_of_oscillations(ss.equilibria(p))) > 0
         yield (
             picture(draw),
-            "The map of stability, with the brake (dot) and its tolerances (box). On the "
-            "lines oscillation sets in: "
-            "supercritical (gentle) where full, subcritical (dangerous) where dashed, "
-            "undecided where dotted. Dots: that changes "
-            "(GH). Squares: lines end on a fold (BT, ZH), or cross (HH).",
+            f"The map of stability. The brake (dot) works where small oscillations "
+            f"{'grow: it squeals or judders' if grows else 'die out'}; they grow where it is "
+            f"shaded. Box: its tolerances. {_kinds_of(onsets)}",
         )
+
+
+def _around(onsets: OnsetCurves, name: str, ends: Span) -> Span:
+    """What an axis spans: the curves and the brake, and a margin about them."""
+    values = np.concatenate([*(curve[name] for curve in onsets.curves), ends])
+    low, high = onsets.between[name]
+    margin = max(_MORE * float(np.ptp(values)), _LEAST * (high - low))
+    return max(low, float(values.min()) - margin), min(high, float(values.max()) + margin)
+
+
+def _kinds_of(onsets: OnsetCurves) -> str:
+    """What kinds of lines and points the map shows, in plain words."""
+    kinds = {str(kind) for curve in onsets.curves for kind in curve.criticality}
+    lines = [f"{line}: {words}" for kind, (line, words) in ONSETS.items() if kind in kinds]
+    if len(onsets.changes["error"]):
+        lines.append("GH: where that changes")
+    lines += [text for kind, text in MEETINGS.items() if kind in onsets.points.kind]
+    text = "; ".join(lines)
+    return f"{text[:1].upper()}{text[1:]}." if text else ""
 
 
 def _of_motion(report: Facts, lives: Any) -> Rows:
@@ -227,9 +259,16 @@ def _of_motion(report: Facts, lives: Any) -> Rows:
         "Dotted: the speed of the belt."
     )
     yield picture(phase), caption
-    labels = "frequency in Hz", f"amplitude of {name} in {unit}"
-    spectrum = partial(draw_spectrum, motion, name, length=size, frequency=1 / time, labels=labels)
-    yield picture(spectrum), f"Its spectrum: the amplitude of {name} at each frequency."
+    across, hertz = ("kHz", 1e-3) if lives.frequency_hz >= 1e3 else ("Hz", 1.0)
+    labels = f"frequency in {across}", f"amplitude of {name} in {unit}"
+    shown: Any = {"length": size, "frequency": hertz / time, "labels": labels}
+    if lives.kind == "cycle":
+        stems = partial(draw_harmonics, lives.motion, name, **shown)
+        what = f"{name} has a share at each multiple of {lives.frequency_hz * hertz:.4g} {across}"
+        yield picture(stems), f"Its spectrum: {what}, and at no other frequency."
+    else:
+        spectrum = partial(draw_spectrum, motion, name, **shown)
+        yield picture(spectrum), f"Its spectrum: the amplitude of {name} at each frequency."
 
 
 def picture(draw: Callable[[Any], Any]) -> str:
@@ -287,9 +326,13 @@ def draw_operating_point(
     p.scalars(*vary)  # a set with units is refused before anything is drawn
     ax = own_axes(ax)
     angles, friction = (between[name] for name in vary)
-    top = max(_TOP, 1.15 * friction[1], 1.15 * jump if jump < _FAR else 0.0)
-    draw_plane(ax, p, {vary[1]: (0.0, top)}, n=n)
+    draw_plane(ax, p, {vary[1]: (0.0, _top(friction[1], jump))}, n=n)
     return mark_brake(ax, p, angles, friction, jump)
+
+
+def _top(most: float, jump: float) -> float:
+    """Upper end of a plane's friction: beyond that in use, and that of the jump if there is one."""
+    return max(_TOP, 1.15 * most, 1.15 * jump if jump < _FAR else 0.0)
 
 
 def mark_brake(
@@ -364,7 +407,7 @@ def draw_rising(
     """
     model = model_of(p)
     ax, first = own_axes(ax), model.coordinates[0]
-    ends = varied_range(vary, between, model.any_of(vary))
+    ends = between[vary]
     allowed, end = p.ranges[vary], ranges(model, (vary,), {})[0, 1]
     high, further = allowed.reached(allowed.high), ends[1] + _MORE * abs(ends[1])
     least, far = (
@@ -425,5 +468,5 @@ def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes | No
     ax.set_yticks(places, [f"${symbol(name)}$" if name.isidentifier() else name for name in names])
     ax.set(xlabel="share of the variance of “it jumps”", xlim=(0, 1.05))
     if names:
-        write_along(ax, "dark: alone; light: with others", 0.98, -0.1, ha="right", color=GREY)
+        write_along(ax, "inner: alone; outer: with others", 0.98, -0.1, ha="right", color=GREY)
     return bars

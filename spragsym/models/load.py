@@ -50,6 +50,15 @@ def page_of(model: Model, pages: Path) -> Path:
     )
 
 
+def mechanism(model: Model) -> str:
+    """Drawing of a model's mechanism, as an SVG file; empty where its folder is older and has
+    none.
+    """
+    folder = _shipped_folder() / model.where if model.where in shipped() else Path(model.where)
+    path = folder / f"{model.name}.svg"
+    return path.read_text(encoding="utf-8") if path.is_file() else ""
+
+
 def load(name: str | os.PathLike[str]) -> Model:
     """A model: a shipped one by its name, or the folder that ``spragsym derive`` wrote.
 

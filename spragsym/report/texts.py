@@ -182,7 +182,7 @@ def _on_the_tolerances(report: Facts) -> str:
         return (
             f"Proved{speed}: nothing within {box(report.unbounded)} sprags."
             if report.study.tolerances
-            else "That is proved."
+            else "That it does not sprag is proved."
         )
     if odds is None:
         return "A proof was not found." if report.within == "undecided" else ""

@@ -8,6 +8,7 @@ pytest.importorskip("sympy")
 
 
 from spragsym.derive import drawing, pages
+from spragsym.models.load import load, mechanism
 from spragsym.models.model import title_drawing_words
 from tests.support import ROOT
 
@@ -24,6 +25,7 @@ def drawings() -> dict[str, str]:
 def test_committed_drawings_are_those_of_the_pages(name: str, drawings: dict[str, str]) -> None:
     """``python -m derive.drawing`` writes them; their files are the same bytes on every machine."""
     assert (IMAGES / f"{name}.svg").read_text(encoding="utf-8") == drawings[name]
+    assert mechanism(load(name)) == drawings[name]
 
 
 def test_words_of_a_page_begin_below_a_drawing_with_blank_lines() -> None:

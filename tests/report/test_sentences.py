@@ -344,7 +344,7 @@ VERDICTS: list[tuple[Facts, str]] = [
         said_of(oscillation=oscillation(start="far out", coexists=None)),
         "If it is disturbed far enough it oscillates at 41.23 Hz.",
     ),
-    (said_of(certificate=proof("proved")), "That is proved."),
+    (said_of(certificate=proof("proved")), "That it does not sprag is proved."),
     (said_of(LOOSE, certificate=proof("proved")), "Proved: nothing within the tolerances sprags."),
     (
         said_of(SPREAD, certificate=proof("proved")),

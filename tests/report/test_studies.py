@@ -401,7 +401,7 @@ def test_no_text_of_a_page_is_taken_for_html() -> None:
     pytest.importorskip("jinja2")
     odd = "<b>&\"'"
     words, rows = (
-        dict.fromkeys(("title", "about", "verdict", "mechanism"), odd),
+        dict.fromkeys(("title", "about", "verdict", "drawing"), odd),
         [(odd, [(odd, odd)]), ("nothing", iter(()))],
     )
     text = filled(

@@ -1,0 +1,100 @@
+"""The page of a report: its map of stability, its spectrum, its mechanism, its print."""
+
+import re
+from pathlib import Path
+from urllib.parse import unquote
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.models.load import mechanism
+from tests.support import few, written_brake
+
+pytest.importorskip("matplotlib")
+pytest.importorskip("jinja2")
+
+from spragsym.figures import planes
+from spragsym.figures.motions import draw_harmonics
+from spragsym.figures.report_pages import _around, report_page
+
+#: A pad that squeals, without any tolerance and without a jump.
+SQUEALS = {
+    "m": "60 g",
+    "k": "4 N/um",
+    "L_0": "38 mm",
+    "theta0": "130 deg",
+    "k_x": "18 N/um",
+    "k_y": "0 N/um",
+    "k_c": "20 N/um",
+    "F_L": "400 N",
+    "mu0": "0.4",
+    "V": "1.2 m/s",
+    "d": "10 s/m",
+    "damping_ratio": "1 %",
+}
+
+
+def words(page: str) -> str:
+    return re.sub(r"\s+", " ", re.sub("<[^>]*>", " ", page))
+
+
+@pytest.mark.thorough
+def test_the_page_of_a_pad_that_squeals(tmp_path: Path) -> None:
+    """Its map, shaded where it works; no plane without lines; no table cut in print; its
+    mechanism.
+    """
+    study = ss.Study.from_file(written_brake(tmp_path, SQUEALS))
+    page = report_page(study.report(probability=False, redesign=False, oscillation=False))
+    said = words(page)
+    assert "works where small oscillations grow: it squeals or judders; they grow where it" in said
+    assert "Full line: it begins with a small amplitude (supercritical)." in said
+    assert ">unstable</text>" in page
+    assert "On the lines two states of sliding meet" not in said
+    assert page.count("<table>") == len(re.findall(r"<section>\s*<h2>[^<]*</h2>\s*<table>", page))
+    assert re.search(r"@media print\{.*section,.*\{break-inside:avoid\}", page, re.S)
+    (source,) = re.findall(r'src="data:image/svg\+xml,([^"]*)"', page)
+    assert unquote(source) == mechanism(ss.load("damped"))
+
+
+@pytest.mark.parametrize("seed", few(range(6), 0))
+def test_growth_of_oscillations_is_that_of_the_law(seed: int) -> None:
+    """Of one mass, x'' + ζ x' + x = F(V − x') with
+    F(v) = 2 μ v v_s/(v² + v_s²): it grows where ζ + F'(V) < 0."""
+    rng = np.random.default_rng(seed)
+    p = ss.load("stick_slip").Parameters(
+        V=rng.uniform(0.05, 2.0, 8), zeta=rng.uniform(0.0, 0.2, 8), mu_s=rng.uniform(0.1, 0.5, 8)
+    )
+    eq = ss.equilibria(p)
+    growth = planes.growth_of_oscillations(eq)
+    V, mu_s, v_s = p.V, p.mu_s, p.v_s
+    slope = 2 * mu_s * v_s * (v_s**2 - V**2) / (V**2 + v_s**2) ** 2
+    rate = -(p.zeta + slope) / 2
+    clear = np.abs(rate) > 1e-6
+    assert clear.any()
+    assert ((growth > 0) == (rate > 0))[clear].all()
+
+
+@pytest.mark.thorough
+def test_stems_hold_all_of_a_cycle() -> None:
+    """Parseval: mean² and half of the squares of all amplitudes make the square of the rms."""
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    cycle = ss.cycle(ss.load("stick_slip").Parameters(V=0.5))
+    _, ax = pyplot.subplots()
+    stems = draw_harmonics(cycle, "x", ax, length=10.0, frequency=2.0)
+    ends = np.array([end for _, end in stems.get_segments()])
+    n = np.arange(1, len(ends) + 1)
+    np.testing.assert_allclose(ends[:, 0], 2.0 * n / cycle.period, rtol=1e-12)
+    power = cycle.mean**2 + ((ends[:, 1] / 10.0) ** 2).sum() / 2
+    assert power == pytest.approx(cycle.rms**2, rel=1e-3)
+    pyplot.close("all")
+
+
+def test_axes_of_the_map_fit_its_curves_and_the_brake() -> None:
+    p = ss.load("stick_slip").Parameters()
+    found = ss.onset_curves(p, ("V", "zeta"), 4, between={"V": (0.1, 1.0), "zeta": (0.0, 9.0)})
+    values = np.concatenate([curve["zeta"] for curve in found.curves])
+    low, high = _around(found, "zeta", (0.4, 0.5))
+    assert 0.0 <= low <= values.min() < values.max() < high < 9.0
+    assert high - low < 1.5 * np.ptp([*values, 0.4, 0.5])
+    assert _around(found, "zeta", (8.9, 9.0))[1] == 9.0  # no further than was searched

@@ -409,6 +409,7 @@ def test_no_text_of_a_page_is_taken_for_html() -> None:
         "report.html",
         odd,
         **words,
+        mechanism="",
         steps=[(odd, odd)],
         warnings=[odd],
         drawn=[("<svg></svg>", odd)],

@@ -667,3 +667,20 @@ def test_a_jump_at_the_friction_itself_is_neither_below_nor_beyond() -> None:
     assert facts.percent_beyond(0.3, 0.0) == math.inf
     assert facts.percent_beyond(-0.3, 0.0) == -math.inf
     assert facts.percent_beyond(0.3, 0.2) == pytest.approx(50.0)
+
+
+@pytest.mark.parametrize(
+    ("jump", "speed", "reach"),
+    [
+        (None, math.nan, ""),
+        (math.nan, math.nan, "never"),
+        (0.25, 1.0, "jumped"),
+        (0.32, 1.0, "within"),
+        (0.38, math.nan, "faster"),  # up to μ₀, whatever the law of the speed says
+        (0.45, 3.0, "faster"),  # of a law that is beyond its limit at some speed
+        (0.45, math.nan, "beyond"),
+    ],
+)
+def test_how_far_the_friction_reaches(jump: float | None, speed: float, reach: str) -> None:
+    study: Any = SimpleNamespace(in_use=(0.25, 0.3, 0.35), full_slip=(0.35, 0.38, 0.4))
+    assert facts.reach_of(study, jump, speed) == reach

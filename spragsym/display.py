@@ -142,7 +142,7 @@ class Tabular:
     in_a_line: ClassVar[bool] = False
 
     @property
-    def _of_model(self) -> Any:
+    def _of_model(self) -> Model | None:
         """The model whose quantities its columns are, its own or that of a part; None where a
         result does not know it.
         """

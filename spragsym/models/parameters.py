@@ -309,7 +309,7 @@ class ParameterSet(Values):
     where: ClassVar[str] = ""
     #: Coordinates near which the followed state begins; None for the reference state.
     followed: ClassVar[Mapping[str, float] | None] = None
-    _model: ClassVar[Any] = None
+    _model: ClassVar[Model | None] = None
 
     #: Values of parameters that are left out.
     base: ClassVar[Mapping[str, float | None]] = {}
@@ -351,16 +351,16 @@ class ParameterSet(Values):
         return {name: value for name, value in self._values.items() if value is not None}
 
     @property
-    def _of_model(self) -> Any:
+    def _of_model(self) -> Model:
         return self.model
 
     @property
-    def model(self) -> Any:
+    def model(self) -> Model:
         """The :class:`spragsym.Model` that they are parameters of."""
         return type(self).model_of_class()
 
     @classmethod
-    def model_of_class(cls) -> Any:
+    def model_of_class(cls) -> Model:
         """The model of all sets of a class."""
         if (
             cls._model is None
@@ -473,7 +473,9 @@ class ParameterSet(Values):
         return f"{text}.following({chosen})" if chosen else text
 
 
-def set_of(model: Model, values: Mapping[str, Any], followed: Mapping[str, float] | None) -> Any:
+def set_of(
+    model: Model, values: Mapping[str, Any], followed: Mapping[str, float] | None
+) -> ParameterSet:
     """A set of parameters of a model, and what it follows."""
     p = model.Parameters(**values)
     return p if followed is None else p.following(**followed)

@@ -258,7 +258,7 @@ class QuantityValues(Values):
     of_model: ClassVar[type[ParameterSet]]
 
     @property
-    def _of_model(self) -> Any:
+    def _of_model(self) -> Model:
         return self.of_model.model_of_class()
 
     def __post_init__(self) -> None:

@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import islice
-from typing import Any
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from ..core.errors import ConvergenceError, ParameterError, one_of, require_kind
 from ..core.progress import doing
 from ..core.remarks import At, Remark
 from ..display import Column
+from ..models.model import Model
 from ..models.parameters import (
     ANGLE,
     FINITE,
@@ -177,7 +177,7 @@ class CycleEvent(Result):
         return f"{self.kind} at {self.value:.6g}"
 
     @property
-    def _of_model(self) -> Any:
+    def _of_model(self) -> Model | None:
         return self.cycle.field.model
 
 
@@ -221,7 +221,7 @@ class CycleBranch(Result):
     places: tuple[int, ...] = field(repr=False)
 
     @property
-    def _of_model(self) -> Any:
+    def _of_model(self) -> Model | None:
         return self.cycles[0].field.model
 
     def switch(self, event: CycleEvent, *, step: float = 0.02) -> Cycle:
@@ -573,7 +573,7 @@ class EventCurve(Result):
     cycles: tuple[Cycle, ...] = field(repr=False)
 
     @property
-    def _of_model(self) -> Any:
+    def _of_model(self) -> Model | None:
         return self.cycles[0].field.model
 
 

@@ -18,6 +18,7 @@ from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..display import Column
 from ..files import storage
 from ..models.field import Field, Values
+from ..models.model import Model
 from ..models.parameters import FloatArray
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.scales import scales_of
@@ -140,7 +141,7 @@ class Cycle(Result):
         return self.loop.field
 
     @property
-    def _of_model(self) -> Any:
+    def _of_model(self) -> Model | None:
         return self.field.model
 
     def require(self, field: Field, name: str) -> None:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ..display import Column, Table, Tabular, counted, following, in_rows, not_all
 from ..models.forces import told_of_states
+from ..models.model import Model
 from ..models.parameters import FloatArray
 from ..numerics.columns import picked
 from ..numerics.interval_arrays import BoolArray, Int8Array, Shape
@@ -348,7 +349,7 @@ class BifurcationSet(Result):
     remarks: tuple[str, ...] = ()
 
     @property
-    def _of_model(self) -> Any:
+    def _of_model(self) -> Model | None:
         return self.cusps.parameters.model
 
     def __len__(self) -> int:

@@ -131,7 +131,7 @@ def test_derivatives_are_those_of_the_motion(model: Generated, pushing: int, sid
     with mp.workdps(50):
         z, p = moving(model, 2)
         if side < 0:  # the mass is ahead
-            z[model.n] = p["V"] + mp.mpf("0.3")
+            z[model.n] = p.get("V", 0) + mp.mpf("0.3")
         felt = [1] * (model.about["layers"] + len(model.about["torsions"]))
 
         def accelerations(z: list[Any], p: dict[str, Any], name: str = "regime_rhs") -> Any:
@@ -163,7 +163,7 @@ def test_the_kinked_field_is_that_of_the_regime(model: Generated) -> None:
             if raised and "y" in names:
                 z[names.index("y")] *= -1
             if faster:
-                z[model.n] = p["V"] + 1
+                z[model.n] = p.get("V", 0) + 1
             taken = model.arguments("motion", p)
             gap, slip = model.algebra.borders(*z, *taken, xp=XP)
             pushing = 1 if gap < 0 or not model.about["contacts"][0]["border"] else 0

@@ -35,12 +35,9 @@ def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
     is not the integrator's.
     """
     model = ss.load(name).search
-    tr = (
-        ss.simulate(parameters(model), t_end=40.0, y0=0.02, backend=backend)
-        if "y" in model.coordinates
-        else None
-    )
-    tr = tr or ss.simulate(parameters(model), t_end=40.0, backend=backend)
+    aside = "y" if "y" in model.coordinates else "b"
+    begin = {f"{aside}0": 0.02} if aside in model.coordinates else {}
+    tr = ss.simulate(parameters(model), t_end=40.0, backend=backend, **begin)
     energy = tr.energy()
     scale = np.abs(energy).max() + tr.integral(np.abs(tr.power()))
     assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 3e-9 * scale

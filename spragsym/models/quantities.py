@@ -227,6 +227,11 @@ def share(model: Model, p: ParameterSet) -> Any:
 class Scales(Tabular):
     """What one dimensionless unit is, in the units of the data, and of their shape: L_0,
     sqrt(m/k_c) and k_c L_0.
+
+    Examples
+    --------
+    >>> Scales(length=0.038, time=4.8e-4, force=57e3).unit_of("m/s")
+    ('m/s', 79.16666666666667)
     """
 
     length: Any

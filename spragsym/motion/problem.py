@@ -53,6 +53,13 @@ class Event(IntEnum):
     where the normal force passes 0, and regains it. The mass overtakes the belt, or the belt the
     mass, where the sliding speed passes 0; where friction holds the mass there, it sticks, until it
     slips.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> tr = ss.simulate(ss.Parameters.article(theta0=0.9), t_end=200.0)
+    >>> Event(int(tr.events.which[0])).name
+    'CONTACT_LOST'
     """
 
     CONTACT_LOST = 0

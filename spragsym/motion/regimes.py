@@ -26,7 +26,14 @@ SAME = 1e-6
 
 
 class Regime(IntEnum):
-    """What a motion settles to, or approaches."""
+    """What a motion settles to, or approaches.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> ss.simulate(ss.Parameters.article(theta0=0.5, V=0.1), t_end=4000.0).outcome(3000.0).regime
+    <Regime.APPROACHES_EQUILIBRIUM: 5>
+    """
 
     FAILED = 0
     """There is no result; the reason says why."""

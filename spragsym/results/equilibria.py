@@ -25,7 +25,15 @@ if TYPE_CHECKING:
 
 
 class EquilibriumType(enum.IntEnum):
-    """Type of an equilibrium by the roots λ of its linearization, as of det(λ² M + K) = 0, (27)."""
+    """Type of an equilibrium by the roots λ of its linearization, as of det(λ² M + K) = 0, (27).
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> eq = ss.equilibria(ss.Parameters.article(theta0=0.5, mu0=0.5))
+    >>> [EquilibriumType(code).name for code in eq.undamped]
+    ['STABLE', 'DIVERGENT', 'STABLE']
+    """
 
     NONE = 0  #: no equilibrium in this slot
     STABLE = 1  #: no λ with a positive real part

@@ -87,6 +87,11 @@ def test_a_room_has_what_it_offers(room: str) -> None:
 def test_a_public_function_says_what_it_takes_gives_and_refuses() -> None:
     rooms = (spragsym, spragsym.kang_nam)
     for name, found in ((name, getattr(room, name)) for room in rooms for name in room.__all__):
+        if inspect.isfunction(found) or (
+            inspect.isclass(found) and not issubclass(found, spragsym.results.Result)
+        ):
+            examples = doctest.DocTestParser().get_examples(inspect.getdoc(found) or "")
+            assert any(example.want for example in examples), f"{name}: no example with output"
         if inspect.isfunction(function := found):
             text, signature = inspect.getdoc(function) or "", inspect.signature(function)
             wanted = {"Examples"}
@@ -213,7 +218,7 @@ def test_the_page_on_the_command_line_lists_every_command() -> None:
 
 def test_the_reference_has_every_public_name() -> None:
     """By itself, as a module, or among the errors, which come with theirs."""
-    page = (DOCS / "api.md").read_text(encoding="utf-8")
+    page = "".join(one.read_text(encoding="utf-8") for one in sorted(DOCS.glob("api_*.md")))
     shown = (
         set(re.findall(r"spragsym\.(?:kang_nam\.)?(\w+)", page))
         | {"kang_nam"}
@@ -221,6 +226,65 @@ def test_the_reference_has_every_public_name() -> None:
         | {"__version__"}
     )
     assert set(spragsym.__all__) - shown == set()
+
+
+def test_the_table_of_questions_names_every_public_name_once_and_its_page() -> None:
+    rows = re.findall(
+        r"^\| .*\? \| (`.*`) \| \[\]\((api_\w+\.md)\) \|$",
+        (DOCS / "api.md").read_text(encoding="utf-8"),
+        re.MULTILINE,
+    )
+    named = [name for names, _ in rows for name in re.findall(r"`(\w+)`", names)]
+    assert len(named) == len(set(named))
+    assert set(spragsym.__all__) - {"results", "__version__"} == set(named) - {"open"}
+    for names, page in rows:
+        text = (DOCS / page).read_text(encoding="utf-8")
+        for name in re.findall(r"`(\w+)`", names):
+            assert re.search(rf"spragsym\.(core\.)?{name}\b", text), (name, page)
+
+
+#: The parts of the cookbook, each the steps of one user.
+USERS = ("Engineer", "Student", "Referee")
+
+
+@pytest.mark.thorough
+@needs_a_quick_integrator
+@pytest.mark.parametrize("user", USERS)
+def test_steps_of_a_user_are_those_of_the_cookbook(
+    user: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Every recipe of the part, one after another in one folder."""
+    for module in ("matplotlib", "xarray", "pandas"):
+        pytest.importorskip(module)
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    for question, code in recipes(user):
+        file = tmp_path / "recipe.md"
+        file.write_text(code, encoding="utf-8")
+        for command, output in commands(file):
+            assert_shown(output, run(command, tmp_path))
+        for block in fenced(file, "python"):
+            test = doctest.DocTestParser().get_doctest(block, names, question, None, 0)
+            runner = doctest.DocTestRunner(optionflags=OPTIONS)
+            assert runner.run(test, clear_globs=False).failed == 0, question
+            names = test.globs
+
+
+def recipes(user: str) -> list[tuple[str, str]]:
+    """Questions of a part of the cookbook, each with its recipe."""
+    text = (DOCS / "cookbook.md").read_text(encoding="utf-8")
+    part = text.partition(f"\n## {user}\n")[2].partition("\n## ")[0]
+    found = re.split(r"^### \d+\. (.*)$", part, flags=re.MULTILINE)[1:]
+    return list(zip(found[::2], found[1::2], strict=True))
+
+
+def test_every_question_of_the_cookbook_has_a_recipe() -> None:
+    text = (DOCS / "cookbook.md").read_text(encoding="utf-8")
+    numbers = [int(number) for number in re.findall(r"^### (\d+)\. .*\?$", text, re.MULTILINE)]
+    every = [code for user in USERS for _, code in recipes(user)]
+    assert numbers == list(range(1, len(every) + 1))
+    assert len(every) >= 30
+    assert all("\n>>> " in code or "\n$ " in code for code in every)
 
 
 def test_files_that_contributing_names_exist() -> None:

@@ -18,7 +18,6 @@ import spragsym as ss
 
 from ..core.errors import ModelError, ParameterError
 from ..core.progress import show_progress
-from ..explorer import explorer_page
 from ..files.storage import probe
 from ..models.load import USUAL, load, shipped
 from ..models.parameters import POSITIVE, ParameterSet
@@ -254,6 +253,8 @@ def page(model: Model, study: Study | None = None, onsets: bool = False) -> str:
         about = {"presets": [(f"Your data: {study.source}", p)], **_units(study)}
         if damped is not study:
             about["source"] += " Its damping is left out, which moves no state."
+    from ..explorer import explorer_page
+
     return explorer_page(model, **about, onsets=_map(model, p, study) if onsets else ("", ""))
 
 

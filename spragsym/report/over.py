@@ -13,6 +13,7 @@ from ..models.parameters import FloatArray
 from ..models.quantities import factor
 from ..statics.equilibria import equilibria
 from .brake import Brake
+from .damping import modal_dampers
 from .facts import percent_beyond, reach_of, speed_of_jump
 from .states import current, states
 from .units import Measured
@@ -118,12 +119,7 @@ def _titled(name: str, unit: str) -> str:
 def _told(study: Brake, values: Mapping[str, float]) -> tuple[tuple[float | str, ...], str]:
     """What is said of one point, and why that is nothing."""
     try:
-        at = study.with_quantities(
-            {
-                **study.quantities,
-                **{name: _placed(study, name, value) for name, value in values.items()},
-            }
-        )
+        at = brake_at(study, values)
         jump = at.told(at.jump())
         eq = equilibria(at.operating_point)
         found = states(at, eq, current(at, eq))
@@ -133,6 +129,19 @@ def _told(study: Brake, values: Mapping[str, float]) -> tuple[tuple[float | str,
     shown = jump if at.of_friction else at.in_file(at.loading.quantity, jump)
     outcome = OUTCOMES[reach_of(at, jump, speed_of_jump(at, jump))]
     return (shown, percent_beyond(jump, at.in_use[2]), outcome, here), ""
+
+
+def brake_at(study: Brake, values: Mapping[str, float]) -> Brake:
+    """The brake with quantities at values in the units of the file; a damping ratio holds for every
+    mode there, too, unless one of its dampers is among them.
+    """
+    known = dict(study.quantities)
+    known |= {name: _placed(study, name, value) for name, value in values.items()}
+    dampers = study.kind.dampers
+    if study.damping_ratio is not None and not set(dampers) & set(values):
+        others = {name: one for name, one in known.items() if name not in dampers}
+        known |= modal_dampers(study.kind, others, study.damping_ratio)
+    return study.with_quantities(known)
 
 
 def _placed(study: Brake, name: str, value: float) -> Measured:

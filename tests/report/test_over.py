@@ -50,6 +50,19 @@ def test_a_verdict_is_that_of_the_brake_with_the_value(study: ss.Study) -> None:
     assert (found.onsets, found.unsettled) == ((), "")
 
 
+def test_a_damping_ratio_holds_over_a_stiffness_and_a_mass(tmp_path: Path) -> None:
+    """The dampers of each point are those of a file with its values."""
+    rows = {**ROWS, "damping_ratio": "2 %"}
+    study = ss.Study.from_file(written_brake(tmp_path, rows))
+    there = {**rows, "k": "400 N/mm", "m": "0.2 kg"}
+    other = ss.Study.from_file(written_brake(tmp_path, there))
+    found = over.brake_at(study, {"k": 400.0, "m": 0.2})
+    assert found.values == pytest.approx(other.values, rel=1e-12)
+    assert found.values["c_y"] != pytest.approx(study.values["c_y"], rel=0.01)
+    c_x = 2 * study.values["c_x"]
+    assert over.brake_at(study, {"c_x": c_x}).values == {**study.values, "c_x": c_x}
+
+
 def test_a_table_for_a_spreadsheet_has_numbers_and_words_alone(study: ss.Study) -> None:
     found = verdicts_over(study, {"k": np.array([100.0, 300.0]), "theta0": np.array([60.0, 120.0])})
     head, *lines = csv.reader(io.StringIO(found.csv()))

@@ -26,6 +26,8 @@ from .friction_fit import FrictionFit, fit_friction
 from .trust import trusted_model
 from .units import ENDS, WITHIN, Measured, Numbers, read, remedy, shown_in
 
+#: What begins a tolerance.
+_TOLERANCE = re.compile(r"±|\+/?-|\bsd\b")
 #: Keys of a file that are no quantities.
 _KEYS = [
     "friction",
@@ -261,8 +263,9 @@ def _exact(name: str, text: Any, unit: str, allowed: Range = FINITE) -> float:
     """The value of a place, of where a load begins, or of a ratio; an error for one with a
     tolerance.
     """
-    found = _quantity(name, text, unit, allowed)
-    if found.varies:
+    alone = _TOLERANCE.split(text)[0].strip() if isinstance(text, str) else text
+    found = _quantity(name, alone, unit, allowed)
+    if found.varies or alone != text:
         value = shown_in(found.value, found.unit, unit)
         raise ParameterError(f'{name} = {text!r} takes no tolerance here; write "{value}"')
     return found.value

@@ -222,8 +222,8 @@ def _about(found: re.Match[str], si: str, ends: Measured | None) -> Measured:
         width = abs(value) * float(off) / 100
     elif of == "%" and "of" in parts:
         raise ParameterError(
-            "the tolerance may be points or a share of the value: put it in brackets, (45 ± "
-            "5) %, for points"
+            "the tolerance may be points or a share of the value: put it in brackets, "
+            f"({parts['value']} ± {off}) %, for points"
         )
     elif not of and (si != "1" or unit == "%"):
         raise ParameterError("the tolerance has no unit")

@@ -73,7 +73,7 @@ VALUES = [
     (
         "mu0",
         '"45 % ± 10 %"',
-        ["may be points or a share of the value", "(45 ± 5) %, for points", '"0.45 ± 10 %"'],
+        ["may be points or a share of the value", "(45 ± 10) %, for points", '"0.45 ± 10 %"'],
     ),
     ("k_y", '"0 N/mm ± 10 %"', ["10 % of 0, which is 0", '"0 N/mm"']),
     ("k", '"180 N/mm sd 40 %"', ["reaches what is not allowed: -252 N/mm is not above 0 N/mm"]),

@@ -18,8 +18,8 @@ from .emit.function import Function, renamed
 from .emit.python import algebra
 from .emit.quantities import Quantity, interval
 from .emit.targets.c.layout import WIDTH, broken
-from .mechanics import Mechanics, number
-from .model import Datum
+from .mechanics import Mechanics, NormalForce, number
+from .model import Datum, PageError
 
 #: Of a page's quantities by their names: a value, its unit if it is not the page's, and what one of
 #: it is in SI.
@@ -79,10 +79,25 @@ def export(
     that other models drive; the others are parameters.
     """
     model = pages.read(page, name)
+    _refuse_frictions_that_hold_together(model.mechanics)
     whole = targets.packer(written_in) is not None
     moves = _motion(model, data, inputs) if whole else None
     made = material(model, in_python=targets.in_python(written_in), moving=whole)
     return targets.render(written_in, replace(made, motion=moves))
+
+
+def _refuse_frictions_that_hold_together(it: Mechanics) -> None:
+    """An error of several frictions of which some hold: which of them stick at rest no formula
+    tells.
+    """
+    holding = [friction for friction in it.frictions if friction.holds is not None]
+    if holding and len(it.frictions) > 1:
+        raise PageError(
+            holding[-1].line,
+            "of several frictions some hold where nothing slides, and which of them do at one "
+            "instant is found step by step, by spragsym.simulate: an export takes laws that are "
+            "steep at rest, as mu0*tanh(d*v), in their place",
+        )
 
 
 def for_the_browser(model: pages.Model, header: str) -> str:
@@ -268,23 +283,33 @@ def _base(it: Mechanics, datum: Datum) -> float:
     return datum.base if datum.base is not None else math.pi / 4 if datum.becomes in angles else 1.0
 
 
-#: Files of examples, and how each language says a cosine and a sine, a text and a choice.
+#: Files of examples, and how each language says a cosine and a sine, a text, a choice by a border,
+#: a border by its place, and several texts as one.
 _EXAMPLES = {
-    "c": ("main.c", "", '"{}"', "{} ? {} : {}"),
-    "javascript": ("example.mjs", "Math.", '"{}"', "{} ? {} : {}"),
-    "matlab": ("example.m", "", "'{}'", "{1}"),
-    "jax": ("example.py", "", '"{}"', "{1} if {0} else {2}"),
-    "casadi": ("example.py", "", '"{}"', "{1} if {0} else {2}"),
+    "c": ("main.c", "", '"{}"', "{} <= 0.0 ? {} : {}", "border[{}]", "{}"),
+    "javascript": (
+        "example.mjs",
+        "Math.",
+        '"{}"',
+        "{} <= 0 ? {} : {}",
+        "border[{}]",
+        "[{}].join(' ')",
+    ),
+    # MATLAB has no choice in an expression: an element of both
+    "matlab": ("example.m", "", "'{}'", "{{{1}, {2}}}{{1 + ({0} > 0)}}", "border{{1 + {}}}", "{}"),
+    "jax": ("example.py", "", '"{}"', "{1} if {0} <= 0 else {2}", "border[{}]", "' '.join([{}])"),
 }
+_EXAMPLES["casadi"] = _EXAMPLES["jax"]
 
 
 def _examples(model: pages.Model) -> dict[str, dict[str, str]]:
     """By language, an example: a motion at the base values."""
     it = model.mechanics
-    count, opens = len(it.coordinates), it.contact.unilateral
+    count = len(it.coordinates)
     values = {number(datum): repr(_base(it, datum)) for datum in it.parameters}
     common = {
         "count": str(count),
+        "borders": str(len(it.contacts) + len(it.frictions)),
         "library": library(model.name),
         "LIBRARY": library(model.name).upper(),
         "values": ", ".join(values.values()) or "0.0",
@@ -292,19 +317,20 @@ def _examples(model: pages.Model) -> dict[str, dict[str, str]]:
         "state": ", ".join(f"state[{place}]" for place in range(2 * count)),
         "given": ", ".join(f"p[{place}]" for place in range(len(values))),
         "shown": "  ".join(f"{name} %+.9f" for name in (*it.coordinates, *it.rates)),
+        "texts": " ".join("%s" for _ in it.contacts),
     }
 
     def filled(language: str) -> str:
-        name, of, text, choice = _EXAMPLES[language]
-        gap = "border[0]" if language == "c" else "gap"
+        name, of, text, choice, border, joined = _EXAMPLES[language]
 
-        def either(one: str, other: str) -> str:
-            """By the gap: of MATLAB, which has no choice in an expression, an element of both."""
-            if not opens:
-                return one
-            if language == "matlab":
-                return f"{{{one}, {other}}}{{1 + ({gap} > 0)}}"
-            return choice.format(f"{gap} <= 0{'.0' * (language == 'c')}", one, other)
+        def chosen(touches: Callable[[NormalForce], str], lifted: str) -> str:
+            """What is said of each contact, by its border where it opens."""
+            return ", ".join(
+                choice.format(border.format(place), touches(one), lifted)
+                if one.unilateral
+                else touches(one)
+                for place, one in enumerate(it.contacts)
+            )
 
         taken = [
             f"{of}{'cos' if place else 'sin'}({values[symbol]})"
@@ -316,10 +342,15 @@ def _examples(model: pages.Model) -> dict[str, dict[str, str]]:
         words = common | {
             "arguments": ", ".join(taken),
             "shown_names": ", ".join(text.format(name) for name in (*it.coordinates, *it.rates)),
-            "pushing": either("1.0", "0.0"),
-            "touching": either(text.format("contact"), text.format("lift-off"))
-            if opens
-            else text.format(""),
+            "pushing": chosen(lambda _: "1.0", "0.0"),
+            "touching": joined.format(
+                chosen(
+                    lambda one: text.format(
+                        (one.name or "contact") if one.unilateral else one.name
+                    ),
+                    text.format("lift-off"),
+                )
+            ),
         }
         if language == "matlab":
             words["library"] += "_"

@@ -306,8 +306,8 @@ class Mechanics:
             raise PageError(
                 others[0].line,
                 "several contacts are not answered yet here: equilibria and motions are, of the "
-                "folder that spragsym derive writes; for the rest say all but one contact by "
-                "springs and forces",
+                "folder that spragsym derive writes, and libraries in C, JavaScript, MATLAB, JAX "
+                "and CasADi; for the rest say all but one contact by springs and forces",
             )
         return contact
 

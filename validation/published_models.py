@@ -43,6 +43,19 @@ def drum(model: Any, rng: np.random.Generator) -> Pair:
     return float(value[0]) if len(value) == 1 else math.nan, known
 
 
+def disc_between_pads(model: Any, rng: np.random.Generator) -> Pair:
+    """Two modes meet at μ = |(k_y + 2 k_c)/m − k_t/J| √(m J) / (4 √(N₀ (h k_c − N₀)))."""
+    beta, tau, iota, kappa = (
+        rng.uniform(*ends) for ends in ((0, 1), (0.5, 1), (0.3, 0.6), (0.1, 0.4))
+    )
+    known = abs(beta + 2 - tau / iota) * math.sqrt(iota) / (4 * math.sqrt(kappa * (1 - kappa)))
+    p = model.Parameters(mu0=None, beta=beta, tau=tau, iota=iota, kappa=kappa)
+    between = {"mu0": (0.5 * known, 1.5 * known)}
+    found = ss.flutter_onsets(p, vary="mu0", between=between, damping=False)
+    value = found["mu0"][(found["touching"] == "upper, lower") & (np.abs(found["y"]) < 1e-9)]
+    return float(value[0]) if len(value) == 1 else math.nan, known
+
+
 def rotating_shaft(model: Any, rng: np.random.Generator) -> Pair:
     """Between the two critical speeds it diverges: the largest λ of λ⁴ + (k_x + k_y + 2 Ω²) λ² +
     (k_x − Ω²)(k_y − Ω²) = 0.
@@ -150,6 +163,7 @@ MODELS: tuple[tuple[Callable[[Any, np.random.Generator], Pair], str], ...] = (
         for check in (
             chain_of_blocks,
             drum,
+            disc_between_pads,
             rotating_shaft,
             rotating_saddle,
             rotating_damping,

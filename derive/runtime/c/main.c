@@ -43,14 +43,14 @@ static int step(double h, double *state) {
 
 static int print_state(double time, const double *state) {
     const double *p = parameters;
-    double border[2], energy;
+    double border[@borders@], energy;
     if (@library@_borders(@state@, @given@, border) != @LIBRARY@_OK) {
         return 1;
     }
     if (@library@_energy(@state@, @given@, @pushing@, &energy) != @LIBRARY@_OK) {
         return 1;
     }
-    printf("time %5.1f  @shown@  energy %+.9f  %s\n", time, @state@, energy, @touching@);
+    printf("time %5.1f  @shown@  energy %+.9f  @texts@\n", time, @state@, energy, @touching@);
     return 0;
 }
 

@@ -23,7 +23,7 @@ let state = new Array(2 * COUNT).fill(0);
 const h = 0.01;
 for (let i = 0; i <= 2000; i++) {
   if (i % 400 === 0) {
-    const [gap] = algebra.borders(...state, ...given);
+    const border = algebra.borders(...state, ...given);
     const energy = algebra.energy(...state, ...given, @pushing@);
     const shown = NAMES.map((name, k) => `${name} ${state[k].toFixed(9)}`).join("  ");
     console.log(`time ${(h * i).toFixed(1)}  ${shown}  energy ${energy.toFixed(9)}  ${@touching@}`);

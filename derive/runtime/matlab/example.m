@@ -9,10 +9,10 @@ h = 0.01;
 for k = 0:2000
   if mod(k, 400) == 0
     at = num2cell(state);
-    [gap, slip] = @library@.algebra.borders(at{:}, given{:});
+    [border{1:@borders@}] = @library@.algebra.borders(at{:}, given{:});
     energy = @library@.algebra.energy(at{:}, given{:}, @pushing@);
     shown = [names; at'];
-    fprintf('time %5.1f%s  energy %+.9f  %s\n', h * k, sprintf('  %s %+.9f', shown{:}), energy, @touching@);
+    fprintf('time %5.1f%s  energy %+.9f  @texts@\n', h * k, sprintf('  %s %+.9f', shown{:}), energy, @touching@);
   end
   [next, slope] = deal(state, zeros(2 * count, 1));
   for stage = [0, 0.5, 0.5, 1; 1 / 6, 1 / 3, 1 / 3, 1 / 6]

@@ -16,6 +16,7 @@ from spragsym.derive.statements.tree import Node, printed, renamed
 
 from .printed_faults import Case, sources
 
+CASES = 100
 KINDS = ("reversed", "turned", "moved", "swapped", "factor")
 
 

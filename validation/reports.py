@@ -15,7 +15,7 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.report.redesigns import changes
-from spragsym.report.tolerances import jumping, varied
+from spragsym.report.tolerances import ending, values_at, varied
 
 CASES = 300
 #: A proposition → what follows from it; both with their truth values.
@@ -280,7 +280,8 @@ def changed(number: int, rng: np.random.Generator) -> dict[str, Any]:
         size = len(varied(new))
         corners = np.array(list(itertools.product((0.0, 1.0), repeat=size)))
         if any(
-            (jumping(new, shares) == 1).any() for shares in (corners, rng.random((100_000, size)))
+            (ending(new, values_at(new, shares)) == 1).any()
+            for shares in (corners, rng.random((100_000, size)))
         ):
             wrong.append(f"brake {number}, changed to {one.after}: one within its tolerances jumps")
     return {"kind": "changes", "wrong": wrong, "changes": len(found)}

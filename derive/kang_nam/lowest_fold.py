@@ -10,12 +10,11 @@ from functools import cache
 import sympy as sp
 
 from . import catastrophe, unit_circles, elimination, equilibrium, theorem
-from . import nomenclature as nm
+from .nomenclature import B, L, M, alpha, c, c0, fa, fb, fd, fm, kappa, mu0, p, q, s, s0, sigma, y
 from ..algebra import Row, manifestly_positive
 from .equilibrium import POLES
-from .theorem import Step, alpha, beta, in_contact, kappa, s0, sigma
-from .unit_circles import by_inclination
-from .unit_circles import polynomial, require
+from .theorem import Step, in_contact
+from .unit_circles import by_inclination, polynomial, require
 
 
 # -------------------------------------------------------------------------------------- where the
@@ -25,12 +24,12 @@ from .unit_circles import polynomial, require
 #: What the line and the quadratics below are written in, each in terms of those before it.
 weight, threshold, constant, along, square, lean = sp.symbols("w_line v l_0 l_1 width lean")
 PARTS = {
-    weight: nm.kappa * nm.p + nm.alpha * nm.sigma * nm.s,
-    threshold: nm.sigma * nm.s + nm.kappa,
-    constant: nm.alpha * nm.sigma * nm.s,
-    along: -nm.alpha * nm.s * threshold,
-    square: 1 - nm.s**2,
-    lean: nm.kappa * nm.p - nm.fa * nm.s**3 - nm.p * nm.B * nm.s * square,
+    weight: kappa * p + alpha * sigma * s,
+    threshold: sigma * s + kappa,
+    constant: alpha * sigma * s,
+    along: -alpha * s * threshold,
+    square: 1 - s**2,
+    lean: kappa * p - fa * s**3 - p * B * s * square,
 }
 
 
@@ -38,18 +37,18 @@ PARTS = {
 def turning_line() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """w, l₀ and l₁ of w cos θ cos θ₀ = l₀ + l₁ sin θ₀: f = f_θ₀ = 0, friction eliminated."""
     f = elimination.f_in_parameters()
-    without, with_friction = f.subs(nm.M, 0), sp.diff(f, nm.M)
+    without, with_friction = f.subs(M, 0), sp.diff(f, M)
     derived = without * by_inclination(with_friction) - with_friction * by_inclination(without)
     line = PARTS[weight], PARTS[constant], PARTS[along].subs(PARTS)
-    arranged = nm.q * nm.s * (line[1] + line[2] * nm.s0 - line[0] * nm.c * nm.c0)
+    arranged = q * s * (line[1] + line[2] * s0 - line[0] * c * c0)
     require(equilibrium.equal(derived, arranged), "the line f = f_θ₀ = 0")
     return line
 
 
 def quadratics_in_parts() -> tuple[Row, Row]:
     """:func:`turning_quadratics` in terms of the parts."""
-    middle = nm.sigma * nm.p * nm.B - threshold * lean - nm.q * nm.s * square * weight
-    slope = nm.sigma * lean, middle, -nm.p * nm.B * threshold
+    middle = sigma * p * B - threshold * lean - q * s * square * weight
+    slope = sigma * lean, middle, -p * B * threshold
     return slope, (
         constant**2 - square * weight**2,
         2 * constant * along,
@@ -69,16 +68,16 @@ def turning_quadratics() -> tuple[Row, Row]:
         tuple(value.subs(PARTS).subs(PARTS) for value in row) for row in quadratics_in_parts()
     )
     w, l0, l1 = turning_line()
-    (friction,) = sp.solve(catastrophe.fold_residuals()[0], nm.M)
+    (friction,) = sp.solve(catastrophe.fold_residuals()[0], M)
     derived = (
         by_inclination(elimination.f_in_parameters())
-        .subs(nm.M, friction)
-        .subs(nm.c0, (l0 + l1 * nm.s0) / (w * nm.c))
+        .subs(M, friction)
+        .subs(c0, (l0 + l1 * s0) / (w * c))
     )
-    arranged = polynomial(slope, nm.s0) * nm.alpha / (w * nm.c**2)
+    arranged = polynomial(slope, s0) * alpha / (w * c**2)
     # sin θ₀ is free here: that it belongs to the angle of cos θ₀ is the second quadratic.
     gap = sp.numer(sp.together((derived - arranged).subs(elimination.f_coefficients()).subs(POLES)))
-    require(sp.expand(sp.rem(sp.expand(gap), nm.c**2 + nm.s**2 - 1, nm.c)) == 0, "f_θ₀ on a fold")
+    require(sp.expand(sp.rem(sp.expand(gap), c**2 + s**2 - 1, c)) == 0, "f_θ₀ on a fold")
     return slope, circle
 
 
@@ -97,14 +96,14 @@ def turning_polynomial() -> Row:
 
     The resultant of :func:`turning_quadratics` is −κ (s² − 1) w² times it. Contact only, and α > 0.
     """
-    spelled = {nm.fa: elimination.f_coefficients()[nm.fa]}
+    spelled = {fa: elimination.f_coefficients()[fa]}
     one, two = (
         tuple(sp.expand(value.subs(spelled).subs(POLES)) for value in row)
         for row in turning_quadratics()
     )
     outer, upper, lower = map(sp.expand, minors(one, two))
-    factor = sp.Poly(sp.expand(-nm.kappa * (nm.s**2 - 1) * PARTS[weight].subs(POLES) ** 2), nm.s)
-    quotient, rest = sp.div(sp.Poly(sp.expand(outer**2 - upper * lower), nm.s), factor)
+    factor = sp.Poly(sp.expand(-kappa * (s**2 - 1) * PARTS[weight].subs(POLES) ** 2), s)
+    quotient, rest = sp.div(sp.Poly(sp.expand(outer**2 - upper * lower), s), factor)
     require(rest.is_zero, "the factors of the resultant")
     return tuple(sp.factor(value) for value in reversed(quotient.all_coeffs()))
 
@@ -142,15 +141,15 @@ def _start() -> tuple[Step, ...]:
     """Without friction."""
     along, _ = equilibrium.balance()
     state = elimination.state()
-    L, y = sp.symbols("L y", positive=True)
-    at_rest = equilibrium.spell_out(along).subs(nm.M, 0).subs(nm.mu0, 0).subs(nm.L, L)
-    stretch = in_contact(sp.together((state[nm.L] - 1) * nm.q * nm.s))
-    lift = kappa - (beta + 1) * (nm.s - s0)
+    length = sp.Symbol("L", positive=True)
+    at_rest = equilibrium.spell_out(along).subs(M, 0).subs(mu0, 0).subs(L, length)
+    stretch = in_contact(sp.together((state[L] - 1) * q * s))
+    lift = theorem.kappa - (theorem.beta + 1) * (s - theorem.s0)
     return (
         *theorem.smallest_without_friction(),
         Step(
             "without friction α x = σ (L − 1) cos θ",
-            sp.expand(at_rest - (nm.alpha * (nm.c0 - L * nm.c) + nm.sigma * (1 - L) * nm.c)) == 0,
+            sp.expand(at_rest - (alpha * (c0 - length * c) + sigma * (1 - length) * c)) == 0,
         ),
         Step(
             "q s (L − 1) = κ − B (s − s₀): where cos θ > 0, L < 1 asks sin θ > sin θ₀, hence "
@@ -167,18 +166,20 @@ def _inclined_backward() -> tuple[Step, ...]:
     relations, f = catastrophe.fold_relations(), elimination.f_form
     a, rise, friction = sp.symbols("a rise friction", nonnegative=True)
     lean, sine, push = sp.symbols("lean sine push", positive=True)  # −cos θ, sin θ and −M q y
-    in_friction = {nm.fm: nm.M * nm.sigma}
-    pull = relations[nm.fd] - elimination.f_coefficients()[nm.fd].subs(
-        nm.c0, 0
-    )  # q α cos θ₀ on a fold
-    parts = -nm.fa * nm.c**3 + nm.fm * nm.s * nm.c**2, -nm.M * nm.q * elimination.state()[nm.y]
-    turned = parts[0].subs({nm.fa: a, nm.c: -lean, nm.s: sine, nm.fm: friction}) + push
-    upright = in_contact(nm.fa * nm.s + nm.fb).subs({s0: 1, nm.s: sine})
-    bound = alpha * (beta + 1) + (alpha + sigma) * kappa + sigma * alpha * sine
+    in_friction = {fm: M * sigma}
+    pull = relations[fd] - elimination.f_coefficients()[fd].subs(c0, 0)  # q α cos θ₀ on a fold
+    parts = -fa * c**3 + fm * s * c**2, -M * q * elimination.state()[y]
+    turned = parts[0].subs({fa: a, c: -lean, s: sine, fm: friction}) + push
+    upright = in_contact(fa * s + fb).subs({theorem.s0: 1, s: sine})
+    bound = (
+        theorem.alpha * (theorem.beta + 1)
+        + (theorem.alpha + theorem.sigma) * theorem.kappa
+        + theorem.sigma * theorem.alpha * sine
+    )
     return (
         Step(
             "on a fold b = −s² (a s + m cos θ), and b < 0: where cos θ ≤ 0, a is positive",
-            sp.expand(relations[nm.fb] + nm.s**2 * (nm.fa * nm.s + nm.fm * nm.c)) == 0,
+            sp.expand(relations[fb] + s**2 * (fa * s + fm * c)) == 0,
         ),
         Step(
             "on a fold q α cos θ₀ = −a cos³ θ + m s cos² θ − M q y: where cos θ ≤ 0 and μ₀ > "
@@ -193,13 +194,11 @@ def _inclined_backward() -> tuple[Step, ...]:
             "it to larger θ, and folds are not there; at θ₀ = π/2 no other state has it, as f "
             "= cos θ (a s + b) has the sign of −cos θ",
             sp.expand(
-                (f - nm.c * (nm.fa * nm.s + nm.fb))
-                .subs(elimination.f_coefficients())
-                .subs({nm.M: 0, nm.c0: 0})
+                (f - c * (fa * s + fb)).subs(elimination.f_coefficients()).subs({M: 0, c0: 0})
             )
             == 0
-            and sp.expand(upright + bound + sigma * (beta + 1) * (1 - sine)) == 0
-            and manifestly_positive(bound + sigma * (beta + 1) * rise),
+            and sp.expand(upright + bound + theorem.sigma * (theorem.beta + 1) * (1 - sine)) == 0
+            and manifestly_positive(bound + theorem.sigma * (theorem.beta + 1) * rise),
         ),
     )
 
@@ -212,7 +211,7 @@ def _follow() -> tuple[Step, ...]:
             "f is linear in μ₀, and f_μ₀ = q y sin θ < 0 in contact: the friction of a "
             "direction is one number, and a state with f′ > 0 "
             "moves to larger θ as friction rises",
-            sp.expand(sp.diff(f, nm.M) - sp.cancel(nm.q * nm.s * elimination.state()[nm.y])) == 0,
+            sp.expand(sp.diff(f, M) - sp.cancel(q * s * elimination.state()[y])) == 0,
         ),
         Step(
             "a fold with μ₀ > 0 and f″ < 0 has f > 0 at its θ without friction, so that the "
@@ -230,14 +229,13 @@ def _follow() -> tuple[Step, ...]:
             "θ = 0 and y = 0, the steps above from "
             "θ₀ = π/2, and without friction and α > 0 a double root lies above the first, "
             "which is simple, and has f″ > 0",
-            sp.expand(elimination.f_form.subs(nm.s, 0) - nm.fb * nm.c) == 0
-            and bool(_inclined_backward()),
+            sp.expand(elimination.f_form.subs(s, 0) - fb * c) == 0 and bool(_inclined_backward()),
         ),
         Step(
             "α = 0: at a turn κ σ cos θ cos θ₀ = 0, and neither cos θ = 0 nor θ₀ = π/2 is on "
             "a fold with μ₀ > 0: the least is at a cusp or at "
             "θ₀ = 0",
-            sp.expand((turning_line()[0] - nm.kappa * nm.sigma).subs(POLES).subs(nm.alpha, 0)) == 0
-            and all(value.subs(nm.alpha, 0) == 0 for value in turning_line()[1:]),
+            sp.expand((turning_line()[0] - kappa * sigma).subs(POLES).subs(alpha, 0)) == 0
+            and all(value.subs(alpha, 0) == 0 for value in turning_line()[1:]),
         ),
     )

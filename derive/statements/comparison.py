@@ -45,7 +45,7 @@ class Component:
     """One printed side, and what it ought to be: values, and the same exactly."""
 
     tree: Node
-    ways: tuple[tuple[Values, sp.Expr], ...]
+    targets: tuple[tuple[Values, sp.Expr], ...]
     left: str = ""
 
     @property
@@ -81,7 +81,7 @@ class Comparison:
     def values(self) -> dict[str, Values]:
         """Values of the print's names where the page's are the samples'."""
         known = self.item.values
-        changed = {name: numeric(it, [*known])(known) for name, it in self.converted.items()}
+        changed = {name: numeric(it, known) for name, it in self.converted.items()}
         values = {**known, **changed}
         for name, tree in self.item.defined.items():
             values[name] = evaluated(tree, values)
@@ -116,17 +116,16 @@ class Comparison:
             target, entry = sign * item.targets[place], sign * held.entries[place]
             if held.is_value:
                 meant = [one.entry for one in held.readings] or [entry]
-                ways = zip(item.readings or (target,), meant, strict=True)
-                found.append(Component(tree, tuple(ways), left))
+                pairs = zip(item.readings or (target,), meant, strict=True)
+                found.append(Component(tree, tuple(pairs), left))
                 continue
             tried = [sp.S.One, sp.S.NegativeOne]
             own = evaluated(tree, self.values)
-            plain = any(same(own, way * target) for way in (1, -1))
+            plain = any(same(own, sign * target) for sign in (1, -1))
             if factors and not plain and held.factor in ("parameters", "monomial"):
                 tried += self._factors(tree, held.entries[place])
-            sizes = [numeric(it, [*item.values])(item.values) for it in tried]
-            pairs = zip(sizes, tried, strict=True)
-            found.append(Component(tree, tuple((size * target, it * entry) for size, it in pairs)))
+            targets = ((numeric(it, item.values) * target, it * entry) for it in tried)
+            found.append(Component(tree, tuple(targets)))
         return found
 
     def _sign(self, place: int) -> int:
@@ -167,7 +166,7 @@ class Comparison:
         """Whether the statement holds at all samples."""
         parts = self.components(factors=False)
         return bool(parts) and all(
-            any(self.holds(part.tree, target) for target, _ in part.ways) or self._factored(part)
+            any(self.holds(part.tree, target) for target, _ in part.targets) or self._factored(part)
             for part in parts
         )
 
@@ -176,7 +175,7 @@ class Comparison:
         if self.item.held.factor != "parameters":
             return False
         with np.errstate(all="ignore"):
-            ratio = evaluated(part.tree, self.values) / part.ways[0][0]
+            ratio = evaluated(part.tree, self.values) / part.targets[0][0]
         return same(ratio[::2], ratio[1::2])
 
     def holds(self, tree: Node, target: Values) -> bool:
@@ -230,9 +229,9 @@ class Comparison:
         gap = it.expanded(it.spelled(it.model.contact.gap))
         for node in value.atoms(sp.Abs, sp.sign, Relational):
             size = node.lhs - node.rhs if isinstance(node, Relational) else node.args[0]
-            for way in (1, -1):
-                if is_zero(size - way * gap):
-                    known = side * gap if isinstance(node, sp.Abs) else sp.Integer(side * way)
+            for sign in (1, -1):
+                if is_zero(size - sign * gap):
+                    known = side * gap if isinstance(node, sp.Abs) else sp.Integer(side * sign)
                     if isinstance(node, Relational):
                         known = node.func(known, 0)
                     value = value.xreplace({node: known})

@@ -216,12 +216,11 @@ def _item(
     stems = {stem(name) for name in used & bound.keys()}
     bound = {name: value for name, value in bound.items() if stem(name) in stems}
     for name, value in bound.items():
-        values[name] = numeric(value, list(values))(values)
+        values[name] = numeric(value, values)
     defined: dict[str, Node] = {}  # not those in names that this form lacks
     for name, tree in book.defined.items():
         if symbols(tree) <= values.keys() | defined.keys():
             defined[name] = tree
-    names = list(values)
     sides = [one.right if held.is_value and one.left.kind == "symbol" else one for one in equations]
     for side in sides:
         parts = (side,) if isinstance(side, Node) else (side.left, side.right)
@@ -229,8 +228,8 @@ def _item(
         if unknown := unknown - defined.keys():
             name = min(unknown)
             raise Unread(f"{name} is no name of the page; say what it is under [symbols]")
-    targets = tuple(numeric(entry, names)(values) for entry in held.entries)
-    readings = tuple(numeric(one.entry, names)(values) for one in held.readings)
+    targets = tuple(numeric(entry, values) for entry in held.entries)
+    readings = tuple(numeric(one.entry, values) for one in held.readings)
     letters = it.letters | ({} if held.law == "scale" else book.letters)
     return Item(
         statement,

@@ -42,11 +42,10 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
     states = {name: _state(rng, size) for name in coordinates}
     pushing = np.ones(size)
     if gap is not None:
-        measure = numeric(gap, [*found, *coordinates])
         if held.side != CONTACT and it.model.contact.unilateral:
             pushing = np.repeat(np.arange(PAIRS) % 2 if held.side == BOTH else [0] * PAIRS, 2)
         for _ in range(_TRIES):
-            level = measure({**found, **states})
+            level = numeric(gap, {**found, **states})
             wrong = np.where(pushing == 0, level <= 0, level >= 0)
             if not wrong.any():
                 break
@@ -58,10 +57,10 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
     for name in ("lam", str(TIME)):
         found.setdefault(name, _state(rng, size))
     for name, value in it.geometry.items():
-        found[name] = numeric(value, list(found))(found)
+        found[name] = numeric(value, found)
     statics = it.friction_at_rest if held.steady else it.friction
-    found.setdefault("mu", numeric(statics, list(found))(found))
-    found.setdefault("N", pushing * numeric(it.normal, list(found))(found))
+    found.setdefault("mu", numeric(statics, found))
+    found.setdefault("N", pushing * numeric(it.normal, found))
     return found
 
 
@@ -73,18 +72,13 @@ def _signs(rng: np.random.Generator, size: int, repeat: int) -> Values:
     return np.repeat(np.where(rng.random(size // repeat) < 0.5, -1.0, 1.0), repeat)
 
 
-def numeric(expression: sp.Expr, names: list[str]) -> Callable[[Mapping[str, Values]], Values]:
-    """An expression as a function of values by name."""
-    missing = sorted({str(it) for it in expression.free_symbols} - {*names})
+def numeric(expression: sp.Expr, values: Mapping[str, Values]) -> Values:
+    """Values of an expression, by those of the names in it."""
+    missing = sorted({str(it) for it in expression.free_symbols} - values.keys())
     if missing:
         raise NoObject(f"{expression} holds {', '.join(missing)}, which has no values")
-
-    def value(values: Mapping[str, Values]) -> Values:
-        found: dict[sp.Basic, Values] = {}
-        with np.errstate(all="ignore"):
-            return _value(expression, values, found) * np.ones_like(next(iter(values.values())))
-
-    return value
+    with np.errstate(all="ignore"):
+        return _value(expression, values, {}) * np.ones_like(next(iter(values.values())))
 
 
 def _value(part: sp.Basic, values: Mapping[str, Values], found: dict[sp.Basic, Values]) -> Values:

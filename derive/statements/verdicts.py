@@ -182,24 +182,24 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
     found: list[Right] = []
     counted = ""
     for part in parts:
-        hits = [exact for target, exact in part.ways if it.holds(part.tree, target)]
-        if hits:
-            exact = next((one for one in hits if it.proved(part.tree, one)), None)
+        equal = [exact for target, exact in part.targets if it.holds(part.tree, target)]
+        if equal:
+            exact = next((one for one in equal if it.proved(part.tree, one)), None)
             if exact is None:
                 return replace(row, evidence="equal at all samples, but not by exact algebra")
             row, counted = _as_meant(row, item, exact)
             continue
         own = it.exactly(part.tree)
         if statement.limit and _in_limit(it, part, statement.limit):
-            row = _told(row, item, own - part.ways[0][1])
+            row = _with_difference(row, item, own - part.targets[0][1])
             return replace(row, status="approximation", evidence=statement.limit)
         best = _repaired(it, part) if repair else None
         if best is None:
             said = "no edit, and no two, give what is derived" if repair else ""
-            row = _told(row, item, own - part.ways[0][1])
+            row = _with_difference(row, item, own - part.targets[0][1])
             return replace(row, evidence="; ".join(one for one in (wrong, said) if one))
         row, counted = _as_meant(row, item, best.exact)
-        row = _told(row, item, own - it.exactly(best.repair.tree))
+        row = _with_difference(row, item, own - it.exactly(best.repair.tree))
         found.append(best)
     if not found:
         status = "definition" if statement.word == "definition" else "confirmed"
@@ -228,7 +228,7 @@ def _as_meant(row: Row, item: Item, exact: sp.Expr) -> tuple[Row, str]:
     return row, ""
 
 
-def _told(row: Row, item: Item, gap: sp.Expr) -> Row:
+def _with_difference(row: Row, item: Item, gap: sp.Expr) -> Row:
     """A row with the difference between print and derivation."""
     if sp.count_ops(gap) > LARGEST_SHOWN:
         return row
@@ -280,10 +280,10 @@ def _cost(it: Comparison, found: Right) -> str:
     item = it.item
     base = samples.drawn(item.it, item.held, is_base=True)
     for name, value in item.bound.items():
-        base[name] = numeric(value, list(base))(base)
+        base[name] = numeric(value, base)
     at_base = Comparison(replace(item, values=base), it.conventions)
     own = evaluated(found.part.tree, at_base.values)
-    right = numeric(found.exact, list(base))(base)
+    right = numeric(found.exact, base)
     size = np.abs(own) + np.abs(right)
     known = size[np.isfinite(size)]
     if not known.size:
@@ -295,16 +295,16 @@ def _cost(it: Comparison, found: Right) -> str:
 
 def _repaired(it: Comparison, part: Component) -> Right | None:
     """The most likely repair that is proved."""
-    ways: list[tuple[Values, sp.Expr]] = []
-    for target, exact in part.ways:
-        if not any(same(target, known) for known, _ in ways):
-            ways.append((target, exact))
+    targets: list[tuple[Values, sp.Expr]] = []
+    for target, exact in part.targets:
+        if not any(same(target, known) for known, _ in targets):
+            targets.append((target, exact))
     search = Search(part.tree, _pool(it, part))
     good: list[tuple[Repair, sp.Expr]] = []
     for pairs in (False, True):
         if good and good[0][0].cost <= CHEAPEST_PAIR:
             break
-        tried = ways[:MOST_FACTORS] if pairs else ways
+        tried = targets[:MOST_FACTORS] if pairs else targets
         found = search.repairs(np.array([target for target, _ in tried]), pairs)
         for repair, way in found:
             further = OTHER_FACTOR if way > 1 else 0.0
@@ -312,7 +312,7 @@ def _repaired(it: Comparison, part: Component) -> Right | None:
         good = _proved_first(it, good)
     if good:
         return Right(part, *good[0], len(good))
-    for _, exact in ways[:2]:  # without a factor, and of the other sign
+    for _, exact in targets[:2]:  # without a factor, and of the other sign
         longer = _with_lost_term(it, part, exact)
         if longer is not None and it.proved(longer.tree, exact):
             return Right(part, longer, exact, 1)
@@ -382,7 +382,7 @@ def _in_limit(it: Comparison, part: Component, limit: str) -> bool:
         not is_linear and end.strip() not in ("oo", "0")
     ):
         return False
-    for _, exact in part.ways:
+    for _, exact in part.targets:
         gap = value - exact.subs(laws)
         whole = page.expanded(gap)
         if is_linear:

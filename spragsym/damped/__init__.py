@@ -8,10 +8,12 @@ in the balance of forces.
 #: Question → module of its closed form.
 CLOSED_FORMS = dict.fromkeys(
     (
+        "bifurcation_set",
         "claims",
         "count",
         "critical_friction",
         "cusps",
+        "equilibria",
         "first_ends",
         "folds",
         "have_jumped",

@@ -12,6 +12,7 @@ import numpy as np
 from ..core.questions import NotInClosedForm
 from ..design.jumps import Ends
 from ..kang_nam import certificates, jump_values, lowest_fold, states
+from ..kang_nam.bifurcation_sets import bifurcation_set as bifurcation_set_at_rest
 from ..kang_nam.cusps import cusps as cusps_at_rest
 from ..kang_nam.folds import folds as folds_at_rest
 from ..kang_nam.parameters import NAMES, Parameters
@@ -20,7 +21,7 @@ from ..models.parameters import FloatArray, ParameterSet, Ranges, Span
 from ..models.quantities import Unit
 from ..numerics.interval_arrays import Int8Array
 from ..results import Equilibria
-from ..results.points import LowestEnd, Points
+from ..results.points import BifurcationSet, LowestEnd, Points
 
 
 def undamped(p: ParameterSet) -> Parameters:
@@ -39,6 +40,7 @@ def linked(
     *,
     most: int = 0,
     only: int | None = None,
+    options: object = None,
 ) -> list[dict[int, int]]:
     """The closed form of :func:`spragsym.bifurcation.branches.linked`, of states in contact.
 
@@ -54,6 +56,11 @@ def linked(
 def count(p: ParameterSet) -> Int8Array:
     """The closed form of :func:`spragsym.count`."""
     return solver.count(undamped(p))
+
+
+def equilibria(p: ParameterSet, contact: bool = True) -> Equilibria:
+    """The closed form of :func:`spragsym.equilibria`; stability is that with the dampers."""
+    return replace(solver.equilibria(undamped(p), contact), parameters=p)
 
 
 def open_ends(p: ParameterSet, vary: str, span: Span, turns: Points) -> list[Points]:
@@ -89,6 +96,18 @@ def cusps(
 ) -> Points:
     """The closed form of :func:`spragsym.cusps`."""
     return replace(cusps_at_rest(undamped(p), vary, between=between), parameters=p)
+
+
+def bifurcation_set(
+    p: ParameterSet,
+    vary: Sequence[str] | None = None,
+    n: int | None = None,
+    *,
+    between: Ranges | None = None,
+) -> BifurcationSet:
+    """The closed form of :func:`spragsym.bifurcation_set`."""
+    found = bifurcation_set_at_rest(undamped(p), vary, n, between=between)
+    return replace(found, cusps=replace(found.cusps, parameters=p))
 
 
 def critical_friction(

@@ -35,6 +35,44 @@ def test_where_states_end_is_what_the_search_finds(seed: int) -> None:
         np.testing.assert_allclose(ours, theirs, rtol=1e-9)
 
 
+@pytest.mark.parametrize("contact", [True, False])
+def test_states_are_those_that_the_search_finds(contact: bool) -> None:
+    """Over both parameters of the plane, with their stability under the dampers."""
+    rng = np.random.default_rng(5)
+    p = drawn(1).replace(theta0=rng.uniform(0.1, 3.0, 12), mu0=rng.uniform(0.0, 1.0, 12))
+    closed, found = (ss.equilibria(p, contact, method=way) for way in ("closed", "search"))
+    assert closed.parameters is p
+    assert closed.complete
+    assert closed.count.tolist() == found.count.tolist()
+    assert ss.count(p).tolist() == ss.equilibria(p).count.tolist()
+    filled = found.x.shape[-1]
+    order = np.argsort(closed.x, axis=-1, kind="stable")[..., :filled]
+    for name in ("x", "y", "theta", "L", "contact_force", "growth", "undamped"):
+        ours = np.take_along_axis(getattr(closed, name), order, axis=-1)
+        np.testing.assert_allclose(ours, getattr(found, name), rtol=1e-9, atol=1e-12)
+    for one, other in zip(closed.stability, found.stability, strict=True):
+        assert sorted(filter(None, one.tolist())) == sorted(filter(None, other.tolist()))
+
+
+def test_paths_need_no_tubes(monkeypatch: pytest.MonkeyPatch) -> None:
+    from spragsym.bifurcation import branches
+
+    monkeypatch.setattr(branches, "Along", lambda *_: pytest.fail("tubes were asked"))
+    path = ss.quasi_static_path(drawn(0), "mu0", np.linspace(0.0, 0.7, 8))
+    assert path.x.shape == (8,)
+
+
+@pytest.mark.thorough
+def test_curves_of_folds_are_those_of_the_search() -> None:
+    p = drawn(0)
+    closed, found = (
+        ss.bifurcation_set(p, n=8, between={"mu0": (0.0, 1.0)}, method=way)
+        for way in ("closed", "search")
+    )
+    assert closed.cusps.parameters is p
+    np.testing.assert_allclose(sorted(closed.cusps.mu0), sorted(found.cusps.mu0), rtol=1e-9)
+
+
 @pytest.mark.thorough
 def test_branches_go_on_as_tubes_do() -> None:
     p = drawn(0)

@@ -346,28 +346,6 @@ static int begin(Motion *it, const double *state) {
     return mode_of(it, state);
 }
 
-/* Leaves every mode whose border the point has reached, but for rounding, and gives the point its rates and clearances. */
-static int settle(Motion *it, Point *at) {
-    for (int round = 0; round <= 2 * BORDERS; round++) {
-        int left = 0;
-        if (rates(it, at->state, at->rate) || look(it, at)) {
-            return 1;
-        }
-        for (int k = 0; k < it->borders; k++) {
-            if (at->clearance[k] <= 0.1 * GAP) {
-                if (cross(it, at->state, k)) {
-                    return 1;
-                }
-                left = 1;
-            }
-        }
-        if (!left) {
-            return 0;
-        }
-    }
-    return 0;
-}
-
 /* One step by the method of Dormand and Prince, of fifth order, and its error in tolerances by the embedded one of fourth. */
 static int step(const Motion *it, const Point *from, double h, Point *to, double *error) {
     static const double share[STAGES][STAGES - 1] = {
@@ -425,6 +403,48 @@ static double nearest(const Motion *it, const Point *at, int *border) {
     }
     *border = found;
     return it->borders ? at->clearance[found] : 1.0;
+}
+
+/* Passes a border, on the other side of which the mode is told: where friction begins to hold or ceases to, from where the border
+ * was met, which is GAP ahead. */
+static int pass(Motion *it, Point *at, int border) {
+    const double late = (GAP - at->clearance[border]) / -at->change[border], side = it->mode[1];
+    const int jumps = HOLDS && border >= LIFTS && border < EVENTS && late > 0.0 && late < it->second;
+    double error;
+    Point met, behind;
+    const int back = jumps && !step(it, at, -late, &met, &error);
+    if (cross(it, at->state, border)) {
+        return 1;
+    }
+    if (back && side != it->mode[1]) {
+        if (stop(it, met.state) || rates(it, met.state, met.rate) || step(it, &met, late, &behind, &error)) {
+            return 1;
+        }
+        memcpy(at->state, behind.state, sizeof at->state);
+    }
+    return 0;
+}
+
+/* Leaves every mode whose border the point has reached, but for rounding, and gives the point its rates and clearances. */
+static int settle(Motion *it, Point *at) {
+    for (int round = 0; round <= 2 * BORDERS; round++) {
+        int left = 0;
+        if (rates(it, at->state, at->rate) || look(it, at)) {
+            return 1;
+        }
+        for (int k = 0; k < it->borders; k++) {
+            if (at->clearance[k] <= 0.1 * GAP) {
+                if (pass(it, at, k)) {
+                    return 1;
+                }
+                left = 1;
+            }
+        }
+        if (!left) {
+            return 0;
+        }
+    }
+    return 0;
 }
 
 /* Shortens a step that ends beyond a border to where it first meets one: by steps of its own, which are as accurate as any. */

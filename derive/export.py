@@ -19,7 +19,7 @@ from .emit.python import algebra
 from .emit.quantities import Quantity, interval
 from .emit.targets.c.layout import WIDTH, broken
 from .mechanics import Mechanics, NormalForce, number
-from .model import Datum, PageError
+from .model import Datum
 
 #: Of a page's quantities by their names: a value, its unit if it is not the page's, and what one of
 #: it is in SI.
@@ -79,25 +79,10 @@ def export(
     that other models drive; the others are parameters.
     """
     model = pages.read(page, name)
-    _refuse_frictions_that_hold_together(model.mechanics)
     whole = targets.packer(written_in) is not None
     moves = _motion(model, data, inputs) if whole else None
     made = material(model, in_python=targets.in_python(written_in), moving=whole)
     return targets.render(written_in, replace(made, motion=moves))
-
-
-def _refuse_frictions_that_hold_together(it: Mechanics) -> None:
-    """An error of several frictions of which some hold: which of them stick at rest no formula
-    tells.
-    """
-    holding = [friction for friction in it.frictions if friction.holds is not None]
-    if holding and len(it.frictions) > 1:
-        raise PageError(
-            holding[-1].line,
-            "of several frictions some hold where nothing slides, and which of them do at one "
-            "instant is found step by step, by spragsym.simulate: an export takes laws that are "
-            "steep at rest, as mu0*tanh(d*v), in their place",
-        )
 
 
 def for_the_browser(model: pages.Model, header: str) -> str:

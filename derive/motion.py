@@ -149,15 +149,18 @@ class Motion:
         return ahead - force, behind + force
 
     def side(self, friction: FrictionForce) -> sp.Expr:
-        """The sign of the sliding speed; where nothing slides 1, or of the only friction that holds
-        that of the mode in which the motion goes on.
+        """The sign of the sliding speed; where nothing slides 1, or of friction that holds that of
+        the mode in which the motion goes on, while others at rest hold.
         """
         if friction.holds is None:
             return reached(self.slip(friction))
         sliding = sp.sign(self.slip(friction))
-        within_ahead, within_behind = map(
-            reached, self.margins(friction, self.constraint(friction))
-        )
+        others = Names()
+        for it in self.holding:
+            side = sp.sign(self.slip(it))
+            others |= {it.stuck: 1 - side**2, it.mu: self.coefficients[it.mu].subs(it.side, side)}
+        constraint = self.constraint(friction).xreplace(others)
+        within_ahead, within_behind = map(reached, self.margins(friction, constraint))
         return sliding + (1 - sliding**2) * (within_behind - within_ahead) / 2
 
     @cached_property
@@ -742,12 +745,8 @@ def module(model: Mechanics) -> Module:
 
 
 def _everywhere(motion: Motion, moving: Symbols, shorthands: Names) -> tuple[Function, ...]:
-    """The kinked right-hand side; none where friction holds beside others: no formula tells its
-    side at rest.
-    """
+    """The kinked right-hand side."""
     model, signs = motion.model, Names()
-    if motion.holding and len(model.frictions) > 1:
-        return ()
     for contact, border in zip(model.contacts, motion.borders, strict=False):
         below = sp.Symbol(f"_below{contact.name and '_'}{contact.name}", real=True)
         # A law with a root has no slope at its border, which is then lift-off's.

@@ -13,10 +13,8 @@ pytest.importorskip("sympy")
 
 import spragsym as ss
 from spragsym.cli import main
-from spragsym.derive import export
-from spragsym.derive.model import PageError
 from tests.oracles import exports
-from tests.oracles.contact_pages import BLOCKS, PAD, PADS
+from tests.oracles.contact_pages import BLOCKS, PAD, PADS, TIED_BLOCKS
 from tests.oracles.emission import arguments
 from tests.oracles.exports import CC, RUN
 from tests.oracles.user_pages import derived
@@ -30,12 +28,16 @@ def exported(text: str, name: str, language: str, out: Path) -> Path:
 
 
 @pytest.mark.thorough
+@pytest.mark.by_hand("blocks")
 @pytest.mark.parametrize("language", RUN)
-def test_functions_of_several_contacts_are_those_of_python(language: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("name", "text"), [("pad_on_2", PAD), ("blocks", BLOCKS)])
+def test_functions_of_several_contacts_are_those_of_python(
+    name: str, text: str, language: str, tmp_path: Path
+) -> None:
     needed, there, run = RUN[language]
     if there is None:
         pytest.skip(f"there is no {needed} on this machine")
-    model, rng = ss.load(derived(PAD, "pad_on_2")), np.random.default_rng(79)
+    model, rng = ss.load(derived(text, name)), np.random.default_rng(79)
     calls = [
         call
         for _ in range(3)
@@ -43,8 +45,9 @@ def test_functions_of_several_contacts_are_those_of_python(language: str, tmp_pa
             model, lambda names: dict(zip(names, arguments(names, rng), strict=True))
         )
     ]
-    assert {"contact_force_front", "friction_at_rest_rear", "rhs"} <= {c.function for c in calls}
-    found = run(exported(PAD, "pad_on_2", language, tmp_path), calls)
+    own = {f"contact_force_{one['name']}" for one in model.contacts}
+    assert own | {"rhs", "regime_rhs"} <= {call.function for call in calls}
+    found = run(exported(text, name, language, tmp_path), calls)
     known = np.concatenate([call.results for call in calls])
     np.testing.assert_allclose(found, known, rtol=1e-13, atol=1e-13 * max(1.0, abs(known).max()))
 
@@ -70,9 +73,35 @@ def test_the_example_in_c_is_built_and_moves_as_python_does(
     assert len(said[said.index("energy") + 2 :]) == 2  # which of both touch
 
 
-@pytest.mark.thorough
-def test_frictions_that_hold_together_are_not_exported() -> None:
-    page = derived(BLOCKS, "blocks") / "page.py"
-    line = BLOCKS[: BLOCKS.rindex("page.friction(x_2")].count("\n") + 1
-    with pytest.raises(PageError, match=rf"line {line}: of several frictions some hold.*tanh"):
-        export.export(page, "blocks", "c")
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [(BLOCKS, "blocks"), pytest.param(TIED_BLOCKS, "tied", marks=pytest.mark.thorough)],
+)
+def test_the_field_of_frictions_that_hold_is_that_of_the_mode_of_a_motion(
+    text: str, name: str
+) -> None:
+    """``rhs``, from which other languages move: where both slide, where one of them rides with the
+    belt, and where both do, there of blocks that a mass ties, which changes what holds the other,
+    while both stick.
+    """
+    p = ss.load(derived(text, name)).Parameters()
+    model, rng, met = p.model, np.random.default_rng(79), set()
+    given = [float(value) for value in model.arguments(p, "motion")]
+    for _ in range(300):
+        state = rng.uniform(-0.9, 0.9, 4)
+        riding = rng.integers(2, size=2) == 1
+        state[2:][riding] = float(p.V)
+        mode = model.field.initial_mode(state.tolist(), given)
+        sides = mode[2:4]
+        if name == "tied" and riding.all() and any(sides):
+            continue
+        met.add((*riding.tolist(), *(side == 0 for side in sides)))
+        known = model.algebra.regime_rhs(*state, *given, *mode)
+        assert [float(one) for one in model.algebra.rhs(*state, *given)] == pytest.approx(
+            [float(one) for one in known], abs=1e-14
+        )
+    assert {
+        (True, True, True, True),
+        (True, False, True, False),
+        (False, True, False, False),
+    } <= met

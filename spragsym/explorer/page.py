@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib import resources
 from typing import Any
+from urllib.parse import quote
 
 from .._version import __version__
 from ..command_line import options_of
@@ -151,7 +152,9 @@ def explorer_page(
             "WORDS": _words(title_drawing_words(model.about)[2]),
             "UNITS": beside,
             "LINES": _escaped(", ".join(lines)),
-            "ONSETS": _filled("onsets.html", {"DRAWING": onsets[0], "COMMAND": _escaped(onsets[1])})
+            "ONSETS": _filled(
+                "onsets.html", {"DRAWING": quote(onsets[0]), "COMMAND": _escaped(onsets[1])}
+            )
             if onsets[0]
             else "",
             "VERSION": _escaped(__version__),

@@ -21,6 +21,7 @@ from ..models import Model
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.interval_arrays import FloatArray
 from ..results import BifurcationSet, Equilibria, EquilibriumType
+from ..statics.stability import NEUTRAL
 from .style import (
     BLACK,
     GREY,
@@ -131,7 +132,7 @@ def draw_onset_curves(
 
 
 #: Values of either parameter between which growth rates are interpolated, with closed forms.
-_CLOSED = 48
+_CLOSED = 96
 #: The same where each state is searched.
 _SEARCHED = 16
 
@@ -167,13 +168,15 @@ def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ran
 
 
 def growth_of_oscillations(eq: Equilibria) -> FloatArray:
-    """The largest growth rate over all states in contact that do not diverge without damping,
-    bounded to a hundredth of the largest eigenvalue; that below 0 where there is no such state.
+    """The largest growth rate over all states in contact that do not diverge without damping, less
+    that up to which a state is practically neutral, bounded to a hundredth of the largest
+    eigenvalue; that below 0 where there is no such state.
     """
     roots = np.nan_to_num(eq.damped_eigenvalues)
     most = 0.01 * np.abs(roots).max(initial=0.0)
     oscillates = np.isin(eq.undamped, (EquilibriumType.STABLE, EquilibriumType.FLUTTER))
-    growth = np.where(oscillates, roots.real.max(axis=-1), -most).max(axis=-1, initial=-most)
+    clear = roots.real - NEUTRAL * np.abs(roots)
+    growth = np.where(oscillates, clear.max(axis=-1), -most).max(axis=-1, initial=-most)
     return np.clip(growth, -most, most)
 
 

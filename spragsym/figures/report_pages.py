@@ -213,12 +213,18 @@ def _stability_map(report: Facts) -> Rows:
             draw_onset_curves(onsets, ax, shown=shown)
             mark_brake(ax, p, box[angle], box[friction])
 
-        grows = float(growth_of_oscillations(ss.equilibria(p))) > 0
+        here = report.current
+        what = (
+            "grow: it squeals or judders"
+            if float(growth_of_oscillations(ss.equilibria(p))) > 0
+            else "hardly grow or die out, as next to nothing damps"
+            if here is not None and here.stability == "neutral"
+            else "die out"
+        )
         yield (
             picture(draw),
-            f"The map of stability. The brake (dot) works where small oscillations "
-            f"{'grow: it squeals or judders' if grows else 'die out'}; they grow where it is "
-            f"shaded. Box: its tolerances. {_kinds_of(onsets)}",
+            f"The map of stability. The brake (dot) works where small oscillations {what}; they "
+            f"grow where it is shaded. Box: its tolerances. {_kinds_of(onsets)}",
         )
 
 

@@ -133,12 +133,12 @@ def friction_held(friction: FrictionForce) -> sp.Expr:
 
 def friction_at_speed(friction: FrictionForce) -> sp.Expr:
     """μ at the belt's speed: what holds a motion that has come to rest."""
-    return friction.ahead.subs(SLIP, friction.belt)
+    return friction.ahead.subs(SLIP, friction.still)
 
 
 def slope_at_rest(friction: FrictionForce) -> sp.Expr:
     """dμ/dv at steady sliding."""
-    return sp.factor_terms(sp.diff(friction.ahead, SLIP).subs(SLIP, friction.belt))
+    return sp.factor_terms(sp.diff(friction.ahead, SLIP).subs(SLIP, friction.still))
 
 
 def slope_by_sizes(friction: FrictionForce) -> tuple[tuple[Pair, ...], ...]:

@@ -59,10 +59,9 @@ PLANE = Limit(
     "resists across it as a damper, page.damper(mu0*N/V, along=y), while |y′| is far below V",
 )
 FORCING = Limit(
-    "forcing in time",
-    "let a coordinate s be the clock: add J*page.rate(s)**2/2 to the kinetic energy, and say "
-    "page.damper(c, along=s), page.force(c*w, along=s) and page.force(P*cos(s), along=x); started "
-    "at s′ = w it keeps that rate",
+    "a time that is not a clock's",
+    "let phase = page.clock(omega) stand in cos and sin of whole multiples, as in "
+    "page.force(P*cos(phase), along=x)",
 )
 FRICTION_STATE = Limit(
     "friction with a state of its own",

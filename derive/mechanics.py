@@ -23,7 +23,7 @@ from functools import cached_property
 import sympy as sp
 
 from .algebra import Names, Pair, Row, Symbols, expanded, fewest_terms, quotients
-from .model import Contact, Datum, Element, Page, PageError, Point, expression_of
+from .model import Contact, Datum, Element, Page, PageError, Point, expression_of, speed_of
 
 #: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
 PUSHING = sp.Symbol("pushing", real=True)
@@ -229,6 +229,7 @@ class FrictionForce:
     along: sp.Expr | None  #: the displacement that it opposes; None where there is no friction
     rate: sp.Expr  #: d(along)/dt
     belt: sp.Expr
+    still: sp.Expr  #: the belt's speed at the phase 0 of a clock that it follows
     #: The law for the belt ahead and for the mass ahead, in the positive sliding speed.
     ahead: sp.Expr
     behind: sp.Expr
@@ -296,6 +297,8 @@ class Mechanics:
     )  #: half of the power that the dampers take, in rates, directions and lengths
     contacts: tuple[NormalForce, ...]  #: of a page without one a force that is 0
     frictions: tuple[FrictionForce, ...]  #: of a page without one a friction along nothing
+    clock: sp.Symbol | None  #: the coordinate that grows at a given rate
+    speed: sp.Expr  #: that rate; 0 without
     scaled: Callable[[sp.Expr], sp.Expr]  #: makes an expression of the page dimensionless
 
     @property
@@ -457,6 +460,10 @@ class Mechanics:
     def _residuals(self, potential: sp.Expr) -> Row:
         rows = []
         for symbol, force in zip(self.coordinates, self.applied, strict=True):
+            if symbol == self.clock:
+                # Nothing acts on the clock: s″ = Ω (Ω − s′), which is 0 where it keeps its rate.
+                rows.append(-(self.speed**2))
+                continue
             row = self.derivative(potential, symbol) - force
             for contact in self.contacts:
                 if contact.gap is not None:
@@ -470,12 +477,24 @@ class Mechanics:
     @cached_property
     def resistance(self) -> Row:
         """Forces of the dampers, on the side of the residuals."""
-        return tuple(expanded(sp.diff(self.dissipation, rate)) for rate in self.rates)
+        return tuple(
+            self.speed * rate if symbol == self.clock else expanded(sp.diff(self.dissipation, rate))
+            for symbol, rate in zip(self.coordinates, self.rates, strict=True)
+        )
+
+    @property
+    def moved(self) -> tuple[tuple[sp.Symbol, sp.Symbol, sp.Expr], ...]:
+        """Each coordinate but the clock, its rate and the applied force."""
+        each = zip(self.coordinates, self.rates, self.applied, strict=True)
+        return tuple(one for one in each if one[0] != self.clock)
 
     @cached_property
     def mass(self) -> sp.Matrix:
         """M of the kinetic energy q′ᵀ M q′/2."""
-        return sp.hessian(self.kinetic, self.rates)
+        M = sp.hessian(self.kinetic, self.rates)
+        if self.clock is not None:
+            M[-1, -1] = sp.S.One
+        return M
 
     @cached_property
     def gyroscopic(self) -> sp.Matrix:
@@ -537,6 +556,8 @@ def of(page: Page, units: bool = False) -> Mechanics:
         dissipation=expanded(dissipation),
         contacts=tuple(contacts.values()),
         frictions=_frictions(page, scaled, contacts),
+        clock=page.timer and page.timer.symbol,
+        speed=sp.S.Zero if page.timer is None else scaled(page.timer.speed),
         scaled=scaled,
         # The last, since it is known only now which angles stand by themselves.
         angles=tuple(
@@ -672,7 +693,10 @@ def _applied(page: Page, scaled: _Scaled) -> Row:
         for component, where in zip(force.components, force.place, strict=True):
             for row, symbol in enumerate(page.places):
                 forces[row] += scaled(component) * sp.diff(scaled(where), symbol)
-    return tuple(map(expanded, forces))
+    return tuple(
+        sp.S.Zero if page.timer and symbol == page.timer.symbol else expanded(force)
+        for symbol, force in zip(page.places, forces, strict=True)
+    )
 
 
 def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
@@ -713,15 +737,19 @@ def _frictions(
     """All friction of the page; of a page without one that along nothing."""
     first, zero = next(iter(contacts.values())), sp.S.Zero
     if not page.frictions:
-        return (FrictionForce(first, None, zero, zero, zero, zero, None, None, 0),)
+        return (FrictionForce(first, None, zero, zero, zero, zero, zero, None, None, 0),)
     found = []
     for it in page.frictions:
         ahead, behind = (scaled(expression_of(it.law(sign * SLIP))) for sign in (1, -1))
         holds, at_rest = (None if part is None else scaled(part) for part in (it.holds, it.at_rest))
         along, belt = scaled(it.along), scaled(it.belt)
+        still = belt
+        if page.timer is not None:
+            belt = belt.subs(speed_of(page.timer.symbol), scaled(page.timer.speed))
+            still = belt.subs(page.timer.symbol, 0)
         normal = first if it.on is None else contacts[it.on]
         rate = page.rate(along)
         found.append(
-            FrictionForce(normal, along, rate, belt, ahead, behind, holds, at_rest, it.line)
+            FrictionForce(normal, along, rate, belt, still, ahead, behind, holds, at_rest, it.line)
         )
     return tuple(found)

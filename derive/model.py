@@ -136,6 +136,15 @@ def acceleration_of(coordinate: sp.Symbol) -> str:
 
 
 @dataclass(frozen=True)
+class Clock:
+    """A coordinate that grows at a given rate."""
+
+    symbol: sp.Symbol
+    speed: sp.Expr
+    line: int
+
+
+@dataclass(frozen=True)
 class Element:
     """A straight spring or a viscous damper, or a spring that resists turning: between two points,
     or along a coordinate.
@@ -247,6 +256,7 @@ class Page:
     inertia: tuple[sp.Expr, int] | None = None
     contacts: list[Contact] = field(default_factory=list)
     frictions: list[Friction] = field(default_factory=list)
+    timer: Clock | None = None
 
     def __post_init__(self) -> None:
         _check_texts(summary=self.summary)
@@ -352,9 +362,36 @@ class Page:
         _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
         symbol = sp.Symbol(name, real=True)
         letter = latex or sp.latex(symbol)
-        return self._entered(
+        entered = self._entered(
             self.coordinates, Coordinate(symbol, speed_of(symbol), unit, meaning, letter, _line())
         )
+        # The clock is the last, so that what is told of the first coordinate is told of the motion.
+        clock = self.timer and self.timer.symbol
+        self.coordinates.sort(key=lambda it: it.symbol == clock)
+        return entered
+
+    def clock(self, speed: sp.Expr, name: str = "phase") -> sp.Symbol:
+        """The phase ``speed`` t of what varies in time, an angle: in forces, ends of springs, gaps,
+        normal forces and belt speeds by its cosine and sine, in whole multiples.
+        """
+        if self.timer is not None:
+            raise refused(
+                f"line {self.timer.line} has a clock already; let cos and sin of whole multiples "
+                "of it stand for other frequencies"
+            )
+        rate = expression_of(speed)
+        if moving := self._moving(rate):
+            raise refused(
+                f"the speed of the clock depends on {moving}; give one that stays, as omega"
+            )
+        if not rate.is_positive:
+            raise refused(
+                f"the speed of the clock {rate} may be 0 or negative; give its parameters a domain "
+                'that says it is not, as "> 0"'
+            )
+        symbol = self.coordinate(name, "rad", "phase of the clock")
+        self.timer = Clock(symbol, rate, _line())
+        return symbol
 
     def rate(self, of: sp.Expr) -> sp.Expr:
         """Time derivative of a coordinate, or of an expression in coordinates."""

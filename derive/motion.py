@@ -400,7 +400,7 @@ class Motion:
         """
         it = self.model
         total = sp.S.Zero
-        for symbol, force in zip(it.coordinates, it.applied, strict=True):
+        for symbol, _, force in it.moved:
             integral = sp.integrate(expanded(force - sp.diff(total, symbol)), symbol)
             # What has none in one form for all parameters, as sin(η b) for η = 0 too, is power.
             total += sp.S.Zero if integral.has(sp.Piecewise, sp.Integral) else integral
@@ -409,13 +409,24 @@ class Motion:
     @cached_property
     def applied_power(self) -> sp.Expr:
         """Power of applied forces that have no potential; zero for those that have one."""
-        it = self.model
-        rows = zip(it.coordinates, it.rates, it.applied, strict=True)
         return expanded(
             sum(
-                ((force - sp.diff(self.work, symbol)) * rate for symbol, rate, force in rows),
+                (
+                    (force - sp.diff(self.work, symbol)) * rate
+                    for symbol, rate, force in self.model.moved
+                ),
                 sp.S.Zero,
             )
+        )
+
+    @cached_property
+    def clock_power(self) -> sp.Expr:
+        """Rate at which the clock changes what is stored, by ends, gaps and forces that follow
+        it.
+        """
+        it = self.model
+        return (
+            sp.S.Zero if it.clock is None else it.derivative(self.stored, it.clock) * it.rates[-1]
         )
 
     def friction_force(self, friction: FrictionForce) -> sp.Expr:
@@ -428,8 +439,11 @@ class Motion:
 
     @cached_property
     def damper_power(self) -> sp.Expr:
-        """Of all dampers: never positive."""
-        return -2 * self.model.dissipation
+        """Of all dampers: never positive, but where the clock moves an end of one."""
+        it = self.model
+        if it.clock is None:
+            return -2 * it.dissipation
+        return -sum((sp.diff(it.dissipation, rate) * rate for _, rate, _ in it.moved), sp.S.Zero)
 
     @cached_property
     def outputs(self) -> dict[str, sp.Expr]:
@@ -439,7 +453,7 @@ class Motion:
         it = self.model
         force = self.friction_force(it.friction)
         sliding = it.friction.rate
-        powers = force * sliding + self.damper_power + self.applied_power
+        powers = force * sliding + self.damper_power + self.applied_power + self.clock_power
         springs = enumerate(zip(it.lines, it.stiffnesses, strict=True), 1)
         return {
             **(
@@ -460,7 +474,8 @@ class Motion:
         it = self.model
         change = sp.S.Zero
         for symbol, rate, pull in zip(it.coordinates, it.rates, self.pull, strict=True):
-            change += it.derivative(self.stored, symbol) * rate + rate * pull  # vᵀ M q″
+            if symbol != it.clock:
+                change += it.derivative(self.stored, symbol) * rate + rate * pull  # vᵀ M q″
         rubbing = sum((one.mu * one.normal.rubbing * one.rate for one in it.frictions), sp.S.Zero)
         powers = rubbing + self.damper_power + self.applied_power
         turned = {
@@ -736,12 +751,20 @@ def module(model: Mechanics) -> Module:
             function(
                 "power_besides_friction",
                 "Rate at which dampers, and applied forces without a potential, change the energy.",
-                moving,
-                motion.damper_power + motion.applied_power,
+                moving if model.clock is None else (*moving, *model.pushings),
+                motion.damper_power + motion.applied_power + motion.clock_power,
                 "power",
             ),
+            *_clock(model),
         ),
     )
+
+
+def _clock(model: Mechanics) -> tuple[Function, ...]:
+    """The rate of the clock, of a model that has one."""
+    if model.clock is None:
+        return ()
+    return (of_page("clock", "The rate of the clock.", model.arguments, model.speed, "rate"),)
 
 
 def _everywhere(motion: Motion, moving: Symbols, shorthands: Names) -> tuple[Function, ...]:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from . import laws, limits, signs, units
+from . import laws, limits, signs, symmetry, units
 from .mechanics import DEPTH, SLIP, FrictionForce, Mechanics, NormalForce, number
 from .model import Datum, Page, PageError
 from .statement_checks import PageExpression, statements
@@ -159,6 +159,12 @@ def check_forces(model: Mechanics) -> None:
             "motion can't be solved for q″; give every combination of rates a mass",
         )
     _check_inertia(model)
+    if model.page.timer and not symmetry.comes_around(model, len(model.coordinates) - 1):
+        raise PageError(
+            model.page.timer.line,
+            f"not all is as before after a turn of {model.clock}; let it stand in cos and sin of "
+            f"whole multiples, as cos({model.clock}) or cos(2*{model.clock})",
+        )
     for row, (entry, force) in enumerate(zip(model.page.coordinates, model.residuals, strict=True)):
         if force == 0:
             working = [

@@ -16,7 +16,7 @@ import sympy as sp
 from . import limits, reserved, units
 from .emit.quantities import interval
 from .mechanics import DEPTH, SLIP
-from .model import Datum, Page, PageError, acceleration_of, expression_of
+from .model import Datum, Page, PageError, acceleration_of, expression_of, speed_of
 from .units import Dimension
 
 #: What a coordinate is called in errors.
@@ -321,7 +321,26 @@ def _places(entry: Datum) -> list[sp.Rational]:
 # laws, forces, energies
 
 
+def _check_clock(page: Page) -> None:
+    """What the clock may stand in."""
+    if page.timer is None:
+        return
+    own = {page.timer.symbol, speed_of(page.timer.symbol)}
+    said = [(page.inertia[0], page.inertia[1], "the kinetic energy")] if page.inertia else []
+    said += [(it.along, it.line, "what friction opposes") for it in page.frictions]
+    said += [(it.strength, it.line, f"the {it.quality} of this {it.what}") for it in page.elements]
+    for value, line, what in said:
+        if value.free_symbols & own:
+            raise PageError(
+                line,
+                f"{what} {value} holds the clock; it may stand in forces, ends of springs, gaps, "
+                "normal forces and belt speeds: what shakes a mass is a force on it, or the end "
+                "of its spring",
+            )
+
+
 def _check_places(page: Page) -> None:
+    _check_clock(page)
     moving, rates = set(page.places), set(page.rates)
     for energy, line in page.energies:
         if energy.free_symbols & rates:
@@ -347,14 +366,16 @@ def _check_places(page: Page) -> None:
             )
     for sliding in page.frictions:
         _check_along(sliding.along, "what friction opposes", sliding.line, moving, rates)
-        if sliding.belt.free_symbols & (moving | rates):
-            held = ", ".join(sorted(map(str, sliding.belt.free_symbols & (moving | rates))))
+        clock = page.timer and page.timer.symbol
+        own = set() if clock is None else {clock, speed_of(clock)}
+        if others := sliding.belt.free_symbols & ((moving | rates) - own):
+            held = ", ".join(sorted(map(str, others)))
             raise PageError(
                 sliding.line,
                 f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed that "
                 f"stays, as V{f': {limits.PLANE}' if sliding.belt.free_symbols & rates else ''}",
             )
-        if not sliding.belt.is_nonnegative:
+        if not sliding.belt.is_nonnegative and not own & sliding.belt.free_symbols:
             raise PageError(
                 sliding.line,
                 f"the belt's speed {sliding.belt} may be negative, and equilibria take "
@@ -363,7 +384,7 @@ def _check_places(page: Page) -> None:
                 "with which it is >= 0"
                 f"{f'; {limits.PLANE}' if sliding.belt.has(sp.cos, sp.sin) else ''}",
             )
-        if sliding.belt == 0:
+        if sliding.belt == 0 and clock is None:
             raise PageError(
                 sliding.line,
                 "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V",
@@ -434,6 +455,9 @@ def statements(page: Page) -> Iterator[PageExpression]:
         yield PageExpression(energy, "this potential energy", line, units.ENERGY)
     if page.inertia is not None:
         yield PageExpression(page.inertia[0], "the kinetic energy", page.inertia[1], units.ENERGY)
+    if page.timer is not None:
+        rate = units.times(units.NONE, units.TIME, -1)
+        yield PageExpression(page.timer.speed, "the speed of the clock", page.timer.line, rate)
     for force in page.forces:
         alone = len(force.place) == 1
         for component, place in zip(force.components, force.place, strict=True):

@@ -34,6 +34,9 @@ def comes_around(model: Mechanics, place: int) -> bool:
         model.kinetic,
         model.linear,
         *model.depths.values(),
+        *(friction.belt for friction in model.frictions),
+        *(contact.push for contact in model.contacts),
+        *model.resistance,
     ]
     return all(sp.expand(part.subs(symbol, symbol + 2 * sp.pi) - part) == 0 for part in parts)
 

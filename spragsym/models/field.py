@@ -178,6 +178,8 @@ class Field:
         Of a field in units of a motion: the field in those of the model, and what they are.
     lead : int
         Place of the coordinate whose maxima mark the rounds of a motion.
+    clock : callable or None
+        ``clock(constants)``: the rate of the last coordinate, where that is the phase of a clock.
     """
 
     name: str
@@ -206,6 +208,7 @@ class Field:
     natural: Field | None = None
     scales: MotionScales | None = None
     lead: int = 0
+    clock: Callable[[Values], float] | None = None
 
     def led(self, lead: int) -> Field:
         """The field with rounds marked by another coordinate."""
@@ -314,6 +317,7 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
         units=tuple(entry["unit"] for entry in model.about["coordinates"]),
         lengths=motion.lengths,
         sized=partial(field_of, model, reach),
+        clock=motion.clock if model.clock else None,
     )
 
 
@@ -517,6 +521,10 @@ class _Motion:
         """Derivatives of a sliding speed, or of how far its force is from a limit."""
         slopes = self.in_mode("grip_slopes")
         return lambda state, constants, mode: slopes(state, constants, mode, _namespace(state))[row]
+
+    def clock(self, constants: Values) -> float:
+        """The rate of the clock."""
+        return float(undecorated(self.model.algebra.clock)(*constants))
 
     def lengths(self, state: Sequence[float], constants: Values) -> list[float]:
         """Undeformed lengths of the springs along lines."""

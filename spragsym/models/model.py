@@ -27,6 +27,9 @@ from .parameters import ANGLE, FINITE, FloatArray, ParameterSet, Range, as_numbe
 Touching: TypeAlias = bool | tuple[str, ...]
 
 
+#: What is answered of a page with a clock.
+FORCED = ("simulate", "rms_sweep", "cycle", "cycle_branch")
+
 #: The face that a contact presses on where N is negative.
 OPPOSITE = "opposite face"
 
@@ -166,17 +169,37 @@ class Model:
     @property
     def contact(self) -> Mapping[str, Any]:
         """The only contact; an error of a model with several."""
-        self.require_one_contact("this")
+        self._require_one("this")
         return self.contacts[0]
 
     @property
     def friction_law(self) -> Mapping[str, Any] | None:
         """The only friction, None without any; an error of a model with several contacts."""
-        self.require_one_contact("this")
+        self._require_one("this")
         return self.frictions[0] if self.frictions else None
 
+    @cached_property
+    def clock(self) -> str:
+        """The coordinate that is the phase of a clock, the last; empty where the page has none."""
+        return self.coordinates[-1] if hasattr(self.algebra, "clock") else ""
+
+    def require_no_clock(self, what: str) -> None:
+        """An error for what is not answered of what varies in time: nothing rests, and a motion
+        depends on the phase at which it begins.
+        """
+        if self.clock:
+            raise ModelError(
+                f"{what} is not answered of {self.name}, whose page has a clock ({self.clock}): "
+                f"nothing rests there; ask {', '.join(FORCED)}, or hold the clock still with a "
+                "parameter in its place"
+            )
+
     def require_one_contact(self, what: str) -> None:
-        """An error for what is not answered of several contacts."""
+        """An error for what is not answered of several contacts, or of a page with a clock."""
+        self.require_no_clock(what)
+        self._require_one(what)
+
+    def _require_one(self, what: str) -> None:
         if len(self.contacts) > 1:
             names = ", ".join(entry["name"] for entry in self.contacts)
             raise ModelError(

@@ -134,7 +134,7 @@ def simulate(
     problem = prepare(
         model,
         p,
-        start=tuple(state_of(model, start, initial).tolist()),
+        start=tuple(state_of(model, start, initial, p).tolist()),
         t_end=t_end,
         rtol=rtol,
         max_steps=max_steps,
@@ -449,8 +449,9 @@ class Trajectory(Named):
         """Rate at which friction, dampers and forces without a potential change that energy, at the
         samples.
         """
+        pushing = self._pushing() if self.model.clock else ()
         return self.friction_power() + self.model.algebra.power_besides_friction(
-            *self.state, *self._arguments()
+            *self.state, *self._arguments(), *pushing
         )
 
     def spring_force(self, spring: str | None = None) -> FloatArray:
@@ -592,13 +593,26 @@ def row_of(of: str | None, offered: tuple[str, ...]) -> int:
 
 
 def initial_state(
-    model: Model, start: ArrayLike | None, initial: Mapping[str, ArrayLike]
+    model: Model,
+    start: ArrayLike | None,
+    initial: Mapping[str, ArrayLike],
+    p: ParameterSet | None = None,
 ) -> dict[str, FloatArray]:
     """The initial state by names, ``x0`` for ``x`` and ``vx0`` for ``vx``; 0 where nothing is
-    given.
+    given, of a clock the rate that it has at ``p``.
     """
     names = [f"{name}0" for name in model.components]
     values: dict[str, ArrayLike] = dict.fromkeys(names, 0.0)
+    if p is None:
+        model.require_no_clock("this question")
+    elif model.clock:
+        rate = values[names[-1]] = model.algebra.clock(*model.arguments(p, "motion"))
+        asked = initial.get(names[-1], rate) if start is None else np.asarray(start)[-1:]
+        if not np.all(np.abs(np.asarray(asked) - rate) <= 1e-9 * rate):
+            raise ParameterError(
+                f"{names[-1]} is the rate of the clock, which keeps it; leave it out, and give "
+                f"the phase at which the motion begins, as {model.clock}0=1.57"
+            )
     if start is not None:
         given = as_numbers("start", start)
         if given.shape != (len(names),):
@@ -618,13 +632,16 @@ def initial_state(
 
 
 def state_of(
-    model: Model, start: ArrayLike | None, initial: Mapping[str, ArrayLike] | None = None
+    model: Model,
+    start: ArrayLike | None,
+    initial: Mapping[str, ArrayLike] | None = None,
+    p: ParameterSet | None = None,
 ) -> FloatArray:
     """One initial state as an array; rest where nothing is given."""
     return np.array(
         [
             as_number(name, value)
-            for name, value in initial_state(model, start, initial or {}).items()
+            for name, value in initial_state(model, start, initial or {}, p).items()
         ]
     )
 

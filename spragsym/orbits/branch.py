@@ -12,7 +12,7 @@ from itertools import islice
 import numpy as np
 
 from ..core.error_states import in_usual_state
-from ..core.errors import ConvergenceError, ParameterError, one_of, require_kind
+from ..core.errors import ConvergenceError, ModelError, ParameterError, one_of, require_kind
 from ..core.progress import doing
 from ..core.remarks import At, Remark
 from ..display import Column
@@ -314,6 +314,12 @@ def cycle_branch(
         raise ParameterError(
             f"between = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; "
             "give one"
+        )
+    if cycle.field.clock and cycle.field.holding:
+        raise ModelError(
+            "cycle_branch is not answered yet where friction that holds meets a clock; ask "
+            "cycle(p, turns=1) at each value, or write a law that is steep at rest, as "
+            "mu0*tanh(d*v)"
         )
     own = in_scales(cycle.loop)
     setting = Setting(own.flow, (index,), own.period, ((high - low) / 2,))

@@ -15,7 +15,7 @@ from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError, require_kind
-from ..models.field import FLOATS, Field, Values
+from ..models.field import FLOATS, Values
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
 from ..motion import Trajectory
@@ -70,6 +70,9 @@ STEEP = 1e8
 #: which are no less than 1 in units of the motion and of the parameter.
 AROUND = 1e-13
 
+#: Turns of a clock after which a motion is near a cycle.
+SETTLING = 100
+
 #: Share of the amplitude at which a motion first comes to a border of the field.
 SHARE = 0.1
 #: Amplitude where it comes to none, in units of the motion.
@@ -95,6 +98,7 @@ def cycle(
     onset: Onsets | None = None,
     index: int = 0,
     amplitude: float | None = None,
+    turns: int | None = None,
 ) -> Cycle:
     """The cycle near a state, or the one that a motion approaches, or the one that is born at an
     onset of flutter.
@@ -127,6 +131,9 @@ def cycle(
         Of the cycle that is born there: half of the range of the coordinate that moves most, to a
         thousandth; see :func:`spragsym.orbits.finding.born_at`. The parameter along which the
         onsets were found takes the value that belongs to it.
+    turns : int, optional
+        Of a page with a clock: the cycle that closes after so many turns of it, stable or not, by
+        Newton's method from ``near``; without that from the end of a motion of a hundred turns.
 
     Returns
     -------
@@ -164,7 +171,35 @@ def cycle(
         return born_at(onset, index, amplitude, backend)
     if p is None:
         raise ParameterTypeError("p is missing; give parameters, or the onset of a model")
-    return cycle_near(System.of(p, backend, V=V, d=d), near, patient=patient)
+    system = System.of(p, backend, V=V, d=d)
+    if turns is not None:
+        return _after_turns(system, near, as_count("turns", turns))
+    return cycle_near(system, near, patient=patient)
+
+
+def _after_turns(system: System, near: Any, turns: int) -> Cycle:
+    """The cycle of so many turns of the clock."""
+    field = system.field
+    if field.clock is None:
+        raise ParameterError(
+            f"turns = {turns}: the page has no clock to turn; leave it out, or say "
+            "page.clock(omega)"
+        )
+    turn = 2 * math.pi / field.clock(system.constants)
+    if isinstance(near, Cycle | Trajectory):
+        start = near.state if isinstance(near, Cycle) else near.state[:, -1]
+    else:
+        start = _state(system, near)
+    if near is None:
+        start = system.motion(start, SETTLING * turn).state[:, -1]
+    found = cycle_at(system, start, turns * turn)
+    own = round(found.period / turn)
+    if own != turns:
+        raise ConvergenceError(
+            f"the cycle near the state closes after {own} turns of the clock, and not {turns}; "
+            f"give another state, or turns={own}"
+        )
+    return found
 
 
 def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cycle:
@@ -175,7 +210,7 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
         return _checked(_towards(flow, near.loop.guess, system.values))
     approached = near is None or isinstance(near, Trajectory)
     looks = None if patient or approached else 1
-    start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
+    start = near.state[:, -1] if isinstance(near, Trajectory) else _state(system, near)
     if not np.isfinite(rate(field, start, system.constants)).all():
         raise ParameterError(
             f"near = {start.tolist()}: the motion is not defined there; give another state"
@@ -252,8 +287,13 @@ def _rests(loop: Loop) -> bool:
     return extent(loop) <= max(LEAST, SURE * error_of(loop))
 
 
-def _state(field: Field, near: Any) -> FloatArray:
-    state = np.zeros(field.size) if near is None else as_numbers("near", near)
+def _state(system: System, near: Any) -> FloatArray:
+    field = system.field
+    n = len(field.coordinates) - bool(field.clock)
+    state = np.zeros(2 * n) if near is None else as_numbers("near", near)
+    if field.clock and state.shape == (2 * n,):
+        # Without the clock, which begins at 0 and keeps its rate.
+        state = np.concatenate([state[:n], [0.0], state[n:], [field.clock(system.constants)]])
     if state.shape != (field.size,):
         raise ParameterError(
             f"near has the shape {state.shape}; give a state of {field.size} numbers, a "

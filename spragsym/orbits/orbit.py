@@ -41,7 +41,7 @@ from ..motion.shooting import (
 from ..motion.simulation import motion_of
 from ..motion.solution import Events, events_of
 from ..numerics.interval_arrays import ComplexArray, Int8Array
-from ..numerics.vectors import apart, magnitude
+from ..numerics.vectors import apart, magnitude, norm
 from ..results.result import Result
 
 #: A multiplier this close to 1 in size decides nothing about stability.
@@ -276,7 +276,7 @@ def _cycle_of(loop: Loop) -> Cycle:
     """The same in the loop's units but for the errors, which are in the model's."""
     loop = least_period(loop.bound().led())
     loop = refined(loop, _top(loop))
-    if loop.field.holding and not abs(loop.multipliers.trivial - 1) < UNRESOLVED:
+    if loop.field.holding and not _carries_its_flow(loop):
         # It may begin as it passes a jump of the field, which derivatives then lack.
         aside = looped(loop.flow, recut(loop, len(loop.states), ASIDE * loop.guess.stretch))
         loop = refined(aside, clear(aside))
@@ -396,6 +396,15 @@ class Cycles(Sequence[Cycle]):
         if place not in self._known:
             self._known[place] = cycle_of(self.loops[place])
         return self._known[place]
+
+
+def _carries_its_flow(loop: Loop) -> bool:
+    """Whether the derivative over each stretch takes the flow at its beginning to that at its
+    end.
+    """
+    flows = [loop.rate(state) for state in loop.states]
+    ends = zip(loop.passages, flows, [*flows[1:], flows[0]], strict=True)
+    return all(norm(each.by_state @ one - due) < UNRESOLVED * norm(due) for each, one, due in ends)
 
 
 def is_stable(loop: Loop) -> bool:

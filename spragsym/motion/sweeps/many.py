@@ -142,7 +142,7 @@ def rms_sweep(
     p.require(*model.parameters)
     inputs = {
         **{name: p[name] for name in model.parameters},
-        **initial_state(model, None, initial),
+        **initial_state(model, None, initial, p),
     }
     t_end = as_number("t_end", t_end, POSITIVE)
     transient = (

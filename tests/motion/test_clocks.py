@@ -1,0 +1,181 @@
+"""Motions and cycles of what varies in time, against closed forms and integrations by SciPy."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.core.errors import ModelError, ParameterError
+from spragsym.derive.model import PageError
+from spragsym.motion.problem import Event
+from tests.oracles.clocks import DUFFING, FRICTION, MOVED
+from tests.oracles.user_pages import model_of, replaced
+
+
+def off(motion: ss.results.Trajectory, field: Callable[[float, np.ndarray], list[float]]) -> float:
+    """Difference of a motion from one by SciPy, from its beginning."""
+    from scipy.integrate import solve_ivp
+
+    n = len(motion.state) // 2 - 1
+    rows = [*range(n), *range(n + 1, 2 * n + 1)]
+    begin = motion.state[rows, 0]
+    found = solve_ivp(field, (0, motion.t[-1]), begin, "DOP853", rtol=1e-12, atol=1e-12)
+    return float(np.abs(found.y[:, -1] - motion.state[rows, -1]).max())
+
+
+@pytest.mark.thorough
+def test_what_slides_under_a_harmonic_force_has_the_closed_form_of_den_hartog() -> None:
+    """Without stops: Forced vibrations with combined Coulomb and viscous friction, 1931."""
+    model = model_of(FRICTION, "forced")
+    for omega, f in ((0.7, 0.5), (1.4, 0.8), (2.5, 1.2)):
+        found = ss.cycle(model.Parameters(omega=omega, f=f), turns=1)
+        size, turned = 1 / (1 - omega**2), np.pi / omega
+        slowed = np.sin(turned) / (omega * (1 + np.cos(turned)))
+        exact = np.sqrt(size**2 - (0.4 * f * slowed) ** 2)
+        assert found.amplitude == pytest.approx(exact, rel=1e-9)
+        assert found.period == pytest.approx(2 * np.pi / omega, rel=1e-12)
+        # The clock's own multipliers are 1 and exp(−2 π).
+        assert np.abs(found.multipliers - 1).min() < 1e-12
+        assert np.abs(found.multipliers - np.exp(-2 * np.pi)).min() < 1e-9
+
+
+@pytest.mark.thorough
+def test_what_sticks_at_both_turns_is_put_together_from_its_pieces() -> None:
+    from scipy.optimize import fsolve
+
+    model = model_of(FRICTION, "forced")
+    for omega in (0.3, 0.35):
+        force, size = 0.2, 1 / (1 - omega**2)
+
+        def pieces(
+            unknown: np.ndarray, omega: float = omega, force: float = force, size: float = size
+        ) -> list[float]:
+            """It slips at x = A, where A − cos φ = f, and stops at −A."""
+            largest, time = unknown
+            begun = np.arccos(largest - force)
+            cosine, sine = largest - force - size * np.cos(begun), omega * size * np.sin(begun)
+            end = begun + omega * time
+            x = force + size * np.cos(end) + cosine * np.cos(time) + sine * np.sin(time)
+            v = -omega * size * np.sin(end) - cosine * np.sin(time) + sine * np.cos(time)
+            return [x + largest, v]
+
+        found = ss.cycle(model.Parameters(omega=omega), turns=1)
+        exact = fsolve(pieces, [0.98 * found.amplitude, 0.3 * found.period], xtol=1e-13)
+        assert found.amplitude == pytest.approx(exact[0], rel=1e-9)
+        assert found.stable
+        begin = {"x0": found.state[0] + 1e-5, "phase0": found.state[1]}
+        later = ss.simulate(
+            model.Parameters(omega=omega), vx0=found.state[2], t_end=found.period, **begin
+        )
+        after = 1e-5 * np.abs(found.multipliers[1])
+        assert abs(later.x[-1] - found.state[0]) < 1.1 * after + 1e-8
+
+
+def test_what_the_force_does_not_move_sticks() -> None:
+    model = model_of(FRICTION, "forced")
+    motion = ss.simulate(model.Parameters(f=2.6), x0=0.01, phase0=0.4, t_end=30.0)
+    assert np.abs(motion.x - 0.01).max() < 1e-15
+    assert motion.phase[-1] == pytest.approx(0.4 + 0.6 * 30, abs=1e-12)
+
+
+@pytest.mark.thorough
+def test_folds_of_the_resonance_of_duffing_are_those_of_the_stroboscopic_map() -> None:
+    from scipy.integrate import solve_ivp
+    from scipy.optimize import fsolve
+
+    p = model_of(DUFFING, "duffing").Parameters(omega=0.9)
+    branch = ss.cycle_branch(ss.cycle(p, turns=1), "omega", between={"omega": (0.8, 2.0)})
+    folds = [event for event in branch.events if event.kind == "fold"]
+    assert len(folds) == 2
+
+    def returned(unknown: np.ndarray) -> list[float]:
+        """The map less the state, and det(its derivative − 1)."""
+        x, v, omega = unknown
+
+        def field(t: float, u: np.ndarray) -> list[float]:
+            slope = -1 - 0.15 * u[0] ** 2
+            force = np.cos(omega * t) - 0.1 * u[1] - u[0] - 0.05 * u[0] ** 3
+            return [u[1], force, u[3], slope * u[2] - 0.1 * u[3], u[5], slope * u[4] - 0.1 * u[5]]
+
+        end = solve_ivp(
+            field, (0, 2 * np.pi / omega), [x, v, 1, 0, 0, 1], "DOP853", rtol=1e-12, atol=1e-12
+        ).y[:, -1]
+        determinant = (end[2] - 1) * (end[5] - 1) - end[3] * end[4]
+        return [end[0] - x, end[1] - v, determinant]
+
+    for event in folds:
+        cycle = event.cycle
+        at_zero = ss.simulate(
+            p.replace(omega=event.value),
+            start=[*cycle.state[:3], event.value],
+            t_end=(-cycle.state[1] % (2 * np.pi)) / event.value,
+        ).state[:, -1]
+        exact = fsolve(returned, [at_zero[0], at_zero[2], event.value], xtol=1e-12)
+        assert event.value == pytest.approx(exact[2], rel=1e-8)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("backend", ["scipy", "heyoka"])
+def test_a_motion_with_everything_that_follows_the_clock(backend: str) -> None:
+    model = model_of(MOVED, "moved")
+    a, e, c, speed, f, omega = 0.3, 0.5, 0.1, 0.4, 0.5, 0.6
+
+    def field(t: float, u: np.ndarray) -> list[float]:
+        x, v = u
+        gap = x - a * np.cos(2 * omega * t) - 0.1
+        slip = speed + a * omega * np.cos(omega * t) - v
+        rubs = np.tanh(5 * slip) / 2 * f * (1 + e * np.cos(omega * t))
+        return [v, a * np.sin(omega * t) - x - c * v + 5 * max(0.0, -gap) + rubs]
+
+    motion = ss.simulate(model.Parameters(), x0=0.6, vx0=-0.3, t_end=40.0, backend=backend)
+    assert len(motion.events.of(Event.CONTACT_LOST)) > 2
+    assert off(motion, field) < 1e-8
+    cycle = ss.cycle(model.Parameters(), turns=1)
+    assert cycle.stable
+    begun = {"x0": cycle.state[0], "vx0": cycle.state[2], "phase0": cycle.state[1]}
+    once = ss.simulate(model.Parameters(), t_end=cycle.period, **begun)
+    assert np.abs(once.state[[0, 2], -1] - cycle.state[[0, 2]]).max() < 1e-9
+
+
+@pytest.mark.thorough
+def test_the_energy_changes_by_the_work_of_the_clock_too() -> None:
+    for text, name in ((FRICTION, "forced"), (DUFFING, "duffing")):
+        motion = ss.simulate(model_of(text, name).Parameters(), x0=0.3, t_end=50.0)
+        change = motion.energy()[-1] - motion.energy()[0]
+        assert abs(change - motion.integral(motion.power())) < 1e-7
+
+
+def test_what_is_not_answered_of_a_clock_says_so() -> None:
+    p = model_of(DUFFING, "duffing").Parameters()
+    for ask in (ss.equilibria, ss.folds, ss.fate, ss.lyapunov):
+        with pytest.raises(ModelError, match="has a clock"):
+            ask(p)
+    with pytest.raises(ParameterError, match="the rate of the clock"):
+        ss.simulate(p, vphase0=0.3)
+    with pytest.raises(ParameterError, match="no clock"):
+        ss.cycle(ss.load("stick_slip").Parameters(), turns=1)
+    held = model_of(FRICTION, "forced").Parameters(omega=0.7)
+    with pytest.raises(ModelError, match="friction that holds meets a clock"):
+        ss.cycle_branch(ss.cycle(held, turns=1), "omega", between={"omega": (0.6, 0.8)})
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "words"),
+    [
+        ("P * cos(phase)", "P * phase", "not all is as before after a turn of phase"),
+        ("m * page.rate(x)", "m * (1 + cos(phase) / 9) * page.rate(x)", "holds the clock"),
+        ("page.clock(omega)", "page.clock(omega - 1 / page.rate(x))", "depends on vx"),
+        ('"> 0", 0.6', '">= 0", 0.6', "may be 0 or negative"),
+        ("page.clock(omega)", "(page.clock(omega), page.clock(omega, 's'))[0]", "a clock already"),
+    ],
+)
+def test_what_a_clock_cannot_stand_in_is_refused_by_its_line(
+    before: str, after: str, words: str, tmp_path: Path
+) -> None:
+    from spragsym.derive import pages
+
+    (tmp_path / "mine.py").write_text(replaced(DUFFING, (before, after)), encoding="utf-8")
+    with pytest.raises(PageError, match=rf"line \d+: .*{words}"):
+        pages.read(tmp_path / "mine.py")

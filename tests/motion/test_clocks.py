@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.cli.export import _of_page
 from spragsym.core.errors import ModelError, ParameterError
 from spragsym.derive.model import PageError
 from spragsym.motion.problem import Event
@@ -152,6 +153,8 @@ def test_what_is_not_answered_of_a_clock_says_so() -> None:
     for ask in (ss.equilibria, ss.folds, ss.fate, ss.lyapunov):
         with pytest.raises(ModelError, match="has a clock"):
             ask(p)
+    with pytest.raises(ModelError, match="an export is not answered"):
+        _of_page(p.model, "c", None, ())
     with pytest.raises(ParameterError, match="the rate of the clock"):
         ss.simulate(p, vphase0=0.3)
     with pytest.raises(ParameterError, match="no clock"):

@@ -18,6 +18,7 @@ from ..command_line import option_name, options_of
 from ..core.errors import ParameterError, hint
 from ..core.remarks import Remark
 from ..display import columns_of_class, own_name
+from ..files.text import brake_text
 from ..models.model import Model
 from ..models.parameters import FloatArray, ParameterSet, Range, Ranges, as_number
 from ..models.quantities import Quantities, quantities
@@ -339,6 +340,7 @@ def study_of(path: str | Path, model: str | None, trust: bool, *, warn: bool = T
     """The data of a brake, for the model that the command names if it names one; with warnings of
     what numbers may mean.
     """
+    brake_text(path)  # refused before anything large is loaded
     from ..report import Study
     from ..report.data import read_brake
 

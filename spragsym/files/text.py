@@ -80,6 +80,11 @@ def text_of(
     return printed(os.fspath(path), text, allowed="\n\r\t")
 
 
+def brake_text(path: FilePath) -> str:
+    """The text of the file of a brake, as :func:`text_of`."""
+    return text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±")
+
+
 def printed(where: str, held: object, allowed: str = "") -> Any:
     """Text that was read, or data with texts in them; a ParameterError if one holds what is not
     printed.

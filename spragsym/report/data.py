@@ -14,7 +14,7 @@ from typing import Any
 
 from ..core.errors import ParameterError, SpragsymError, hint
 from ..design.sampling import Correlation, dependence
-from ..files.text import FilePath, path_text, printed, text_of
+from ..files.text import FilePath, brake_text, path_text, printed
 from ..models.load import USUAL, WITH_DAMPERS
 from ..models.parameters import FINITE, Range, Ranges
 from ..models.quantities import Quantities, quantities
@@ -56,10 +56,7 @@ def read_brake(path: FilePath, trust: bool | str = False) -> Brake:
     one folder whose code may. Every mistake is a ParameterError that names the file, the line, the
     key, the value and what to write.
     """
-    return _FileReader(
-        path_text(path),
-        text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±"),
-    ).read(trust)
+    return _FileReader(path_text(path), brake_text(path)).read(trust)
 
 
 class _FileReader:

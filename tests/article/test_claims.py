@@ -2,6 +2,7 @@
 
 import ast
 import itertools
+import re
 from collections import defaultdict
 from functools import cache
 from pathlib import Path
@@ -679,6 +680,13 @@ def test_every_row_names_a_test_and_a_command_that_exist() -> None:
 
 
 COMMITTED = (ROOT / "docs" / "reproduction.md").read_text(encoding="utf-8")
+
+
+def test_every_figure_says_with_what_it_was_compared() -> None:
+    rows = re.split(r"^### ", COMMITTED, flags=re.MULTILINE)[1:]
+    figures = [row for row in rows if row.startswith("fig-")]
+    assert len(figures) > 30
+    assert all(row.count("\n- compared with: ") == 1 for row in figures)
 
 
 def test_the_report_is_as_committed(tmp_path: Path) -> None:

@@ -294,6 +294,19 @@ def test_an_error_is_one_line_that_says_what_to_do(
     assert not list(tmp_path.iterdir())
 
 
+def test_a_file_that_is_not_there_is_refused_before_much_is_loaded(tmp_path: Path) -> None:
+    code = (
+        "import sys\nfrom spragsym.cli import main\n"
+        "try:\n    main(['report', 'none.toml'])\nexcept SystemExit as stop:\n    code = stop.code\n"
+        "print(code, *({'spragsym.report', 'spragsym.motion', 'pint'} & set(sys.modules)))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, encoding="utf-8"
+    )
+    assert done.stdout == "2\n", done
+    assert "none.toml can't be read" in done.stderr
+
+
 @pytest.mark.parametrize(
     ("error", "code", "words"),
     [

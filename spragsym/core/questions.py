@@ -42,6 +42,8 @@ SEVERAL = (
     "count",
     "cycle",
     "cycle_branch",
+    "cycle_events",
+    "diagram",
     "equilibria",
     "fate",
     "fate_map",

@@ -26,6 +26,7 @@ from ..core.errors import ConvergenceError, ParameterError, SpragsymError
 from ..core.questions import model_of
 from ..core.remarks import At, Remark
 from ..display import Column
+from ..models.model import Touching
 from ..models.parameters import FloatArray, ParameterSet, Ranges, Span, as_count, varied_range
 from ..motion.scales import MotionScales
 from ..motion.shooting import natural
@@ -90,7 +91,7 @@ class EquilibriumBranch(Result):
         Whether small deviations decay, or at least do not grow.
     mode : str
         ``"contact"`` or ``"lift-off"``; of a contact that presses on either of two faces
-        ``"opposite face"``.
+        ``"opposite face"``; of several contacts which of them touch alone.
     """
 
     values: FloatArray
@@ -237,7 +238,6 @@ def diagram(
     >>> found.data()["V"].size == found.equilibria[0].values.size + found.cycles[0].values.size
     True
     """
-    p.model.require_one_contact("diagram")
     model = model_of(p)
     model.require_parameter(vary)
     p.scalars(*(name for name in model.parameters if name != vary))
@@ -370,6 +370,10 @@ def _labels(rest: FixedPoints, line: Sequence[Point], number: int) -> Iterator[L
 def _passes(line: Sequence[Point], point: Point) -> bool:
     """Whether a branch passes through a point."""
     place, around = point.loop.state, point.loop.field.around
+    for end in (line[0], line[-1]):  # it ends within a step of a border, which the point may be on
+        off = abs(end.value - point.value) / point.setting.spans[0]
+        if max(off, magnitude(apart(place, end.loop.state, around))) <= 2 * SHORTEST:
+            return True
     for one, other in pairwise(line):
         near = magnitude(apart(place, one.loop.state, around)) < 2 * LONGEST
         if (
@@ -384,16 +388,17 @@ def _passes(line: Sequence[Point], point: Point) -> bool:
     return False
 
 
-def _seeds(p: ParameterSet, vary: str, to: Span) -> list[tuple[bool, Equilibria]]:
-    """The equilibria at some values of the parameter, in contact or not."""
-    grid, found = p.replace(**{vary: np.linspace(*to, SEEDS)}), list[tuple[bool, Equilibria]]()
-    for contact in (True, False):
-        with suppress(SpragsymError):  # no unilateral contact
-            found.append((contact, equilibria(grid, contact=contact, method="search")))
-    return found
+def _seeds(p: ParameterSet, vary: str, to: Span) -> list[tuple[Touching, Equilibria]]:
+    """The equilibria at some values of the parameter, of every combination of contacts that
+    touch.
+    """
+    grid = p.replace(**{vary: np.linspace(*to, SEEDS)})
+    return [
+        (contact, equilibria(grid, contact=contact, method="search")) for contact in p.model.regimes
+    ]
 
 
-def _scales_of_all(p: ParameterSet, seeds: Sequence[tuple[bool, Equilibria]]) -> MotionScales:
+def _scales_of_all(p: ParameterSet, seeds: Sequence[tuple[Touching, Equilibria]]) -> MotionScales:
     """Units of the motion at rest at the largest of all coordinates."""
     names = p.model.coordinates
     most = [
@@ -407,10 +412,10 @@ def _scales_of_all(p: ParameterSet, seeds: Sequence[tuple[bool, Equilibria]]) ->
 
 
 def _equilibria(
-    p: ParameterSet, vary: str, to: Span, seeds: Sequence[tuple[bool, Equilibria]]
+    p: ParameterSet, vary: str, to: Span, seeds: Sequence[tuple[Touching, Equilibria]]
 ) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:
     """All branches on which there is one of the equilibria known, with their labels."""
-    model, found = p.model, list[tuple[bool, list[Point]]]()
+    model, found = p.model, list[tuple[Touching, list[Point]]]()
     index, span = model.parameters.index(vary), (to[1] - to[0]) / 2
     scales = _scales_of_all(p.replace(**{vary: sum(to) / 2}), seeds)
     for contact, known in seeds:
@@ -438,7 +443,7 @@ def _equilibria(
                 values,
                 states * scales.places,
                 stable,
-                "contact" if contact else model.regimes[False],
+                "contact" if contact is True else model.regimes[contact],
             )
             yield branch, list(_labels(rest, line, len(found)))
             found.append((contact, line))

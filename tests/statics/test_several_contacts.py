@@ -133,7 +133,6 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
         lambda: ss.jump_gradient(p, "mu0"),
         lambda: ss.critical_value(p, "mu0", between={"mu0": (0.0, 1.0)}),
         lambda: ss.onset_curves(p, ("mu0", "h")),
-        lambda: ss.diagram(p, "mu0", between={"mu0": (0.1, 0.2)}),
         lambda: ss.explore(p),
     ):
         with pytest.raises(ss.errors.ModelError, match=r"not answered yet of pad_on_2.*2 contacts"):

@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..bifurcation.sticking import sticking_states
-from ..core.errors import ConvergenceError, ParameterError
+from ..core.errors import ConvergenceError, ModelError, ParameterError
 from ..display import Column, named_fields
 from ..models.field import SETTLED, Field, Values
 from ..models.parameters import FloatArray, ParameterSet
@@ -178,7 +178,7 @@ def sets_of_rest(p: ParameterSet) -> Sets:
         return ()
     try:
         found = sticking_states(p)
-    except (ParameterError, ConvergenceError):
+    except (ParameterError, ConvergenceError, ModelError):
         return ()
     ends = [
         [found.ends[f"{name}_{end}"] for name in p.model.coordinates] for end in ("low", "high")

@@ -10,6 +10,7 @@ import pytest
 import spragsym as ss
 from spragsym.core.errors import ConvergenceError
 from spragsym.motion.sweeps import basin, rms_sweep
+from tests.oracles.contact_pages import BLOCKS
 from tests.oracles.user_pages import model_of
 from tests.support import needs_a_quick_integrator
 
@@ -90,6 +91,22 @@ def test_a_set_of_rest_states_is_one_attractor() -> None:
     own = np.digitize(x[held], [-0.5, 0.5])
     assert len(found.attractors) == 3
     assert [len({*found.attractor[own == each, 0]}) for each in range(3)] == [1, 1, 1]
+
+
+@pytest.mark.thorough
+def test_where_sets_of_rest_are_not_answered_places_are_told_apart() -> None:
+    """Several frictions hold, and forces are not affine: each place of rest counts, and no error is
+    told.
+    """
+    stiffening = BLOCKS.replace(
+        "page.spring(beta * k, along=x_2)",
+        "page.spring(beta * k, along=x_2)\npage.potential(k * x_2**4 / a**2 / 4)",
+    )
+    p = model_of(stiffening, "stiffening_blocks").Parameters(V=0.0)
+    with pytest.raises(ss.errors.ModelError, match="not linear"):
+        ss.sticking_states(p)
+    found = basin(p, x_1=[0.0, 0.1], x_2=[0.0], t_end=20.0, transient=10.0)
+    assert found.attractor[:, 0].tolist() == [0, 1]
 
 
 @pytest.mark.thorough

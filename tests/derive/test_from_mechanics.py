@@ -95,7 +95,11 @@ def test_a_lagrangian_with_terms_linear_in_the_rates_is_a_kinetic_energy(tmp_pat
     ("before", "after", "words"),
     [
         ("- stored, [X, Y],", "- stored, [X, Y], hol_coneqs=[X - Y],", "has constraints"),
-        ("mu * N * belt.x", "(mu * N + F_L * cos(dynamicsymbols._t)) * belt.x", "forcing in time"),
+        (
+            "mu * N * belt.x",
+            "(mu * N + F_L * cos(dynamicsymbols._t)) * belt.x",
+            "a time that is not a clock's",
+        ),
         ("mu * N * belt.x", "(mu * N - m / L_0 * X.diff() ** 2) * belt.x", "nonlinear in speed"),
         (
             "mu * N * belt.x",
@@ -231,7 +235,13 @@ def test_the_friction_of_loads_is_read(case: str, tmp_path: Path) -> None:
     [
         (BY_METHOD, ", frame=frame", "", "page_from(", "without the frame"),
         (BY_METHOD, '"force": W', '"pull": W', "page_from(", "pull is unknown or missing"),
-        (BY_METHOD, "mu * N", "sp.cos(dynamicsymbols._t) * N", "page_from(", "forcing in time"),
+        (
+            BY_METHOD,
+            "mu * N",
+            "sp.cos(dynamicsymbols._t) * N",
+            "page_from(",
+            "a time that is not a clock's",
+        ),
         (BY_METHOD, "mu * N", "-mu_k * W * sp.sign(X.diff())", "page_from(", "CoulombKinetic"),
         (BY_SYSTEM, "system.form_eoms()", "", "page_from(", "call its form_eoms"),
         (

@@ -73,9 +73,10 @@ def test_the_example_in_c_is_built_and_moves_as_python_does(
     assert len(said[said.index("energy") + 2 :]) == 2  # which of both touch
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("text", "name"),
-    [(BLOCKS, "blocks"), pytest.param(TIED_BLOCKS, "tied", marks=pytest.mark.thorough)],
+    [(BLOCKS, "blocks"), (TIED_BLOCKS, "tied")],
 )
 def test_the_field_of_frictions_that_hold_is_that_of_the_mode_of_a_motion(
     text: str, name: str

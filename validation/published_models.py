@@ -1,8 +1,8 @@
 """Published models of friction-induced vibration, of rotors and of moving strings as pages: each
 with a number that its paper prints, or that follows from it in closed form, at random parameters.
 
-Their pages stand in ``validation/papers`` and, of several contacts, in
-``tests/oracles/contact_pages.py``.
+Their pages stand in ``validation/papers`` and, of several contacts and with a clock, in
+``tests/oracles``.
 """
 
 import math
@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from tests.oracles import contact_pages
+from tests.oracles import clocks, contact_pages
 from tests.oracles.user_pages import model_of
 
 PAPERS = Path(__file__).parent / "papers"
@@ -151,6 +151,17 @@ def between_pads(model: Any, rng: np.random.Generator) -> Pair:
     return found.period, 4 * (inside + math.atan(v_1 / (2 * depth)))
 
 
+def forced_friction(model: Any, rng: np.random.Generator) -> Pair:
+    """J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, Transactions
+    of the ASME 53 (1931) 107-115: the amplitude where nothing sticks, √(1/(1 − ω²)² − (F S)²), S =
+    sin(π/ω) / (ω (1 + cos(π/ω))).
+    """
+    omega, f = rng.uniform(1.4, 2.5), rng.uniform(0.4, 0.9)
+    found = ss.cycle(model.Parameters(omega=omega, f=f), turns=1)
+    slowed = math.sin(math.pi / omega) / (omega * (1 + math.cos(math.pi / omega)))
+    return found.amplitude, math.sqrt(1 / (1 - omega**2) ** 2 - (0.4 * f * slowed) ** 2)
+
+
 def page(name: str) -> str:
     """The page of a paper."""
     return (PAPERS / name / "page.py").read_text(encoding="utf-8")
@@ -175,6 +186,7 @@ MODELS: tuple[tuple[Callable[[Any, np.random.Generator], Pair], str], ...] = (
     (shoes, contact_pages.SHOES),
     (ladder, contact_pages.LADDER),
     (between_pads, contact_pages.PADS),
+    (forced_friction, clocks.FRICTION),
 )
 
 CASES = 20 * len(MODELS)

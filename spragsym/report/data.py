@@ -261,7 +261,10 @@ def _exact(name: str, text: Any, unit: str, allowed: Range = FINITE) -> float:
     tolerance.
     """
     alone = _TOLERANCE.split(text)[0].strip() if isinstance(text, str) else text
-    found = _quantity(name, alone, unit, allowed)
+    try:
+        found = _quantity(name, alone, unit, allowed)
+    except ParameterError:  # its unit stands behind the tolerance, if it has one
+        found = _quantity(name, text, unit, allowed)
     if found.varies or alone != text:
         value = shown_in(found.value, found.unit, unit)
         raise ParameterError(f'{name} = {text!r} takes no tolerance here; write "{value}"')

@@ -381,7 +381,9 @@ def _forces(sheet: Sheet, page: Page) -> None:
         given.append((sp.S.Zero, -sp.sympify(page.normal.law(sp.Dummy(positive=True)))))
     for place, components in enumerate(given):
         x, y = (float(component.subs(values)) for component in components)
-        across = complex(x, -y) / (math.hypot(x, y) or 1.0)
+        if x == y == 0:  # as that of a follower where nothing is displaced
+            continue
+        across = complex(x, -y) / math.hypot(x, y)
         bare = sp.Add(*components).replace(
             lambda node: isinstance(node, sp.sin | sp.cos), lambda node: sp.S.One
         )

@@ -52,14 +52,11 @@ LARGE = 1e12
 
 @dataclass(frozen=True)
 class _ModeStep:
-    """One step within a mode, in time from ``clock`` on, and what is crossed at its end: ``met`` is
-    the state in this mode there, ``last`` that from which the next one goes on.
-    """
+    """One step within a mode, in time from ``clock`` on, and what is crossed at its end."""
 
     clock: float
     begin: float
     end: float
-    met: FloatArray
     last: FloatArray
     dense: Callable[[Any], FloatArray]
     mode: Mode
@@ -76,7 +73,7 @@ class _ModeStep:
         for.
         """
         samples = self.dense(self.t)
-        samples[:, -1] = self.met
+        samples[:, -1] = self.last
         return samples
 
 
@@ -178,8 +175,7 @@ class Flight:
                 dense, begin, end, steps = solver.dense_output(), solver.t_old, solver.t, steps + 1
                 if steps > most:
                     raise too_many_steps(replace(self.problem, rtol=solver.rtol), most, clock + end)
-                last = solver.y.copy()
-                piece = _ModeStep(clock, begin, end, last, last, dense, mode)
+                piece = _ModeStep(clock, begin, end, solver.y.copy(), dense, mode)
                 found = self._first_crossing(piece)
                 if found is None:
                     yield piece
@@ -198,11 +194,11 @@ class Flight:
                 if abs(clear) > GAP / 10 and rate:
                     at = max(at - clear / rate, begin)
                     whole = self._stepped(mode, before, begin, at)
-            met, columns = whole.copy(), whole[m:].reshape(m, -1)
+            columns = whole[m:].reshape(m, -1)
             after, crossings = passed(
                 self.problem, row, mode, clock + at, whole[:m], self.directions, columns
             )
-            yield _ModeStep(clock, begin, at, met, whole, dense, mode, crossings)
+            yield _ModeStep(clock, begin, at, whole, dense, mode, crossings)
             clock, mode = clock + at, after
 
     def _stepped(self, mode: Mode, state: FloatArray, begin: float, end: float) -> FloatArray:

@@ -36,7 +36,7 @@ Method: TypeAlias = Literal["auto", "closed", "search"]
 WAYS = ("auto", "closed", "search")
 
 
-#: Questions that are answered for several contacts, and parts of their answers.
+#: Questions that are answered for several contacts.
 SEVERAL = (
     "basin",
     "count",
@@ -56,7 +56,10 @@ SEVERAL = (
     "simulate",
     "sticking_states",
 )
+#: Parts of answers for several contacts.
 PARTS_OF_SEVERAL = ("first_ends", "linked", "open_ends", "rest_index")
+#: Questions that are answered of a page with a clock.
+FORCED = ("simulate", "rms_sweep", "cycle", "cycle_branch")
 
 
 class NotInClosedForm(Exception):
@@ -75,7 +78,7 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
         method = options.pop("method", "auto")
         model = model_of(*args, *options.values())
         if name not in SEVERAL + PARTS_OF_SEVERAL:
-            model.require_one_contact(name)
+            model.require_one_contact_and_no_clock(name)
         asked = model
         if method != "auto":
             asked = model.whole if one_of("method", method, WAYS) == "closed" else model.search

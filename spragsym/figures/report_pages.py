@@ -270,8 +270,8 @@ def _of_motion(report: Facts, lives: Any) -> Rows:
     shown: Any = {"length": size, "frequency": hertz / time, "labels": labels}
     if lives.kind == "cycle":
         stems = partial(draw_harmonics, lives.motion, name, **shown)
-        what = f"{name} has a share at each multiple of {lives.frequency_hz * hertz:.4g} {across}"
-        yield picture(stems), f"Its spectrum: {what}, and at no other frequency."
+        what = f"{name} moves at multiples of {lives.frequency_hz * hertz:.4g} {across} alone"
+        yield picture(stems), f"Its spectrum: {what}."
     else:
         spectrum = partial(draw_spectrum, motion, name, **shown)
         yield picture(spectrum), f"Its spectrum: the amplitude of {name} at each frequency."

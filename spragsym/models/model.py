@@ -17,7 +17,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..core.errors import ModelError, ParameterError
-from ..core.questions import SEVERAL
+from ..core.questions import FORCED, SEVERAL
 from ..display import Column, aligned
 from . import forces
 from .field import REACH, Field, field_of
@@ -26,9 +26,6 @@ from .parameters import ANGLE, FINITE, FloatArray, ParameterSet, Range, as_numbe
 #: Which contacts touch: all, none of those that can open, or those of these names.
 Touching: TypeAlias = bool | tuple[str, ...]
 
-
-#: What is answered of a page with a clock.
-FORCED = ("simulate", "rms_sweep", "cycle", "cycle_branch")
 
 #: The face that a contact presses on where N is negative.
 OPPOSITE = "opposite face"
@@ -194,7 +191,7 @@ class Model:
                 "parameter in its place"
             )
 
-    def require_one_contact(self, what: str) -> None:
+    def require_one_contact_and_no_clock(self, what: str) -> None:
         """An error for what is not answered of several contacts, or of a page with a clock."""
         self.require_no_clock(what)
         self._require_one(what)

@@ -257,7 +257,7 @@ class _Answers:
 
 def facts(study: Brake, options: ReportOptions) -> Facts:
     """All facts of a report; the same study and options give the same facts."""
-    study.operating_point.model.require_one_contact("a report")
+    study.operating_point.model.require_one_contact_and_no_clock("a report")
     _slides(study)
     answers = _Answers(study)
     parameter = _jump(answers)

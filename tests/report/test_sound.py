@@ -40,6 +40,7 @@ def test_one_pascal_is_94_dB_in_any_units(unit: float) -> None:
     motion = SimpleNamespace(rms=lambda _, of: speeds[of])
     model = SimpleNamespace(components=("x", "y", "vx", "vy"))
     cycle = SimpleNamespace(field=SimpleNamespace(model=model), trajectory=lambda: motion)
+    # Stand-ins with what is asked of a study and of a cycle alone.
     x, y = sound.surface_levels(study, cycle)  # type: ignore[arg-type]
     assert x["pressure_level_dB"] == pytest.approx(20 * math.log10(1 / 20e-6), abs=1e-5)
     assert x["speed_level_dB"] == pytest.approx(20 * math.log10(1 / 413.2128 / 50e-9), abs=1e-3)

@@ -23,7 +23,7 @@ from spragsym.motion.classify import classify
 from spragsym.motion.problem import Problem, prepare
 from spragsym.motion.sweeps import rms_sweep, sensitivity
 from spragsym.motion.sweeps.workers import pool
-from spragsym.motion.with_heyoka import Traveller, compiled
+from spragsym.motion.with_heyoka import MotionState, compiled
 
 V, D = 0.5, 10.0  # the article states neither: our assumption
 ANGLES = np.radians(np.linspace(1.0, 179.0, 181))
@@ -173,9 +173,9 @@ def overhead_table() -> None:
         )
 
     def bare(problem: Problem) -> None:
-        carrier = compiled(problem.field, problem.rtol)
-        carrier.begin([Traveller(problem)], 0.0)
-        carrier.solver.propagate_until(problem.t_end)
+        integrator = compiled(problem.field, problem.rtol)
+        integrator.begin([MotionState(problem)], 0.0)
+        integrator.solver.propagate_until(problem.t_end)
 
     print("\n## A point of a sweep against its integration alone, heyoka, microseconds\n")
     print(
@@ -193,7 +193,7 @@ def overhead_table() -> None:
                 [replace(problem, t_record=0.75 * t_end)],
                 return_map.Onward(problem, "heyoka"),
             )
-            course = integrators.measure(motions, "heyoka")[0]
+            statistics = integrators.measure(motions, "heyoka")[0]
             options = {
                 "x0": np.zeros(many),
                 "t_end": t_end,
@@ -204,7 +204,7 @@ def overhead_table() -> None:
             measured = fastest(
                 lambda motions=motions: integrators.measure(motions, "heyoka"), times
             )
-            judged = fastest(lambda c=course, f=flow: classify(c, f), times)
+            judged = fastest(lambda c=statistics, f=flow: classify(c, f), times)
             whole = fastest(lambda p=p, options=options: rms_sweep(p, V, D, **options), 1) / many
             print(
                 f"| {degrees:g} | {t_end:g} | {alone:.0f} | {measured:.0f} | {judged:.0f} | "

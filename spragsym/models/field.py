@@ -210,11 +210,11 @@ class Field:
     lead: int = 0
     clock: Callable[[Values], float] | None = None
 
-    def led(self, lead: int) -> Field:
+    def with_lead(self, lead: int) -> Field:
         """The field with rounds marked by another coordinate."""
         if lead == self.lead:
             return self
-        natural = self.natural.led(lead) if self.natural else None
+        natural = self.natural.with_lead(lead) if self.natural else None
         return replace(self, lead=lead, natural=natural)
 
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:

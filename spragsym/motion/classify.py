@@ -19,7 +19,7 @@ from ..models.field import FLOATS, SETTLED, Field, Mode
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
 from ..numerics.vectors import in_one_turn, magnitude
-from .measures import KEPT, Course
+from .measures import KEPT, MotionStatistics
 from .problem import Event, Problem
 from .regimes import Outcome, Regime
 from .return_map import NOISE, Onward, leads, on_cycle
@@ -48,7 +48,7 @@ FAR = 1e6
 ROUNDS = 40
 
 
-def classify(course: Course, onward: Onward, tol: float = SETTLED) -> Outcome:
+def classify(statistics: MotionStatistics, onward: Onward, tol: float = SETTLED) -> Outcome:
     """The outcome of a motion, from what was measured of it after its transient, and how it goes
     on.
 
@@ -60,57 +60,62 @@ def classify(course: Course, onward: Onward, tol: float = SETTLED) -> Outcome:
     scales = problem.own_scales
     if not scales.trivial:
         there = replace(onward, problem=scales.problem(problem))
-        return scales.outcome(classify(scales.inverse.course(course), there, tol))
-    apart = not course.events[CONTACT].any()
-    if apart and problem.field.aloft and problem.field.aloft(problem.constants, course.last):
+        return scales.outcome(classify(scales.inverse.statistics(statistics), there, tol))
+    apart = not statistics.events[CONTACT].any()
+    if apart and problem.field.aloft and problem.field.aloft(problem.constants, statistics.last):
         found = Outcome(Regime.LIFT_OFF)
     else:
         sought = (
             at_rest(each, other.problem, tol) or on_cycle(each, other, tol)
-            for each, other in _led(course, onward)
+            for each, other in _led(statistics, onward)
         )
         found = next(filter(None, sought), Outcome())
     return replace(found, names=problem.field.components)
 
 
-def _led(course: Course, onward: Onward) -> Iterator[tuple[Course, Onward]]:
-    """A course, and where its leading coordinate tells of no rounds what the other ones tell."""
-    yield course, onward
-    if leads(course, onward.problem):
+def _led(statistics: MotionStatistics, onward: Onward) -> Iterator[tuple[MotionStatistics, Onward]]:
+    """Statistics of a motion, and where its leading coordinate tells of no rounds what the other
+    ones tell.
+    """
+    yield statistics, onward
+    if leads(statistics, onward.problem):
         return
-    for lead in range(1, len(course.last) // 2):
-        other = onward.led(lead)
+    for lead in range(1, len(statistics.last) // 2):
+        other = onward.with_lead(lead)
         with suppress(ConvergenceError):
-            yield other.courses(course.first[None], course.end - course.begin)[0], other
+            yield (
+                other.statistics(statistics.first[None], statistics.end - statistics.begin)[0],
+                other,
+            )
 
 
-def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
+def at_rest(statistics: MotionStatistics, problem: Problem, tol: float) -> Outcome | None:
     """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
     still = (
-        abs(course.last[course.lead] - course.first[course.lead]) <= 4 * tol
-        and course.reach[1] - course.reach[0] <= 4 * tol
+        abs(statistics.last[statistics.lead] - statistics.first[statistics.lead]) <= 4 * tol
+        and statistics.reach[1] - statistics.reach[0] <= 4 * tol
     )
     # On a belt that stands still the law of friction is smooth where x' changes its sign.
-    kinks = bool((course.events if problem.belt > 0 else course.events[CONTACT]).any())
-    decaying = len(course.maxima) >= FEW and not kinks
+    kinks = bool((statistics.events if problem.belt > 0 else statistics.events[CONTACT]).any())
+    decaying = len(statistics.maxima) >= FEW and not kinks
     if not (still or decaying):
         return None
-    n = len(course.last) // 2
-    rest = rest_near(problem, course.last[:n] if still else course.means)
+    n = len(statistics.last) // 2
+    rest = rest_near(problem, statistics.last[:n] if still else statistics.means)
     if rest is None:
         return None
     place = tuple(in_one_turn(rest.state[:n], problem.field.around).tolist())
     growth = -rest.rate
-    late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
-    distance = magnitude(np.vstack([late, course.last]) - rest.state)
+    late = statistics.maxima[statistics.maxima_t >= (statistics.begin + statistics.end) / 2]
+    distance = magnitude(np.vstack([late, statistics.last]) - rest.state)
     if (
         still
         and distance <= tol
         and growth <= ROUNDING
-        and _stays(course, rest, problem.rtol, kinks)
+        and _stays(statistics, rest, problem.rtol, kinks)
     ):
         return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(0.0, rest.rate), distance=distance)
-    if decaying and growth < 0 and _decays(course, rest):
+    if decaying and growth < 0 and _decays(statistics, rest):
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
         return Outcome(regime, rest=place, rate=rest.rate, distance=distance)
     return None
@@ -208,7 +213,7 @@ def equilibrium_near(
     raise ConvergenceError("there is no equilibrium near")
 
 
-def _stays(course: Course, rest: Equilibrium, rtol: float, kinks: bool) -> bool:
+def _stays(statistics: MotionStatistics, rest: Equilibrium, rtol: float, kinks: bool) -> bool:
     """Whether as little is left as the linearization says: a cycle beside the equilibrium may be
     small too, in the model's units.
 
@@ -216,23 +221,26 @@ def _stays(course: Course, rest: Equilibrium, rtol: float, kinks: bool) -> bool:
     """
     inverse = np.linalg.pinv(rest.vectors)
     before, after = (
-        np.sum(np.abs(inverse @ (state - rest.state)) ** 2) for state in (course.first, course.last)
+        np.sum(np.abs(inverse @ (state - rest.state)) ** 2)
+        for state in (statistics.first, statistics.last)
     )
     noise = NOISE * rtol * (1e-3 + magnitude(rest.state)) * np.linalg.norm(inverse, 2)
-    left = LEFT * before * math.exp(2 * rest.values.real.max() * (course.end - course.begin))
+    left = (
+        LEFT * before * math.exp(2 * rest.values.real.max() * (statistics.end - statistics.begin))
+    )
     return bool(after <= noise**2 or (after <= left and (left < before or not kinks)))
 
 
-def _decays(course: Course, rest: Equilibrium) -> bool:
+def _decays(statistics: MotionStatistics, rest: Equilibrium) -> bool:
     """Whether the parts of the motion in the eigenvectors die out as their eigenvalues say, within
     a factor of two.
 
     The squares of the two halves are compared under Hann windows, which hide unfinished beats.
     """
-    modes = np.abs(np.linalg.pinv(rest.vectors) @ (course.maxima - rest.state).T) ** 2
-    since = course.begin if len(course.maxima_t) < KEPT else float(course.maxima_t[0])
-    window = course.end - since
-    share = (course.maxima_t - since) / window
+    modes = np.abs(np.linalg.pinv(rest.vectors) @ (statistics.maxima - rest.state).T) ** 2
+    since = statistics.begin if len(statistics.maxima_t) < KEPT else float(statistics.maxima_t[0])
+    window = statistics.end - since
+    share = (statistics.maxima_t - since) / window
     if not FEW // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - FEW // 2 + 1:
         return False
     hann = np.sin(2 * np.pi * share) ** 2

@@ -23,10 +23,10 @@ from ..models.parameters import FloatArray
 from ..numerics.columns import reuse_memory
 from . import with_compiled, with_heyoka, with_scipy
 from .lobatto import PiecewisePolynomial
-from .measures import Course, course_of
+from .measures import MotionStatistics, statistics_of
 from .problem import Event, Problem, StiffError
 from .scales import MotionScales
-from .solution import Fly, Passage, Solution, events_of, without_chatter
+from .solution import FlowMap, FlowResult, Solution, events_of, without_chatter
 from .with_scipy import RTOL, Flight
 
 T = TypeVar("T")
@@ -113,7 +113,7 @@ def integrate(problem: Problem, backend: str) -> Solution:
     return replace(without_chatter(solution, problem), rtol=used)
 
 
-def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exception]:
+def measure(problems: Sequence[Problem], backend: str) -> list[MotionStatistics | Exception]:
     """What is measured of motions after ``t_record``, from their samples, or why there is nothing.
 
     The problems share all but their constants and starts.
@@ -131,14 +131,14 @@ def measure(problems: Sequence[Problem], backend: str) -> list[Course | Exceptio
             counts = np.bincount(
                 events_of(problems[row].field, solution.crossings).which, minlength=len(Event)
             )
-            found[row] = course_of(solution.samples, counts, problems[row].field)
+            found[row] = statistics_of(solution.samples, counts, problems[row].field)
         except (ConvergenceError, ArithmeticError) as error:
             found[row] = error
     return found
 
 
 def _watched(problems: Sequence[Problem]) -> tuple[list[Any], list[int]]:
-    """:func:`with_heyoka.watch`, of all motions of one scale at a time."""
+    """:func:`with_heyoka.measured`, of all motions of one scale at a time."""
     groups: dict[MotionScales, list[int]] = {}
     for row, problem in enumerate(problems):
         groups.setdefault(problem.own_scales, []).append(row)
@@ -147,11 +147,11 @@ def _watched(problems: Sequence[Problem]) -> tuple[list[Any], list[int]]:
         own = [problems[row] for row in rows]
         if not scales.trivial:
             own = [scales.problem(each) for each in own]
-        courses, left = with_heyoka.watch(own)
-        for row, course in zip(rows, courses, strict=True):
-            found[row] = course
-            if isinstance(course, Course) and not scales.trivial:
-                found[row] = scales.course(course)
+        measured, left = with_heyoka.measured(own)
+        for row, statistics in zip(rows, measured, strict=True):
+            found[row] = statistics
+            if isinstance(statistics, MotionStatistics) and not scales.trivial:
+                found[row] = scales.statistics(statistics)
         again += [rows[i] for i in left]
     return found, sorted(again)
 
@@ -162,24 +162,24 @@ class Flow:
 
     field: Field
     backend: str
-    other: Fly | None = None
+    other: FlowMap | None = None
 
     @classmethod
     def of(cls, field: Field, backend: str | None) -> Flow:
         """The flow of a field by a backend that takes any model."""
         return cls(field, choose(backend, OF_ANY_MODEL))
 
-    def fly(
+    def flow_map(
         self, state: FloatArray, constants: Values, duration: float, directions: FloatArray = NONE
-    ) -> Passage:
+    ) -> FlowResult:
         """Carry a state on for a while, with derivatives by it and along ``directions`` of the
         parameters, shape (k, P).
         """
         if self.other:
             return self.other(state, constants, duration, directions)
         return self._asked(
-            lambda carrier: carrier.fly(),
-            MotionScales.passage,
+            lambda integrator: integrator.flow_map(),
+            MotionScales.flow_result,
             state,
             constants,
             duration,
@@ -188,13 +188,13 @@ class Flow:
 
     def plain(
         self, state: FloatArray, constants: Values, duration: float, *, loose: bool = False
-    ) -> Passage:
+    ) -> FlowResult:
         """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method
         needs to begin.
         """
         return self._asked(
-            lambda carrier: carrier.fly(),
-            MotionScales.passage,
+            lambda integrator: integrator.flow_map(),
+            MotionScales.flow_result,
             state,
             constants,
             duration,
@@ -204,7 +204,11 @@ class Flow:
     def samples(self, start: FloatArray, constants: Values, t_end: float) -> PiecewisePolynomial:
         """A motion by its samples."""
         return self._asked(
-            lambda carrier: carrier.motion().samples, MotionScales.samples, start, constants, t_end
+            lambda integrator: integrator.motion().samples,
+            MotionScales.samples,
+            start,
+            constants,
+            t_end,
         )
 
     def _asked(
@@ -235,7 +239,7 @@ class Flow:
             problem = scales.problem(problem)
         try:
             found = ask(
-                with_heyoka.flight(problem, directions)
+                with_heyoka.flow_integrator(problem, directions)
                 if self.backend == "heyoka"
                 else Flight(problem, directions)
             )

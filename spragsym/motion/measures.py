@@ -23,7 +23,7 @@ MOST_POINTS = 1 << 20
 
 
 @dataclass(frozen=True)
-class Course:
+class MotionStatistics:
     """Quantities measured on a motion while it runs; its steps are not kept, nor turning points
     before the latest KEPT of a kind.
 
@@ -60,8 +60,10 @@ class Course:
         return np.insert(others, self.lead, self.moments()[0])
 
 
-def course_of(samples: PiecewisePolynomial, events: IndexArray, field: Field) -> Course:
-    """The course of a motion of a field given by its samples, and the number of events of each
+def statistics_of(
+    samples: PiecewisePolynomial, events: IndexArray, field: Field
+) -> MotionStatistics:
+    """Statistics of a motion of a field given by its samples, and the number of events of each
     kind.
     """
     t, states, lead = samples.t, samples.states, field.lead
@@ -73,7 +75,7 @@ def course_of(samples: PiecewisePolynomial, events: IndexArray, field: Field) ->
     late = highest[-KEPT:]
     turning = PiecewisePolynomial(t, np.sin(x[None] / 2))
     passed = np.sort(turning.zeros() if lead in field.around else late[:0])[-KEPT:]
-    return Course(
+    return MotionStatistics(
         float(t[0]),
         float(t[-1]),
         states[:, 0],

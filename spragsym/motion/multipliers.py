@@ -1,10 +1,10 @@
-"""Floquet multipliers from the stretches of a closed orbit, and test functions: each passes zero at
-a bifurcation of the orbit.
+"""Floquet multipliers from the mesh intervals of a closed orbit, and test functions: each passes
+zero at a bifurcation of the orbit.
 
-The monodromy matrix is a product of the stretches' derivatives. Multiplied out, multipliers below
-10⁻¹⁶ of the largest drown in its rounding; so the product is brought to triangular form stretch by
-stretch (the periodic QR algorithm: A. Bojanczyk, G. Golub, P. Van Dooren 1992; K. Lust 2001), once
-the flow's own direction, whose multiplier is 1, has been projected off each stretch. So small ones
+The monodromy matrix is a product of the intervals' derivatives. Multiplied out, multipliers below
+10⁻¹⁶ of the largest drown in its rounding; so the product is brought to triangular form interval by
+interval (the periodic QR algorithm: A. Bojanczyk, G. Golub, P. Van Dooren 1992; K. Lust 2001), once
+the flow's own direction, whose multiplier is 1, has been projected off each. So small ones
 keep their digits beside large ones. Test functions are products over multipliers, every factor
 divided by its size, so that one of 10¹⁰ hides nothing of the others.
 """
@@ -23,7 +23,7 @@ from ..numerics.interval_arrays import ComplexArray
 from ..numerics.vectors import magnitude, norm
 
 if TYPE_CHECKING:
-    from .shooting import Loop
+    from .shooting import Orbit
 
 #: A product no larger than this is multiplied out: its smallest multiplier loses no more than these
 #: digits.
@@ -34,7 +34,7 @@ ROUNDS = 12
 #: What counts as triangular.
 TRIANGULAR = 1e-14
 
-#: Errors of a stretch's derivative are at least this, in its own size.
+#: Errors of an interval's derivative are at least this, in its own size.
 ROUNDING = 2e-15
 
 #: Trials that tell how far multipliers move by such errors.
@@ -48,8 +48,8 @@ class Multipliers:
     """Multipliers of a closed orbit, (m − 1,), largest first, but for the ``trivial`` one of the
     flow's own direction.
 
-    That is 1 but for what the derivatives of the stretches have lost. The ``errors`` are estimates:
-    how far the others move if each stretch errs by as much as it errs along the flow.
+    That is 1 but for what the derivatives of the intervals have lost. The ``errors`` are estimates:
+    how far the others move if each interval errs by as much as it errs along the flow.
     """
 
     trivial: float
@@ -62,26 +62,26 @@ class Multipliers:
         return np.concatenate([[complex(self.trivial)], self.others])
 
 
-def multipliers_of(stretches: Sequence[FloatArray], flows: Sequence[FloatArray]) -> Multipliers:
-    """Multipliers of the product of the stretches' derivatives, ``flows`` the field at the
+def multipliers_of(intervals: Sequence[FloatArray], flows: Sequence[FloatArray]) -> Multipliers:
+    """Multipliers of the product of the intervals' derivatives, ``flows`` the field at the
     beginning of each.
     """
     units = [flow / norm(flow) for flow in flows]
     bases = [np.linalg.qr(unit[:, None], mode="complete")[0][:, 1:] for unit in units]
     parts, trivial, errors = [], 1.0, []
-    for i, stretch in enumerate(stretches):
-        after = (i + 1) % len(stretches)
-        carried, due, size = stretch @ flows[i], flows[after], float(np.linalg.norm(stretch, 2))
+    for i, interval in enumerate(intervals):
+        after = (i + 1) % len(intervals)
+        carried, due, size = interval @ flows[i], flows[after], float(np.linalg.norm(interval, 2))
         trivial *= float(units[after] @ carried) / norm(due)
         errors.append(max(ROUNDING, norm(carried - due) / (size * norm(flows[i]))))
-        parts.append(bases[after].T @ stretch @ bases[i])
+        parts.append(bases[after].T @ interval @ bases[i])
     values = eigenvalues_of_product(parts)
     values = values[np.lexsort((-values.imag, -values.real, -np.abs(values)))]
     moved, rng = np.zeros(len(values)), np.random.default_rng(0)
     for _ in range(TRIALS):
         off = [
-            part + error * np.linalg.norm(stretch, 2) * rng.choice([-1.0, 1.0], part.shape)
-            for part, stretch, error in zip(parts, stretches, errors, strict=True)
+            part + error * np.linalg.norm(interval, 2) * rng.choice([-1.0, 1.0], part.shape)
+            for part, interval, error in zip(parts, intervals, errors, strict=True)
         ]
         other = eigenvalues_of_product(off)
         for i, value in enumerate(values):
@@ -127,46 +127,46 @@ def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
 CRITERIA = ("fold", "period_doubling", "torus")
 
 
-def _pairs(loop: Loop) -> tuple[Any, Any]:
+def _pairs(orbit: Orbit) -> tuple[Any, Any]:
     """Places of the first and of the second of all pairs of multipliers."""
-    return np.triu_indices(len(loop.multipliers.others), 1)
+    return np.triu_indices(len(orbit.multipliers.others), 1)
 
 
-def _factors(loop: Loop, kind: str) -> tuple[ComplexArray, FloatArray]:
+def _factors(orbit: Orbit, kind: str) -> tuple[ComplexArray, FloatArray]:
     """The factors of a test function, 1 ± a multiplier or 1 − a product of two, scaled to size 1 at
     most, and their errors.
     """
-    values, moved = loop.multipliers.others, loop.multipliers.errors
+    values, moved = orbit.multipliers.others, orbit.multipliers.errors
     if kind == "torus":
-        one, other = _pairs(loop)
+        one, other = _pairs(orbit)
         moved = np.abs(values[one]) * moved[other] + np.abs(values[other]) * moved[one]
         values = values[one] * values[other]
     scale = 1 + np.abs(values)
     return (1 + (1 if kind == "period_doubling" else -1) * values) / scale, moved / scale
 
 
-def criterion_of(kind: str, loop: Loop) -> float:
+def criterion_of(kind: str, orbit: Orbit) -> float:
     """Passes zero at a fold, where a multiplier is 1, at a period doubling, where one is −1, and
     where the product of two is 1.
 
     That is a torus, if they are complex; nothing, if they are real.
     """
-    return float(np.prod(_factors(loop, kind)[0]).real)
+    return float(np.prod(_factors(orbit, kind)[0]).real)
 
 
-def unsure(loop: Loop, kind: str) -> float:
+def unsure(orbit: Orbit, kind: str) -> float:
     """Error of a test function: by how much it grows where all of its factors are larger by
     theirs.
     """
-    factors, errors = _factors(loop, kind)
+    factors, errors = _factors(orbit, kind)
     sizes = np.abs(factors)
     return float(np.prod(sizes + errors) - np.prod(sizes))
 
 
-def is_complex_pair(loop: Loop) -> bool:
+def is_complex_pair(orbit: Orbit) -> bool:
     """Whether the two multipliers whose product is nearest to 1 are a complex pair, by more than
     their errors.
     """
-    found, nearest = loop.multipliers, np.argmin(np.abs(_factors(loop, "torus")[0]))
-    one = _pairs(loop)[1][nearest]
+    found, nearest = orbit.multipliers, np.argmin(np.abs(_factors(orbit, "torus")[0]))
+    one = _pairs(orbit)[1][nearest]
     return bool(abs(found.others[one].imag) > max(1e-9, found.errors[one]))

@@ -26,11 +26,11 @@ from ..models.parameters import FloatArray
 from ..numerics.vectors import TURN, apart, in_one_turn, magnitude
 from . import integrators
 from .integrators import Flow
-from .measures import Course
+from .measures import MotionStatistics
 from .problem import Problem
 from .regimes import Outcome, Regime
-from .shooting import CLOSED, Guess, Loop, least_period, solved, through
-from .solution import Fly, Passage, Turn
+from .shooting import CLOSED, Iterate, Orbit, least_period, solved, through
+from .solution import Extremum, FlowMap, FlowResult
 
 #: Returns as close as this, relative to the extent of the motion, are worth a search for the cycle.
 CLOSE = 0.05
@@ -84,11 +84,12 @@ class Onward:
     problem: Problem
     backend: str
 
-    def led(self, lead: int) -> Onward:
+    def with_lead(self, lead: int) -> Onward:
         """The motion with rounds marked by another coordinate."""
         field_of = self.problem.field_of
         return replace(
-            self, problem=replace(self.problem, field_of=lambda reach: field_of(reach).led(lead))
+            self,
+            problem=replace(self.problem, field_of=lambda reach: field_of(reach).with_lead(lead)),
         )
 
     @property
@@ -96,7 +97,7 @@ class Onward:
         """The field of the motion, with its own constants."""
         return replace(self.problem.field_of(REACH), constants=lambda *_: self.problem.constants)
 
-    def courses(self, states: FloatArray, duration: float) -> list[Course]:
+    def statistics(self, states: FloatArray, duration: float) -> list[MotionStatistics]:
         """What is measured on the way from each of many states; an error where one of them cannot
         be continued.
         """
@@ -104,34 +105,39 @@ class Onward:
             replace(self.problem, start=tuple(state), t_end=duration, t_record=0.0)
             for state in states.tolist()
         ]
-        courses = list[Course]()
-        for course in integrators.measure(motions, self.backend):
-            if isinstance(course, Exception):
-                raise course
-            courses.append(course)
-        return courses
+        measured = list[MotionStatistics]()
+        for each in integrators.measure(motions, self.backend):
+            if isinstance(each, Exception):
+                raise each
+            measured.append(each)
+        return measured
 
     def _differences(
         self, sides: int, state: FloatArray, _: object, duration: float, __: object
-    ) -> Passage:
-        """``fly`` by differences of the plain flow, to one or to both ``sides``; crossings are not
-        reported.
+    ) -> FlowResult:
+        """``flow_map`` by differences of the plain flow, to one or to both ``sides``; crossings are
+        not reported.
         """
         m, off = state.size, STEP * np.eye(state.size)
-        course, *others = self.courses(
+        statistics, *others = self.statistics(
             np.vstack([state, state + off, state - off])[: 1 + sides * m], duration
         )
         last = np.array([other.last for other in others])
-        before = last[m:] if sides == 2 else course.last
+        before = last[m:] if sides == 2 else statistics.last
         none, unknown = np.zeros((m, 0)), np.full((m, m), np.nan)
-        turns = [
-            Turn(t, -1, -1, top, unknown, none)
-            for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)
+        extrema = [
+            Extremum(t, -1, -1, top, unknown, none)
+            for t, top in zip(statistics.maxima_t.tolist(), statistics.maxima, strict=True)
         ]
-        begin, (shift, square, *_) = float(state[0]), course.integrals.tolist()
+        begin, (shift, square, *_) = float(state[0]), statistics.integrals.tolist()
         integrals = shift + begin * duration, square + begin * (2 * shift + begin * duration)
-        return Passage(
-            course.last, (last[:m] - before).T / (sides * STEP), none, (), tuple(turns), integrals
+        return FlowResult(
+            statistics.last,
+            (last[:m] - before).T / (sides * STEP),
+            none,
+            (),
+            tuple(extrema),
+            integrals,
         )
 
     def closed(self, state: FloatArray, fixed: int, period: float, scale: FloatArray) -> Closed:
@@ -140,11 +146,11 @@ class Onward:
         """
         (rtol, near, precision), reach = PRECISIONS[self.backend], 4 * CLOSE * float(scale.max())
         fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
-        guess = Guess(state[None], period, ())
+        guess = Iterate(state[None], period, ())
         on_section = through(state, np.eye(state.size)[fixed], guess)
 
-        def near_guess(fly: Fly | None, precision: float) -> Loop:
-            flow = Flow(self.field, self.backend, fly)
+        def near_guess(flow_map: FlowMap | None, precision: float) -> Orbit:
+            flow = Flow(self.field, self.backend, flow_map)
             return solved(
                 flow, guess, on_section, reach=reach, precision=precision, closed=precision
             )
@@ -153,21 +159,21 @@ class Onward:
         # fails, all steps have them.
         with suppress(ConvergenceError):
             guess = near_guess(partial(fine._differences, 1), near).guess
-        fly = partial(fine._differences, 2) if self.backend == "compiled" else None
+        flow_map = partial(fine._differences, 2) if self.backend == "compiled" else None
         try:
-            loop = least_period(near_guess(fly, precision))
+            orbit = least_period(near_guess(flow_map, precision))
         except (OverflowError, ValueError) as error:
             raise ConvergenceError("Newton's method left the range of numbers") from error
-        if loop.lead != self.field.lead:
+        if orbit.lead != self.field.lead:
             raise ConvergenceError("another coordinate marks the rounds of the orbit")
-        place = loop.state
-        flow = loop.rate(place)
+        place = orbit.state
+        flow = orbit.rate(place)
         if flow[fixed] == 0:
             raise ConvergenceError("the orbit does not pass through the section")
         back = np.eye(place.size)
         back[:, fixed] -= flow / flow[fixed]  # along the flow to the section again
-        slope = section(section(back @ loop.monodromy, fixed).T, fixed).T
-        return Closed(self, loop, fixed, scale, slope * scale / scale[:, None])
+        slope = section(section(back @ orbit.monodromy, fixed).T, fixed).T
+        return Closed(self, orbit, fixed, scale, slope * scale / scale[:, None])
 
 
 @dataclass(frozen=True)
@@ -180,7 +186,7 @@ class Closed:
     """
 
     onward: Onward
-    loop: Loop
+    orbit: Orbit
     fixed: int
     scale: FloatArray
     slope: FloatArray
@@ -188,31 +194,34 @@ class Closed:
     @property
     def state(self) -> FloatArray:
         """Where it begins."""
-        return self.loop.state
+        return self.orbit.state
 
     def scaled(self, states: FloatArray) -> FloatArray:
         """Its own or other states of the section, in whole turns near, in units of the scale."""
-        return section(_near(states, self.state, self.loop.field.around), self.fixed) / self.scale
+        return section(_near(states, self.state, self.orbit.field.around), self.fixed) / self.scale
 
     def returned(self, places: FloatArray) -> FloatArray:
         """The return map: where motions from places on the section next meet it, after about a
         period.
         """
         states = np.insert(places * self.scale, self.fixed, self.state[self.fixed], axis=1)
-        courses = self.onward.courses(states, 1.1 * self.loop.period)
+        statistics = self.onward.statistics(states, 1.1 * self.orbit.period)
         return np.array(
-            [self._next(place, course) for place, course in zip(places, courses, strict=True)]
+            [
+                self._next(place, statistics)
+                for place, statistics in zip(places, statistics, strict=True)
+            ]
         )
 
-    def _next(self, place: FloatArray, course: Course) -> FloatArray:
-        times, states = _marks(course, self.fixed)
-        late = np.flatnonzero(times > 0.5 * self.loop.period)
+    def _next(self, place: FloatArray, statistics: MotionStatistics) -> FloatArray:
+        times, states = _marks(statistics, self.fixed)
+        late = np.flatnonzero(times > 0.5 * self.orbit.period)
         if not len(late):
             raise ConvergenceError(
                 "no cycle: the motion does not return to its section; start elsewhere"
             )
         returns = self.scaled(states[late])
-        off = np.abs(returns - place).max(axis=1) + np.abs(times[late] / self.loop.period - 1)
+        off = np.abs(returns - place).max(axis=1) + np.abs(times[late] / self.orbit.period - 1)
         return returns[int(np.argmin(off))]
 
 
@@ -223,37 +232,44 @@ def section(states: FloatArray, fixed: int) -> FloatArray:
     return np.delete(states, fixed, axis=-1)
 
 
-def _marks(course: Course, fixed: int) -> tuple[FloatArray, FloatArray]:
+def _marks(statistics: MotionStatistics, fixed: int) -> tuple[FloatArray, FloatArray]:
     """Times and states of the passages of a section: where x is largest, or passes a whole turn."""
-    if fixed != course.lead:
-        return course.maxima_t, course.maxima
-    return course.passages_t, course.passages
+    if fixed != statistics.lead:
+        return statistics.maxima_t, statistics.maxima
+    return statistics.passages_t, statistics.passages
 
 
-def leads(course: Course, problem: Problem) -> bool:
+def leads(statistics: MotionStatistics, problem: Problem) -> bool:
     """Whether rounds of a motion may be seen where its leading coordinate is largest: it moves, and
     has not all but ceased to.
     """
-    low, high = course.reach
-    if high - low <= NOISE * problem.rtol * magnitude(course.last):
+    low, high = statistics.reach
+    if high - low <= NOISE * problem.rtol * magnitude(statistics.last):
         return False
-    if len(course.passages) >= FEWEST:
+    if len(statistics.passages) >= FEWEST:
         return True
     swings = [
-        np.ptp(np.append(course.maxima[part, course.lead], course.minima[part, course.lead]))
-        for part in (slice(len(course.maxima) // 3), slice(-(len(course.maxima) // 3), None))
-        if len(course.maxima) >= FEWEST
+        np.ptp(
+            np.append(
+                statistics.maxima[part, statistics.lead], statistics.minima[part, statistics.lead]
+            )
+        )
+        for part in (
+            slice(len(statistics.maxima) // 3),
+            slice(-(len(statistics.maxima) // 3), None),
+        )
+        if len(statistics.maxima) >= FEWEST
     ]
     return bool(swings and swings[1] > swings[0] / 2)
 
 
-def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
+def on_cycle(statistics: MotionStatistics, onward: Onward, tol: float) -> Outcome | None:
     """The cycle that the motion is on, or winds onto."""
-    around, lead = onward.problem.field.around, course.lead
+    around, lead = onward.problem.field.around, statistics.lead
     # An x that turns around and never back has no maxima.
-    turning = len(course.maxima) < FEWEST and lead in around
-    fixed = lead if turning else len(course.last) // 2 + lead
-    times, places = _marks(course, fixed)
+    turning = len(statistics.maxima) < FEWEST and lead in around
+    fixed = lead if turning else len(statistics.last) // 2 + lead
+    times, places = _marks(statistics, fixed)
     if len(times) < FEWEST:
         return None
     places = _near(places, places[-1], around)
@@ -262,7 +278,7 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
     # Extents of x, y and y' over all turning points; those across the belt count as 1 % of that
     # along it, or of a turn, at least.
     extent = np.ptp(
-        section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), axis=0
+        section(_near(np.vstack([places, statistics.minima]), places[-1], around), fixed), axis=0
     )
     scale = np.maximum(extent, 1e-2 * (TURN if turning else extent[lead]) + 1e-300)
     states /= scale
@@ -270,13 +286,13 @@ def on_cycle(course: Course, onward: Onward, tol: float) -> Outcome | None:
         period = float(times[-1] - times[-1 - k])
         with suppress(ConvergenceError):
             cycle = onward.closed(places[-1], fixed, period, scale)
-            largest = magnitude(cycle.loop.multipliers.others)
-            rounds = max(1, round(k * cycle.loop.period / period))
+            largest = magnitude(cycle.orbit.multipliers.others)
+            rounds = max(1, round(k * cycle.orbit.period / period))
             off = states[::-1][::rounds] - cycle.scaled(cycle.state)  # latest first
             distance = magnitude(off[0])
             if largest < 1 - NEUTRAL and distance <= 4 * CLOSE and _nears(cycle, off, tol):
                 regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
-                rate = -math.log(largest) / cycle.loop.period if largest else math.inf
+                rate = -math.log(largest) / cycle.orbit.period if largest else math.inf
                 return _described(cycle, regime, rate, distance)
     return None
 
@@ -390,21 +406,21 @@ def _described(cycle: Closed, regime: Regime, rate: float, distance: float) -> O
     """The outcome, with averages over the cycle's one period, and the state of the cycle that
     stands for it.
     """
-    loop, fixed, (mean, rms) = cycle.loop, cycle.fixed, cycle.loop.moments()
-    others = () if fixed == loop.field.lead else (turn.state for turn in loop.tops())
-    tops = in_one_turn(np.array([cycle.state, *others]), loop.field.around)
+    orbit, fixed, (mean, rms) = cycle.orbit, cycle.fixed, cycle.orbit.moments()
+    others = () if fixed == orbit.field.lead else (turn.state for turn in orbit.maxima())
+    maxima = in_one_turn(np.array([cycle.state, *others]), orbit.field.around)
     # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle
     # has one such state.
     for place, scale in zip(
-        (i for i in range(tops.shape[1]) if i != fixed), cycle.scale, strict=True
+        (i for i in range(maxima.shape[1]) if i != fixed), cycle.scale, strict=True
     ):
-        tops = tops[tops[:, place] >= tops[:, place].max() - 1e-6 * scale]
-    state = np.where(np.arange(tops.shape[1]) == fixed, 0.0, tops[0])
+        maxima = maxima[maxima[:, place] >= maxima[:, place].max() - 1e-6 * scale]
+    state = np.where(np.arange(maxima.shape[1]) == fixed, 0.0, maxima[0])
     return Outcome(
         regime,
         rate=rate,
         distance=distance,
-        period=loop.period,
+        period=orbit.period,
         cycle_mean=mean,
         cycle_rms=rms,
         cycle=tuple(state.tolist()),

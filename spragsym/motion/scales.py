@@ -21,10 +21,10 @@ from ..models.parameters import FloatArray
 from .lobatto import PiecewisePolynomial
 
 if TYPE_CHECKING:
-    from .measures import Course
+    from .measures import MotionStatistics
     from .problem import Problem
     from .regimes import Outcome
-    from .solution import Crossing, Passage, Solution, Turn
+    from .solution import Crossing, Extremum, FlowResult, Solution
 
 #: Binary digits between one unit and the next.
 DIGITS = 2
@@ -103,7 +103,7 @@ class MotionScales:
     def _by_parameters(self, matrix: FloatArray) -> FloatArray:
         return matrix * self.states[:, None] if matrix.size else matrix
 
-    def turn(self, it: Turn) -> Turn:
+    def extremum(self, it: Extremum) -> Extremum:
         """An extremum with its derivatives."""
         return it._replace(
             t=self.time * it.t,
@@ -112,8 +112,8 @@ class MotionScales:
             by_parameters=self._by_parameters(it.by_parameters),
         )
 
-    def passage(self, it: Passage) -> Passage:
-        """A stretch of motion with its derivatives."""
+    def flow_result(self, it: FlowResult) -> FlowResult:
+        """A flow over a time with its derivatives."""
         place = self.places[0]
         first, square = it.integrals
         return replace(
@@ -122,11 +122,11 @@ class MotionScales:
             by_state=self._by_state(it.by_state),
             by_parameters=self._by_parameters(it.by_parameters),
             crossings=tuple(map(self.crossing, it.crossings)),
-            turns=tuple(map(self.turn, it.turns)),
+            extrema=tuple(map(self.extremum, it.extrema)),
             integrals=(self.time * place * first, self.time * place**2 * square),
         )
 
-    def course(self, it: Course) -> Course:
+    def statistics(self, it: MotionStatistics) -> MotionStatistics:
         """Quantities measured on a motion."""
         place = self.places[it.lead]
         others = np.delete(self.places, it.lead)
@@ -285,7 +285,7 @@ def scaled(field: Field, scales: MotionScales) -> Field:
     """A field in units of its scales; parameters and forces stay as they are."""
     n, units, time = len(field.coordinates), scales.states.tolist(), scales.time
     faster = [time**2 / place for place in scales.places]
-    inner = field.sized(scales.levels).led(field.lead) if field.sized else field
+    inner = field.sized(scales.levels).with_lead(field.lead) if field.sized else field
 
     def at(state: Sequence[Any]) -> list[Any]:
         return [value * unit for value, unit in zip(state, units, strict=True)]

@@ -1,5 +1,5 @@
-"""Closed orbits by multiple shooting: Newton's method on the states between equal stretches of one
-round, and the period.
+"""Closed orbits by multiple shooting: Newton's method on the states between equal mesh intervals of
+one round, and the period.
 """
 
 from __future__ import annotations
@@ -22,21 +22,21 @@ from .integrators import Flow
 from .lobatto import PiecewisePolynomial
 from .multipliers import Multipliers, multipliers_of
 from .scales import MotionScales, scaled, scales_of
-from .solution import Crossing, Passage, Turn
+from .solution import Crossing, Extremum, FlowResult
 
 #: Closed to this, relative to the largest number of the orbit.
 CLOSED = 1e-12
 
-#: A stretch whose derivatives grow beyond this is cut in two.
+#: A mesh interval over which derivatives grow beyond this is subdivided.
 LARGEST_GROWTH = 100.0
 
-#: Stretches in one round, at most.
+#: Mesh intervals in one round, at most.
 MOST_STRETCHES = 64
-#: Stretches of a guess, at most.
+#: Mesh intervals of a guess, at most.
 SPLIT = 32
 
-#: Stretches begin no nearer to a jump of the field than this share of the longest time between
-#: jumps, each in its stretch.
+#: Mesh intervals begin no nearer to a jump of the field than this share of the longest time between
+#: jumps, each in its interval.
 CLEAR = 0.1
 
 #: Where the leading coordinate changes faster, it is not largest.
@@ -54,9 +54,9 @@ RANGES = 0.1
 
 
 @dataclass(frozen=True)
-class Guess:
-    """A loop that need not close: states (k, m) between its k equal stretches, period, and values
-    of the parameters.
+class Iterate:
+    """An orbit that need not close yet: states (k, m) between its k equal mesh intervals, period,
+    and values of the parameters.
 
     Newton's method moves the parameters that are ``free`` too.
     """
@@ -67,20 +67,20 @@ class Guess:
     free: tuple[int, ...] = ()
 
     @property
-    def stretch(self) -> float:
+    def interval(self) -> float:
         """Time from one state to the next."""
         return self.period / len(self.states)
 
-    def moved(self, step: FloatArray) -> Guess:
+    def moved(self, step: FloatArray) -> Iterate:
         """After a step in states, period and the free parameters."""
         size = self.states.size
         values = list(self.values)
         for index, change in zip(self.free, step[size + 1 :], strict=True):
             values[index] += float(change)
         states = self.states + step[:size].reshape(self.states.shape)
-        return Guess(states, self.period + float(step[size]), tuple(values), self.free)
+        return Iterate(states, self.period + float(step[size]), tuple(values), self.free)
 
-    def at(self, index: int, value: float) -> Guess:
+    def at(self, index: int, value: float) -> Iterate:
         """The guess at another value of one parameter."""
         return replace(self, values=(*self.values[:index], value, *self.values[index + 1 :]))
 
@@ -96,13 +96,13 @@ class Guess:
 
 
 @dataclass(frozen=True)
-class Loop:
-    """A guess with its stretches integrated."""
+class Orbit:
+    """An iterate with its mesh intervals integrated."""
 
     flow: Flow
-    guess: Guess
+    guess: Iterate
     constants: Values
-    passages: tuple[Passage, ...]
+    flow_results: tuple[FlowResult, ...]
 
     @property
     def field(self) -> Field:
@@ -111,7 +111,7 @@ class Loop:
 
     @property
     def states(self) -> FloatArray:
-        """States between the stretches."""
+        """States between the mesh intervals."""
         return self.guess.states
 
     @property
@@ -137,24 +137,24 @@ class Loop:
         """The derivative of a state in time."""
         return rate(self.field, state, self.constants)
 
-    def bound(self) -> Loop:
-        """The loop with all parameters given, none free."""
+    def bound(self) -> Orbit:
+        """The orbit with all parameters given, none free."""
         return replace(self, guess=replace(self.guess, free=()))
 
     @cached_property
     def ends(self) -> FloatArray:
-        """Ends of the stretches, shape (k, m)."""
-        return np.array([each.state for each in self.passages])
+        """Ends of the mesh intervals, shape (k, m)."""
+        return np.array([each.state for each in self.flow_results])
 
     @cached_property
     def gaps(self) -> FloatArray:
-        """Ends of the stretches less the beginnings of the next: what comes around closes after
-        whole turns.
+        """Ends of the mesh intervals less the beginnings of the next: what comes around closes
+        after whole turns.
         """
         return apart(self.ends, np.roll(self.states, -1, axis=0), self.field.around)
 
     @property
-    def missed(self) -> float:
+    def largest_gap(self) -> float:
         """Largest gap."""
         return magnitude(self.gaps)
 
@@ -174,7 +174,7 @@ class Loop:
         """Least and largest of every number of the state over one round, each of shape (m,)."""
         states = np.hstack(
             [
-                self.flow.samples(each, self.constants, self.guess.stretch).states
+                self.flow.samples(each, self.constants, self.guess.interval).states
                 for each in self.states
             ]
         )
@@ -189,7 +189,7 @@ class Loop:
     def leads(self) -> bool:
         """Whether the leading coordinate moves, by more than its error."""
         lead = self.field.lead
-        values = [turn.state[lead] for turn in self.turns() if turn.border == -1]
+        values = [extremum.state[lead] for extremum in self.extrema() if extremum.border == -1]
         extent = np.ptp([*values, *self.states[:, lead]])
         return bool(self.windings.get(lead, 0) or extent > SURE * self.errors[lead])
 
@@ -201,27 +201,27 @@ class Loop:
         low, high = self.bounds
         return int((high - low > SURE * self.errors[:-1]).argmax())
 
-    def led(self) -> Loop:
-        """The loop with turns of the first coordinate that moves."""
+    def with_lead(self) -> Orbit:
+        """The orbit with extrema of the first coordinate that moves."""
         lead = self.lead
         if lead == self.field.lead:
             return self
-        return looped(replace(self.flow, field=self.field.led(lead)), self.guess)
+        return integrated(replace(self.flow, field=self.field.with_lead(lead)), self.guess)
 
     def at(self, t: float) -> FloatArray:
         """The state at a time of the round, from the nearest state before it."""
-        stretch = self.guess.stretch
-        which = min(int(t / stretch), len(self.states) - 1)
-        start, left = self.states[which], t - which * stretch
-        if not left > 1e-14 * stretch:
+        interval = self.guess.interval
+        which = min(int(t / interval), len(self.states) - 1)
+        start, left = self.states[which], t - which * interval
+        if not left > 1e-14 * interval:
             return start
-        return self.flow.fly(start, self.constants, left).state
+        return self.flow.flow_map(start, self.constants, left).state
 
     @cached_property
     def monodromy(self) -> FloatArray:
         """Derivative of one round by its start."""
         product = np.eye(self.field.size)
-        for each in self.passages:
+        for each in self.flow_results:
             product = each.by_state @ product
         return product
 
@@ -239,7 +239,7 @@ class Loop:
         leaves.
         """
         flows = [self.rate(state) for state in self.states]
-        found = multipliers_of([each.by_state for each in self.passages], flows)
+        found = multipliers_of([each.by_state for each in self.flow_results], flows)
         lasting = np.arange(len(found.others)) < len(found.others) - self.sticks
         return replace(
             found,
@@ -253,7 +253,7 @@ class Loop:
         """
         (k, m), parameters = self.states.shape, len(self.guess.free)
         matrix = np.zeros((k * m, k * m + 1 + parameters))
-        for i, each in enumerate(self.passages):
+        for i, each in enumerate(self.flow_results):
             own, after = slice(i * m, (i + 1) * m), (i + 1) % k
             matrix[own, i * m : (i + 1) * m] += each.by_state
             matrix[own, after * m : (after + 1) * m] -= np.eye(m)
@@ -264,33 +264,37 @@ class Loop:
     def crossings(self) -> tuple[Crossing, ...]:
         """All crossings of one round, in time from its start."""
         return tuple(
-            c._replace(t=c.t + i * self.guess.stretch)
-            for i, each in enumerate(self.passages)
+            c._replace(t=c.t + i * self.guess.interval)
+            for i, each in enumerate(self.flow_results)
             for c in each.crossings
         )
 
-    def tops(self) -> list[Turn]:
+    def maxima(self) -> list[Extremum]:
         """Turns at which the leading coordinate is largest, the start first: where it is one it may
         be counted at neither end.
         """
-        found = [turn for turn in self.turns() if turn.border == -1 and turn.direction < 0]
+        found = [
+            extremum
+            for extremum in self.extrema()
+            if extremum.border == -1 and extremum.direction < 0
+        ]
         start, speed = self.state, len(self.field.coordinates) + self.field.lead
         if found and abs(start[speed]) < ONE and self.rate(start)[speed] < 0:
             found.insert(0, found[0]._replace(t=0.0, state=start))
         return found
 
-    def turns(self) -> tuple[Turn, ...]:
+    def extrema(self) -> tuple[Extremum, ...]:
         """All turns of one round, with derivatives by the start of the round."""
-        stretch, found, before = self.guess.stretch, [], np.eye(self.field.size)
-        shift = np.zeros_like(self.passages[0].by_parameters)
-        for i, each in enumerate(self.passages):
+        interval, found, before = self.guess.interval, [], np.eye(self.field.size)
+        shift = np.zeros_like(self.flow_results[0].by_parameters)
+        for i, each in enumerate(self.flow_results):
             found += [
-                turn._replace(
-                    t=turn.t + i * stretch,
-                    by_state=turn.by_state @ before,
-                    by_parameters=turn.by_parameters + turn.by_state @ shift,
+                extremum._replace(
+                    t=extremum.t + i * interval,
+                    by_state=extremum.by_state @ before,
+                    by_parameters=extremum.by_parameters + extremum.by_state @ shift,
                 )
-                for turn in each.turns
+                for extremum in each.extrema
             ]
             before, shift = each.by_state @ before, each.by_parameters + each.by_state @ shift
         return tuple(found)
@@ -304,7 +308,7 @@ class Loop:
         if self.winding:
             return math.nan, math.nan
         mean, square = (
-            math.fsum(each.integrals[i] for each in self.passages) / self.period for i in (0, 1)
+            math.fsum(each.integrals[i] for each in self.flow_results) / self.period for i in (0, 1)
         )
         if math.isnan(mean):
             samples = self.samples()
@@ -313,43 +317,45 @@ class Loop:
         return mean, math.sqrt(square)
 
 
-def in_scales(loop: Loop) -> Loop:
-    """A loop in units of its motion, in which shooting has its tolerances; itself where these
+def in_scales(orbit: Orbit) -> Orbit:
+    """An orbit in units of its motion, in which shooting has its tolerances; itself where these
     are 1.
     """
-    field, constants = loop.field, loop.constants
+    field, constants = orbit.field, orbit.constants
     if field.scales:
-        return loop
-    scales = scales_of(field, constants, loop.state.tolist())
+        return orbit
+    scales = scales_of(field, constants, orbit.state.tolist())
     if scales.trivial:
-        return loop
-    return _converted(loop, scaled(field, scales), scales.inverse)
+        return orbit
+    return _converted(orbit, scaled(field, scales), scales.inverse)
 
 
-def natural(loop: Loop) -> Loop:
-    """A loop in the units of the model."""
-    field = loop.field
-    return _converted(loop, field.natural, field.scales) if field.natural and field.scales else loop
-
-
-def time_of(loop: Loop) -> float:
-    """The unit of a loop's times, in that of the model."""
-    return loop.field.scales.time if loop.field.scales else 1.0
-
-
-def _converted(loop: Loop, field: Field, scales: MotionScales) -> Loop:
-    guess = loop.guess
-    states, period = guess.states * scales.states, guess.period * scales.time
-    return replace(
-        loop,
-        flow=replace(loop.flow, field=field),
-        guess=replace(guess, states=states, period=period),
-        passages=tuple(map(scales.passage, loop.passages)),
+def natural(orbit: Orbit) -> Orbit:
+    """An orbit in the units of the model."""
+    field = orbit.field
+    return (
+        _converted(orbit, field.natural, field.scales) if field.natural and field.scales else orbit
     )
 
 
-#: Further equations: ``conditions(loop)`` gives their values (r,) and slopes (r, unknowns).
-Conditions: TypeAlias = Callable[[Loop], tuple[FloatArray, FloatArray]]
+def time_of(orbit: Orbit) -> float:
+    """The unit of an orbit's times, in that of the model."""
+    return orbit.field.scales.time if orbit.field.scales else 1.0
+
+
+def _converted(orbit: Orbit, field: Field, scales: MotionScales) -> Orbit:
+    guess = orbit.guess
+    states, period = guess.states * scales.states, guess.period * scales.time
+    return replace(
+        orbit,
+        flow=replace(orbit.flow, field=field),
+        guess=replace(guess, states=states, period=period),
+        flow_results=tuple(map(scales.flow_result, orbit.flow_results)),
+    )
+
+
+#: Further equations: ``conditions(orbit)`` gives their values (r,) and slopes (r, unknowns).
+Conditions: TypeAlias = Callable[[Orbit], tuple[FloatArray, FloatArray]]
 
 
 def rate(field: Field, state: Any, constants: Values) -> FloatArray:
@@ -365,7 +371,7 @@ def rate(field: Field, state: Any, constants: Values) -> FloatArray:
         return np.full(field.size, np.nan)
 
 
-def looped(flow: Flow, guess: Guess) -> Loop:
+def integrated(flow: Flow, guess: Iterate) -> Orbit:
     """A guess integrated."""
     field, free = flow.field, guess.free
     try:
@@ -378,241 +384,244 @@ def looped(flow: Flow, guess: Guess) -> Loop:
     if not guess.period > 0:
         raise ConvergenceError("the period is not positive")
     constants = field.constants(guess.values)
-    stretch, directions = guess.stretch, np.eye(len(field.parameters))[[*free]]
-    return Loop(
+    interval, directions = guess.interval, np.eye(len(field.parameters))[[*free]]
+    return Orbit(
         flow,
         guess,
         constants,
-        tuple(flow.fly(state, constants, stretch, directions) for state in guess.states),
+        tuple(flow.flow_map(state, constants, interval, directions) for state in guess.states),
     )
 
 
 def solved(
     flow: Flow,
-    guess: Guess,
+    guess: Iterate,
     *conditions: Conditions,
     reach: float = np.inf,
     iterations: int = 12,
     precision: float = 1e-13,
     closed: float = CLOSED,
-) -> Loop:
-    """The closed loop near a guess under further conditions, as many as there are free parameters
+) -> Orbit:
+    """The closed orbit near a guess under further conditions, as many as there are free parameters
     and one.
 
     ``reach`` bounds how far the states may move from the guess; steps below ``precision``, or as
-    small as rounding, end it; ``closed`` is by how much the loop may stay open. Raises
+    small as rounding, end it; ``closed`` is by how much the orbit may stay open. Raises
     ConvergenceError where there is none.
     """
     start, size, before = guess, guess.states.size, np.inf
-    loop = looped(flow, guess)
+    orbit = integrated(flow, guess)
     for iteration in range(iterations):
-        values, rows = zip(*(each(loop) for each in conditions), strict=True)
-        residual = np.concatenate([loop.gaps.ravel(), *values])
-        if magnitude(residual) <= rounding(loop):
+        values, rows = zip(*(each(orbit) for each in conditions), strict=True)
+        residual = np.concatenate([orbit.gaps.ravel(), *values])
+        if magnitude(residual) <= rounding(orbit):
             # of orbits that are not isolated, as where nothing damps, a step leads anywhere
-            return loop
+            return orbit
         try:
-            step = np.linalg.solve(loop.slopes(*rows), -residual)
+            step = np.linalg.solve(orbit.slopes(*rows), -residual)
         except np.linalg.LinAlgError as error:
             raise ConvergenceError("Newton's method meets a singular matrix") from error
         width = magnitude(step)
-        scale = 1 + max(magnitude(loop.states), loop.period)
+        scale = 1 + max(magnitude(orbit.states), orbit.period)
         small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
-        # A stretch that could be cut no shorter carries what rounds at its beginning to its end, as
-        # many times larger.
-        carried = closed * max(1.0, growth(loop) / LARGEST_GROWTH)
-        if small and magnitude(residual) <= carried * (1 + magnitude(loop.states)):
-            return loop
+        # An interval that could be subdivided no further carries what rounds at its beginning to
+        # its end, as many times larger.
+        carried = closed * max(1.0, growth(orbit) / LARGEST_GROWTH)
+        if small and magnitude(residual) <= carried * (1 + magnitude(orbit.states)):
+            return orbit
         if iteration and width > 1e3 * before:
             break
-        guess = loop.guess.moved(step)
+        guess = orbit.guess.moved(step)
         if magnitude(guess.states - start.states) > reach or not np.isfinite(step[:size]).all():
             break
         if not 0.5 < guess.period / start.period < 2:
             break
-        loop, before = looped(flow, guess), width
+        orbit, before = integrated(flow, guess), width
     raise ConvergenceError("Newton's method finds no closed orbit there; start nearer to one")
 
 
-def through(place: FloatArray, normal: FloatArray, guess: Guess) -> Conditions:
-    """Phase condition of loops of as many stretches as a guess: the first state stays in a plane
-    through a place.
+def through(place: FloatArray, normal: FloatArray, guess: Iterate) -> Conditions:
+    """Phase condition of orbits of as many mesh intervals as a guess: the first state stays in a
+    plane through a place.
     """
     row = np.zeros((1, len(guess.coordinates)))
     row[0, : len(normal)] = normal
-    return lambda loop: (np.array([normal @ (loop.state - place)]), row)
+    return lambda orbit: (np.array([normal @ (orbit.state - place)]), row)
 
 
-def across(loop: Loop, place: FloatArray | None = None) -> Conditions:
-    """The plane across the flow at the first state of a loop, through that or another place."""
-    first = loop.state
-    normal = loop.rate(first)
+def across(orbit: Orbit, place: FloatArray | None = None) -> Conditions:
+    """The plane across the flow at the first state of an orbit, through that or another place."""
+    first = orbit.state
+    normal = orbit.rate(first)
     place = first if place is None else place
-    return through(place, normal / norm(normal), loop.guess)
+    return through(place, normal / norm(normal), orbit.guess)
 
 
-def phase(loop: Loop, guess: Guess) -> Conditions:
+def phase(orbit: Orbit, guess: Iterate) -> Conditions:
     """The phase of a guess at an orbit: where the leading coordinate is largest, if it begins
     there, or as it is.
     """
-    m, speed = loop.field.size, len(loop.field.coordinates) + loop.field.lead
+    m, speed = orbit.field.size, len(orbit.field.coordinates) + orbit.field.lead
     if abs(guess.states[0, speed]) > MOVES:
-        return across(replace(loop, guess=guess))
+        return across(replace(orbit, guess=guess))
     return through(np.zeros(m), np.eye(m)[speed], guess)
 
 
-def recut(loop: Loop, pieces: int, begin: float = 0.0) -> Guess:
-    """A loop in ``pieces`` equal stretches from the time ``begin`` on: each state from the nearest
-    one before it.
+def remeshed(orbit: Orbit, pieces: int, begin: float = 0.0) -> Iterate:
+    """An orbit in ``pieces`` equal mesh intervals from the time ``begin`` on: each state from the
+    nearest one before it.
 
     Carried once around from one state, the error of a strongly unstable orbit would grow beyond
     Newton's reach.
     """
-    times = (begin + np.arange(pieces) * loop.period / pieces) % loop.period
-    return replace(loop.guess, states=np.array([loop.at(t) for t in times.tolist()]))
+    times = (begin + np.arange(pieces) * orbit.period / pieces) % orbit.period
+    return replace(orbit.guess, states=np.array([orbit.at(t) for t in times.tolist()]))
 
 
-def finer(loop: Loop, most: int = MOST_STRETCHES) -> Guess | None:
-    """The loop in twice as many stretches where the derivatives over one have grown large; None
-    elsewhere, and of ``most``.
+def refined_mesh(orbit: Orbit, most: int = MOST_STRETCHES) -> Iterate | None:
+    """The orbit in twice as many mesh intervals where the derivatives over one have grown large;
+    None elsewhere, and of ``most``.
     """
-    pieces = len(loop.states)
-    return recut(loop, 2 * pieces) if growth(loop) > LARGEST_GROWTH and pieces < most else None
+    pieces = len(orbit.states)
+    return remeshed(orbit, 2 * pieces) if growth(orbit) > LARGEST_GROWTH and pieces < most else None
 
 
-def clear(loop: Loop) -> float:
-    """How long after its states stretches begin that do so farthest from jumps of the field; 0
-    where none begins near one.
+def offset_from_jumps(orbit: Orbit) -> float:
+    """Time by which a mesh is shifted so that its intervals begin farthest from jumps of the field;
+    0 where none begins near one.
 
     A state on the wrong side of a jump goes another way: Newton's method does not take the states
-    of stretches across.
+    of mesh intervals across.
     """
-    stretch, borders = loop.guess.stretch, loop.field.borders
+    interval, borders = orbit.guess.interval, orbit.field.borders
     times = sorted(
-        crossing.t % stretch for crossing in loop.crossings() if borders[crossing.border].slopes
+        crossing.t % interval for crossing in orbit.crossings() if borders[crossing.border].slopes
     )
     if not times:
         return 0.0
-    width, begin = max((later - t, t) for t, later in pairwise([*times, times[0] + stretch]))
+    width, begin = max((later - t, t) for t, later in pairwise([*times, times[0] + interval]))
     return (
-        (begin + width / 2) % stretch if min(times[0], stretch - times[-1]) < CLEAR * width else 0.0
+        (begin + width / 2) % interval
+        if min(times[0], interval - times[-1]) < CLEAR * width
+        else 0.0
     )
 
 
-def split(flow: Flow, guess: Guess) -> Loop:
-    """A guess integrated, in as many stretches as its growth asks for."""
-    loop = looped(flow, guess)
-    while cut := finer(loop, SPLIT):
-        loop = looped(flow, cut)
-    return loop
+def subdivided(flow: Flow, guess: Iterate) -> Orbit:
+    """A guess integrated, in as many mesh intervals as its growth asks for."""
+    orbit = integrated(flow, guess)
+    while cut := refined_mesh(orbit, SPLIT):
+        orbit = integrated(flow, cut)
+    return orbit
 
 
-def least_period(loop: Loop) -> Loop:
+def least_period(orbit: Orbit) -> Orbit:
     """The orbit over its least period: rounds are one if they differ by no more than the orbit's
     error.
 
     Close to where it came out of a doubling, the rounds of an orbit of twice the period differ by
     very little. Every prime number of rounds is tried that there may be, by :func:`_most_rounds`.
     """
-    most = _most_rounds(loop)
+    most = _most_rounds(orbit)
     for rounds in (k for k in range(2, most + 1) if all(k % j for j in range(2, k))):
-        if any(turns % rounds for turns in loop.windings.values()):
+        if any(turns % rounds for turns in orbit.windings.values()):
             continue
-        if (shorter := _divided(loop, rounds)) is not None:
+        if (shorter := _divided(orbit, rounds)) is not None:
             return least_period(shorter)
-    return loop
+    return orbit
 
 
-def _most_rounds(loop: Loop) -> int:
+def _most_rounds(orbit: Orbit) -> int:
     """Most rounds that an orbit may consist of.
 
     A coordinate that turns around makes a whole turn in each, and the leading one is largest once
     at least, unless a border hides that. Every one goes up and down by its range, no faster than
     it does anywhere.
     """
-    tops = len(loop.tops()) if loop.leads and not loop.windings.get(loop.field.lead) else 0
-    most = [abs(turns) for turns in (*loop.windings.values(), tops) if turns]
+    maxima = len(orbit.maxima()) if orbit.leads and not orbit.windings.get(orbit.field.lead) else 0
+    most = [abs(turns) for turns in (*orbit.windings.values(), maxima) if turns]
     if 1 in most:
         return 1
-    low, high = loop.bounds
-    n = len(loop.field.coordinates)
+    low, high = orbit.bounds
+    n = len(orbit.field.coordinates)
     for place in range(n):
         extent = float(high[place] - low[place])
-        if extent > SURE * loop.errors[place] and not loop.windings.get(place):
+        if extent > SURE * orbit.errors[place] and not orbit.windings.get(place):
             up, down = high[n + place], -low[n + place]
-            most.append(int((1 + RANGES) * loop.period / (extent / up + extent / down)))
+            most.append(int((1 + RANGES) * orbit.period / (extent / up + extent / down)))
     return min(most, default=1)
 
 
-def _divided(loop: Loop, rounds: int) -> Loop | None:
+def _divided(orbit: Orbit, rounds: int) -> Orbit | None:
     """The orbit over a part of its period, if it closes after that; None where it does not.
 
     Every number of the state has its own range and error. Beside a state at which an orbit all but
     rests any time closes it: the shorter one has the same ranges, or is another.
     """
-    errors, ranges = loop.errors[:-1], _ranges(loop)
-    off = np.abs(apart(loop.at(loop.period / rounds), loop.state, loop.field.around))
+    errors, ranges = orbit.errors[:-1], _ranges(orbit)
+    off = np.abs(apart(orbit.at(orbit.period / rounds), orbit.state, orbit.field.around))
     if not (off <= np.maximum(ONE * ranges, 10 * errors)).all():
         return None
     near = RANGES * ranges + SURE * errors
     with suppress(ConvergenceError):
-        guess = Guess(loop.state[None], loop.period / rounds, loop.values)
-        guess = split(loop.flow, guess).guess
+        guess = Iterate(orbit.state[None], orbit.period / rounds, orbit.values)
+        guess = subdivided(orbit.flow, guess).guess
         try:
-            shorter = solved(loop.flow, guess, phase(loop, guess), reach=magnitude(near))
+            shorter = solved(orbit.flow, guess, phase(orbit, guess), reach=magnitude(near))
         except ConvergenceError:
             # where nothing damps orbits are not isolated, and Newton's matrix is singular
-            shorter = looped(loop.flow, guess)
+            shorter = integrated(orbit.flow, guess)
         if (np.abs(_ranges(shorter) - ranges) <= near).all():
             return shorter
     return None
 
 
-def _ranges(loop: Loop) -> FloatArray:
+def _ranges(orbit: Orbit) -> FloatArray:
     """Ranges of all numbers of the state, a turn of those that turn around."""
-    low, high = loop.bounds
+    low, high = orbit.bounds
     ranges = high - low
-    ranges[[place for place, turns in loop.windings.items() if turns]] = TURN
+    ranges[[place for place, turns in orbit.windings.items() if turns]] = TURN
     return ranges
 
 
-def difference(loop: Loop) -> float:
-    """The largest distance between ends of stretches with and without derivatives: what the step
-    control of either missed.
+def difference(orbit: Orbit) -> float:
+    """The largest distance between ends of mesh intervals with and without derivatives: what the
+    step control of either missed.
     """
     ends = [
-        loop.flow.plain(state, loop.constants, loop.guess.stretch).state for state in loop.states
+        orbit.flow.plain(state, orbit.constants, orbit.guess.interval).state
+        for state in orbit.states
     ]
-    return magnitude(loop.ends - ends)
+    return magnitude(orbit.ends - ends)
 
 
-def errors_of(loop: Loop, differs: float = 0.0) -> FloatArray:
+def errors_of(orbit: Orbit, differs: float = 0.0) -> FloatArray:
     """Errors of the first state's numbers and of the period: row sums of the inverse of Newton's
     matrix, times what does not close, rounding, or ``differs``.
     """
-    size = loop.field.size
-    _, rows = phase(loop, loop.guess)(loop)
-    inverse = np.linalg.pinv(loop.slopes(rows), rcond=1e-12)
+    size = orbit.field.size
+    _, rows = phase(orbit, orbit.guess)(orbit)
+    inverse = np.linalg.pinv(orbit.slopes(rows), rcond=1e-12)
     sums: FloatArray = np.abs(inverse[np.r_[0:size, -1]]).sum(axis=1)
-    return sums * max(loop.missed, rounding(loop), differs)
+    return sums * max(orbit.largest_gap, rounding(orbit), differs)
 
 
-def error_of(loop: Loop, differs: float = 0.0) -> float:
+def error_of(orbit: Orbit, differs: float = 0.0) -> float:
     """The largest of :func:`errors_of`."""
-    return magnitude(errors_of(loop, differs))
+    return magnitude(errors_of(orbit, differs))
 
 
-def extent(loop: Loop, units: FloatArray | float = 1.0) -> float:
+def extent(orbit: Orbit, units: FloatArray | float = 1.0) -> float:
     """Range of the turns of an orbit: the largest of all components, in their units."""
-    states = [*(turn.state for turn in loop.turns()), *loop.states, *loop.ends]
+    states = [*(extremum.state for extremum in orbit.extrema()), *orbit.states, *orbit.ends]
     return float((np.ptp(states, axis=0) / units).max())
 
 
-def growth(loop: Loop) -> float:
-    """Largest derivative over one stretch."""
-    return max(magnitude(each.by_state) for each in loop.passages)
+def growth(orbit: Orbit) -> float:
+    """Largest derivative over one mesh interval."""
+    return max(magnitude(each.by_state) for each in orbit.flow_results)
 
 
-def rounding(loop: Loop) -> float:
-    """What rounding adds to the gaps of a loop, about."""
-    return 4e-16 * magnitude(loop.states) * math.sqrt(loop.period)
+def rounding(orbit: Orbit) -> float:
+    """Size of what rounding adds to the gaps of an orbit."""
+    return 4e-16 * magnitude(orbit.states) * math.sqrt(orbit.period)

@@ -33,7 +33,7 @@ from ..statics.search import rest_index
 from . import integrators
 from .classify import classify
 from .lobatto import PiecewisePolynomial
-from .measures import Course, Spectrum, course_of, spectrum_of
+from .measures import MotionStatistics, Spectrum, spectrum_of, statistics_of
 from .problem import MAX_STEPS, RELATIVE_TOLERANCE, Event, Problem, prepare
 from .regimes import Outcome, Regime
 from .return_map import Onward
@@ -339,7 +339,7 @@ class Trajectory(Named):
             rtol=max(self.rtol, RELATIVE_TOLERANCE.low),
         )
         found = classify(
-            late.course(), Onward(problem, self.backend), as_number("tol", tol, POSITIVE)
+            late.statistics(), Onward(problem, self.backend), as_number("tol", tol, POSITIVE)
         )
         return (
             replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest))))
@@ -364,7 +364,7 @@ class Trajectory(Named):
         """
         return self.outcome(transient, tol=tol).regime in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE)
 
-    def course(self) -> Course:
+    def statistics(self) -> MotionStatistics:
         """What :func:`~spragsym.motion.integrators.measure` measures on the way, from the
         samples.
         """
@@ -373,7 +373,7 @@ class Trajectory(Named):
             if self.events is None
             else np.bincount(self.events.which, minlength=len(Event))
         )
-        return course_of(self.samples, counts, self.model.field)
+        return statistics_of(self.samples, counts, self.model.field)
 
     def energy(self) -> FloatArray:
         """Kinetic and stored energy, contact and applied forces included, at the samples; with

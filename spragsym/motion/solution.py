@@ -1,5 +1,5 @@
-"""What an integrator gives: a motion by its samples and the borders passed, or a stretch of it by
-its end and derivatives.
+"""What an integrator gives: a motion by its samples and the borders passed, or the flow over a
+time: its end and derivatives.
 """
 
 from __future__ import annotations
@@ -283,7 +283,7 @@ def speed_across(problem: Problem, border: Border, mode: Mode, state: FloatArray
     )
 
 
-class Turn(NamedTuple):
+class Extremum(NamedTuple):
     """A zero of a rate: of a border's level, which is extremal there, or (border −1) of the leading
     coordinate.
 
@@ -299,8 +299,8 @@ class Turn(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Passage:
-    """A stretch of motion: where it ends, (m,), and derivatives of that.
+class FlowResult:
+    """Flow over a time: where it ends, (m,), and derivatives of that.
 
     Those by the state at the start, (m, m), are the product over the smooth pieces, with saltation
     matrices where the field jumps between them; those by the parameters, (m, k), are along k
@@ -312,12 +312,13 @@ class Passage:
     by_state: FloatArray
     by_parameters: FloatArray
     crossings: tuple[Crossing, ...]
-    turns: tuple[Turn, ...]
+    extrema: tuple[Extremum, ...]
     integrals: tuple[float, ...] = (np.nan, np.nan)
 
 
-#: Carries a state on: ``fly(state, constants, duration, directions)``, directions of shape (k, P).
-Fly: TypeAlias = Callable[[FloatArray, Values, float, FloatArray], Passage]
+#: Carries a state on: ``flow_map(state, constants, duration, directions)``, directions of shape (k,
+#: P).
+FlowMap: TypeAlias = Callable[[FloatArray, Values, float, FloatArray], FlowResult]
 
 
 def parted(

@@ -18,7 +18,7 @@ from ..models.field import GAP, JUMPED, Border, Field, Mode
 from ..models.parameters import FloatArray
 from .heyoka_functions import XP, HeyokaFunctions, library
 from .lobatto import sample_times, unit_points
-from .measures import KEPT, Course
+from .measures import KEPT, MotionStatistics
 from .problem import (
     Event,
     Problem,
@@ -30,10 +30,10 @@ from .problem import (
 )
 from .solution import (
     Crossing,
-    Passage,
+    Extremum,
+    FlowResult,
     Samples,
     Solution,
-    Turn,
     assembled,
     parted,
     passed,
@@ -44,7 +44,7 @@ from .solution import (
 #: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps
 #: have collapsed: at most a second or so.
 BURST = 20_000
-#: Steps after which a stretch of a flow is given up.
+#: Steps after which a flow is abandoned.
 MAX_STEPS = 2_000_000
 
 #: Tolerance of flows with derivatives.
@@ -102,17 +102,17 @@ class Approach:
 
 
 def equations(
-    field: Field, *, watch: bool = False, directions: int | None = None
+    field: Field, *, measured: bool = False, directions: int | None = None
 ) -> tuple[list[Any], tuple[Any, Any, Any], list[Any], list[Approach]]:
     """A field for heyoka: variables with their derivatives in time; state, constants and mode;
     accelerations; approaches.
 
     Constants, mode and directions are its ``par[]``. The variables are the state; with so many
     ``directions`` of the parameters its derivatives by the start and along those, column by column
-    in :data:`UNIT`, and the integrals of the first coordinate and of its square; with ``watch`` the
-    integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter, so that
-    they stay below the states: heyoka's error is relative to the largest of all. The parameter
-    before is the leading coordinate at the begin.
+    in :data:`UNIT`, and the integrals of the first coordinate and of its square; with ``measured``
+    the integrals of a :class:`~spragsym.motion.measures.MotionStatistics`, scaled by the last
+    parameter, so that they stay below the states: heyoka's error is relative to the largest of all.
+    The parameter before is the leading coordinate at the begin.
     """
     hy = library()
     names, n, m = field.coordinates, len(field.coordinates), field.size
@@ -140,13 +140,13 @@ def equations(
                     for rate, row in zip(rates, slopes, strict=True)
                 ]
             system += zip(part, [*part[n:], *rates], strict=True)
-    if watch or directions is not None:
+    if measured or directions is not None:
         lead, others = state[field.lead], [*state[: field.lead], *state[field.lead + 1 : n]]
-        shift, scale = (lead - hy.par[end], hy.par[end + 1]) if watch else (state[0], UNIT)
+        shift, scale = (lead - hy.par[end], hy.par[end + 1]) if measured else (state[0], UNIT)
         sums = [
             scale * shift,
             scale * shift * shift,
-            *(scale * other for other in others if watch),
+            *(scale * other for other in others if measured),
         ]
         system += zip(hy.make_vars(*(f"sum.{i}" for i in range(len(sums)))), sums, strict=True)
     return system, (state, known, mode), accelerations, Approach.of(xp.called, system[:m])
@@ -169,7 +169,7 @@ NEAR = 1e-3
 
 
 @dataclass
-class Traveller:
+class MotionState:
     """A motion on its way: all that is carried of it, its mode, its steps so far, why it stopped,
     and what is noted of it.
 
@@ -177,7 +177,7 @@ class Traveller:
     there were of each kind, and the states where borders were last crossed; the ``latest`` turns of
     x, by the sign of its second derivative, and where it passes a whole turn; and least and largest
     x at turns. One that may be ``resting`` on a border has events that are told from chatter by
-    samples only. Its ``further`` parameters are directions, or what a course is measured with.
+    samples only. Its ``further`` parameters are directions, or what statistics are measured with.
     """
 
     problem: Problem
@@ -189,7 +189,7 @@ class Traveller:
     crossings: list[Crossing] = field(default_factory=list)
     counts: list[int] = field(default_factory=lambda: [0] * len(Event))
     crossed: dict[int, list[float]] = field(default_factory=dict)
-    turns: list[Turn] = field(default_factory=list)
+    extrema: list[Extremum] = field(default_factory=list)
     latest: dict[int, deque[list[float]]] = field(
         default_factory=partial(defaultdict, partial(deque, maxlen=KEPT))
     )
@@ -207,13 +207,13 @@ class Traveller:
         return self.problem.max_steps or MAX_STEPS
 
 
-class Carrier:
+class BatchIntegrator:
     """A field compiled for motions in lanes, used again and again: each goes over to its next mode
     where it passes a border.
 
-    ``turning`` is that turns are told, of the leading coordinate and of levels. With ``watch``
-    those of the coordinate are, and the integrals of a :class:`~spragsym.motion.measures.Course`
-    are carried along.
+    ``turning`` is that turns are told, of the leading coordinate and of levels. With ``measured``
+    those of the coordinate are, and the integrals of a
+    :class:`~spragsym.motion.measures.MotionStatistics` are carried along.
     """
 
     def __init__(
@@ -222,7 +222,7 @@ class Carrier:
         tol: float,
         *,
         lanes: int = 1,
-        watch: bool = False,
+        measured: bool = False,
         directions: int | None = None,
         turning: bool = False,
     ) -> None:
@@ -233,16 +233,16 @@ class Carrier:
             lanes,
             directions is not None,
         )
-        self.kinds = kinds_of(field) if watch else {}
+        self.kinds = kinds_of(field) if measured else {}
         #: What is in the first lanes.
-        self.some: Sequence[Traveller] = ()
+        self.some: Sequence[MotionState] = ()
         system, seen, accelerations, approaches = equations(
-            field, watch=watch, directions=directions
+            field, measured=measured, directions=directions
         )
         self.constants = len(seen[1])
         lead = field.lead
-        rates = [(-1, seen[0][len(field.coordinates) + lead])] if turning or watch else []
-        if watch and lead in field.around:
+        rates = [(-1, seen[0][len(field.coordinates) + lead])] if turning or measured else []
+        if measured and lead in field.around:
             rates.append((PASSAGE, hy.sin(seen[0][lead] / 2.0)))
         if turning:
             rates += [
@@ -269,7 +269,8 @@ class Carrier:
                 for each in approaches
             ],
             nt_events=[
-                hy.nt_event_batch(1e-3 * rate, partial(self._turn, row)) for row, rate in rates
+                hy.nt_event_batch(1e-3 * rate, partial(self._note_extremum, row))
+                for row, rate in rates
             ],
         )
         # Views of what the integrator holds: each look at an attribute makes one anew.
@@ -299,7 +300,7 @@ class Carrier:
             direction=hy.event_direction.negative if border.jumps else hy.event_direction.any,
         )
 
-    def __deepcopy__(self, _: object) -> Carrier:
+    def __deepcopy__(self, _: object) -> BatchIntegrator:
         """heyoka deep-copies its callbacks; the copies must still write to this object."""
         return self
 
@@ -310,7 +311,7 @@ class Carrier:
         one, t, state = self.some[lane], float(self.times[lane]), self.state[: self.m, lane]
         try:
             if direction > 0:
-                raise missed(one.problem.time(t))
+                raise missed_event(one.problem.time(t))
             columns = self._columns(self.state[:, lane]) if self.field.borders[row].slopes else None
             one.mode, crossings = passed(
                 one.problem, row, one.mode, t, state, self._directions(one), columns
@@ -329,7 +330,7 @@ class Carrier:
                 self._rest(one, row, state)
         return True
 
-    def _rest(self, one: Traveller, row: int, state: FloatArray) -> None:
+    def _rest(self, one: MotionState, row: int, state: FloatArray) -> None:
         """Note where a border is crossed, or the motion ends after that, and whether it had been
         crossed near there.
         """
@@ -340,14 +341,14 @@ class Carrier:
         ):
             one.resting = True
 
-    def _turn(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
+    def _note_extremum(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
         """Note a turn of a border's level, or (−1) of the leading coordinate, or that this one
         passes a whole turn.
         """
         self.solver.update_d_output(t)
         one = self.some[lane]
         if self.lanes == 1:
-            one.turns.append(Turn(t, border, direction, *self._split(self.dense[:, lane])))
+            one.extrema.append(Extremum(t, border, direction, *self._split(self.dense[:, lane])))
             return
         state = self.dense[: self.m, lane].tolist()
         kind, bound = (
@@ -385,12 +386,12 @@ class Carrier:
         """
         return values[self.m : -2].reshape(-1, self.m).T / UNIT if self.derivatives else None
 
-    def _directions(self, one: Traveller) -> FloatArray | None:
+    def _directions(self, one: MotionState) -> FloatArray | None:
         return (
             np.reshape(one.further, (-1, len(self.field.parameters))) if self.derivatives else None
         )
 
-    def begin(self, some: Sequence[Traveller], t: float) -> None:
+    def begin(self, some: Sequence[MotionState], t: float) -> None:
         """Motions into the first lanes, where nothing was crossed yet."""
         self.some = some
         pars = [(*one.problem.constants, *one.mode, *one.further) for one in some]
@@ -413,8 +414,8 @@ class Carrier:
         if self.solver.with_events:  # heyoka has no cooldowns where there are none
             self.solver.reset_cooldowns()
 
-    def carry(
-        self, motions: Sequence[Traveller], begin: float, end: float, *, record: bool = False
+    def propagate(
+        self, motions: Sequence[MotionState], begin: float, end: float, *, record: bool = False
     ) -> list[Samples]:
         """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the
         way; samples if asked for.
@@ -466,8 +467,8 @@ class Carrier:
                         self._rest(one, border, one.carried[: self.m])
         return pieces
 
-    def _count(self, one: Traveller, lane: int, begun: float, end: float) -> None:
-        """Count the steps of a lane in a stretch that ``begun``; an error where it can't go on, or
+    def _count(self, one: MotionState, lane: int, begun: float, end: float) -> None:
+        """Count the steps of a lane in a flow that ``begun``; an error where it can't go on, or
         has passed a border unseen.
         """
         outcomes, (outcome, _, _, made), t = (
@@ -497,14 +498,14 @@ class Carrier:
             for border in self.field.borders
         )
         if not t < end and not all(level >= -2 * GAP for level in levels):
-            raise missed(problem.time(t))
+            raise missed_event(problem.time(t))
 
     # ------------------------------------------------------------------------------------------ a
     # motion by itself
 
-    def begun(self, problem: Problem, directions: Any = ()) -> Carrier:
+    def begun(self, problem: Problem, directions: Any = ()) -> BatchIntegrator:
         """It is to carry one motion."""
-        self.some = [Traveller(problem, np.ravel(directions))]
+        self.some = [MotionState(problem, np.ravel(directions))]
         return self
 
     def motion(self) -> Solution:
@@ -512,16 +513,16 @@ class Carrier:
         (one,) = self.some
         begin = one.problem.t_record
         if begin > 0:
-            self.carry(self.some, 0.0, begin)
+            self.propagate(self.some, 0.0, begin)
         return assembled(
-            self.carry(self.some, begin, one.problem.t_end, record=True), one.crossings, begin
+            self.propagate(self.some, begin, one.problem.t_end, record=True), one.crossings, begin
         )
 
-    def fly(self) -> Passage:
+    def flow_map(self) -> FlowResult:
         """Carry the state on to the end."""
         (one,) = self.some
-        self.carry(self.some, 0.0, one.problem.t_end)
-        found = Passage(*self._split(one.carried), tuple(one.crossings), tuple(one.turns))
+        self.propagate(self.some, 0.0, one.problem.t_end)
+        found = FlowResult(*self._split(one.carried), tuple(one.crossings), tuple(one.extrema))
         return (
             replace(found, integrals=tuple((one.carried[-2:] / UNIT).tolist()))
             if self.derivatives
@@ -529,7 +530,7 @@ class Carrier:
         )
 
 
-def missed(t: float) -> ConvergenceError:
+def missed_event(t: float) -> ConvergenceError:
     """The error of a motion that has passed a border unseen."""
     return ConvergenceError(f"heyoka missed a kink before t = {t:.6g}; use backend='scipy'")
 
@@ -537,16 +538,16 @@ def missed(t: float) -> ConvergenceError:
 _CACHE = threading.local()
 
 
-def compiled(field: Field, tol: float, **options: Any) -> Carrier:
+def compiled(field: Field, tol: float, **options: Any) -> BatchIntegrator:
     """An integrator that is compiled once per field, tolerance and thread."""
-    known: dict[Any, Carrier] = _CACHE.__dict__.setdefault("compiled", {})
+    known: dict[Any, BatchIntegrator] = _CACHE.__dict__.setdefault("compiled", {})
     key = field.name, field.lead, tol, *options.items()
     if key not in known:
-        known[key] = Carrier(field, tol, **options)
+        known[key] = BatchIntegrator(field, tol, **options)
     return known[key]
 
 
-def flight(problem: Problem, directions: FloatArray | None) -> Carrier:
+def flow_integrator(problem: Problem, directions: FloatArray | None) -> BatchIntegrator:
     """What carries a flow, with turns, and unless they are None its derivatives by the start and
     along ``directions``.
     """
@@ -570,7 +571,7 @@ def integrate(problem: Problem) -> Solution:
     return compiled(problem.field, problem.rtol).begun(problem).motion()
 
 
-def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[int]]:
+def measured(problems: Sequence[Problem]) -> tuple[list[MotionStatistics | Exception], list[int]]:
     """What follows ``t_record``, measured on the way: no continuous output, which would have to be
     kept; or why there is none.
 
@@ -578,15 +579,15 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
     """
     one = problems[0]
     begin, end, size = one.t_record, one.t_end, one.field.size
-    scale, motions = 1e-3 / (end - begin), [Traveller(each) for each in problems]
+    scale, motions = 1e-3 / (end - begin), [MotionState(each) for each in problems]
     if begin > 0:
-        compiled(one.field, one.rtol, lanes=LANES).carry(motions, 0.0, begin)
+        compiled(one.field, one.rtol, lanes=LANES).propagate(motions, 0.0, begin)
     first = [each.carried[:size] for each in motions]
     for each in motions:
         each.further = each.carried[one.field.lead], scale
-    compiled(one.field, one.rtol, lanes=LANES, watch=True).carry(motions, begin, end)
+    compiled(one.field, one.rtol, lanes=LANES, measured=True).propagate(motions, begin, end)
 
-    def course(motion: Traveller, first: FloatArray) -> Course:
+    def statistics(motion: MotionState, first: FloatArray) -> MotionStatistics:
         last, reach, lead = motion.carried, motion.reach, motion.problem.field.lead
         tops, lows, passed = (
             np.array(motion.latest[kind]).reshape(-1, 1 + size) for kind in (-1, 1, PASSAGE)
@@ -595,7 +596,7 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
             float(pick(first[lead], last[lead], most))
             for pick, most in ((min, reach[1]), (max, reach[-1]))
         )
-        return Course(
+        return MotionStatistics(
             begin,
             end,
             first,
@@ -611,7 +612,9 @@ def watch(problems: Sequence[Problem]) -> tuple[list[Course | Exception], list[i
             lead,
         )
 
-    found = [each.error or course(each, start) for each, start in zip(motions, first, strict=True)]
+    found = [
+        each.error or statistics(each, start) for each, start in zip(motions, first, strict=True)
+    ]
     again = [
         isinstance(each.error, StiffError) or (each.error is None and each.resting)
         for each in motions

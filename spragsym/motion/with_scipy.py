@@ -19,10 +19,10 @@ from .lobatto import sample_times
 from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
 from .solution import (
     Crossing,
-    Passage,
+    Extremum,
+    FlowResult,
     Samples,
     Solution,
-    Turn,
     assembled,
     parted,
     passed,
@@ -41,7 +41,7 @@ IMPLICIT = 1e-12
 #: Absolute tolerance of flows, as a share of the relative one.
 ABSOLUTE = 1e-15 / 2.3e-14
 
-#: Steps after which a stretch of a flow is given up.
+#: Steps after which a flow is abandoned.
 MAX_STEPS = 200_000
 #: Steps between two looks at whether they have collapsed.
 LOOK = 2000
@@ -93,18 +93,18 @@ class Flight:
     stiff: bool = False
     interpolated: bool = False
 
-    def fly(self) -> Passage:
+    def flow_map(self) -> FlowResult:
         """Carry the state on to the end."""
         m = self.problem.field.size
-        crossings, turns = list[Crossing](), list[Turn]()
+        crossings, extrema = list[Crossing](), list[Extremum]()
         whole = np.array(self.problem.start, dtype=float)
         if self.directions is not None:
             whole = np.concatenate([whole, np.eye(m, m + len(self.directions)).ravel()])
         for piece in self._pieces(whole):
-            turns += self._turns(piece)
+            extrema += self._extrema(piece)
             crossings += piece.crossings
             whole = piece.last
-        return Passage(*self._split(whole), tuple(crossings), tuple(turns))
+        return FlowResult(*self._split(whole), tuple(crossings), tuple(extrema))
 
     def motion(self) -> Solution:
         """The motion by its samples, from ``t_record`` on, without derivatives."""
@@ -270,11 +270,11 @@ class Flight:
                     break
         return min(found, default=None)
 
-    def _turns(self, piece: _ModeStep) -> list[Turn]:
+    def _extrema(self, piece: _ModeStep) -> list[Extremum]:
         """Zeros of the rates within a step: of the leading coordinate, numbered −1, and of levels
         where there is a kink.
         """
-        field, found = self.problem.field, list[Turn]()
+        field, found = self.problem.field, list[Extremum]()
         watched = [-1, *(row for row, border in enumerate(field.borders) if border.kink)]
         values = self._levels(piece.mode, piece.samples[: field.size])[watched, 1]
         for row, i in np.argwhere((values[:, :-1] < 0) != (values[:, 1:] < 0)).tolist():
@@ -282,7 +282,7 @@ class Flight:
                 partial(self._at, piece, False, watched[row], 1), *piece.t[i : i + 2].tolist()
             )
             found.append(
-                Turn(
+                Extremum(
                     piece.clock + t,
                     watched[row],
                     1 if values[row, i] < 0 else -1,

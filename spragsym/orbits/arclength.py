@@ -18,13 +18,13 @@ from ..motion.multipliers import criterion_of, unsure
 from ..motion.shooting import (
     CLOSED,
     Conditions,
-    Guess,
-    Loop,
+    Iterate,
+    Orbit,
     across,
-    clear,
-    finer,
-    looped,
-    recut,
+    integrated,
+    offset_from_jumps,
+    refined_mesh,
+    remeshed,
     rounding,
     solved,
 )
@@ -58,8 +58,8 @@ WHOLE = 2.0
 LEAST_SHARE = 1e-3
 
 
-def in_phase(_: Setting, near: Loop, target: FloatArray) -> Conditions:
-    """The first state stays in the plane across the flow at a loop, through a target."""
+def in_phase(_: Setting, near: Orbit, target: FloatArray) -> Conditions:
+    """The first state stays in the plane across the flow at an orbit, through a target."""
     return across(near, target[: near.field.size])
 
 
@@ -68,8 +68,8 @@ class Setting:
     """What all points of a branch share: the flow, which parameters are free, and units of the
     arc's length.
 
-    ``holds(setting, loop, target)`` is what holds near a loop besides closing: the phase, in the
-    plane across the flow at that loop, through a target; along a curve of events its test
+    ``holds(setting, orbit, target)`` is what holds near an orbit besides closing: the phase, in the
+    plane across the flow at that orbit, through a target; along a curve of events its test
     function's equation too.
     """
 
@@ -77,15 +77,15 @@ class Setting:
     free: tuple[int, ...]
     period: float
     spans: tuple[float, ...]
-    holds: Callable[[Setting, Loop, FloatArray], Conditions] = in_phase
+    holds: Callable[[Setting, Orbit, FloatArray], Conditions] = in_phase
 
-    def looped(self, guess: Guess) -> Loop:
+    def integrated(self, guess: Iterate) -> Orbit:
         """A guess integrated, with derivatives by what is free."""
-        return looped(self.flow, replace(guess, free=self.free))
+        return integrated(self.flow, replace(guess, free=self.free))
 
-    def weights(self, loop: Loop) -> FloatArray:
+    def weights(self, orbit: Orbit) -> FloatArray:
         """Weights of states, period and parameters in the length of the arc."""
-        each = np.full(loop.states.size, 1 / np.sqrt(len(loop.states)))
+        each = np.full(orbit.states.size, 1 / np.sqrt(len(orbit.states)))
         return np.concatenate([each, [1 / self.period], 1 / np.array(self.spans)])
 
 
@@ -115,24 +115,24 @@ class Point:
     """
 
     setting: Setting
-    loop: Loop
+    orbit: Orbit
     tangent: FloatArray
     alone: bool = True
 
     @property
     def value(self) -> float:
         """The value of the first free parameter."""
-        return self.loop.guess.varied[0]
+        return self.orbit.guess.varied[0]
 
     @property
     def coordinates(self) -> FloatArray:
         """States, period and free parameters."""
-        return self.loop.guess.coordinates
+        return self.orbit.guess.coordinates
 
     @property
     def weights(self) -> FloatArray:
         """Units of the arc's length."""
-        return self.setting.weights(self.loop)
+        return self.setting.weights(self.orbit)
 
     @property
     def place(self) -> FloatArray:
@@ -144,31 +144,31 @@ class Point:
         """The tangent in these units, of length 1."""
         return self.weights * self.tangent
 
-    def turned(self, sign: float) -> Point:
+    def oriented(self, sign: float) -> Point:
         """The point, with the branch going on the other way for −1."""
         return replace(self, tangent=sign * self.tangent)
 
     @cached_property
     def touches(self) -> list[Touch]:
         """All turns of the borders' levels."""
-        loop, tangent = self.loop, self.tangent
-        size, along, found = loop.field.size, tangent[loop.states.size + 1 :], list[Touch]()
-        for turn in loop.turns():
-            mode = loop.mode(turn.state)
-            if turn.border >= 0 and loop.field.borders[turn.border].sign(mode):
-                change = turn.by_state @ tangent[:size] + turn.by_parameters @ along
-                way, at = np.append(change, along), np.append(turn.state, loop.guess.varied)
+        orbit, tangent = self.orbit, self.tangent
+        size, along, found = orbit.field.size, tangent[orbit.states.size + 1 :], list[Touch]()
+        for extremum in orbit.extrema():
+            mode = orbit.mode(extremum.state)
+            if extremum.border >= 0 and orbit.field.borders[extremum.border].sign(mode):
+                change = extremum.by_state @ tangent[:size] + extremum.by_parameters @ along
+                way, at = np.append(change, along), np.append(extremum.state, orbit.guess.varied)
                 step = 1e-6 / max(1.0, magnitude(change))
                 back, level, ahead = (
-                    float(level_and_rate(loop, turn.border, mode, at + share * step * way)[0])
+                    float(level_and_rate(orbit, extremum.border, mode, at + share * step * way)[0])
                     for share in (-1, 0, 1)
                 )
                 slope = (ahead - back) / (2 * step)
                 found.append(
                     Touch(
-                        (turn.border, turn.direction),
-                        turn.t / loop.period,
-                        turn.state,
+                        (extremum.border, extremum.direction),
+                        extremum.t / orbit.period,
+                        extremum.state,
                         level,
                         slope,
                     )
@@ -176,11 +176,11 @@ class Point:
         return found
 
 
-def level_and_rate(loop: Loop, border: int, mode: Mode, place: FloatArray) -> FloatArray:
+def level_and_rate(orbit: Orbit, border: int, mode: Mode, place: FloatArray) -> FloatArray:
     """Level and rate of a border in a mode at a state, followed by the free parameters, as they are
-    for a loop.
+    for an orbit.
     """
-    field, guess, size = loop.field, loop.guess, loop.field.size
+    field, guess, size = orbit.field, orbit.guess, orbit.field.size
     for index, value in zip(guess.free, place[size:].tolist(), strict=True):
         guess = guess.at(index, value)
     constants, state = field.constants(guess.values), place[:size].tolist()
@@ -192,48 +192,52 @@ def level_and_rate(loop: Loop, border: int, mode: Mode, place: FloatArray) -> Fl
     )
 
 
-def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
+def point_of(setting: Setting, orbit: Orbit, along: FloatArray | None = None) -> Point:
     """A point with its tangent, turned so that it goes along a direction; by default to larger
     values of the first parameter.
     """
-    sizes, ways = directions(setting, loop)
+    sizes, ways = directions(setting, orbit)
     point = Point(
         setting,
-        loop,
-        ways[-1] / setting.weights(loop),
-        bool(sizes[-1] > max(ALONE * sizes[0], loop.missed / STAYS)),
+        orbit,
+        ways[-1] / setting.weights(orbit),
+        bool(sizes[-1] > max(ALONE * sizes[0], orbit.largest_gap / STAYS)),
     )
     ahead = turning(point) if along is None else point.way @ (along * point.weights)
-    return point.turned(-1.0 if ahead < 0 else 1.0)
+    return point.oriented(-1.0 if ahead < 0 else 1.0)
 
 
-def directions(setting: Setting, loop: Loop) -> tuple[FloatArray, FloatArray]:
+def directions(setting: Setting, orbit: Orbit) -> tuple[FloatArray, FloatArray]:
     """Singular values of the equations' derivative, and right singular vectors, a row each, in
     units of the arc.
 
     The last vectors span its null space; there is one more of them than values.
     """
-    _, rows = setting.holds(setting, loop, loop.guess.coordinates)(loop)
-    return np.linalg.svd(loop.slopes(rows) / setting.weights(loop))[1:]
+    _, rows = setting.holds(setting, orbit, orbit.guess.coordinates)(orbit)
+    return np.linalg.svd(orbit.slopes(rows) / setting.weights(orbit))[1:]
 
 
-def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Conditions:
+def at_zero(kind: str, setting: Setting, near: Orbit, target: FloatArray) -> Conditions:
     """Conditions of a closed orbit at which a test function is 0, in units in which its rounding
-    does not keep the loop open.
+    does not keep the orbit open.
     """
     phase, unit = in_phase(setting, near, target), max(1.0, SURE * unsure(near, kind) / CLOSED)
     weights = setting.weights(near)
 
-    def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        off, row = phase(loop)
+    def conditions(orbit: Orbit) -> tuple[FloatArray, FloatArray]:
+        off, row = phase(orbit)
         slope = differences(
             lambda step: np.array(
-                [criterion_of(kind, looped(setting.flow, replace(loop.guess.moved(step), free=())))]
+                [
+                    criterion_of(
+                        kind, integrated(setting.flow, replace(orbit.guess.moved(step), free=()))
+                    )
+                ]
             ),
             np.zeros(len(weights)),
             DIFFERENCE / weights,
         )
-        return np.append(off, criterion_of(kind, loop) / unit), np.vstack([row, slope / unit])
+        return np.append(off, criterion_of(kind, orbit) / unit), np.vstack([row, slope / unit])
 
     return conditions
 
@@ -241,27 +245,27 @@ def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Cond
 def corrected(point: Point, length: float, *, reach: float = np.inf, iterations: int = 7) -> Point:
     """The point on the branch a length of arc from a point, negative lengths backward."""
     setting = point.setting
-    guess = point.loop.guess.moved(length * point.tangent)
+    guess = point.orbit.guess.moved(length * point.tangent)
     target, arc = guess.coordinates, (point.way * point.weights)[None]
-    loop = solved(
+    orbit = solved(
         setting.flow,
         guess,
-        setting.holds(setting, point.loop, target),
-        lambda loop: (arc @ (loop.guess.coordinates - target), arc),
+        setting.holds(setting, point.orbit, target),
+        lambda orbit: (arc @ (orbit.guess.coordinates - target), arc),
         reach=reach,
         iterations=iterations,
         precision=FINE,
     )
-    return point_of(setting, loop, point.tangent)
+    return point_of(setting, orbit, point.tangent)
 
 
-def fixed(setting: Setting, loop: Loop) -> Loop:
-    """The closed orbit near a loop at the same value of the parameter, with the derivatives by the
+def fixed(setting: Setting, orbit: Orbit) -> Orbit:
+    """The closed orbit near another at the same value of the parameter, with the derivatives by the
     parameter.
     """
-    loop = loop.bound()
-    conditions = setting.holds(setting, loop, loop.guess.coordinates)
-    return setting.looped(solved(setting.flow, loop.guess, conditions).guess)
+    orbit = orbit.bound()
+    conditions = setting.holds(setting, orbit, orbit.guess.coordinates)
+    return setting.integrated(solved(setting.flow, orbit.guess, conditions).guess)
 
 
 def placed(point: Point, value: float, way: FloatArray | None = None) -> Point:
@@ -271,7 +275,7 @@ def placed(point: Point, value: float, way: FloatArray | None = None) -> Point:
     setting, way = point.setting, point.tangent if way is None else way
     step = (value - point.value) / float(way[-len(setting.free)]) * way
     # Exactly, since there may be no parameters beyond.
-    near = setting.looped(point.loop.guess.moved(step).at(setting.free[0], value))
+    near = setting.integrated(point.orbit.guess.moved(step).at(setting.free[0], value))
     return point_of(setting, fixed(setting, near), point.tangent)
 
 
@@ -284,7 +288,7 @@ def within(point: Point, length: float, to: Span, reach: float = np.inf) -> Poin
     aim = point.value + length * turning(point)
     end = min(max(aim, to[0]), to[1])
     found = corrected(point, length, reach=reach) if end == aim else placed(point, end)
-    moved = 0.0 if end == aim else magnitude(found.loop.states - point.loop.states)
+    moved = 0.0 if end == aim else magnitude(found.orbit.states - point.orbit.states)
     if moved > reach or not to[0] <= found.value <= to[1]:
         raise ConvergenceError("the end of the range is nearer, or farther, than a step")
     return found
@@ -328,7 +332,7 @@ def steps(
             continue
         yield seen
         point, length = (
-            cut_anew(found),
+            remeshed_point(found),
             min(longest, length * (1.6 if straight > STRAIGHTER else 1.1)),
         )
 
@@ -369,7 +373,7 @@ def along(point: Point, value: float) -> Point:
 
     try:
         for found in steps(
-            point.turned(direction * math.copysign(1.0, turning(point))),
+            point.oriented(direction * math.copysign(1.0, turning(point))),
             ahead,
             WHOLE,
             np.inf,
@@ -380,7 +384,7 @@ def along(point: Point, value: float) -> Point:
                 break
     except (ConvergenceError, ZeroDivisionError) as error:
         name, what = (
-            point.loop.field.parameters[setting.free[0]],
+            point.orbit.field.parameters[setting.free[0]],
             "cycle" if setting.holds is in_phase else "equilibrium",
         )
         raise ConvergenceError(
@@ -389,24 +393,24 @@ def along(point: Point, value: float) -> Point:
     return point
 
 
-def cut_anew(point: Point) -> Point:
-    """The point in more stretches, where derivatives over one have grown large, or in others, where
-    one begins at a jump.
+def remeshed_point(point: Point) -> Point:
+    """The point in more mesh intervals, where derivatives over one have grown large, or in others,
+    where one begins at a jump.
     """
-    loop, setting, begin = point.loop, point.setting, 0.0
+    orbit, setting, begin = point.orbit, point.setting, 0.0
     if setting.holds is not in_phase:
         return point
-    if (cut := finer(loop)) is None and (begin := clear(loop)):
-        cut = recut(loop, len(loop.states), begin)
+    if (cut := refined_mesh(orbit)) is None and (begin := offset_from_jumps(orbit)):
+        cut = remeshed(orbit, len(orbit.states), begin)
     if cut is None:
         return point
     along = np.zeros(cut.states.shape)
     if (
         not begin
     ):  # the old tangent by its first state, if that is still the first, period and parameter
-        along[0] = point.tangent[: loop.field.size]
+        along[0] = point.tangent[: orbit.field.size]
     return point_of(
-        setting, setting.looped(cut), np.append(along, point.tangent[loop.states.size :])
+        setting, setting.integrated(cut), np.append(along, point.tangent[orbit.states.size :])
     )
 
 
@@ -414,11 +418,11 @@ def uncertainty(point: Point) -> float:
     """Error of the parameter: what does not close, with what rounding adds, times the sensitivity
     along the branch.
     """
-    loop = point.loop
-    _, phase = across(loop)(loop)
-    rows = loop.slopes(phase, (point.way * point.weights)[None])
+    orbit = point.orbit
+    _, phase = across(orbit)(orbit)
+    rows = orbit.slopes(phase, (point.way * point.weights)[None])
     return float(np.abs(np.linalg.pinv(rows, rcond=1e-14)[-1]).sum()) * max(
-        loop.missed, rounding(loop)
+        orbit.largest_gap, rounding(orbit)
     )
 
 
@@ -440,12 +444,12 @@ def aligned(one: Point, other: Point) -> float:
     )
 
 
-def started(setting: Setting, guess: Guess) -> Point:
+def started(setting: Setting, guess: Iterate) -> Point:
     """The first point of a branch, from a closed orbit."""
-    loop = setting.looped(guess)
-    if loop.missed > 1e-9:
+    orbit = setting.integrated(guess)
+    if orbit.largest_gap > 1e-9:
         raise ConvergenceError("a branch begins at a closed orbit")
-    return point_of(setting, loop)
+    return point_of(setting, orbit)
 
 
 def differences(

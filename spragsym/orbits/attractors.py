@@ -43,7 +43,7 @@ def attractor(system: System, verdict: FateVerdict) -> Attractor:
     if verdict.kind == Regime.EQUILIBRIUM:
         return _at_rest(system, system.equilibrium(np.array(found.rest)))
     if verdict.kind != Regime.LIMIT_CYCLE:
-        raise ConvergenceError(f"the motion comes to {verdict.told()}")
+        raise ConvergenceError(f"the motion comes to {verdict.described()}")
     orbit = cycle_at(system, np.array(found.cycle), found.period)
     if abs(orbit.period / found.period - 1) > 1e-3:
         raise ConvergenceError(
@@ -65,7 +65,7 @@ def followed(known: Attractor, system: System) -> Attractor:
     scales = known.system.scales(known.state)
     there = known.system.scaled(scales)
     rest = FixedPoints(there.field).started(there, known.state / scales.states, index, span)
-    return _at_rest(system, natural(along(rest, system.values[index]).loop).state)
+    return _at_rest(system, natural(along(rest, system.values[index]).orbit).state)
 
 
 def followed_cycle(known: Cycle, values: Values) -> Cycle:
@@ -73,9 +73,9 @@ def followed_cycle(known: Cycle, values: Values) -> Cycle:
     or is lost, on the way.
     """
     index, span = _varied(known.values, values)
-    own = in_scales(known.loop)
+    own = in_scales(known.orbit)
     setting = Setting(own.flow, (index,), own.period, (span,))
-    return cycle_of(along(started(setting, own.guess), values[index]).loop)
+    return cycle_of(along(started(setting, own.guess), values[index]).orbit)
 
 
 def _varied(now: Values, then: Values) -> tuple[int, float]:

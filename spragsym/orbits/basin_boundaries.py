@@ -32,7 +32,7 @@ from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import magnitude, norm
 from ..results.result import Result
 from ..statics.equilibria import equilibria
-from .system import FateVerdict, Saddle, System, judged, saddle_near, surely
+from .system import FateVerdict, Saddle, System, judged, saddle_near, verified
 
 #: Equilibria that differ by less than this are one. Lengths are in units of the motion about the
 #: saddle.
@@ -203,7 +203,7 @@ def basin_boundary(
     (back, why_back), (forth, why_forth) = (walk.follow(first, span, sign) for sign in (-1.0, 1.0))
     found = [*reversed(back), (first, error), *forth]
     differ, told = map(
-        np.array, zip(*(walk.told_sides(each, span) for each, _ in found), strict=True)
+        np.array, zip(*(walk.sides_verified(each, span) for each, _ in found), strict=True)
     )
     return BasinBoundary(
         plane,
@@ -220,7 +220,7 @@ def basin_boundary(
 def _surely(system: System, start: FloatArray) -> FateVerdict:
     """What a motion comes to, unless rounding decides that."""
     found = judged(system, start)
-    return surely(system, start, found, lambda beside: not _differ(system, found, beside))
+    return verified(system, start, found, lambda beside: not _differ(system, found, beside))
 
 
 def _differ(system: System, one: FateVerdict, other: FateVerdict) -> bool:
@@ -287,17 +287,20 @@ class _Walk:
         """The saddle in units of the motion."""
         it, states = self.natural, self.scales.states
         return Saddle(
-            it.state / states, it.growth * self.scales.time, it.measure * states, it.attracts
+            it.state / states,
+            it.growth * self.scales.time,
+            it.left_eigenvector * states,
+            it.attracts,
         )
 
     def off(self, state: FloatArray, span: float) -> tuple[float, FloatArray]:
         """How far a motion has come along the direction of growth, and the derivative of that in
         the plane.
         """
-        passage = self.flow.fly(state, self.system.constants, span)
-        measure = self.saddle.measure
-        return float(measure @ (passage.state - self.saddle.state)), self.plane @ (
-            measure @ passage.by_state
+        flow_result = self.flow.flow_map(state, self.system.constants, span)
+        left_eigenvector = self.saddle.left_eigenvector
+        return float(left_eigenvector @ (flow_result.state - self.saddle.state)), self.plane @ (
+            left_eigenvector @ flow_result.by_state
         )
 
     def begun(self, state: FloatArray) -> tuple[FloatArray, float, float]:
@@ -342,12 +345,12 @@ class _Walk:
         """To which side a motion leaves, and when: the sign of its part along the direction of
         growth, once that is large.
         """
-        constants, reach = self.system.constants, 0.1 * magnitude(self.saddle.measure)
+        constants, reach = self.system.constants, 0.1 * magnitude(self.saddle.left_eigenvector)
         part, clock = 0.0, 0.0
         for _ in range(20):
             state = self.flow.plain(state, constants, 1 / self.saddle.growth).state
             clock += 1 / self.saddle.growth
-            part = float(self.saddle.measure @ (state - self.saddle.state))
+            part = float(self.saddle.left_eigenvector @ (state - self.saddle.state))
             if abs(part) > reach:
                 break
         return float(np.sign(part)), clock
@@ -394,7 +397,7 @@ class _Walk:
             along = along * sign if way is None else along * np.sign(along @ way)
             guess = state + step * along @ self.plane
             try:
-                seen = norm(slope) * step**2 / (BENT * magnitude(self.saddle.measure))
+                seen = norm(slope) * step**2 / (BENT * magnitude(self.saddle.left_eigenvector))
                 with doing("point {} in one direction of the boundary", len(found) + 1):
                     ahead, error, later = self.refined(
                         guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth
@@ -418,20 +421,20 @@ class _Walk:
             state, way, step, span = ahead, along, min(self.step, 1.5 * step), later
         return found, f"{self.points} points were followed"
 
-    def told_sides(self, state: FloatArray, span: float) -> tuple[bool, list[str]]:
+    def sides_verified(self, state: FloatArray, span: float) -> tuple[bool, list[str]]:
         """Whether the sides of a point lie in different basins, also nearer by, and what starts
         there come to, in words.
         """
         both = self.sides(state, span, ASIDE)
         if not _differ(self.system, *both):
-            return False, [each.told() for each in both]
+            return False, [each.described() for each in both]
         nearer = self.sides(state, span, NEARER * ASIDE)
         other = [
             not near.decided or _differ(self.system, one, near)
             for one, near in zip(both, nearer, strict=True)
         ]
         told = [
-            one.told() + (f", and nearer by {near.told()}" if differs else "")
+            one.described() + (f", and nearer by {near.described()}" if differs else "")
             for one, near, differs in zip(both, nearer, other, strict=True)
         ]
         return not any(other), told

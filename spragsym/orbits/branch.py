@@ -30,7 +30,7 @@ from ..models.parameters import (
     varied_range,
 )
 from ..motion.multipliers import CRITERIA, is_complex_pair
-from ..motion.shooting import Loop, extent, in_scales, natural, recut, time_of
+from ..motion.shooting import Orbit, extent, in_scales, natural, remeshed, time_of
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import norm
 from ..results.result import Result
@@ -40,9 +40,9 @@ from .arclength import (
     at_zero,
     between,
     corrected,
-    cut_anew,
     placed,
     point_of,
+    remeshed_point,
     started,
     steps,
     turning,
@@ -53,10 +53,10 @@ from .events import (
     MERGES,
     SCATTER,
     SLIDING,
-    Finding,
+    DetectedEvent,
     approaches,
-    arrivals,
-    findings,
+    detected_events,
+    sliding_entries,
     touching,
     vertical,
 )
@@ -169,7 +169,7 @@ class CycleEvent(Result):
     error: float
     how: str
     vary: str = field(repr=False)
-    found: Finding = field(repr=False)
+    found: DetectedEvent = field(repr=False)
 
     @property
     def brief(self) -> str:
@@ -321,33 +321,33 @@ def cycle_branch(
             "cycle(p, turns=1) at each value, or write a law that is steep at rest, as "
             "mu0*tanh(d*v)"
         )
-    own = in_scales(cycle.loop)
+    own = in_scales(cycle.orbit)
     setting = Setting(own.flow, (index,), own.period, ((high - low) / 2,))
     pieces = len(own.states)  # an even number, so that halves of a doubled cycle are seen
-    begun = recut(own, 2 * pieces) if pieces % 2 else own.guess
-    start = cut_anew(started(setting, begun))
-    back = list(_followed([start.turned(-1.0)], (low, high), points, longest))
-    behind = [item.turned(-1.0) for item in back if isinstance(item, Point)]
+    begun = remeshed(own, 2 * pieces) if pieces % 2 else own.guess
+    start = remeshed_point(started(setting, begun))
+    back = list(_followed([start.oriented(-1.0)], (low, high), points, longest))
+    behind = [item.oriented(-1.0) for item in back if isinstance(item, Point)]
     forth = list(_followed([*behind[:1], start], (low, high), points, longest))
-    closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
+    closed = back and isinstance(back[-1], DetectedEvent) and back[-1].kind == "closed"
     items = [*reversed(back), start, *([] if closed else forth)]
-    loops, events, places = [], [], []
+    orbits, events, places = [], [], []
     for item in items:
         if isinstance(item, Point):
-            loops.append(item.loop)
+            orbits.append(item.orbit)
         elif item.kind != "closed":
-            loop = item.loop
-            value = loop.values[index] if np.isnan(item.value) else item.value
+            orbit = item.orbit
+            value = orbit.values[index] if np.isnan(item.value) else item.value
             events.append(
-                CycleEvent(item.kind, value, cycle_of(loop), item.error, item.how, vary, item)
+                CycleEvent(item.kind, value, cycle_of(orbit), item.error, item.how, vary, item)
             )
-            places.append(len(loops))
+            places.append(len(orbits))
     columns = [
-        (loop.values[index], loop.period, loop.moments()[1], *range_of(loop))
-        for loop in map(natural, loops)
+        (orbit.values[index], orbit.period, orbit.moments()[1], *range_of(orbit))
+        for orbit in map(natural, orbits)
     ]
     values, periods, rms, lowest, highest = np.array(columns).T.copy()
-    stable = np.array([is_stable(loop) for loop in loops])
+    stable = np.array([is_stable(orbit) for orbit in orbits])
     return CycleBranch(
         vary,
         values,
@@ -356,7 +356,7 @@ def cycle_branch(
         lowest,
         highest,
         stable,
-        Cycles(tuple(loops)),
+        Cycles(tuple(orbits)),
         tuple(events),
         (low, high),
         tuple(places),
@@ -365,7 +365,7 @@ def cycle_branch(
 
 def _followed(
     followed: list[Point], to: Span, points: int, longest: float
-) -> Iterator[Point | Finding]:
+) -> Iterator[Point | DetectedEvent]:
     """Points and findings in one direction behind the last of some points, an end the last of
     them.
     """
@@ -373,29 +373,29 @@ def _followed(
 
     def ahead(point: Point, length: float) -> Point:
         with doing("the branch of cycles beside {:.6g}", point.value):
-            return within(point, length, to, min(FAR, SHARE * extent(point.loop)))
+            return within(point, length, to, min(FAR, SHARE * extent(point.orbit)))
 
-    def look(point: Point, found: Point, length: float) -> list[Point | Finding]:
+    def look(point: Point, found: Point, length: float) -> list[Point | DetectedEvent]:
         arc = between(point, found) if found.value in to else length
         if (met := meets(point, found)) is not None:
-            if arc > NEAREST * extent(found.loop):
+            if arc > NEAREST * extent(found.orbit):
                 raise ConvergenceError("the halves of the orbit meet on the way")
             if merged := halved(point, found, met):
-                return [Finding("end", *merged, how=MERGES)]
+                return [DetectedEvent("end", *merged, how=MERGES)]
         if not found.alone:
             if length > FINEST and point.alone:
                 raise ConvergenceError("the orbit is one of a whole family")
             return [*_joins(followed, found)]
-        items, before = list[Point | Finding](), followed[-2] if len(followed) > 1 else None
+        items, before = list[Point | DetectedEvent](), followed[-2] if len(followed) > 1 else None
         if (
             before and followed[-1] is not point
         ):  # it was cut anew, and is compared with what is cut like it
             before = corrected(point, -arc)
-        for happened in findings(point, found, arc, before):
-            if happened.kind == "fold" and extent(happened.loop) < SHRUNK * extent(start.loop):
+        for happened in detected_events(point, found, arc, before):
+            if happened.kind == "fold" and extent(happened.orbit) < SHRUNK * extent(start.orbit):
                 return [*items, _shrunk(followed)]
             items.append(happened)
-        if extent(found.loop) < LEAST * min(1.0, extent(start.loop)):
+        if extent(found.orbit) < LEAST * min(1.0, extent(start.orbit)):
             return [*items, _shrunk(followed)]
         followed.append(found)
         return [*items, found, *_ends(start, point, found, arc, to)]
@@ -403,20 +403,20 @@ def _followed(
     try:
         for items in islice(steps(start, ahead, FIRST, longest, SHORTEST, KINK, look), points):
             yield from items
-            if isinstance(items[-1], Finding):
+            if isinstance(items[-1], DetectedEvent):
                 return
     except ConvergenceError as error:
         yield _lost(followed, error)
         return
     before, last = [start, *followed][-2:]
-    yield Finding(
-        "end", last.loop, abs(last.value - before.value), how=f"{points} points were followed"
+    yield DetectedEvent(
+        "end", last.orbit, abs(last.value - before.value), how=f"{points} points were followed"
     )
 
 
 def _vanishing(
     points: Sequence[Point], size: Callable[[Point], float], how: str, kind: str = "end"
-) -> Finding:
+) -> DetectedEvent:
     """The end behind some points of a branch at which a size shrinks to 0.
 
     The parameter is a smooth function of the size, by parabolas through three points; three that
@@ -435,25 +435,25 @@ def _vanishing(
     each = ((float(np.ptp(ends[i - 2 : i + 1])), ends[i]) for i in range(2, len(ends)))
     off, value = min(each, default=(abs(points[-1].value), points[-1].value))
     error = SCATTER * off + ROUNDED * points[-1].setting.spans[0]
-    return Finding(kind, points[-1].loop, error, how=how, value=value)
+    return DetectedEvent(kind, points[-1].orbit, error, how=how, value=value)
 
 
-def _shrunk(followed: Sequence[Point]) -> Finding:
+def _shrunk(followed: Sequence[Point]) -> DetectedEvent:
     """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the
     parameter near it.
     """
     return _vanishing(
-        followed, lambda point: extent(point.loop) ** 2, "it shrinks onto an equilibrium"
+        followed, lambda point: extent(point.orbit) ** 2, "it shrinks onto an equilibrium"
     )
 
 
-def _at_border(followed: Sequence[Point]) -> Finding | None:
+def _at_border(followed: Sequence[Point]) -> DetectedEvent | None:
     """The end where an orbit comes to touch a border, or sticks at the limit of the force from the
     first, or where it comes to a border at a tangent; None elsewhere.
     """
 
     def off(point: Point) -> float:
-        sticking = (touch.level for touch in arrivals(point) if touch.level > 0)
+        sticking = (touch.level for touch in sliding_entries(point) if touch.level > 0)
         return min((*sticking, *(abs(touch.level) for touch in point.touches)), default=np.inf)
 
     def slowest(point: Point) -> float:
@@ -473,49 +473,51 @@ def _at_border(followed: Sequence[Point]) -> Finding | None:
     return min(near, key=lambda end: end.error, default=None)
 
 
-def _ends(start: Point, point: Point, ahead: Point, length: float, to: Span) -> Iterator[Finding]:
+def _ends(
+    start: Point, point: Point, ahead: Point, length: float, to: Span
+) -> Iterator[DetectedEvent]:
     """The end of the branch at a point, if it is one."""
-    loop, moved = ahead.loop, abs(ahead.value - point.value)
+    orbit, moved = ahead.orbit, abs(ahead.value - point.value)
     if vertical(point, ahead, length):
-        yield Finding("end", loop, moved, how=VERTICAL)
+        yield DetectedEvent("end", orbit, moved, how=VERTICAL)
     elif ahead.value in to:
-        yield Finding("end", loop, 0.0, how="the range ends")
-    elif loop.period > LONG * point.setting.period and (rest := _rests(loop)):
+        yield DetectedEvent("end", orbit, 0.0, how="the range ends")
+    elif orbit.period > LONG * point.setting.period and (rest := _rests(orbit)):
         rounding = 1e-15 * (point.setting.spans[0] + abs(ahead.value))
-        yield Finding("homoclinic", loop, moved + rounding, how=rest)
+        yield DetectedEvent("homoclinic", orbit, moved + rounding, how=rest)
     elif point is not start and _passes(start, point, ahead):
-        yield Finding("closed", loop, 0.0)
+        yield DetectedEvent("closed", orbit, 0.0)
 
 
-def _joins(followed: Sequence[Point], found: Point) -> Iterator[Finding]:
+def _joins(followed: Sequence[Point], found: Point) -> Iterator[DetectedEvent]:
     """The end of a branch at the edge of a family of cycles, one of which is found, and what
     happens there.
 
     Where that is no event, a second multiplier comes to 1 with some power of the way, as a rule the
     second.
     """
-    came, edge = arrivals(followed[-1]), _at_border(followed)
+    came, edge = sliding_entries(followed[-1]), _at_border(followed)
     if edge:
-        kind = "crossing-sliding" if len(arrivals(found)) == len(came) else "grazing-sliding"
-        yield replace(edge, kind=kind, how=found.loop.field.borders[came[0].way[0]].name)
+        kind = "crossing-sliding" if len(sliding_entries(found)) == len(came) else "grazing-sliding"
+        yield replace(edge, kind=kind, how=found.orbit.field.borders[came[0].way[0]].name)
     else:
         edge = _vanishing(
             followed,
-            lambda point: float(np.sqrt(np.abs(point.loop.multipliers.others - 1).min())),
+            lambda point: float(np.sqrt(np.abs(point.orbit.multipliers.others - 1).min())),
             FAMILIES,
         )
     yield replace(edge, how=FAMILIES)
 
 
-def _lost(followed: Sequence[Point], error: ConvergenceError) -> Finding:
+def _lost(followed: Sequence[Point], error: ConvergenceError) -> DetectedEvent:
     point = followed[-1]
-    loop = point.loop
-    if loop.period > 2 * point.setting.period and (rest := _rests(loop)):
-        return Finding("homoclinic", loop, RESTED * point.setting.spans[0], how=rest)
+    orbit = point.orbit
+    if orbit.period > 2 * point.setting.period and (rest := _rests(orbit)):
+        return DetectedEvent("homoclinic", orbit, RESTED * point.setting.spans[0], how=rest)
     before = followed[-2] if len(followed) > 1 else point
-    lost = Finding(
+    lost = DetectedEvent(
         "end",
-        loop,
+        orbit,
         SCATTER * abs(point.value - before.value) + SHORTEST * point.setting.spans[0],
         how=f"it could not be followed farther: {error}" if point.alone else FAMILIES,
     )
@@ -533,24 +535,24 @@ def _passes(start: Point, point: Point, ahead: Point) -> bool:
     if not (start.value - point.value) * (start.value - ahead.value) <= 0 < way * turning(start):
         return False
     try:
-        return same_cycle(cycle_of(placed(point, start.value).loop), cycle_of(start.loop))
+        return same_cycle(cycle_of(placed(point, start.value).orbit), cycle_of(start.orbit))
     except ConvergenceError:
         return False
 
 
-def _rests(loop: Loop) -> str:
+def _rests(orbit: Orbit) -> str:
     """Where an orbit of a very long period hardly moves, without the sign of a zero; nothing where
     it moves everywhere.
 
     By the size of the field at its turns, or all along one that only turns around.
     """
-    states = [turn.state for turn in loop.turns()] or list(loop.samples().states.T)
-    sizes = [norm(loop.rate(state)) for state in states]
+    states = [extremum.state for extremum in orbit.extrema()] or list(orbit.samples().states.T)
+    sizes = [norm(orbit.rate(state)) for state in states]
     if min(sizes) >= STILL:
         return ""
-    names, place = loop.field.coordinates, np.round(states[int(np.argmin(sizes))], 6) + 0.0
+    names, place = orbit.field.coordinates, np.round(states[int(np.argmin(sizes))], 6) + 0.0
     told = [
-        At(name, (float(value),), "g", " rad" * loop.field.column(name).is_angle)
+        At(name, (float(value),), "g", " rad" * orbit.field.column(name).is_angle)
         for name, value in zip(names, place, strict=False)
     ]
     return Remark(f"it comes to rest near {', '.join(['{}'] * len(told))}", *told)
@@ -645,14 +647,14 @@ def cycle_events(
     free = tuple(model.parameters.index(one_of("vary", name, model.parameters)) for name in vary)
     if len(vary) != 2 or vary[0] == vary[1]:
         raise ParameterError(f"vary = {vary!r} is not two parameters")
-    loop = event.found.loop
+    orbit = event.found.orbit
     allowed = {name: ANGLE if model.column(name).is_angle else FINITE for name in vary}
     given = as_ranges("between", between, allowed)
     bounds = [given.get(name, (-np.inf, np.inf)) for name in vary]
     spans = [
         (high - low) / 2
         if 0 < high - low < np.inf
-        else max(SPAN * abs(loop.values[index]), NARROWEST)
+        else max(SPAN * abs(orbit.values[index]), NARROWEST)
         for index, (low, high) in zip(free, bounds, strict=True)
     ]
     holds = (
@@ -660,37 +662,37 @@ def cycle_events(
         if event.kind == "grazing"
         else partial(at_zero, event.kind)
     )
-    setting = Setting(loop.flow, free, event.cycle.period / time_of(loop), tuple(spans), holds)
-    first = point_of(setting, setting.looped(loop.guess))
+    setting = Setting(orbit.flow, free, event.cycle.period / time_of(orbit), tuple(spans), holds)
+    first = point_of(setting, setting.integrated(orbit.guess))
 
     def ahead(point: Point, length: float) -> Point:
         with doing("the curve of events beside {:.6g}", point.value):
             return corrected(point, length, reach=0.5, iterations=9)
 
-    def followed(direction: float) -> tuple[list[Loop], str]:
-        found: list[Loop] = []
+    def followed(direction: float) -> tuple[list[Orbit], str]:
+        found: list[Orbit] = []
         try:
-            for point in islice(steps(first.turned(direction), ahead, *OF_EVENTS), points):
+            for point in islice(steps(first.oriented(direction), ahead, *OF_EVENTS), points):
                 if not all(
                     low <= value <= high
-                    for value, (low, high) in zip(point.loop.guess.varied, bounds, strict=True)
+                    for value, (low, high) in zip(point.orbit.guess.varied, bounds, strict=True)
                 ):
                     return found, "the range ends"
-                if event.kind == "torus" and not is_complex_pair(point.loop):
+                if event.kind == "torus" and not is_complex_pair(point.orbit):
                     return found, "its multipliers become real"
-                found.append(point.loop)
+                found.append(point.orbit)
         except (ConvergenceError, np.linalg.LinAlgError) as error:
             return found, f"it could not be followed farther: {error}"
         return found, f"{points} points were followed"
 
     (back, why_back), (forth, why_forth) = followed(-1.0), followed(1.0)
-    loops = [*reversed(back), first.loop, *forth]
-    cycles = tuple(cycle_of(each) for each in loops)
+    orbits = [*reversed(back), first.orbit, *forth]
+    cycles = tuple(cycle_of(each) for each in orbits)
     return EventCurve(
         event.kind,
         vary,
-        np.array([each.guess.varied for each in loops]),
-        np.array([each.period for each in loops]),
+        np.array([each.guess.varied for each in orbits]),
+        np.array([each.period for each in orbits]),
         (why_back, why_forth),
         cycles,
     )

@@ -364,26 +364,26 @@ def _labels(rest: FixedPoints, line: Sequence[Point], number: int) -> Iterator[L
             hopf = hopf if pair > 1e-6 > total else None
         for label, place in (("LP", fold), ("H", hopf)):
             if place is not None:
-                x = float(natural(place.loop).state[0])
+                x = float(natural(place.orbit).state[0])
                 yield Label(label, place.value, x, "equilibria", number)
 
 
 def _passes(line: Sequence[Point], point: Point) -> bool:
     """Whether a branch passes through a point."""
-    place, around = point.loop.state, point.loop.field.around
+    place, around = point.orbit.state, point.orbit.field.around
     for end in (line[0], line[-1]):  # it ends within a step of a border, which the point may be on
         off = abs(end.value - point.value) / point.setting.spans[0]
-        if max(off, magnitude(apart(place, end.loop.state, around))) <= 2 * SHORTEST:
+        if max(off, magnitude(apart(place, end.orbit.state, around))) <= 2 * SHORTEST:
             return True
     for one, other in pairwise(line):
-        near = magnitude(apart(place, one.loop.state, around)) < 2 * LONGEST
+        near = magnitude(apart(place, one.orbit.state, around)) < 2 * LONGEST
         if (
             near
             and (one.value - point.value) * (other.value - point.value) <= 0
             and one.value != other.value
         ):
             with suppress(ConvergenceError):
-                met = placed(one, point.value, other.coordinates - one.coordinates).loop.state
+                met = placed(one, point.value, other.coordinates - one.coordinates).orbit.state
                 if magnitude(apart(place, met, around)) < ONE:
                     return True
     return False
@@ -433,9 +433,9 @@ def _equilibria(
             point = rest.started(own, state / scales.states, index, span)
             if any(pushed == contact and _passes(line, point) for pushed, line in found):
                 continue
-            back, forth = (list(_followed(rest, point.turned(sign), to)) for sign in (-1.0, 1.0))
-            line = [*(each.turned(-1.0) for each in reversed(back)), point, *forth]
-            states = np.array([each.loop.state[: len(model.coordinates)] for each in line])
+            back, forth = (list(_followed(rest, point.oriented(sign), to)) for sign in (-1.0, 1.0))
+            line = [*(each.oriented(-1.0) for each in reversed(back)), point, *forth]
+            states = np.array([each.orbit.state[: len(model.coordinates)] for each in line])
             stable = np.array(
                 [max(value.real for value in rest.eigenvalues(each)) < NEUTRAL for each in line]
             )
@@ -488,7 +488,7 @@ def _known(branches: Sequence[CycleBranch], cycle: Cycle) -> bool:
         ).tolist():
             with suppress(ConvergenceError):
                 if same_cycle(
-                    cycle_near(System(cycle.loop.flow, cycle.values), branch.cycles[i]), cycle
+                    cycle_near(System(cycle.orbit.flow, cycle.values), branch.cycles[i]), cycle
                 ):
                     return True
     return False

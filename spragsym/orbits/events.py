@@ -15,7 +15,7 @@ from ..core.errors import ConvergenceError
 from ..models.field import FLOATS
 from ..models.parameters import FloatArray
 from ..motion.multipliers import CRITERIA, criterion_of, is_complex_pair, unsure
-from ..motion.shooting import Conditions, Loop, recut, solved
+from ..motion.shooting import Conditions, Orbit, remeshed, solved
 from ..numerics.vectors import magnitude
 from .arclength import (
     LOCATED,
@@ -89,8 +89,8 @@ def criterion(kind: str, point: Point) -> float:
     if kind == "fold":
         return turning(point)
     if kind == "crossing":
-        return criterion_of("fold", point.loop) * float(np.sign(turning(point)))
-    return criterion_of(kind, point.loop)
+        return criterion_of("fold", point.orbit) * float(np.sign(turning(point)))
+    return criterion_of(kind, point.orbit)
 
 
 def known(kind: str, point: Point) -> float:
@@ -98,11 +98,11 @@ def known(kind: str, point: Point) -> float:
     nothing.
     """
     value = criterion(kind, point)
-    return value if kind == "fold" or abs(value) > unsure(point.loop, kind) else 0.0
+    return value if kind == "fold" or abs(value) > unsure(point.orbit, kind) else 0.0
 
 
 @dataclass(frozen=True)
-class Finding:
+class DetectedEvent:
     """Something that happens on a branch: what, the orbit there, and how well its place is known.
 
     ``border`` is the one that it touches; ``crossed`` how the branch goes on where another one
@@ -111,7 +111,7 @@ class Finding:
     """
 
     kind: str
-    loop: Loop
+    orbit: Orbit
     error: float
     border: int = -1
     crossed: FloatArray | None = None
@@ -119,9 +119,9 @@ class Finding:
     value: float = math.nan
 
 
-def findings(
+def detected_events(
     one: Point, other: Point, length: float, before: Point | None = None, depth: int = 0
-) -> Iterator[Finding]:
+) -> Iterator[DetectedEvent]:
     """All that happens between two points of a branch, in its order; halves the step where
     something may be hidden in it.
 
@@ -131,12 +131,15 @@ def findings(
     kinds = APART_FROM_ONES if vertical(one, other, length) else KINDS
     since = {kind: one if known(kind, one) else before or one for kind in kinds}
     changed = [kind for kind in kinds if known(kind, since[kind]) * known(kind, other) < 0]
-    pairs, came = paired(one.touches, other.touches), paired(arrivals(one), arrivals(other))
+    pairs, came = (
+        paired(one.touches, other.touches),
+        paired(sliding_entries(one), sliding_entries(other)),
+    )
     left = [*lost(one, pairs, length), *lost(other, pairs, -length)]
     ended = [
         [(near, touch)]
         for near, touch in left
-        if oftener(other if near is one else one, near)[touch.way[0]]
+        if crossing_difference(other if near is one else one, near)[touch.way[0]]
     ]
     through, switched = (
         [pair for pair in each if (pair[0].level < 0) != (pair[1].level < 0)]
@@ -144,7 +147,7 @@ def findings(
     )
     touched = [*([(one, touch), (other, after)] for touch, after in through), *ended]
     hidden = (
-        unlike(one, other) != 2 * len(touched) + len(switched)
+        crossing_mismatch(one, other) != 2 * len(touched) + len(switched)
         or any(may_touch(*pair, length) for pair in pairs if pair not in through)
         or len(left) > len(ended)
         or (
@@ -159,8 +162,8 @@ def findings(
         except ConvergenceError:
             pass  # the step is looked at as a whole
         else:
-            yield from findings(one, middle, length / 2, before, depth + 1)
-            yield from findings(middle, other, between(middle, other), one, depth + 1)
+            yield from detected_events(one, middle, length / 2, before, depth + 1)
+            yield from detected_events(middle, other, between(middle, other), one, depth + 1)
             return
     for turns in touched:
         yield from _grazing(one, other, turns, length)
@@ -189,7 +192,7 @@ def vertical(one: Point, other: Point, length: float) -> bool:
         length > FINEST
         and abs(one.value - other.value) < still * length
         and all(
-            abs(turning(end)) < still and np.abs(end.loop.multipliers.others - 1).min() < DOUBLE
+            abs(turning(end)) < still and np.abs(end.orbit.multipliers.others - 1).min() < DOUBLE
             for end in ends
         )
     )
@@ -208,50 +211,50 @@ def _bends_to_zero(kind: str, before: Point, one: Point, other: Point) -> bool:
 
 def _grazing(
     one: Point, other: Point, turns: list[tuple[Point, Touch]], length: float
-) -> Iterator[Finding]:
+) -> Iterator[DetectedEvent]:
     """Where an orbit touches a border, by its turns there: of both points, or of the one that does
     not slide on the border.
     """
     turns = sorted(turns, key=lambda pair: abs(pair[1].level))
     nearest, first = turns[0]
-    kind, border = _kind(nearest.loop, first), first.way[0]
-    name, beside = nearest.loop.field.borders[border].name, 0.0 if kind == "grazing" else BESIDE
+    kind, border = _kind(nearest.orbit, first), first.way[0]
+    name, beside = nearest.orbit.field.borders[border].name, 0.0 if kind == "grazing" else BESIDE
     for near, touch in turns:
         try:
-            loop = grazing(near, touch, beside)
+            orbit = grazing(near, touch, beside)
         except ConvergenceError:
             continue
-        off = 10 * loop.missed + 1e-12 + beside * abs(turning(near) / touch.slope)
-        if _lies_between(one, other, loop.guess.varied[0], length, off):
-            yield Finding(kind, loop, off, border, how=name)
+        off = 10 * orbit.largest_gap + 1e-12 + beside * abs(turning(near) / touch.slope)
+        if _lies_between(one, other, orbit.guess.varied[0], length, off):
+            yield DetectedEvent(kind, orbit, off, border, how=name)
             return
     if length > FINEST:
         raise ConvergenceError(f"a {kind} was not located")
-    if not unlike(one, other):
+    if not crossing_mismatch(one, other):
         return  # two different turns were taken for one: the orbit crosses as often as before
-    yield Finding(kind, nearest.loop, abs(other.value - one.value), border, how=name)
+    yield DetectedEvent(kind, nearest.orbit, abs(other.value - one.value), border, how=name)
 
 
-def _kind(loop: Loop, touch: Touch) -> str:
+def _kind(orbit: Orbit, touch: Touch) -> str:
     """What it is called that an orbit touches a border, by what is beyond: it slides there in
     contact, or slides no longer.
     """
-    that = loop.field.borders[touch.way[0]]
+    that = orbit.field.borders[touch.way[0]]
     if that.stays:
-        return "grazing-sliding" if loop.mode(touch.state)[0] else "grazing"
+        return "grazing-sliding" if orbit.mode(touch.state)[0] else "grazing"
     return "adding-sliding" if that.crossings[2:] else "grazing"
 
 
-def arrivals(point: Point) -> list[Touch]:
+def sliding_entries(point: Point) -> list[Touch]:
     """All places of one round where the orbit comes to a border on which it may stay."""
-    found, loop = list[Touch](), point.loop
-    for crossing in loop.crossings():
-        if stays := loop.field.borders[crossing.border].stays:
-            level = stays(crossing.state.tolist(), loop.constants, loop.mode(crossing.state))
+    found, orbit = list[Touch](), point.orbit
+    for crossing in orbit.crossings():
+        if stays := orbit.field.borders[crossing.border].stays:
+            level = stays(crossing.state.tolist(), orbit.constants, orbit.mode(crossing.state))
             found.append(
                 Touch(
                     (crossing.border, crossing.came),
-                    crossing.t / loop.period,
+                    crossing.t / orbit.period,
                     crossing.state,
                     level,
                 )
@@ -263,38 +266,38 @@ def approaches(point: Point) -> list[tuple[float, str]]:
     """Rates at which levels come to 0 where the field jumps, and names of the borders: one that
     comes to 0 is of a tangent arrival, behind which the orbit does not come there.
     """
-    found, loop = list[tuple[float, str]](), point.loop
-    for crossing in loop.crossings():
-        border, own = loop.field.borders[crossing.border], loop.mode(crossing.state)
+    found, orbit = list[tuple[float, str]](), point.orbit
+    for crossing in orbit.crossings():
+        border, own = orbit.field.borders[crossing.border], orbit.mode(crossing.state)
         if border.jumps is None:
             continue
         beside = (
             mode
-            for mode in loop.field.modes
+            for mode in orbit.field.modes
             if sum(a != b for a, b in zip(own, mode, strict=True)) == 1
         )
         before = next(m for m in (own, *beside) if border.sign(m) == crossing.came)
-        state, constants = crossing.state.tolist(), loop.constants
-        pulls = loop.field.acceleration(state, constants, before, FLOATS)
+        state, constants = crossing.state.tolist(), orbit.constants
+        pulls = orbit.field.acceleration(state, constants, before, FLOATS)
         found.append((abs(float(border.rate(state, pulls, constants, before))), border.name))
     return found
 
 
-def _switching(one: Point, other: Point, arrival: Touch, length: float) -> Iterator[Finding]:
+def _switching(one: Point, other: Point, arrival: Touch, length: float) -> Iterator[DetectedEvent]:
     """Where an orbit comes to the edge of the states that stay on a border: it leaves at once, or
     goes on into them.
     """
 
     def stays(point: Point) -> float:
-        for _, become in paired([arrival], arrivals(point)):
+        for _, become in paired([arrival], sliding_entries(point)):
             return become.level
         raise ConvergenceError("the orbit does not come to the border")
 
     passing, staying = sorted((one, other), key=stays)
-    returns = len(arrivals(passing)) > len(arrivals(staying))
+    returns = len(sliding_entries(passing)) > len(sliding_entries(staying))
     kind, name = (
         "switching-sliding" if returns else "crossing-sliding",
-        one.loop.field.borders[arrival.way[0]].name,
+        one.orbit.field.borders[arrival.way[0]].name,
     )
     yield from _located(kind, stays, one, other, length, name)
 
@@ -318,7 +321,7 @@ def _located(
     other: Point,
     length: float,
     how: str = "",
-) -> Iterator[Finding]:
+) -> Iterator[DetectedEvent]:
     """Where a test function is zero, by bracketing along the arc."""
     width = abs(one.value - other.value)
     try:
@@ -328,9 +331,9 @@ def _located(
             raise ConvergenceError(f"a {kind} was not located") from error
         if kind == "crossing":
             return
-        yield Finding(kind, other.loop, width, how=how)
+        yield DetectedEvent(kind, other.orbit, width, how=how)
         return
-    if kind == "torus" and not is_complex_pair(point.loop):
+    if kind == "torus" and not is_complex_pair(point.orbit):
         return
     if kind == "crossing" and abs(turning(point)) * point.setting.spans[0] < FLAT:
         return  # the fold itself, by rounding
@@ -344,9 +347,9 @@ def _located(
             return
         off, how = max(off, width), JUMPED
     if kind == "crossing":
-        yield Finding("fold", point.loop, off, crossed=point.tangent, how=CROSSES)
+        yield DetectedEvent("fold", point.orbit, off, crossed=point.tangent, how=CROSSES)
     else:
-        yield Finding(kind, point.loop, off, how=how)
+        yield DetectedEvent(kind, point.orbit, off, how=how)
 
 
 def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> float:
@@ -360,7 +363,7 @@ def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> 
     if kind in SLIDING:
         return own  # the orbit itself tells
     change = abs(criterion(kind, one) - criterion(kind, other))
-    place = unsure(point.loop, kind) * length / change
+    place = unsure(point.orbit, kind) * length / change
     # By how much it scatters where orbits at one parameter are found from either side, times the
     # step in that: near a grazing multipliers change so fast with the orbit that its rounding, and
     # not theirs, limits what is known.
@@ -372,19 +375,19 @@ def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> 
     return own + abs(turning(point)) * place + SCATTER * (width * max(scatter)) / change
 
 
-def oftener(one: Point, other: Point) -> Counter[int]:
+def crossing_difference(one: Point, other: Point) -> Counter[int]:
     """How much oftener one orbit crosses each border than another."""
     one_way, other_way = (
-        Counter(crossing.border for crossing in each.loop.crossings()) for each in (one, other)
+        Counter(crossing.border for crossing in each.orbit.crossings()) for each in (one, other)
     )
     return one_way - other_way
 
 
-def unlike(one: Point, other: Point) -> int:
+def crossing_mismatch(one: Point, other: Point) -> int:
     """In how many crossings two orbits differ: the differences in how often each border is crossed,
     added up.
     """
-    return oftener(one, other).total() + oftener(other, one).total()
+    return crossing_difference(one, other).total() + crossing_difference(other, one).total()
 
 
 def paired(one: list[Touch], other: list[Touch]) -> list[tuple[Touch, Touch]]:
@@ -433,42 +436,42 @@ def lost(near: Point, pairs: list[tuple[Touch, Touch]], away: float) -> list[tup
     ]
 
 
-def grazing(near: Point, touch: Touch, beside: float = 0.0) -> Loop:
+def grazing(near: Point, touch: Touch, beside: float = 0.0) -> Orbit:
     """The closed orbit that touches a border, begun where it does: near a point with a turn near
     that border.
 
     An orbit that slides on the border does so at every parameter beyond: so that one is found
     ``beside`` it, and neared slowly.
     """
-    loop, level = near.loop, touch.level
-    guess = recut(loop, len(loop.states), touch.share * loop.period)
+    orbit, level = near.orbit, touch.level
+    guess = remeshed(orbit, len(orbit.states), touch.share * orbit.period)
     while True:
         level = math.copysign(max(beside, CLOSER * abs(level)), level) if beside else 0.0
-        conditions = touching(touch.way[0], near.setting, near.loop, touch.state, level)
-        loop = solved(near.setting.flow, guess, conditions, reach=0.5)
-        if abs(loop.period / near.loop.period - 1) > 0.2:
+        conditions = touching(touch.way[0], near.setting, near.orbit, touch.state, level)
+        orbit = solved(near.setting.flow, guess, conditions, reach=0.5)
+        if abs(orbit.period / near.orbit.period - 1) > 0.2:
             raise ConvergenceError("another orbit touches the border")
         if abs(level) <= beside:
-            return loop
-        guess = loop.guess
+            return orbit
+        guess = orbit.guess
 
 
 def touching(
-    border: int, _: Setting, near: Loop, target: FloatArray, level: float = 0.0
+    border: int, _: Setting, near: Orbit, target: FloatArray, level: float = 0.0
 ) -> Conditions:
     """A border has a level, of rate zero, at the first state, in the mode of a target near
     there.
     """
     mode = near.mode(target[: near.field.size])
 
-    def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
+    def conditions(orbit: Orbit) -> tuple[FloatArray, FloatArray]:
         both, begin, size = (
-            partial(level_and_rate, loop, border, mode),
-            loop.states.size + 1,
-            loop.field.size,
+            partial(level_and_rate, orbit, border, mode),
+            orbit.states.size + 1,
+            orbit.field.size,
         )
-        place = np.append(loop.state, loop.guess.varied)
-        slopes, rows = differences(both, place, 1e-7), np.zeros((2, len(loop.guess.coordinates)))
+        place = np.append(orbit.state, orbit.guess.varied)
+        slopes, rows = differences(both, place, 1e-7), np.zeros((2, len(orbit.guess.coordinates)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]
         return both(place) - (level, 0.0), rows
 

@@ -34,7 +34,7 @@ STRETCH = 5.0
 #: How long a motion is followed where nobody says, in its unit of time.
 FOLLOWED = 4000.0
 
-#: Deviations of which one is smaller than another by more than this in a stretch are lost in
+#: Deviations of which one is smaller than another by more than this in an interval are lost in
 #: rounding: it is halved.
 LOST = 1e-10
 
@@ -171,7 +171,7 @@ def lyapunov(
     t_end = as_number("t_end", FOLLOWED * unit if t_end is None else t_end, POSITIVE)
     whole = rates_along(system, state, t_end)
     late = whole.after(len(whole.logs) // 2)
-    times = late.stretch * np.arange(1, len(late.logs) + 1)
+    times = late.interval * np.arange(1, len(late.logs) + 1)
     order = late.order
     zero = np.abs(late.exponents) <= PROVED * late.error
     zero[0] |= late.moves
@@ -184,7 +184,7 @@ def lyapunov(
             ConvergenceError
         ):  # an attractor that Newton's method does not find again decides nothing
             kind, limit, _ = settled(system, verdict)
-            why = f"it comes to {verdict.told()}"
+            why = f"it comes to {verdict.described()}"
     return Lyapunov(
         late.exponents[order],
         late.error[order],
@@ -202,11 +202,11 @@ def lyapunov(
 
 @dataclass(frozen=True)
 class Rates:
-    """Growth rates over n stretches of motion, all of the time ``span``, to the state ``end``;
+    """Growth rates over n intervals of motion, all of the time ``span``, to the state ``end``;
     those of one motion are equal.
 
     ``logs`` (n, m) and ``volumes`` (n,) are logarithms of growth, along the flow, then across it,
-    and of volumes; ``flow`` (n + 1,) those of the flow's speed between the stretches, −∞ at rest,
+    and of volumes; ``flow`` (n + 1,) those of the flow's speed between the intervals, −∞ at rest,
     in units of the motion. ``change`` is the acceleration over the velocity at the end, ``unit``
     the unit of time.
     """
@@ -220,13 +220,13 @@ class Rates:
     unit: float = 1.0
 
     def after(self, begin: int) -> Rates:
-        """Those of the stretches from one on."""
+        """Rates of the intervals from one on."""
         left = self.logs[begin:]
         return replace(
             self,
             logs=left,
             volumes=self.volumes[begin:],
-            span=len(left) * self.stretch,
+            span=len(left) * self.interval,
             flow=self.flow[begin:],
         )
 
@@ -243,8 +243,8 @@ class Rates:
         )
 
     @property
-    def stretch(self) -> float:
-        """Time of a stretch, on the average."""
+    def interval(self) -> float:
+        """Mean time of an interval."""
         return self.span / len(self.logs)
 
     @property
@@ -267,7 +267,7 @@ class Rates:
         """Half-widths of 95 % intervals; of the trivial one a bound, the range of the logarithm of
         the flow's speed.
         """
-        found = half_widths(self.lasting, self.stretch)
+        found = half_widths(self.lasting, self.interval)
         if self.moves:
             found[0] = np.ptp(self.flow) / self.span
         return np.maximum(found, FLOOR / self.unit)
@@ -320,13 +320,13 @@ class Rates:
             )
         middle = len(self.logs) // 2
         logs = self.lasting[:, 1:]
-        early, late = (half.mean(axis=0) / self.stretch for half in (logs[:middle], logs[middle:]))
+        early, late = (half.mean(axis=0) / self.interval for half in (logs[:middle], logs[middle:]))
         if (np.abs(late - early) > 2 * PROVED * error).any():
             return "exponents of the two halves differ: it has not settled; a longer motion tells"
         return ""
 
 
-def half_widths(logs: FloatArray, stretch: float) -> FloatArray:
+def half_widths(logs: FloatArray, interval: float) -> FloatArray:
     """Half-widths of 95 % intervals of mean rates: the widest by batch means, and by the range of
     their sums.
 
@@ -339,11 +339,11 @@ def half_widths(logs: FloatArray, stretch: float) -> FloatArray:
     count, m = logs.shape
     sums = np.vstack([np.zeros(m), np.cumsum(logs, axis=0)])
     line = np.linspace(0, 1, count + 1)[:, None] * sums[-1]
-    widest: FloatArray = np.ptp(sums - line, axis=0) / (count * stretch)
+    widest: FloatArray = np.ptp(sums - line, axis=0) / (count * interval)
     for parts in PARTS:
         if count >= 4 * parts:
             ends = np.linspace(0, count, parts + 1).astype(int)
-            means = np.diff(sums[ends], axis=0) / (np.diff(ends) * stretch)[:, None]
+            means = np.diff(sums[ends], axis=0) / (np.diff(ends) * interval)[:, None]
             width = student.ppf(0.975, parts - 1) * means.std(axis=0, ddof=1) / math.sqrt(parts)
             widest = np.maximum(widest, width)
     return widest
@@ -374,7 +374,7 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
     """:func:`rates_along` of a system whose motion has units of order 1."""
     field, constants = system.field, system.constants
     m, count = field.size, max(16, math.ceil(span / STRETCH))
-    stretch = span / count
+    interval = span / count
     logs, volumes, states = np.empty((count, m)), np.empty(count), [state]
     flow = rate(field, state, constants)
 
@@ -385,10 +385,10 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         volumes.
         """
         flow = rate(field, state, constants)
-        passage = system.flow.fly(state, constants, span)
-        ahead = passage.by_state @ frame
+        flow_result = system.flow.flow_map(state, constants, span)
+        ahead = flow_result.by_state @ frame
         if norm(flow) > STILL:  # the flow is carried into itself
-            ahead[:, 0] = rate(field, passage.state, constants) / norm(flow)
+            ahead[:, 0] = rate(field, flow_result.state, constants) / norm(flow)
         norms = np.linalg.norm(ahead, axis=0)
         order = np.argsort(
             norms <= LOST * norms.max(), kind="stable"
@@ -397,13 +397,13 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         turned, triangle = np.linalg.qr(ahead[:, order])
         sizes = np.abs(np.diag(triangle))
         lost = sizes <= LOST * sizes.max()
-        met = (state, passage.state, *(crossing.state for crossing in passage.crossings))
+        met = (state, flow_result.state, *(crossing.state for crossing in flow_result.crossings))
         stuck = {border.place for each in met for border in field.stays(system.mode(each))}
         if lost.sum() <= len(stuck):
             sizes[lost] = 0.0  # where it sticks deviations of the sliding speed end
-            volume = -math.inf if lost.any() else float(np.linalg.slogdet(passage.by_state)[1])
-            return passage.state, turned[:, back], np.log(sizes[back]), volume
-        if span < stretch / 2**HALVINGS:
+            volume = -math.inf if lost.any() else float(np.linalg.slogdet(flow_result.by_state)[1])
+            return flow_result.state, turned[:, back], np.log(sizes[back]), volume
+        if span < interval / 2**HALVINGS:
             natural = span * (field.scales.time if field.scales else 1.0)
             raise ConvergenceError(
                 f"small deviations shrink by more than {1 / LOST:g} in {natural:g} time units: "
@@ -419,7 +419,7 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
             frame[:, 0] = flow
         frame, _ = np.linalg.qr(frame)
         for i in range(count):
-            state, frame, logs[i], volumes[i] = carried(state, frame, stretch)
+            state, frame, logs[i], volumes[i] = carried(state, frame, interval)
             states.append(state)
         speeds = np.log([norm(rate(field, each, constants)) for each in states])
         velocity, acceleration = np.split(rate(field, state, constants), 2)

@@ -41,7 +41,7 @@ from .system import (
     growth_of_cycle,
     judged,
     saddle_near,
-    surely,
+    verified,
 )
 
 #: Shares of the bracket at which fates are looked at before it is narrowed.
@@ -209,24 +209,24 @@ def fate_boundary(
     model.require_parameter(vary)
     low, high = varied_range(vary, between, model.any_of(vary))
     system = System.of(p.given(V=V, d=d).replace(**{vary: low}), backend)
-    asked = _Asked(system, vary, state_of(model, start))
-    ends = asked.surely(asked.ask(low)), asked.surely(asked.ask(high))
+    samples = _FateSamples(system, vary, state_of(model, start))
+    ends = samples.verified(samples.sample(low)), samples.verified(samples.sample(high))
     for share in LOOKED_AT:
-        asked.ask(low + share * (high - low))
+        samples.sample(low + share * (high - low))
     if ends[0].label == ends[1].label >= 0:
-        raise asked.no_change(*ends)
+        raise samples.no_change(*ends)
     for share in MORE:
-        if next(asked.changes(), None) is None:
-            asked.ask(low + share * (high - low))
-    found = _first(asked)
+        if next(samples.changes(), None) is None:
+            samples.sample(low + share * (high - low))
+    found = _first(samples)
     if isinstance(found, FateBoundary):
         return found
-    ends = asked.ask(low), asked.ask(high)  # with what has turned out to be one attractor
+    ends = samples.sample(low), samples.sample(high)  # with what has turned out to be one attractor
     if not found and ends[0].label == ends[1].label >= 0:
-        raise asked.no_change(*ends)
+        raise samples.no_change(*ends)
     why = (
         "; ".join(dict.fromkeys(found))
-        or f"{asked.told(*ends)}; give values at which the motion settles"
+        or f"{samples.described(*ends)}; give values at which the motion settles"
     )
     raise ConvergenceError(f"between = ({low:g}, {high:g}): {why}")
 
@@ -238,13 +238,13 @@ class _Fate:
     """
 
     value: float
-    way: tuple[float, float]
+    precision: tuple[float, float]
     verdict: FateVerdict
     label: int
 
 
 @dataclass(frozen=True)
-class _Asked:
+class _FateSamples:
     """Fates by value, as far as was asked; to which values no attractor could be followed."""
 
     system: System
@@ -266,10 +266,10 @@ class _Asked:
         """The system at a value."""
         return self.system.at(self.vary, value)
 
-    def ask(self, value: float, way: tuple[float, float] = ROUGH) -> _Fate:
+    def sample(self, value: float, precision: tuple[float, float] = ROUGH) -> _Fate:
         """The fate at a value, by a tolerance, from a start that is moved by so much."""
         for before in self.known:
-            if (before.value, before.way) == (value, way):
+            if (before.value, before.precision) == (value, precision):
                 return before
         scales = self.scales(value)
         if sum(each.verdict.t for each in self.known) > LONGEST * scales.time:
@@ -280,16 +280,18 @@ class _Asked:
         with doing(
             "the motion at {} = {:.12g}, after {} others", self.vary, value, len(self.known)
         ):
-            start = self.start + way[1] * scales.states
-            verdict = judged(self.at(value), start, rtol=way[0])
-        found = _Fate(value, way, verdict, self._label(value, verdict) if verdict.decided else -1)
+            start = self.start + precision[1] * scales.states
+            verdict = judged(self.at(value), start, rtol=precision[0])
+        found = _Fate(
+            value, precision, verdict, self._label(value, verdict) if verdict.decided else -1
+        )
         insort(self.known, found, key=lambda each: each.value)
         return found
 
-    def surely(self, fate: _Fate) -> _Fate:
+    def verified(self, fate: _Fate) -> _Fate:
         """A fate, or an undecided one where rounding decides it."""
         if fate.label >= 0:
-            verdict = surely(
+            verdict = verified(
                 self.at(fate.value),
                 self.start,
                 fate.verdict,
@@ -356,7 +358,7 @@ class _Asked:
         """Two values that differ in their fates, if they still do, or the first such neighbours
         between.
         """
-        ends = self.ask(low), self.ask(high)
+        ends = self.sample(low), self.sample(high)
         if ends[0].label != ends[1].label:
             return ends
         return next(
@@ -368,7 +370,7 @@ class _Asked:
         """Neighbours of different fates, with nothing that is decided between; first those with
         nothing at all between.
         """
-        decided = [each for each in self.known if each.label >= 0 and each.way == ROUGH]
+        decided = [each for each in self.known if each.label >= 0 and each.precision == ROUGH]
         pairs = [(a, b) for a, b in pairwise(decided) if a.label != b.label]
         yield from sorted(
             pairs,
@@ -378,7 +380,7 @@ class _Asked:
     def no_change(self, low: _Fate, high: _Fate) -> ParameterError:
         """Error: both ends of the bracket have one fate."""
         other = next((each for each in self.known if each.label not in (-1, low.label)), None)
-        one, another = low.verdict.told(), high.verdict.told()
+        one, another = low.verdict.described(), high.verdict.described()
         ends = (
             f"{one} at both ends"
             if one == another
@@ -387,14 +389,14 @@ class _Asked:
         return ParameterError(
             f"between = ({low.value:g}, {high.value:g}): the start comes to {ends}, which is "
             "one attractor"
-            + (f", and to {other.verdict.told()} at {other.value:g} between" if other else "")
+            + (f", and to {other.verdict.described()} at {other.value:g} between" if other else "")
             + "; give values of different fates"
         )
 
-    def told(self, low: _Fate, high: _Fate) -> str:
+    def described(self, low: _Fate, high: _Fate) -> str:
         """What the start comes to on two sides."""
         return " and ".join(
-            f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}"
+            f"it comes to {each.verdict.described()} at {self.vary} = {each.value:.12g}"
             for each in (low, high)
         )
 
@@ -407,7 +409,7 @@ class _Asked:
 class _Bracket:
     """Two values, at one of which alone the start has the fate ``kept``."""
 
-    asked: _Asked
+    samples: _FateSamples
     low: _Fate
     high: _Fate
     kept: int
@@ -429,7 +431,7 @@ class _Bracket:
             each.label == self.kept if each.label >= 0 else None for each in (self.low, self.high)
         ]
 
-    def narrowed(self, width: float, way: tuple[float, float] = ROUGH) -> _Bracket:
+    def narrowed(self, width: float, precision: tuple[float, float] = ROUGH) -> _Bracket:
         """A narrower bracket, as far as motions are decided."""
         found = self
         while found.width > width:
@@ -437,7 +439,7 @@ class _Bracket:
                 middle = found.low.value + share * found.width
                 if not found.low.value < middle < found.high.value:
                     return found
-                fate = self.asked.ask(middle, way)
+                fate = self.samples.sample(middle, precision)
                 if fate.label >= 0:
                     break
             else:
@@ -446,18 +448,20 @@ class _Bracket:
             found = replace(found, low=fate) if is_low else replace(found, high=fate)
         return found
 
-    def anew(self, near: float, way: tuple[float, float], most: float) -> _Bracket:
+    def rebracketed(self, near: float, precision: tuple[float, float], most: float) -> _Bracket:
         """The bracket found again about a value, by the tolerance and from the start of another
-        way, narrowed.
+        precision, narrowed.
         """
-        size = self.asked.size
+        size = self.samples.size
         half, most = max(self.width, NARROW * size), most * size
         while half < most:
             found = replace(
-                self, low=self.asked.ask(near - half, way), high=self.asked.ask(near + half, way)
+                self,
+                low=self.samples.sample(near - half, precision),
+                high=self.samples.sample(near + half, precision),
             )
             if found.sides == self.sides:
-                return found.narrowed(1e-15 * size, way)
+                return found.narrowed(1e-15 * size, precision)
             half *= 8
         raise self.alternating(near, most)
 
@@ -470,9 +474,13 @@ class _Bracket:
         """
         for times in RESOLVED:
             for sign, own in zip((-1, 1), self.sides, strict=True):
-                places = self.asked.inside(value + sign * times * error)
-                asked = [self.asked.ask(place, way) for place in places for way in (ROUGH, FINE)]
-                found = {each.label == self.kept for each in asked if each.label >= 0}
+                places = self.samples.inside(value + sign * times * error)
+                samples = [
+                    self.samples.sample(place, precision)
+                    for place in places
+                    for precision in (ROUGH, FINE)
+                ]
+                found = {each.label == self.kept for each in samples if each.label >= 0}
                 if len(found) > 1 or (times == RESOLVED[0] and not found <= {own}):
                     return False
         return True
@@ -480,9 +488,9 @@ class _Bracket:
     def alternating(self, value: float, width: float) -> ConvergenceError:
         """Error: fates alternate, so that no value is the boundary."""
         return ConvergenceError(
-            f"{self.asked.told(self.low, self.high)}, and between the two fates alternate "
+            f"{self.samples.described(self.low, self.high)}, and between the two fates alternate "
             "more closely than rounding can tell: "
-            f"within {width:.1g} of {self.asked.vary} = {value:.15g} motions by the "
+            f"within {width:.1g} of {self.samples.vary} = {value:.15g} motions by the "
             f"tolerances {ROUGH[0]:g} and {FINE[0]:g} do "
             "not have one and the same change"
         )
@@ -492,14 +500,14 @@ class _TooLong(ConvergenceError):
     """Motions were followed for longer than one call may take."""
 
 
-def _first(asked: _Asked) -> FateBoundary | list[str]:
+def _first(samples: _FateSamples) -> FateBoundary | list[str]:
     """The first of the changes that are seen which is a boundary, or why each of them is none."""
     why: list[str] = []
-    for low, high in [(one.value, other.value) for one, other in asked.changes()]:
+    for low, high in [(one.value, other.value) for one, other in samples.changes()]:
         for side in (0, 1):  # either fate may be the one whose end is looked for
-            while (change := asked.change(low, high)) is not None:
+            while (change := samples.change(low, high)) is not None:
                 try:
-                    found = _boundary(_Bracket(asked, *change, change[side].label))
+                    found = _boundary(_Bracket(samples, *change, change[side].label))
                 except ConvergenceError as error:
                     why.append(str(error))
                     if isinstance(error, _TooLong):
@@ -516,49 +524,49 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
 
     None where both sides turn out to have one attractor, which is known from then on.
     """
-    asked = bracket.asked
-    bracket = bracket.narrowed(NARROW * asked.size)
+    samples = bracket.samples
+    bracket = bracket.narrowed(NARROW * samples.size)
     low, high = bracket.low, bracket.high
-    wide = bracket.width > TOO_WIDE * asked.size
+    wide = bracket.width > TOO_WIDE * samples.size
     try:
         met = (
-            _doubles(asked, low, high)
+            _doubles(samples, low, high)
             if wide
             else any(
-                same(asked.followed(one, other.value), asked.attractor(other))
+                same(samples.followed(one, other.value), samples.attractor(other))
                 for one, other in ((low, high), (high, low))
             )
         )
     except ConvergenceError as why:
         raise ConvergenceError(
-            f"{asked.told(low, high)}, but this is no boundary of basins: {why}"
+            f"{samples.described(low, high)}, but this is no boundary of basins: {why}"
         ) from why
     if met:
-        asked.merge(low.label, high.label)
+        samples.merge(low.label, high.label)
         return None
     if wide:
-        low, high = asked.surely(low), asked.surely(high)
-        raise ConvergenceError(f"{asked.told(low, high)}, and between those it is undecided")
+        low, high = samples.verified(low), samples.verified(high)
+        raise ConvergenceError(f"{samples.described(low, high)}, and between those it is undecided")
     # The middle by a finer tolerance; how much that, and a start moved by it, change it, with a
     # margin, is its error.
-    fine = bracket.anew(bracket.middle, FINE, TOO_WIDE)
-    moved, value = bracket.anew(fine.middle, MOVED, FARTHEST), fine.middle
+    fine = bracket.rebracketed(bracket.middle, FINE, TOO_WIDE)
+    moved, value = bracket.rebracketed(fine.middle, MOVED, FARTHEST), fine.middle
     error = max(fine.width, moved.width) + 2 * (
         abs(value - bracket.middle) + abs(moved.middle - value)
     )
     error += 4 * float(np.spacing(abs(value)))
     if not bracket.resolved(value, error):
         raise bracket.alternating(value, RESOLVED[-1] * error)
-    asides = (sign * aside * asked.size for aside in ASIDE for sign in (-1, 1))
-    for place in asked.inside(*(value + aside for aside in asides)):
-        asked.ask(place)
+    asides = (sign * aside * samples.size for aside in ASIDE for sign in (-1, 1))
+    for place in samples.inside(*(value + aside for aside in asides)):
+        samples.sample(place)
     kind, state, growth, distance = _saddle(bracket)
-    away = [(a.value, b.value) for a, b in asked.changes() if a.value < b.value]
+    away = [(a.value, b.value) for a, b in samples.changes() if a.value < b.value]
     others = {
         (a, b) for a, b in away if b < value - error or a > value + error
     }  # what the error reaches is this one
     return FateBoundary(
-        asked.vary,
+        samples.vary,
         value,
         error,
         kind,
@@ -568,11 +576,11 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
         low.verdict.outcome,
         high.verdict.outcome,
         np.array(sorted(others)).reshape(-1, 2),
-        asked.system.field,
+        samples.system.field,
     )
 
 
-def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
+def _doubles(samples: _FateSamples, low: _Fate, high: _Fate) -> bool:
     """Whether one of two cycles comes out of the other, of half its period, by a doubling between:
     a single attractor.
     """
@@ -580,17 +588,17 @@ def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
     if not abs(long.verdict.outcome.period / short.verdict.outcome.period / 2 - 1) <= DOUBLE:
         return False  # or one of them is no cycle, and has no period
     try:
-        single, double = asked.attractor(short), asked.attractor(long)
+        single, double = samples.attractor(short), samples.attractor(long)
         # Beyond where the other one is, since the range tells how long steps are as well.
         bounds = (
-            (low.value, asked.known[-1].value)
+            (low.value, samples.known[-1].value)
             if long is low
-            else (asked.known[0].value, high.value)
+            else (samples.known[0].value, high.value)
         )
         assert single.orbit
         assert double.orbit
         branch = cycle_branch(
-            double.orbit, asked.vary, between={asked.vary: bounds}, points=FOLLOWED
+            double.orbit, samples.vary, between={samples.vary: bounds}, points=FOLLOWED
         )
         between = (branch.values >= low.value) & (branch.values <= high.value)
         for end in branch.of("end"):
@@ -599,7 +607,7 @@ def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
                 and low.value < end.value < high.value
                 and branch.stable[between].all()
             ):
-                met = followed_cycle(single.orbit, asked.at(end.value).values)
+                met = followed_cycle(single.orbit, samples.at(end.value).values)
                 return same_cycle(met, end.cycle)
     except ConvergenceError:
         pass  # what can't be followed between is not known to be one attractor, and both fates stay
@@ -610,21 +618,25 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     """At what the motions of a narrow bracket hover before they part: its kind, a state of it, its
     growth, how near they come.
     """
-    asked = bracket.asked
-    system, around = asked.at(bracket.middle), asked.system.field.around
-    scales = asked.scales(bracket.middle)
+    samples = bracket.samples
+    system, around = samples.at(bracket.middle), samples.system.field.around
+    scales = samples.scales(bracket.middle)
     t_end = JUDGED[0] * scales.time
     one, other = (
-        asked.at(each.value).motion(asked.start, t_end, rtol=FINE[0])
+        samples.at(each.value).motion(samples.start, t_end, rtol=FINE[0])
         for each in (bracket.low, bracket.high)
     )
     times = np.linspace(0.0, t_end, int(10 * JUDGED[0]) + 1)
     off_by = np.abs(one(times) - other(times)) / scales.states[:, None]
     parted = times[off_by.max(axis=0) > PARTED]
     own, until = system.scaled(scales), float(parted.min(initial=t_end)) / scales.time
-    hovering = own.flow.plain(asked.start / scales.states, own.constants, until)
+    hovering = own.flow.plain(samples.start / scales.states, own.constants, until)
     states = np.array(
-        [turn.state for turn in hovering.turns if turn.border == -1 and turn.direction < 0]
+        [
+            extremum.state
+            for extremum in hovering.extrema
+            if extremum.border == -1 and extremum.direction < 0
+        ]
         or [hovering.state]
     )
     rests: dict[float, Saddle] = {}
@@ -638,7 +650,7 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
         off, rest = min(rests.items())
         return "equilibrium", rest.state, rest.growth, off
     extent = np.ptp(states, axis=0).max()
-    for begin, end in returns(hovering.turns, around):
+    for begin, end in returns(hovering.extrema, around):
         with suppress(ConvergenceError):
             cycle = cycle_at(own, begin.state, end.t - begin.t)
             growth = growth_of_cycle(cycle)

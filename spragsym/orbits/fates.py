@@ -160,10 +160,10 @@ def fate(
     try:
         return _followed(system, state, t_end)
     except ConvergenceError as failed:
-        return _untold(system, f"{UNFOLLOWED}: {failed}", 0.0, float("inf"), state)
+        return _undecided(system, f"{UNFOLLOWED}: {failed}", 0.0, float("inf"), state)
 
 
-def _untold(system: System, why: str, t: float, scale: float, end: FloatArray) -> Fate:
+def _undecided(system: System, why: str, t: float, scale: float, end: FloatArray) -> Fate:
     """Nothing is known of the motion but why."""
     none, nothing = np.full(end.size, np.nan), Outcome(names=system.field.components)
     return Fate("undecided", why, t, nothing, none, none, -1, scale, "", end)
@@ -176,7 +176,7 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
     verdict = judged(system, start, times=times)
     scale, place = _time_scale(system, verdict)
     if verdict.decided:
-        why = f"it comes to {verdict.told()}"
+        why = f"it comes to {verdict.described()}"
         try:
             kind, known, error = settled(system, verdict)
             trivial = (
@@ -186,7 +186,7 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
                 kind, why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end
             )
         except ConvergenceError as failed:
-            return _untold(
+            return _undecided(
                 system,
                 f"{why}, which Newton's method does not find again: {failed}",
                 verdict.t,
@@ -252,7 +252,7 @@ def _transient(system: System, start: FloatArray, t_end: float) -> str:
         if beside.decided:
             return (
                 f"it is a transient: a motion that begins {i * OFF:.0e} beside it comes to "
-                f"{beside.told()} by t = {t_end:g}"
+                f"{beside.described()} by t = {t_end:g}"
             )
     return ""
 

@@ -23,8 +23,8 @@ from ..motion.integrators import Flow
 from ..motion.regimes import Regime
 from ..motion.scales import scales_of
 from ..motion.shooting import (
-    Guess,
-    Loop,
+    Iterate,
+    Orbit,
     across,
     error_of,
     extent,
@@ -32,9 +32,9 @@ from ..motion.shooting import (
     natural,
     rate,
     solved,
-    split,
+    subdivided,
 )
-from ..motion.solution import Turn
+from ..motion.solution import Extremum
 from ..numerics.balls import UndecidedSign
 from ..numerics.vectors import apart, in_one_turn, magnitude, norm
 from .arclength import differences
@@ -207,7 +207,7 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
     field, flow = system.field, system.flow
     if isinstance(near, Cycle):
         near.require(field, "near")
-        return _checked(_towards(flow, near.loop.guess, system.values))
+        return _checked(_towards(flow, near.orbit.guess, system.values))
     approached = near is None or isinstance(near, Trajectory)
     looks = None if patient or approached else 1
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(system, near)
@@ -219,10 +219,10 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
     own = system.scaled(scales)
     try:
         for time in () if approached else LOOKED_AT[:looks]:
-            passage = own.flow.plain(start / scales.states, own.constants, time, loose=True)
-            if (found := _by_returns(own, passage.turns)) is not None:
+            flow_result = own.flow.plain(start / scales.states, own.constants, time, loose=True)
+            if (found := _by_returns(own, flow_result.extrema)) is not None:
                 return _checked(found)
-            if len(passage.turns) > 2:
+            if len(flow_result.extrema) > 2:
                 break
         verdict = judged(system, start, times=[t * scales.time for t in JUDGED[:looks]])
     except ConvergenceError as error:
@@ -231,7 +231,7 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
         with suppress(ConvergenceError):
             return cycle_at(system, np.array(verdict.outcome.cycle), verdict.outcome.period)
     why = stands_still(system, verdict.end) or (
-        f"it comes to {verdict.told()}; give a state nearer to a cycle, as near=simulate(p, "
+        f"it comes to {verdict.described()}; give a state nearer to a cycle, as near=simulate(p, "
         "t_end=…) of a longer motion, or ask "
         "fate(p) what it comes to"
     )
@@ -240,7 +240,7 @@ def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cyc
 
 def cycle_at(system: System, state: FloatArray, period: float) -> Cycle:
     """The cycle of about a period near a state: Newton's method and nothing else."""
-    return _checked(_from_guess(system.flow, Guess(state[None], period, system.values)))
+    return _checked(_from_guess(system.flow, Iterate(state[None], period, system.values)))
 
 
 def _steep(system: System) -> str:
@@ -256,12 +256,12 @@ def _steep(system: System) -> str:
     )
 
 
-def _towards(flow: Flow, known: Guess, values: Values, halvings: int = 6) -> Loop:
+def _towards(flow: Flow, known: Iterate, values: Values, halvings: int = 6) -> Orbit:
     """The closed orbit at other values of the parameters, by steps half as wide where Newton's
     method fails.
     """
     try:
-        return _from_guess(flow, Guess(known.states, known.period, values))
+        return _from_guess(flow, Iterate(known.states, known.period, values))
     except ConvergenceError:
         if halvings == 0 or values == known.values:
             raise
@@ -270,21 +270,21 @@ def _towards(flow: Flow, known: Guess, values: Values, halvings: int = 6) -> Loo
     return _towards(flow, between.guess, values, halvings - 1)
 
 
-def _checked(loop: Loop) -> Cycle:
-    if _rests(loop):
+def _checked(orbit: Orbit) -> Cycle:
+    if _rests(orbit):
         raise ConvergenceError(
             "there is no cycle near: what Newton's method finds is rest, at "
-            f"{np.round(loop.state, 9).tolist()}; start farther from it"
+            f"{np.round(orbit.state, 9).tolist()}; start farther from it"
         )
-    return cycle_of(loop)
+    return cycle_of(orbit)
 
 
-def _rests(loop: Loop) -> bool:
+def _rests(orbit: Orbit) -> bool:
     """Whether a closed orbit is an equilibrium, which closes after any period, as an orbit beside
     it nearly does.
     """
-    loop = in_scales(loop)
-    return extent(loop) <= max(LEAST, SURE * error_of(loop))
+    orbit = in_scales(orbit)
+    return extent(orbit) <= max(LEAST, SURE * error_of(orbit))
 
 
 def _state(system: System, near: Any) -> FloatArray:
@@ -302,34 +302,34 @@ def _state(system: System, near: Any) -> FloatArray:
     return state
 
 
-def _by_returns(system: System, turns: Sequence[Turn]) -> Loop | None:
+def _by_returns(system: System, extrema: Sequence[Extremum]) -> Orbit | None:
     """The first closed orbit that Newton's method finds from two states that are alike: with the
     first one, the last one, any.
     """
     around = system.field.around
-    for begin, end in [pair for row in (0, -1, None) for pair in returns(turns, around, row)]:
+    for begin, end in [pair for row in (0, -1, None) for pair in returns(extrema, around, row)]:
         with suppress(ConvergenceError):
             state = in_one_turn(begin.state, around)
-            loop = _from_guess(system.flow, Guess(state[None], end.t - begin.t, system.values))
-            if not _rests(loop):
-                return loop
+            orbit = _from_guess(system.flow, Iterate(state[None], end.t - begin.t, system.values))
+            if not _rests(orbit):
+                return orbit
     return None
 
 
 def returns(
-    turns: Sequence[Turn], around: tuple[int, ...], row: int | None = None
-) -> list[tuple[Turn, Turn]]:
+    extrema: Sequence[Extremum], around: tuple[int, ...], row: int | None = None
+) -> list[tuple[Extremum, Extremum]]:
     """Pairs of alike states, largest in the leading coordinate: of each number of rounds the
     nearest, or the first one (0), or the last one (−1).
 
     One counts only if it is twice as near as those of fewer rounds that count. Those come first
     that are the nearest, times their rounds. States are in units of the motion.
     """
-    turns = [turn for turn in turns if turn.border == -1]
-    highest, found, best = [turn for turn in turns if turn.direction < 0], [], 2 * FAR
+    extrema = [extremum for extremum in extrema if extremum.border == -1]
+    highest, found, best = [extremum for extremum in extrema if extremum.direction < 0], [], 2 * FAR
     states, scale = (
-        np.array([turn.state for turn in highest]),
-        np.ptp([turn.state for turn in turns] or np.zeros((1, 1)), axis=0),
+        np.array([extremum.state for extremum in highest]),
+        np.ptp([extremum.state for extremum in extrema] or np.zeros((1, 1)), axis=0),
     )
     scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
     for rounds in range(1, min(len(highest), ROUNDS)):
@@ -341,13 +341,13 @@ def returns(
     return [(highest[i], highest[j]) for _, i, j in sorted(found)[:TRIES]]
 
 
-def _from_guess(flow: Flow, guess: Guess) -> Loop:
-    """Newton's method from a guess, in as many stretches as its growth asks for; it may not go
+def _from_guess(flow: Flow, guess: Iterate) -> Orbit:
+    """Newton's method from a guess, in as many mesh intervals as its growth asks for; it may not go
     far.
     """
-    loop = in_scales(split(flow, guess))
-    reach = 0.5 * extent(loop) if loop.turns() else np.inf
-    return natural(solved(loop.flow, loop.guess, across(loop), reach=reach))
+    orbit = in_scales(subdivided(flow, guess))
+    reach = 0.5 * extent(orbit) if orbit.extrema() else np.inf
+    return natural(solved(orbit.flow, orbit.guess, across(orbit), reach=reach))
 
 
 def stands_still(system: System, state: FloatArray) -> str:
@@ -449,17 +449,17 @@ def _along(system: System, rest: FloatArray, place: int, form: NormalForm, z: fl
     start[place] += aside
 
     # What is asked of the first state: its part along q, as the normal form has it.
-    measure = form.p.conjugate() * scales.states / unit
-    wanted = float((measure @ (first - middle)).real)
+    left_eigenvector = form.p.conjugate() * scales.states / unit
+    wanted = float((left_eigenvector @ (first - middle)).real)
 
-    def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        seen = measure @ (loop.state - middle)
-        wide = np.zeros((2, loop.states.size + 2))
-        wide[:, : len(rest)] = measure.real, measure.imag
+    def conditions(orbit: Orbit) -> tuple[FloatArray, FloatArray]:
+        seen = left_eigenvector @ (orbit.state - middle)
+        wide = np.zeros((2, orbit.states.size + 2))
+        wide[:, : len(rest)] = left_eigenvector.real, left_eigenvector.imag
         return np.array([seen.real - wanted, seen.imag]), wide
 
     period = 2 * math.pi / form.omega / scales.time
-    guess = split(own.flow, Guess(first[None], period, tuple(start), (place,))).guess
+    guess = subdivided(own.flow, Iterate(first[None], period, tuple(start), (place,))).guess
     return cycle_of(natural(solved(own.flow, guess, conditions, reach=4 * z / unit)))
 
 

@@ -23,19 +23,19 @@ from ..models.parameters import FloatArray
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.scales import scales_of
 from ..motion.shooting import (
-    Guess,
-    Loop,
-    clear,
+    Iterate,
+    Orbit,
     difference,
     error_of,
     extent,
-    finer,
     in_scales,
+    integrated,
     least_period,
-    looped,
     natural,
+    offset_from_jumps,
     phase,
-    recut,
+    refined_mesh,
+    remeshed,
     solved,
 )
 from ..motion.simulation import motion_of
@@ -64,7 +64,7 @@ ALIKE = 1e-6
 ON = 0.05
 
 #: How far from a jump of the field it is looked how far from all of them an orbit may begin, in
-#: stretches.
+#: mesh intervals.
 ASIDE = 0.3
 
 #: Maxima of x that differ by less than this count as equal; of these the state highest above the
@@ -108,7 +108,7 @@ class Cycle(Result):
         range. Where it turns around the first two are NaN, and the last one is π.
     backend : str
         The integrator.
-    loop : Loop
+    orbit : Orbit
         The orbit as it was solved for, with its derivatives.
     """
 
@@ -133,12 +133,12 @@ class Cycle(Result):
     mean: float
     amplitude: float
     backend: str
-    loop: Loop = dataclasses.field(repr=False)
+    orbit: Orbit = dataclasses.field(repr=False)
 
     @property
     def field(self) -> Field:
         """The model."""
-        return self.loop.field
+        return self.orbit.field
 
     @property
     def _of_model(self) -> Model | None:
@@ -149,7 +149,7 @@ class Cycle(Result):
         not.
         """
         own = self.field
-        if own.led(field.lead) != field and not (own.where and own.where == field.where):
+        if own.with_lead(field.lead) != field and not (own.where and own.where == field.where):
             one, other = (each.name.partition(":")[0] for each in (own, field))
             raise ParameterTypeError(
                 f"{name} is a cycle of {one}, not of {other}; give one of the same model"
@@ -158,19 +158,19 @@ class Cycle(Result):
     @property
     def values(self) -> tuple[float, ...]:
         """The parameters, in the order of ``field.parameters``."""
-        return self.loop.values
+        return self.orbit.values
 
     @cached_property
     def samples(self) -> PiecewisePolynomial:
         """One period by the polynomials through its samples."""
-        return self.loop.samples()
+        return self.orbit.samples()
 
     @cached_property
     def phases(self) -> Phases:
         """The modes that one period passes through."""
         t = np.array([0.0, *self.events.t, self.period])
         states = self.samples((t[1:] + t[:-1]) / 2).T
-        modes = np.array([self.loop.mode(state) for state in states], dtype=np.int8)
+        modes = np.array([self.orbit.mode(state) for state in states], dtype=np.int8)
         model = self.field.model
         if model is None or len(model.contacts) == 1:
             return Phases(t[:-1], np.diff(t), *modes[:, :2].T)
@@ -195,7 +195,7 @@ class Cycle(Result):
         ``spring_force_1``, … of several.
         """
         return {
-            name: _range(self.samples, force, self.loop.constants)
+            name: _range(self.samples, force, self.orbit.constants)
             for name, force in self.field.forces
         }
 
@@ -249,11 +249,11 @@ class Cycle(Result):
         )
 
 
-def cycle_of(loop: Loop) -> Cycle:
-    """The cycle that a closed loop is, begun anew where the first coordinate that moves is
+def cycle_of(orbit: Orbit) -> Cycle:
+    """The cycle that a closed orbit is, begun anew where the first coordinate that moves is
     largest.
     """
-    found = _cycle_of(in_scales(loop))
+    found = _cycle_of(in_scales(orbit))
     scales = found.field.scales
     if not scales:
         return found
@@ -268,19 +268,21 @@ def cycle_of(loop: Loop) -> Cycle:
         rms=place * found.rms,
         mean=place * found.mean,
         amplitude=place * found.amplitude,
-        loop=natural(found.loop),
+        orbit=natural(found.orbit),
     )
 
 
-def _cycle_of(loop: Loop) -> Cycle:
-    """The same in the loop's units but for the errors, which are in the model's."""
-    loop = least_period(loop.bound().led())
-    loop = refined(loop, _top(loop))
-    if loop.field.holding and not _carries_its_flow(loop):
+def _cycle_of(orbit: Orbit) -> Cycle:
+    """The same in the orbit's units but for the errors, which are in the model's."""
+    orbit = least_period(orbit.bound().with_lead())
+    orbit = refined(orbit, _top(orbit))
+    if orbit.field.holding and not _carries_its_flow(orbit):
         # It may begin as it passes a jump of the field, which derivatives then lack.
-        aside = looped(loop.flow, recut(loop, len(loop.states), ASIDE * loop.guess.stretch))
-        loop = refined(aside, clear(aside))
-    found = loop.multipliers
+        aside = integrated(
+            orbit.flow, remeshed(orbit, len(orbit.states), ASIDE * orbit.guess.interval)
+        )
+        orbit = refined(aside, offset_from_jumps(aside))
+    found = orbit.multipliers
     lost = abs(found.trivial - 1)
     if not lost < UNRESOLVED:
         raise ConvergenceError(
@@ -288,31 +290,31 @@ def _cycle_of(loop: Loop) -> Cycle:
             f"{found.trivial:.6g} instead of 1; "
             "use another backend, or a less steep friction law"
         )
-    (mean, rms), (lowest, highest) = loop.moments(), range_of(loop)
-    scales = loop.field.scales
+    (mean, rms), (lowest, highest) = orbit.moments(), range_of(orbit)
+    scales = orbit.field.scales
     place = max(scales.states.tolist()) if scales else 1.0
     unit = max(scales.time, place) if scales else 1.0
     return Cycle(
-        period=loop.period,
-        state=loop.state.copy(),
+        period=orbit.period,
+        state=orbit.state.copy(),
         multipliers=found.values,
         multiplier_errors=found.errors,
-        stable=is_stable(loop),
-        error=max(unit * error_of(loop, difference(loop)), lost),
-        residual=place * loop.missed,
-        events=events_of(loop.field, loop.crossings()),
+        stable=is_stable(orbit),
+        error=max(unit * error_of(orbit, difference(orbit)), lost),
+        residual=place * orbit.largest_gap,
+        events=events_of(orbit.field, orbit.crossings()),
         rms=rms,
         mean=mean,
         amplitude=(highest - lowest) / 2,
-        backend=loop.flow.backend,
-        loop=loop,
+        backend=orbit.flow.backend,
+        orbit=orbit,
     )
 
 
 def same_cycle(one: Cycle, other: Cycle) -> bool:
     """Whether two cycles at the same values of the parameters are one."""
     units = units_of(one)
-    size = max(extent(one.loop, units), extent(other.loop, units))
+    size = max(extent(one.orbit, units), extent(other.orbit, units))
     averages = np.abs([one.rms - other.rms, one.mean - other.mean]) / units[0]
     if abs(one.period / other.period - 1) >= ALIKE or averages.max() >= ALIKE * size:
         return False
@@ -321,7 +323,7 @@ def same_cycle(one: Cycle, other: Cycle) -> bool:
 
 def units_of(cycle: Cycle) -> FloatArray:
     """Units of the motion on a cycle, (m,)."""
-    return scales_of(cycle.field, cycle.loop.constants, cycle.loop.state.tolist()).states
+    return scales_of(cycle.field, cycle.orbit.constants, cycle.orbit.state.tolist()).states
 
 
 def distance(cycle: Cycle, state: FloatArray) -> float:
@@ -378,79 +380,79 @@ class Phases(Result):
 
 @dataclass(frozen=True, eq=False)
 class Cycles(Sequence[Cycle]):
-    """The cycles that closed loops are, each made when it is asked for first."""
+    """The cycles that closed orbits are, each made when it is asked for first."""
 
-    loops: tuple[Loop, ...]
+    orbits: tuple[Orbit, ...]
 
     @cached_property
     def _known(self) -> dict[int, Cycle]:
         return {}
 
     def __len__(self) -> int:
-        return len(self.loops)
+        return len(self.orbits)
 
     def __getitem__(self, index: Any) -> Any:
         place = range(len(self))[index]
         if isinstance(place, range):
             return tuple(self[i] for i in place)
         if place not in self._known:
-            self._known[place] = cycle_of(self.loops[place])
+            self._known[place] = cycle_of(self.orbits[place])
         return self._known[place]
 
 
-def _carries_its_flow(loop: Loop) -> bool:
-    """Whether the derivative over each stretch takes the flow at its beginning to that at its
+def _carries_its_flow(orbit: Orbit) -> bool:
+    """Whether the derivative over each mesh interval takes the flow at its beginning to that at its
     end.
     """
-    flows = [loop.rate(state) for state in loop.states]
-    ends = zip(loop.passages, flows, [*flows[1:], flows[0]], strict=True)
+    flows = [orbit.rate(state) for state in orbit.states]
+    ends = zip(orbit.flow_results, flows, [*flows[1:], flows[0]], strict=True)
     return all(norm(each.by_state @ one - due) < UNRESOLVED * norm(due) for each, one, due in ends)
 
 
-def is_stable(loop: Loop) -> bool:
+def is_stable(orbit: Orbit) -> bool:
     """Whether all multipliers but the trivial one are inside of the unit circle, by more than their
     errors.
     """
-    found = loop.multipliers
+    found = orbit.multipliers
     return bool((np.abs(found.others) + found.errors < 1 - NEUTRAL).all())
 
 
-def range_of(loop: Loop) -> tuple[float, float]:
-    """Least and largest first coordinate, ∓π where it turns around; a turn between stretches is in
-    a state only.
+def range_of(orbit: Orbit) -> tuple[float, float]:
+    """Least and largest first coordinate, ∓π where it turns around; an extremum between mesh
+    intervals is in a state only.
     """
-    if loop.winding:
+    if orbit.winding:
         return -math.pi, math.pi
     values = [
-        *(float(turn.state[0]) for turn in loop.turns() if turn.border == -1),
-        *loop.states[:, 0].tolist(),
+        *(float(extremum.state[0]) for extremum in orbit.extrema() if extremum.border == -1),
+        *orbit.states[:, 0].tolist(),
     ]  # the first coordinate stands still where another one leads
     return min(values), max(values)
 
 
-def refined(loop: Loop, begin: float) -> Loop:
-    """The orbit from a time on, in as many stretches as its growth asks for."""
-    cut: Guess | None = recut(loop, len(loop.states), begin)
+def refined(orbit: Orbit, begin: float) -> Orbit:
+    """The orbit from a time on, in as many mesh intervals as its growth asks for."""
+    cut: Iterate | None = remeshed(orbit, len(orbit.states), begin)
     while cut:
         try:
             found = solved(
-                loop.flow, cut, phase(loop, cut), iterations=7, precision=1e-15, reach=STAYS
+                orbit.flow, cut, phase(orbit, cut), iterations=7, precision=1e-15, reach=STAYS
             )
         except ConvergenceError:  # as at a fold, where Newton's matrix is singular
-            found = looped(loop.flow, cut)
-            if found.missed > OPEN:
+            found = integrated(orbit.flow, cut)
+            if found.largest_gap > OPEN:
                 raise
-        cut = finer(found)
+        cut = refined_mesh(found)
     return found
 
 
-def _top(loop: Loop) -> float:
+def _top(orbit: Orbit) -> float:
     """When the leading coordinate is largest, and among several such times the one at which the
     next number of the state is; now if it never is.
     """
-    tops, lead = loop.tops(), loop.field.lead
-    most = max((float(top.state[lead]) for top in tops), default=0.0)
-    highest = [top for top in tops if top.state[lead] >= most - SAME * (1 + abs(most))]
+    maxima, lead = orbit.maxima(), orbit.field.lead
+    most = max((float(top.state[lead]) for top in maxima), default=0.0)
+    highest = [top for top in maxima if top.state[lead] >= most - SAME * (1 + abs(most))]
     return max(highest, key=lambda top: float(top.state[lead + 1])).t if highest else 0.0
 
 

@@ -187,8 +187,8 @@ def _unproved(cycle: Cycle, reason: str) -> CycleProof:
 def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:
     """What is to be proved, as JSON holds it."""
     m, n = cycle.field.size, len(cycle.field.coordinates)
-    flow = cycle.loop.rate(cycle.state)
-    slopes = np.column_stack([np.delete(cycle.loop.monodromy - np.eye(m), n, axis=1), flow])
+    flow = cycle.orbit.rate(cycle.state)
+    slopes = np.column_stack([np.delete(cycle.orbit.monodromy - np.eye(m), n, axis=1), flow])
     return {
         "field": cycle.field.where,
         "values": list(cycle.values),
@@ -196,7 +196,7 @@ def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:
         "period": cycle.period,
         "digits": digits,
         "slopes": slopes.tolist(),
-        "crossings": [[crossing.t, crossing.border] for crossing in cycle.loop.crossings()],
+        "crossings": [[crossing.t, crossing.border] for crossing in cycle.orbit.crossings()],
     }
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from ..core.errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
-from ..motion.shooting import CLOSED, Guess, Loop, extent, solved, time_of
+from ..motion.shooting import CLOSED, Iterate, Orbit, extent, solved, time_of
 from ..numerics.vectors import magnitude, norm
 from .arclength import (
     SURE,
@@ -57,18 +57,18 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     if event.how == MERGES:
         return cycle  # the event holds the cycle of half the period
     index = cycle.field.parameters.index(branch.vary)
-    loop, crossed = event.found.loop, event.found.crossed
+    orbit, crossed = event.found.orbit, event.found.crossed
     setting = Setting(
-        loop.flow, (index,), cycle.period / time_of(loop), ((branch.to[1] - branch.to[0]) / 2,)
+        orbit.flow, (index,), cycle.period / time_of(orbit), ((branch.to[1] - branch.to[0]) / 2,)
     )
     if event.kind == "fold" and crossed is None:
         return _beyond(branch, event, step)
     rounds = 2 if event.kind == "period_doubling" else 1
-    point = _aside(point_of(setting, setting.looped(loop.guess)), crossed, rounds)
+    point = _aside(point_of(setting, setting.integrated(orbit.guess)), crossed, rounds)
     for size in (step, *STEPS):
         for sign in (1.0, -1.0):
             try:
-                aside = corrected(point, sign * size, reach=20 * size, iterations=12).loop
+                aside = corrected(point, sign * size, reach=20 * size, iterations=12).orbit
             except ConvergenceError:
                 continue
             found = cycle_of(aside)
@@ -88,14 +88,14 @@ def _aside(point: Point, crossed: FloatArray | None, rounds: int) -> Point:
     It is of unit size in the first state; ``crossed`` is the branch's direction, where a tangent
     can't be computed.
     """
-    setting, guess = point.setting, point.loop.guess
-    loop = setting.looped(
-        Guess(np.vstack([guess.states] * rounds), rounds * guess.period, guess.values)
+    setting, guess = point.setting, point.orbit.guess
+    orbit = setting.integrated(
+        Iterate(np.vstack([guess.states] * rounds), rounds * guess.period, guess.values)
     )
     known, size, weights = (
         point.tangent if crossed is None else crossed,
         guess.states.size,
-        setting.weights(loop),
+        setting.weights(orbit),
     )
     along = (
         np.concatenate(
@@ -104,10 +104,10 @@ def _aside(point: Point, crossed: FloatArray | None, rounds: int) -> Point:
         * weights
     )
     along = along / norm(along)
-    plane = directions(setting, loop)[1][-2:]
+    plane = directions(setting, orbit)[1][-2:]
     plane = plane - np.outer(plane @ along, along)
     direction = max(plane, key=norm) / weights
-    return Point(setting, loop, direction / norm(direction[: loop.field.size]))
+    return Point(setting, orbit, direction / norm(direction[: orbit.field.size]))
 
 
 def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
@@ -123,9 +123,9 @@ def parted(point: Point) -> FloatArray:
     """How far apart the two halves of a round are: states less those half a round before, across
     the flow, over √their number.
     """
-    states, half = point.loop.states, len(point.loop.states) // 2
+    states, half = point.orbit.states, len(point.orbit.states) // 2
     apart = states[half:] - states[:half]
-    flows = np.array([point.loop.rate(state) for state in states[:half]])
+    flows = np.array([point.orbit.rate(state) for state in states[:half]])
     along = (flows * apart).sum(axis=1) / (flows * flows).sum(axis=1)
     return (apart - along[:, None] * flows).ravel() / np.sqrt(half)
 
@@ -134,45 +134,45 @@ def meets(one: Point, other: Point) -> float | None:
     """The share of the step from one point to the next at which their halves come together; None if
     they do not.
     """
-    if len(one.loop.states) != len(other.loop.states):
+    if len(one.orbit.states) != len(other.orbit.states):
         return None
     before, after = parted(one), parted(other)
     was, now = norm(before), norm(after)
     if not was > ONE:
         return None
-    if now < min(was, NEAREST * extent(other.loop)):
+    if now < min(was, NEAREST * extent(other.orbit)):
         return 1.0
     return was / (was + now) if before @ after < 0 else None
 
 
-def halved(one: Point, other: Point, share: float) -> tuple[Loop, float] | None:
+def halved(one: Point, other: Point, share: float) -> tuple[Orbit, float] | None:
     """The doubling of the cycle of half the period at a share of a step, and the error of its
     parameter.
 
     None if there is none among the states of the step: then the halves have only come near each
     other.
     """
-    kind, setting, a, b = "period_doubling", one.setting, one.loop.guess, other.loop.guess
+    kind, setting, a, b = "period_doubling", one.setting, one.orbit.guess, other.orbit.guess
     states, half = (1 - share) * a.states + share * b.states, len(a.states) // 2
-    guess = Guess(
+    guess = Iterate(
         (states[:half] + states[half:]) / 2,
         ((1 - share) * a.period + share * b.period) / 2,
         a.values,
     )
     guess = guess.at(setting.free[0], one.value + share * (other.value - one.value))
     try:
-        near = fixed(setting, setting.looped(guess))
+        near = fixed(setting, setting.integrated(guess))
         doubling = at_zero(kind, setting, near, near.guess.coordinates)
-        loop = solved(setting.flow, near.guess, doubling)
+        orbit = solved(setting.flow, near.guess, doubling)
     except (ConvergenceError, np.linalg.LinAlgError):
         return None
     reach = norm(states[:half] - states[half:]) + norm(b.states - a.states)
-    if not norm(loop.states - guess.states) < reach:
+    if not norm(orbit.states - guess.states) < reach:
         return None
-    there = point_of(setting, loop)
-    steepness = float(doubling(loop)[1][-1] @ there.tangent) * max(
+    there = point_of(setting, orbit)
+    steepness = float(doubling(orbit)[1][-1] @ there.tangent) * max(
         1.0, SURE * unsure(near, kind) / CLOSED
     )
-    return loop, unsure(loop, kind) * abs(turning(there) / steepness) + 1e-15 * (
+    return orbit, unsure(orbit, kind) * abs(turning(there) / steepness) + 1e-15 * (
         1 + abs(there.value)
     )

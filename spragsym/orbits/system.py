@@ -22,9 +22,9 @@ from ..motion.classify import equilibrium_near
 from ..motion.integrators import Flow
 from ..motion.regimes import Outcome, Regime, Sets, same_limit, sets_of_rest
 from ..motion.scales import MotionScales, scaled, scales_of
-from ..motion.shooting import Conditions, Guess, Loop
+from ..motion.shooting import Conditions, Iterate, Orbit
 from ..motion.simulation import motion_of
-from ..motion.solution import Passage
+from ..motion.solution import FlowResult
 from ..numerics.vectors import magnitude, norm
 from .arclength import Point, Setting, started
 from .orbit import Cycle
@@ -147,7 +147,7 @@ class FateVerdict:
         """Whether it is seen to come to an attractor."""
         return self.kind in KINDS and not self.otherwise
 
-    def told(self) -> str:
+    def described(self) -> str:
         """In words."""
         found, limit = self.outcome, f"nothing that is decided by t = {self.t:g}"
         if self.kind == Regime.EQUILIBRIUM:
@@ -182,7 +182,7 @@ def judged(
     return verdict
 
 
-def surely(
+def verified(
     system: System, start: FloatArray, verdict: FateVerdict, alike: Callable[[FateVerdict], bool]
 ) -> FateVerdict:
     """A verdict, or an undecided one where rounding decides it.
@@ -207,7 +207,7 @@ def surely(
             later = judged(system, beside.end)
             beside = replace(later, t=beside.t + later.t)
         if not beside.decided or not alike(beside):
-            return replace(verdict, otherwise=beside.told())
+            return replace(verdict, otherwise=beside.described())
     return verdict
 
 
@@ -215,14 +215,14 @@ def surely(
 class Saddle:
     """An equilibrium with one real direction of growth, and no other that is proved.
 
-    ``measure``, the left eigenvector of the eigenvalue ``growth``, is 1 along the right one's
-    direction: ``measure @ (state − saddle)`` grows as exp(growth τ). ``attracts`` is that all other
-    eigenvalues are proved to have negative real parts.
+    ``left_eigenvector``, the left eigenvector of the eigenvalue ``growth``, is 1 along the right
+    one's direction: ``left_eigenvector @ (state − saddle)`` grows as exp(growth τ). ``attracts`` is
+    that all other eigenvalues are proved to have negative real parts.
     """
 
     state: FloatArray
     growth: float
-    measure: FloatArray
+    left_eigenvector: FloatArray
     attracts: bool
 
 
@@ -243,9 +243,9 @@ def saddle_near(system: System, state: FloatArray) -> Saddle:
     if len(growing) != 1 or abs(eigenvalues[growing[0]].imag) > 0:
         raise ConvergenceError("the equilibrium is no saddle")
     which = int(growing[0])
-    measure = np.linalg.inv(vectors)[which].real * norm(vectors[:, which].real)
+    left_eigenvector = np.linalg.inv(vectors)[which].real * norm(vectors[:, which].real)
     attracts = bool((np.delete(eigenvalues.real + error, which) < 0).all())
-    return Saddle(place, float(eigenvalues[which].real), measure, attracts)
+    return Saddle(place, float(eigenvalues[which].real), left_eigenvector, attracts)
 
 
 def spectrum(system: System, place: FloatArray) -> tuple[Any, Any, FloatArray]:
@@ -286,9 +286,9 @@ class FixedPoints:
     def started(self, system: System, state: FloatArray, index: int, span: float) -> Point:
         """An equilibrium of a system as a point from which it is followed in one parameter."""
         setting = Setting(
-            replace(system.flow, other=self.fly), (index,), 1.0, (span,), _of_one_time
+            replace(system.flow, other=self.flow_map), (index,), 1.0, (span,), _of_one_time
         )
-        return started(setting, Guess(state[None], 1.0, system.values))
+        return started(setting, Iterate(state[None], 1.0, system.values))
 
     def at(self, state: FloatArray, constants: Values) -> tuple[list[float], Values, Mode]:
         """State, constants and mode, whose last numbers go with the place."""
@@ -297,9 +297,9 @@ class FixedPoints:
         kept = len(own) - self.field.ways
         return numbers, constants, (self.mode or own)[:kept] + own[kept:]
 
-    def fly(
+    def flow_map(
         self, state: FloatArray, constants: Values, _: float, directions: FloatArray
-    ) -> Passage:
+    ) -> FlowResult:
         """The map with its derivatives."""
         there, by_parameters = (
             self.at(state, constants),
@@ -314,11 +314,11 @@ class FixedPoints:
             )
         except ArithmeticError as error:
             raise ConvergenceError("there is no motion") from error
-        return Passage(state + np.append(state[n:], force), by_state, by_parameters, (), ())
+        return FlowResult(state + np.append(state[n:], force), by_state, by_parameters, (), ())
 
     def eigenvalues(self, point: Point) -> list[complex]:
         """Eigenvalues of the linearized motion."""
-        there = self.at(point.loop.state, point.loop.constants)
+        there = self.at(point.orbit.state, point.orbit.constants)
         return [complex(value) for value in np.linalg.eigvals(self.field.matrix(*there))]
 
     def pairs(self, point: Point) -> float:
@@ -334,14 +334,14 @@ class FixedPoints:
         """Whether a state is on this side of all kinks; the field jumps at the end of a torsion
         spring, or is smooth.
         """
-        state, constants, mode = self.at(point.loop.state, point.loop.constants)
+        state, constants, mode = self.at(point.orbit.state, point.orbit.constants)
         kinks = (border for border in self.field.borders if border.kink and border.jumps is None)
         return all(
             border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in kinks
         )
 
 
-def _of_one_time(_: Setting, near: Loop, __: FloatArray) -> Conditions:
+def _of_one_time(_: Setting, near: Orbit, __: FloatArray) -> Conditions:
     """An equilibrium has no period: it stays 1."""
     row = np.eye(1, len(near.guess.coordinates), near.states.size)
-    return lambda loop: (np.array([loop.period - 1.0]), row)
+    return lambda orbit: (np.array([orbit.period - 1.0]), row)

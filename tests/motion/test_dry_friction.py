@@ -154,8 +154,8 @@ def test_derivatives_of_cycles_that_stick_are_differences_of_motions(
         directions = np.eye(len(model.parameters))[
             [model.parameters.index(each) for each in varied]
         ]
-        passage = Flow.of(cycle.field, None).fly(
-            cycle.state, cycle.loop.constants, cycle.period, directions
+        passage = Flow.of(cycle.field, None).flow_map(
+            cycle.state, cycle.orbit.constants, cycle.period, directions
         )
         assert cycle.residual < 1e-11, seed
         scale, by_state = max(1.0, np.abs(theirs).max()), theirs[:, : len(cycle.state)]

@@ -42,7 +42,7 @@ def broken(problem: Problem) -> Problem:
 
 def watched(some: list[Problem]) -> list[Any]:
     """What is measured while motions are integrated, or why there is nothing."""
-    return with_heyoka.watch(some)[0]
+    return with_heyoka.measured(some)[0]
 
 
 def assert_same(left: Any, right: Any) -> None:
@@ -116,7 +116,7 @@ def simulate_steps(problem: Problem) -> int:
 def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
     some = problems(9, t_end=40.0, t_record=10.0)
     found = watched(some)
-    for course, problem in zip(found, some, strict=True):
+    for statistics, problem in zip(found, some, strict=True):
         p = ss.Parameters.article(
             theta0=np.arctan2(problem.constants[1], problem.constants[0]), mu0=problem.constants[2]
         )
@@ -124,11 +124,11 @@ def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
         tr = simulate(
             p, **BELT, x0=x0, y0=y0, vx0=vx0, vy0=vy0, t_end=40.0, rtol=1e-12, backend="scipy"
         ).after(10.0)
-        np.testing.assert_allclose(course.last, tr.state[:, -1], atol=1e-7)
-        assert course.means == pytest.approx([tr.mean(0.0), tr.mean(0.0, of="y")], abs=1e-8)
-        assert max(map(abs, course.reach)) == pytest.approx(tr.largest(0.0), abs=1e-8)
-        assert course.events.tolist() == [len(tr.events.of(kind)) for kind in Event]
-        np.testing.assert_allclose(course.maxima, tr.course().maxima, atol=1e-7)
+        np.testing.assert_allclose(statistics.last, tr.state[:, -1], atol=1e-7)
+        assert statistics.means == pytest.approx([tr.mean(0.0), tr.mean(0.0, of="y")], abs=1e-8)
+        assert max(map(abs, statistics.reach)) == pytest.approx(tr.largest(0.0), abs=1e-8)
+        assert statistics.events.tolist() == [len(tr.events.of(kind)) for kind in Event]
+        np.testing.assert_allclose(statistics.maxima, tr.statistics().maxima, atol=1e-7)
 
 
 def test_a_failure_of_the_machine_names_the_task(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -158,7 +158,7 @@ def against_motions(onsets: Any, row: int, longest: float = 20_000.0) -> str | N
         cycle = ss.cycle(onset=onsets, index=row)
     except ConvergenceError:
         return None
-    model, field, constants = onsets.parameters.model, cycle.field, cycle.loop.constants
+    model, field, constants = onsets.parameters.model, cycle.field, cycle.orbit.constants
     p = model.Parameters(**cycle.parameters)
 
     def still(q: Any) -> Any:

@@ -82,7 +82,7 @@ def differences(cycle: ss.results.Cycle) -> tuple[float, float, float]:
         max_step=0.25,
     )
     end, matrix = whole[:4], whole[4:].reshape(4, 4)
-    flow = shooting.rate(cycle.field, cycle.state, cycle.loop.constants)
+    flow = shooting.rate(cycle.field, cycle.state, cycle.orbit.constants)
     step = np.linalg.solve(
         np.column_stack([(matrix - np.eye(4))[:, [0, 1, 3]], flow]), cycle.state - end
     )

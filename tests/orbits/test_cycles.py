@@ -103,10 +103,10 @@ def test_a_cycle_keeps_its_promises(slow: ss.results.Cycle) -> None:
 
 
 def test_both_integrators_carry_derivatives_over_a_border(slow: ss.results.Cycle) -> None:
-    duration = slow.loop.crossings()[0].t + 0.5
+    duration = slow.orbit.crossings()[0].t + 0.5
     directions = np.eye(8)[:2]  # of theta0 and mu0
     one, other = (
-        Flow(SPRAG, name).fly(slow.state, slow.loop.constants, duration, directions)
+        Flow(SPRAG, name).flow_map(slow.state, slow.orbit.constants, duration, directions)
         for name in ("heyoka", "scipy")
     )
     assert [crossing.t for crossing in one.crossings] == pytest.approx(
@@ -750,8 +750,8 @@ def test_balls_enclose_the_flow_over_a_border(
     slow: ss.results.Cycle, proving: types.SimpleNamespace
 ) -> None:
     flint, ball_flow = proving.flint, proving.ball_flow
-    first, flow = slow.loop.crossings()[0], slow.loop.flow
-    before = flow.fly(slow.state, slow.loop.constants, first.t - 0.1).state
+    first, flow = slow.orbit.crossings()[0], slow.orbit.flow
+    before = flow.flow_map(slow.state, slow.orbit.constants, first.t - 0.1).state
     with proving.ball_proof.bits(200):
         constants = list(
             SPRAG.constants([flint.arb(value) for value in slow.values], proving.ball_flow.XP)
@@ -774,7 +774,7 @@ def test_balls_enclose_the_flow_over_a_border(
         balls.carry(flint.arb(0.1))
         assert balls.smooth.mode == (1, 1, 1)
         for corner in ((1, 1, 1, 1), (-1, 1, -1, 1), (0, 0, 0, 0)):
-            there = flow.fly(before + off * np.array(corner), slow.loop.constants, 0.2 + 1e-9)
+            there = flow.flow_map(before + off * np.array(corner), slow.orbit.constants, 0.2 + 1e-9)
             for value, ball in zip(there.state, balls.box, strict=True):
                 assert abs(float(value - ball.mid())) <= float(ball.rad()) + 1e-13
         for place in places:

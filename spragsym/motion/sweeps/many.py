@@ -35,7 +35,7 @@ from ...results.result import Named, along_axes, axes_of
 from ...statics.search import rest_index
 from .. import integrators
 from ..classify import classify
-from ..measures import Course
+from ..measures import MotionStatistics
 from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, Event, Problem, out_of_range, undirected
 from ..regimes import LIMITS, Outcome, Regime
 from ..return_map import Onward
@@ -256,7 +256,7 @@ class Sweep(Named):
 
     @property
     def _items(self) -> dict[str, NDArray[Any]]:
-        return {**self.inputs, **self._told()}
+        return {**self.inputs, **self._words_and_measures()}
 
     def outcome(self, index: Any) -> Outcome:
         """What one motion comes to."""
@@ -284,11 +284,11 @@ class Sweep(Named):
         inputs = along_axes(with_degrees(self.model, self.inputs), dims, shape)
         results = {
             name: (dims, values.astype(object) if values.dtype.kind == "U" else values)
-            for name, values in self._told().items()
+            for name, values in self._words_and_measures().items()
         }
         return storage.dataset(results, inputs, self._attributes(), self._in_model_units)
 
-    def _told(self) -> dict[str, NDArray[Any]]:
+    def _words_and_measures(self) -> dict[str, NDArray[Any]]:
         ours = {"regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}
         told = {self._own(name): one for name, one in ours.items()}
         return {**self.measured, **told, **following(self)}
@@ -297,7 +297,7 @@ class Sweep(Named):
         return {**with_degrees(self.model, self.inputs), **self._of_points()}
 
     def _of_points(self) -> dict[str, NDArray[Any]]:
-        columns = {**self.inputs, **self._told()}
+        columns = {**self.inputs, **self._words_and_measures()}
         return {name: np.broadcast_to(values, self.rms.shape) for name, values in columns.items()}
 
     def _attributes(self) -> dict[str, Any]:
@@ -352,31 +352,31 @@ def measured(
     errors = [undirected(model, problem.constants, problem.start) for problem in problems]
     good = [problem for problem, error in zip(problems, errors, strict=True) if error is None]
     with np.errstate(all="ignore"):  # numbers out of range show in the result
-        courses = iter(integrators.measure(good, settings["backend"]) if good else ())
+        statistics = iter(integrators.measure(good, settings["backend"]) if good else ())
         pairs = zip(problems, errors, strict=True)
         return [
-            _record(error or next(courses), problem, settings["backend"])
+            _record(error or next(statistics), problem, settings["backend"])
             for problem, error in pairs
         ]
 
 
-def _record(course: Course | Exception, problem: Problem, backend: str) -> Record:
+def _record(statistics: MotionStatistics | Exception, problem: Problem, backend: str) -> Record:
     """What was measured and what is told of the limit, in the order of :func:`reported`."""
-    if isinstance(course, Exception):
-        return _no_result(course)
-    (mean, spread), (lost, _, *reversals) = course.moments(), course.events[: Event.STICK]
+    if isinstance(statistics, Exception):
+        return _no_result(statistics)
+    (mean, spread), (lost, _, *reversals) = statistics.moments(), statistics.events[: Event.STICK]
     values = [
         math.hypot(mean, spread),
         spread,
-        max(map(abs, course.reach)),
-        *course.means,
+        max(map(abs, statistics.reach)),
+        *statistics.means,
         lost,
         sum(reversals),
     ]
     if not np.isfinite(values).all():
         return _no_result(out_of_range())
     try:
-        outcome = classify(course, Onward(problem, backend))
+        outcome = classify(statistics, Onward(problem, backend))
     except (ConvergenceError, ArithmeticError) as error:
         return _no_result(error)
     told, field = vars(outcome) | outcome.places(), problem.field

@@ -74,7 +74,7 @@ def made_or_loaded(
     points = list(zip(*columns, strict=True))
     parallel = 1 if callable(workers) else count(workers)  # before there is a journal
 
-    def told(numbers: Any, words: Iterable[str], known: Mapping[str, Any]) -> R:
+    def assembled(numbers: Any, words: Iterable[str], known: Mapping[str, Any]) -> R:
         table = np.asarray(numbers, dtype=float).reshape(len(names), *shape)
         return made(
             {
@@ -89,7 +89,7 @@ def made_or_loaded(
         size = together(len(left), parallel)
         parts = [left[begin : begin + size] for begin in range(0, len(left), size)]
         tasks = {number: tuple(points[i] for i in part) for number, part in enumerate(parts)}
-        found = results(workers, work, tasks, partial(_told, inputs))
+        found = results(workers, work, tasks, partial(_values_of, inputs))
         with advance(progress, len(points), len(done)) as step, closing(found):
             for number, records in found:
                 for i, record in zip(parts[number], records, strict=True):
@@ -97,7 +97,7 @@ def made_or_loaded(
                     step()
         records = [done[i] for i in range(len(points))]
         table = np.array([values or [np.nan] * len(names) for values, _ in records])
-        return told(table.T, (storage.plain(words) for _, words in records), {})
+        return assembled(table.T, (storage.plain(words) for _, words in records), {})
 
     if store is None:
         kept: dict[int, Record] = {}
@@ -108,7 +108,7 @@ def made_or_loaded(
         if not target.is_file() or storage.OVERWRITING.get():
             return None
         known = storage.read_own(target, hashed)
-        return told([known[name] for name in names], known[text], known)
+        return assembled([known[name] for name in names], known[text], known)
 
     if (result := loaded()) is not None:
         clear(target, hashed, total)
@@ -121,7 +121,7 @@ def made_or_loaded(
     return result
 
 
-def _told(names: Iterable[str], points: Sequence[Point]) -> str:
+def _values_of(names: Iterable[str], points: Sequence[Point]) -> str:
     first = ", ".join(
         f"{name} = {value:.17g}" for name, value in zip(names, points[0], strict=True)
     )
@@ -147,10 +147,10 @@ def results(
     workers: Workers,
     function: Callable[[Any], Any],
     points: Mapping[int, Any],
-    told: Callable[[Any], str],
+    assembled: Callable[[Any], str],
 ) -> Generator[tuple[int, Any], None, None]:
     """Every number with the result of its point, once, in the order in which they are done;
-    ``told`` names a point in an error.
+    ``assembled`` names a point in an error.
 
     To be closed, also after an error: processes end, and Ctrl-C is what it was, when it is.
 
@@ -168,7 +168,7 @@ def results(
             check()
             index, result, trouble = _checked(answer, missing)
             if trouble:
-                raise _failed(told(points[index]), trouble)
+                raise _failed(assembled(points[index]), trouble)
             missing.discard(index)
             yield index, result
         check()

@@ -202,7 +202,7 @@ def _by_tubes(
         for column in np.flatnonzero(same):
             one, two, slot = begun[column]
             # An angle that goes around is listed once, within one turn.
-            away = np.abs(apart(states[two].q.T, there.z[:n, column], along.balance.around))
+            away = np.abs(apart(states[two].q.T, there.z[:n, column], along.balance.periodic))
             slots = np.flatnonzero((away <= there.room[:n, column]).all(axis=1))
             if slots.size == 1:
                 known[one, two][slot] = int(slots[0])

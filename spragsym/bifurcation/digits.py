@@ -116,7 +116,7 @@ def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatA
         return solved(balance, high)
     around, whole = region(balance, Intervals.between(low, high))
     return (
-        once_around(balance.around, certified_roots.search(balance, around, low, high)),
+        once_around(balance.periodic, certified_roots.search(balance, around, low, high)),
         around,
         whole,
     )

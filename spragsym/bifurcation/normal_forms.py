@@ -251,7 +251,7 @@ class _Point:
                 f"the sliding speed is 0, where the law of friction, line {line} of the model "
                 "page, has a kink"
             )
-        ways = self.mode[len(self.mode) - self.motion.ways :]
+        ways = self.mode[len(self.mode) - self.motion.torsion_sides :]
         if ways:
             levels = undecorated(self.model.algebra.turning_borders)(
                 *self.state, *constants, *ways, xp=XP

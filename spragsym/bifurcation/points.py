@@ -109,7 +109,7 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
         around = _between(around, LEAST, around[1, -1, 0])
     if alone:
         roots = settled(system, around, roots)
-    roots = once_around(balance.around, on_its_side(system, fixed, roots))
+    roots = once_around(balance.periodic, on_its_side(system, fixed, roots))
     if alone:
         roots = roots.kept(left=~shared(system, roots.left))
     return Found(roots, around, whole)
@@ -360,7 +360,7 @@ def escapes(family: Family) -> Points:
     balance, system, fixed = family.balance, _AtInfinity(family), family.begin
     # A box that holds the unit sphere.
     n, sides = balance.n, np.full((2, balance.n, 1), 1.0 + 2.0**-6)
-    sides[:, balance.around] = TURN
+    sides[:, balance.periodic] = TURN
     found, side = Roots.none(system.n), np.empty(0, dtype=np.int64)
     with suppress(NoChart), quiet():
         found = certified_roots.search(
@@ -370,7 +370,7 @@ def escapes(family: Family) -> Points:
     z = found.middle
     # Coordinates with next to no part in the direction stay finite.
     away = np.where(np.abs(z[:n]) < 1e-6, np.nan, np.copysign(np.inf, z[:n]))
-    away[balance.around] = np.nan
+    away[balance.periodic] = np.nan
     kind = np.select([side > 0, side < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
     columns = family.named(np.concatenate([away, z[n:]])) | which(balance, kind.size)
     return Points(
@@ -408,14 +408,14 @@ class _AtInfinity(OfFamily):
             for name, value in arguments.items()
         }
         return self.balance.at(
-            [Scaled(part, int(i not in self.balance.around), w) for i, part in enumerate(u)],
+            [Scaled(part, int(i not in self.balance.periodic), w) for i, part in enumerate(u)],
             scaled,
             xp=SCALED,
         )
 
     def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
         """G, |u|² − 1, and with two parameters the determinant."""
-        far = set(range(self.balance.n)) - set(self.balance.around)
+        far = set(range(self.balance.n)) - set(self.balance.periodic)
         rows = [*map(_regular, at.rows("forces")), sum((unknowns[i] ** 2 for i in far), -1)]
         if not self.order:
             return rows

@@ -219,9 +219,11 @@ def _sets(p: ParameterSet, way: Way, turns: Sequence[Points]) -> StickingStates:
             int(first[at] + there if there >= 0 else first[-1] + ~there)
             for at, there in ((stop, slot), (goal, place))
         )
-        follow = balance.around and place >= 0
+        follow = balance.periodic and place >= 0
         moved = (
-            way.moved(stop, slot, goal) if follow else apart(q[:, other], q[:, one], balance.around)
+            way.moved(stop, slot, goal)
+            if follow
+            else apart(q[:, other], q[:, one], balance.periodic)
         )
         off = TURN * np.round((q[:, one] + moved - q[:, other]) / TURN)
         behind = labels == labels[other]
@@ -247,7 +249,7 @@ def _sets(p: ParameterSet, way: Way, turns: Sequence[Points]) -> StickingStates:
         np.array([most(q[:, one], axis=1) for one in sets]).reshape(-1, len(q))
         for most in (np.min, np.max)
     )
-    for k in balance.around:
+    for k in balance.periodic:
         before = TURN * np.floor(low[:, k] / TURN + 0.5)
         low[:, k], high[:, k] = low[:, k] - before, high[:, k] - before
         whole = [bool(comes_around[k, one].any()) for one in sets]

@@ -96,7 +96,7 @@ def line(p: ParameterSet) -> StickingStates | None:
         raise ConvergenceError(
             "whether friction is at its limit or beyond it is not known; change a parameter"
         )
-    reach = TURN / 2 if free[0] in it.balance.around else np.inf
+    reach = TURN / 2 if free[0] in it.balance.periodic else np.inf
     ends: list[tuple[Intervals, ...]] = [(one, one) for one in found]
     ends.insert(free[0], (Intervals.point(np.full(1, -reach)), Intervals.point(np.full(1, reach))))
     return _result(p, ends, [])

@@ -351,7 +351,7 @@ class ClaimOfStates(Claim):
             around = around.copy()
             around[:, :, new], whole[new] = region(balance, bounds[:, new])
         found = once_around(
-            balance.around,
+            balance.periodic,
             certified_roots.search(
                 balance, around, parts.low, parts.high, budget=600, narrow=2.0**-20
             ),

@@ -11,7 +11,7 @@ __getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
 _MODULES = {
     ".kang_nam.quartic.solver": ("equilibria", "count"),
     ".kang_nam.quartic.adaptive_precision": ("precise_equilibria",),
-    ".kang_nam.states": ("linked", "open_ends", "aloft", "rest_index", "cases"),
+    ".kang_nam.states": ("linked", "open_ends", "airborne", "rest_index", "cases"),
     ".kang_nam.folds": ("folds",),
     ".kang_nam.cusps": ("cusps", "precise_cusps"),
     ".kang_nam.flutter": ("flutter_onsets",),

@@ -31,7 +31,7 @@ _energy: Any = unwrap(algebra.energy)
 POINTS = 200
 
 
-def aloft(constants: tuple[float, ...], state: FloatArray) -> bool:
+def airborne(constants: tuple[float, ...], state: FloatArray) -> bool:
     """Whether a state is in a well of the energy above the belt that it can't leave."""
     from ..results import EquilibriumType
     from .quartic.solver import equilibria

@@ -154,20 +154,20 @@ class Field:
     where : str
         What :func:`spragsym.load` takes for its model, by which it is made once more in another
         process; empty where none does.
-    ways : int
+    torsion_sides : int
         How many numbers at the end of a mode go with the place alone.
     faces : tuple of int
         Places in a mode that do too: of contacts that press on either of two faces, and of several
         contacts, any of which may be open at rest, of all.
-    curved : bool
+    nonlinear_levels : bool
         Whether a level is no linear function of the state.
-    around : tuple of int
+    periodic : tuple of int
         Places of coordinates that are angles after a turn of which all is as before.
     model : Model or None
         Whose motion it is; None of one that is of no page.
-    aloft : callable or None
-        ``aloft(constants, state)``: whether a motion is above the belt for good; None where that is
-        not known.
+    airborne : callable or None
+        ``airborne(constants, state)``: whether a motion is above the belt for good; None where that
+        is not known.
     units : tuple of str, length n
         Units of the coordinates: those of one unit have one scale, those in rad have the scale 1.
     lengths : callable
@@ -196,12 +196,12 @@ class Field:
     exact: Callable[[Mode], Mode] = tuple
     forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
     where: str = ""
-    ways: int = 0
+    torsion_sides: int = 0
     faces: tuple[int, ...] = ()
-    curved: bool = False
-    around: tuple[int, ...] = ()
+    nonlinear_levels: bool = False
+    periodic: tuple[int, ...] = ()
     model: Any = None
-    aloft: Callable[[Values, FloatArray], bool] | None = None
+    airborne: Callable[[Values, FloatArray], bool] | None = None
     units: tuple[str, ...] = ()
     lengths: Callable[[Sequence[float], Values], Sequence[float]] = lambda *_: ()
     sized: Callable[[tuple[float, ...]], Field] | None = None
@@ -220,20 +220,20 @@ class Field:
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
         """The first mode, but for the numbers that go with the place, which are as at the state."""
         first = self.modes[0]
-        if not (self.ways or self.faces):
+        if not (self.torsion_sides or self.faces):
             return first
-        here, last = self.initial_mode(state, constants), len(first) - self.ways
+        here, last = self.initial_mode(state, constants), len(first) - self.torsion_sides
         with_place = {*self.faces, *range(last, len(first))}
         return tuple(here[k] if k in with_place else own for k, own in enumerate(first))
 
     @cached_property
-    def holding(self) -> tuple[Border, ...]:
+    def sticking_borders(self) -> tuple[Border, ...]:
         """The borders on which a motion may stay, as where friction holds."""
         return tuple(border for border in self.borders if border.stays)
 
     def stays(self, mode: Mode) -> tuple[Border, ...]:
         """Those on which it stays in a mode."""
-        return tuple(border for border in self.holding if not border.sign(mode))
+        return tuple(border for border in self.sticking_borders if not border.sign(mode))
 
     def check(self, name: str, value: float) -> None:
         """An error where a parameter may not have a value."""
@@ -301,19 +301,19 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
         model.Parameters,
         lambda mode: (*mode[: motion.near], *(1,) * motion.layers, *mode[motion.turn :]),
         where=model.where,
-        ways=motion.torsions,
+        torsion_sides=motion.torsions,
         faces=motion.faces
         if len(motion.contacts) == 1
         else tuple(k for k, entry in enumerate(motion.contacts) if entry["border"]),
         forces=tuple(forces.told_of(model).items()),
-        curved=model.about.get("curved", False),
-        around=tuple(
+        nonlinear_levels=model.about.get("curved", False),
+        periodic=tuple(
             place
             for place, entry in enumerate(model.about["coordinates"])
             if entry.get("comes_around")
         ),
         model=model,
-        aloft=model.closed_form("aloft"),
+        airborne=model.closed_form("airborne"),
         units=tuple(entry["unit"] for entry in model.about["coordinates"]),
         lengths=motion.lengths,
         sized=partial(field_of, model, reach),
@@ -334,7 +334,7 @@ def exact_field(where: str) -> Field:
             "the contact law is no polynomial: it has no continuation beyond its border, "
             "which proofs need"
         )
-    if model.field.holding:
+    if model.field.sticking_borders:
         raise ParameterError(
             "friction holds the mass where nothing slides, and proofs of cycles do not take "
             "in that it sticks"
@@ -439,13 +439,13 @@ class _Motion:
             for depth in undecorated(algebra.layers)(*state, *constants, *sides)
         )
         turn = [2 * (state[n + self._gap(contact)] >= 0) - 1 for contact in self.turns]
-        ways = (2 * (sine >= 0) - 1 for sine, _ in self._turned(state, constants))
+        torsion_sides = (2 * (sine >= 0) - 1 for sine, _ in self._turned(state, constants))
         # A law that is no polynomial begins without contact on the border itself.
         pushing = (
             1 * (gap <= -shift) if entry["border"] else 1
             for gap, shift, entry in zip(gaps, self.shifts, self.contacts, strict=True)
         )
-        mode = *pushing, *sides, *near, *turn, *ways
+        mode = *pushing, *sides, *near, *turn, *torsion_sides
         still = [place for place in self.holding if abs(slips[place]) <= self.still[place]]
         return self._settled(mode, state, constants, still) if still else mode
 

@@ -62,7 +62,11 @@ def classify(statistics: MotionStatistics, onward: Onward, tol: float = SETTLED)
         there = replace(onward, problem=scales.problem(problem))
         return scales.outcome(classify(scales.inverse.statistics(statistics), there, tol))
     apart = not statistics.events[CONTACT].any()
-    if apart and problem.field.aloft and problem.field.aloft(problem.constants, statistics.last):
+    if (
+        apart
+        and problem.field.airborne
+        and problem.field.airborne(problem.constants, statistics.last)
+    ):
         found = Outcome(Regime.LIFT_OFF)
     else:
         sought = (
@@ -104,7 +108,7 @@ def at_rest(statistics: MotionStatistics, problem: Problem, tol: float) -> Outco
     rest = rest_near(problem, statistics.last[:n] if still else statistics.means)
     if rest is None:
         return None
-    place = tuple(in_one_turn(rest.state[:n], problem.field.around).tolist())
+    place = tuple(in_one_turn(rest.state[:n], problem.field.periodic).tolist())
     growth = -rest.rate
     late = statistics.maxima[statistics.maxima_t >= (statistics.begin + statistics.end) / 2]
     distance = magnitude(np.vstack([late, statistics.last]) - rest.state)

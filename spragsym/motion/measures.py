@@ -74,7 +74,7 @@ def statistics_of(
     extrema = np.concatenate([x[[0, -1]], maxima[:, lead], minima[:, lead]])
     late = highest[-KEPT:]
     turning = PiecewisePolynomial(t, np.sin(x[None] / 2))
-    passed = np.sort(turning.zeros() if lead in field.around else late[:0])[-KEPT:]
+    passed = np.sort(turning.zeros() if lead in field.periodic else late[:0])[-KEPT:]
     return MotionStatistics(
         float(t[0]),
         float(t[-1]),

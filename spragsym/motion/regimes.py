@@ -174,7 +174,7 @@ def sets_of_rest(p: ParameterSet) -> Sets:
     """The sets of states in which friction holds the mass where nothing moves, each of them one
     attractor; none where the belt moves, friction holds nothing, or not all are told apart.
     """
-    if not p.model.field.holding:
+    if not p.model.field.sticking_borders:
         return ()
     try:
         found = sticking_states(p)
@@ -203,15 +203,17 @@ def same_limit(
         return False
     if one.limit not in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE):
         return True
-    around = field.around
+    periodic = field.periodic
     state = one.cycle or (*one.rest, *(0.0,) * len(one.rest))
     units = scales_of(field, constants, state).states
     if one.limit == Regime.EQUILIBRIUM:
         units = units[: len(one.rest)]
         near = SAME * (1 + magnitude(one.rest / units))
-        if magnitude(apart(one.rest, other.rest, around) / units) < near:
+        if magnitude(apart(one.rest, other.rest, periodic) / units) < near:
             return True
-        places = {_sets_that_hold(each.rest, sets(), around, near * units) for each in (one, other)}
+        places = {
+            _sets_that_hold(each.rest, sets(), periodic, near * units) for each in (one, other)
+        }
         return len(places) == 1 and len(places.pop()) == 1
     # Two cycles, by period, averages, and the one state that stands for each, all found by Newton's
     # method.
@@ -221,7 +223,7 @@ def same_limit(
     averages = np.subtract([one.cycle_mean, one.cycle_rms], [other.cycle_mean, other.cycle_rms])
     off = magnitude(
         [
-            *apart(one.cycle, other.cycle, around) / units,
+            *apart(one.cycle, other.cycle, periodic) / units,
             *(() if turns[0] else averages / units[0]),
         ]
     )
@@ -235,13 +237,13 @@ def same_limit(
 
 
 def _sets_that_hold(
-    rest: Sequence[float], sets: Sets, around: Sequence[int], near: FloatArray
+    rest: Sequence[float], sets: Sets, periodic: Sequence[int], near: FloatArray
 ) -> tuple[int, ...]:
     """Rows of the sets whose boxes hold a place; boxes of several may meet."""
 
     def inside(place: int, low: float, high: float) -> bool:
         value, room = rest[place], float(near[place])
-        if place in around:  # the angle of a whole turn that is behind the lower end
+        if place in periodic:  # the angle of a whole turn that is behind the lower end
             value = low + (value - low + room) % TURN - room
         return low - room <= value <= high + room
 

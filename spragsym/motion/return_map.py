@@ -198,7 +198,9 @@ class Closed:
 
     def scaled(self, states: FloatArray) -> FloatArray:
         """Its own or other states of the section, in whole turns near, in units of the scale."""
-        return section(_near(states, self.state, self.orbit.field.around), self.fixed) / self.scale
+        return (
+            section(_near(states, self.state, self.orbit.field.periodic), self.fixed) / self.scale
+        )
 
     def returned(self, places: FloatArray) -> FloatArray:
         """The return map: where motions from places on the section next meet it, after about a
@@ -265,20 +267,20 @@ def leads(statistics: MotionStatistics, problem: Problem) -> bool:
 
 def on_cycle(statistics: MotionStatistics, onward: Onward, tol: float) -> Outcome | None:
     """The cycle that the motion is on, or winds onto."""
-    around, lead = onward.problem.field.around, statistics.lead
+    periodic, lead = onward.problem.field.periodic, statistics.lead
     # An x that turns around and never back has no maxima.
-    turning = len(statistics.maxima) < FEWEST and lead in around
+    turning = len(statistics.maxima) < FEWEST and lead in periodic
     fixed = lead if turning else len(statistics.last) // 2 + lead
     times, places = _marks(statistics, fixed)
     if len(times) < FEWEST:
         return None
-    places = _near(places, places[-1], around)
+    places = _near(places, places[-1], periodic)
     places[:, fixed] = 0.0
     states = section(places, fixed)
     # Extents of x, y and y' over all turning points; those across the belt count as 1 % of that
     # along it, or of a turn, at least.
     extent = np.ptp(
-        section(_near(np.vstack([places, statistics.minima]), places[-1], around), fixed), axis=0
+        section(_near(np.vstack([places, statistics.minima]), places[-1], periodic), fixed), axis=0
     )
     scale = np.maximum(extent, 1e-2 * (TURN if turning else extent[lead]) + 1e-300)
     states /= scale
@@ -297,9 +299,9 @@ def on_cycle(statistics: MotionStatistics, onward: Onward, tol: float) -> Outcom
     return None
 
 
-def _near(states: FloatArray, place: FloatArray, around: tuple[int, ...]) -> FloatArray:
+def _near(states: FloatArray, place: FloatArray, periodic: tuple[int, ...]) -> FloatArray:
     """States with periodic coordinates shifted by whole turns nearer to a place."""
-    return place + apart(states, place, around)
+    return place + apart(states, place, periodic)
 
 
 def _candidates(states: FloatArray) -> Iterator[int]:
@@ -408,7 +410,7 @@ def _described(cycle: Closed, regime: Regime, rate: float, distance: float) -> O
     """
     orbit, fixed, (mean, rms) = cycle.orbit, cycle.fixed, cycle.orbit.moments()
     others = () if fixed == orbit.field.lead else (turn.state for turn in orbit.maxima())
-    maxima = in_one_turn(np.array([cycle.state, *others]), orbit.field.around)
+    maxima = in_one_turn(np.array([cycle.state, *others]), orbit.field.periodic)
     # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle
     # has one such state.
     for place, scale in zip(

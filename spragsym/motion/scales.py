@@ -310,8 +310,8 @@ def scaled(field: Field, scales: MotionScales) -> Field:
 
         return found
 
-    def aloft(constants: Values, state: FloatArray) -> bool:
-        return bool(inner.aloft and inner.aloft(constants, state * scales.states))
+    def airborne(constants: Values, state: FloatArray) -> bool:
+        return bool(inner.airborne and inner.airborne(constants, state * scales.states))
 
     def border(that: Border, size: float) -> Border:
         def level(state: Any, constants: Any, mode: Mode) -> Any:
@@ -356,7 +356,7 @@ def scaled(field: Field, scales: MotionScales) -> Field:
             (name, lambda states, constants, force=force: force(np.array(at(states)), constants))
             for name, force in inner.forces
         ),
-        aloft=aloft if inner.aloft else None,
+        airborne=airborne if inner.airborne else None,
         lengths=lambda *_: (),
         natural=field,
         scales=scales,

@@ -151,7 +151,7 @@ class Orbit:
         """Ends of the mesh intervals less the beginnings of the next: what comes around closes
         after whole turns.
         """
-        return apart(self.ends, np.roll(self.states, -1, axis=0), self.field.around)
+        return apart(self.ends, np.roll(self.states, -1, axis=0), self.field.periodic)
 
     @property
     def largest_gap(self) -> float:
@@ -162,7 +162,7 @@ class Orbit:
     def windings(self) -> dict[int, int]:
         """Turns in one round, by the places of coordinates that come around."""
         moved = (self.ends - self.states).sum(axis=0) / TURN
-        return {place: round(float(moved[place])) for place in self.field.around}
+        return {place: round(float(moved[place])) for place in self.field.periodic}
 
     @property
     def winding(self) -> int:
@@ -559,7 +559,7 @@ def _divided(orbit: Orbit, rounds: int) -> Orbit | None:
     rests any time closes it: the shorter one has the same ranges, or is another.
     """
     errors, ranges = orbit.errors[:-1], _ranges(orbit)
-    off = np.abs(apart(orbit.at(orbit.period / rounds), orbit.state, orbit.field.around))
+    off = np.abs(apart(orbit.at(orbit.period / rounds), orbit.state, orbit.field.periodic))
     if not (off <= np.maximum(ONE * ranges, 10 * errors)).all():
         return None
     near = RANGES * ranges + SURE * errors

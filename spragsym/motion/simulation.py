@@ -546,7 +546,7 @@ class Trajectory(Named):
         """
         field, constants = self.model.field, self._arguments()
         slips = self._levels()[1]
-        if not field.holding:
+        if not field.sticking_borders:
             return np.where(slips >= 0, 1, -1)
         first = len(self.model.contacts)
         sides = slice(first, first + len(slips))

@@ -96,7 +96,7 @@ def _through(
     columns: FloatArray | None,
 ) -> tuple[Mode, tuple[Crossing, ...]]:
     """:func:`passed` through one border, and what begins or ends to stick with it."""
-    if problem.field.holding:
+    if problem.field.sticking_borders:
         project(problem, mode, state, None)
     border, constants = problem.field.borders[row], problem.constants
     last = border.beyond(mode, np.asarray(state).tolist(), constants)

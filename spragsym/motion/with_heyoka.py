@@ -242,7 +242,7 @@ class BatchIntegrator:
         self.constants = len(seen[1])
         lead = field.lead
         rates = [(-1, seen[0][len(field.coordinates) + lead])] if turning or measured else []
-        if measured and lead in field.around:
+        if measured and lead in field.periodic:
             rates.append((PASSAGE, hy.sin(seen[0][lead] / 2.0)))
         if turning:
             rates += [
@@ -563,7 +563,7 @@ def tolerance(problem: Problem) -> float:
 
 
 def _tightened(field: Field, tol: float) -> float:
-    return min(tol, CURVED) if field.curved else tol
+    return min(tol, CURVED) if field.nonlinear_levels else tol
 
 
 def integrate(problem: Problem) -> Solution:

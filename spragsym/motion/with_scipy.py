@@ -294,7 +294,7 @@ class Flight:
 
 def tolerance(problem: Problem, stiff: bool = False) -> float:
     """Relative tolerance of a step of DOP853, or of Radau where the motion is stiff."""
-    if problem.field.curved and problem.field.holding and not stiff:
+    if problem.field.nonlinear_levels and problem.field.sticking_borders and not stiff:
         return RTOL  # what stays on a curved border is kept there by the equations of motion alone
     return max(problem.rtol, IMPLICIT * stiff)
 

@@ -25,19 +25,19 @@ def norm(numbers: Any) -> float:
     return float(np.linalg.norm(numbers))
 
 
-def apart(one: Any, other: Any, around: Sequence[int]) -> FloatArray:
-    """One state less another, numbers along the last axis; of coordinates that come ``around`` the
-    shorter way.
+def apart(one: Any, other: Any, periodic: Sequence[int]) -> FloatArray:
+    """One state less another, numbers along the last axis; of coordinates that come ``periodic``
+    the shorter way.
     """
     off: FloatArray = np.subtract(one, other, dtype=float)
-    for place in around:
+    for place in periodic:
         off[..., place] -= TURN * np.round(off[..., place] / TURN)
     return off
 
 
-def in_one_turn(state: FloatArray, around: Sequence[int]) -> FloatArray:
+def in_one_turn(state: FloatArray, periodic: Sequence[int]) -> FloatArray:
     """The state with periodic coordinates in the turn from :data:`BEGIN` on."""
     found = np.array(state, dtype=float)
-    for place in around:
+    for place in periodic:
         found[..., place] -= TURN * np.floor((found[..., place] - BEGIN) / TURN)
     return found

@@ -123,7 +123,7 @@ def same(one: Attractor, other: Attractor) -> bool:
         return one.kind == other.kind
     if one.orbit is None or other.orbit is None:
         states = one.system.scales(one.state).states
-        off = apart(one.state, other.state, one.system.field.around) / states
+        off = apart(one.state, other.state, one.system.field.periodic) / states
         return magnitude(off) < SAME * (1 + magnitude(one.state / states))
     return same_cycle(one.orbit, other.orbit)
 

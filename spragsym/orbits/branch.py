@@ -315,7 +315,7 @@ def cycle_branch(
             f"between = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; "
             "give one"
         )
-    if cycle.field.clock and cycle.field.holding:
+    if cycle.field.clock and cycle.field.sticking_borders:
         raise ModelError(
             "cycle_branch is not answered yet where friction that holds meets a clock; ask "
             "cycle(p, turns=1) at each value, or write a law that is steep at rest, as "

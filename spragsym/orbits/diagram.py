@@ -370,13 +370,13 @@ def _labels(rest: FixedPoints, line: Sequence[Point], number: int) -> Iterator[L
 
 def _passes(line: Sequence[Point], point: Point) -> bool:
     """Whether a branch passes through a point."""
-    place, around = point.orbit.state, point.orbit.field.around
+    place, periodic = point.orbit.state, point.orbit.field.periodic
     for end in (line[0], line[-1]):  # it ends within a step of a border, which the point may be on
         off = abs(end.value - point.value) / point.setting.spans[0]
-        if max(off, magnitude(apart(place, end.orbit.state, around))) <= 2 * SHORTEST:
+        if max(off, magnitude(apart(place, end.orbit.state, periodic))) <= 2 * SHORTEST:
             return True
     for one, other in pairwise(line):
-        near = magnitude(apart(place, one.orbit.state, around)) < 2 * LONGEST
+        near = magnitude(apart(place, one.orbit.state, periodic)) < 2 * LONGEST
         if (
             near
             and (one.value - point.value) * (other.value - point.value) <= 0
@@ -384,7 +384,7 @@ def _passes(line: Sequence[Point], point: Point) -> bool:
         ):
             with suppress(ConvergenceError):
                 met = placed(one, point.value, other.coordinates - one.coordinates).orbit.state
-                if magnitude(apart(place, met, around)) < ONE:
+                if magnitude(apart(place, met, periodic)) < ONE:
                     return True
     return False
 

@@ -323,7 +323,9 @@ class _FateSamples:
         def unlike(fate: _Fate) -> tuple[float, float]:
             """Difference of two periods, as a logarithm, 0 for what has none; and of two states."""
             one, other = fate.verdict.outcome, verdict.outcome
-            off = apart(one.rest or one.cycle, other.rest or other.cycle, self.system.field.around)
+            off = apart(
+                one.rest or one.cycle, other.rest or other.cycle, self.system.field.periodic
+            )
             states = self.scales(value).states[: len(off)]
             periods = one.period > 0 and other.period > 0
             return (
@@ -619,7 +621,7 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     growth, how near they come.
     """
     samples = bracket.samples
-    system, around = samples.at(bracket.middle), samples.system.field.around
+    system, periodic = samples.at(bracket.middle), samples.system.field.periodic
     scales = samples.scales(bracket.middle)
     t_end = JUDGED[0] * scales.time
     one, other = (
@@ -643,14 +645,14 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     for state in states:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, scales.states * state)
-            away = magnitude(apart(state, saddle.state / scales.states, around))
+            away = magnitude(apart(state, saddle.state / scales.states, periodic))
             if saddle.attracts and away < CLOSE:
                 rests[away] = saddle
     if rests:
         off, rest = min(rests.items())
         return "equilibrium", rest.state, rest.growth, off
     extent = np.ptp(states, axis=0).max()
-    for begin, end in returns(hovering.extrema, around):
+    for begin, end in returns(hovering.extrema, periodic):
         with suppress(ConvergenceError):
             cycle = cycle_at(own, begin.state, end.t - begin.t)
             growth = growth_of_cycle(cycle)

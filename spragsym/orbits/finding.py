@@ -306,10 +306,10 @@ def _by_returns(system: System, extrema: Sequence[Extremum]) -> Orbit | None:
     """The first closed orbit that Newton's method finds from two states that are alike: with the
     first one, the last one, any.
     """
-    around = system.field.around
-    for begin, end in [pair for row in (0, -1, None) for pair in returns(extrema, around, row)]:
+    periodic = system.field.periodic
+    for begin, end in [pair for row in (0, -1, None) for pair in returns(extrema, periodic, row)]:
         with suppress(ConvergenceError):
-            state = in_one_turn(begin.state, around)
+            state = in_one_turn(begin.state, periodic)
             orbit = _from_guess(system.flow, Iterate(state[None], end.t - begin.t, system.values))
             if not _rests(orbit):
                 return orbit
@@ -317,7 +317,7 @@ def _by_returns(system: System, extrema: Sequence[Extremum]) -> Orbit | None:
 
 
 def returns(
-    extrema: Sequence[Extremum], around: tuple[int, ...], row: int | None = None
+    extrema: Sequence[Extremum], periodic: tuple[int, ...], row: int | None = None
 ) -> list[tuple[Extremum, Extremum]]:
     """Pairs of alike states, largest in the leading coordinate: of each number of rounds the
     nearest, or the first one (0), or the last one (−1).
@@ -333,7 +333,7 @@ def returns(
     )
     scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
     for rounds in range(1, min(len(highest), ROUNDS)):
-        off = np.abs(apart(states[rounds:], states[:-rounds], around) / scale).max(axis=1)
+        off = np.abs(apart(states[rounds:], states[:-rounds], periodic) / scale).max(axis=1)
         i = int(off.argmin()) if row is None else row % len(off)
         if off[i] < best / 2:
             best = float(off[i])

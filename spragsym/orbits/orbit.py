@@ -276,7 +276,7 @@ def _cycle_of(orbit: Orbit) -> Cycle:
     """The same in the orbit's units but for the errors, which are in the model's."""
     orbit = least_period(orbit.bound().with_lead())
     orbit = refined(orbit, _top(orbit))
-    if orbit.field.holding and not _carries_its_flow(orbit):
+    if orbit.field.sticking_borders and not _carries_its_flow(orbit):
         # It may begin as it passes a jump of the field, which derivatives then lack.
         aside = integrated(
             orbit.flow, remeshed(orbit, len(orbit.states), ASIDE * orbit.guess.interval)
@@ -330,7 +330,7 @@ def distance(cycle: Cycle, state: FloatArray) -> float:
     """Distance of a state to the nearest sample of a cycle, but for whole turns, in units of the
     motion.
     """
-    off = apart(cycle.samples.states.T, state, cycle.field.around) / units_of(cycle)
+    off = apart(cycle.samples.states.T, state, cycle.field.periodic) / units_of(cycle)
     return float(np.abs(off).max(axis=1).min())
 
 

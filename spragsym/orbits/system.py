@@ -294,7 +294,7 @@ class FixedPoints:
         """State, constants and mode, whose last numbers go with the place."""
         numbers = state.tolist()
         own = self.field.initial_mode(numbers, constants)
-        kept = len(own) - self.field.ways
+        kept = len(own) - self.field.torsion_sides
         return numbers, constants, (self.mode or own)[:kept] + own[kept:]
 
     def flow_map(

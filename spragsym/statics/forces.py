@@ -115,10 +115,10 @@ class Forces:
                 self.border[self.pushing[k], self.coordinates.index(gap)] = 0.0
         #: Numbers of coordinates that are angles after a turn of which all is as before: one turn
         #: of each is searched.
-        self.around = [
+        self.periodic = [
             place for place, entry in enumerate(about["coordinates"]) if entry.get("comes_around")
         ]
-        self.border[:, self.around] = TURN
+        self.border[:, self.periodic] = TURN
         #: Beyond them the forces are not asked for.
         self.limits = (
             np.full((2, self.n), np.inf)

@@ -149,7 +149,7 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     order, slot = _in_slots(found)
     found = found.kept(order)
     point = found.point
-    off = apart(found.middle.T, states[:, point].T, balance.around)
+    off = apart(found.middle.T, states[:, point].T, balance.periodic)
     away = np.linalg.norm(off, axis=1) / (1 + np.linalg.norm(states[:, point], axis=0))
     index = np.full(states.shape[1], -1)
     nearest_last = np.argsort(-away, kind="stable")
@@ -186,7 +186,7 @@ def solved(
     rest = np.flatnonzero(~(turning | done))
     others = _by_boxes(balance, given[:, rest], around[:, :, rest]).numbered(rest)
     found = refined(balance, given, turned.then(stiff, others))
-    return once_around(balance.around, on_its_side(balance, given, found)), around, whole
+    return once_around(balance.periodic, on_its_side(balance, given, found)), around, whole
 
 
 def _in_slots(found: Roots) -> tuple[IndexArray, IntArray]:

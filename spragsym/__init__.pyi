@@ -49,7 +49,7 @@ from .orbits import fate_map as fate_map
 from .orbits import lyapunov as lyapunov
 from .orbits.diagram import diagram as diagram
 from .papers import check as check
-from .report import Study as Study
+from .report.study import Study as Study
 from .results.equilibria import EquilibriumType as EquilibriumType
 from .results.files import open as open
 from .statics.equilibria import count as count

@@ -18,7 +18,6 @@ from ..command_line import option_name, options_of
 from ..core.errors import ParameterError, hint
 from ..core.remarks import Remark
 from ..display import columns_of_class, own_name
-from ..files.text import brake_text
 from ..models.model import Model
 from ..models.parameters import FloatArray, ParameterSet, Range, Ranges, as_number
 from ..models.quantities import Quantities, quantities
@@ -26,7 +25,7 @@ from ..results import Equilibria
 from ..results.result import titled
 
 if TYPE_CHECKING:
-    from ..report import Study
+    from ..report.study import Study
 
 #: What JSON and a table say of one thing, by its columns; a title, and what one of the model's own
 #: units is there.
@@ -340,16 +339,14 @@ def study_of(path: str | Path, model: str | None, trust: bool, *, warn: bool = T
     """The data of a brake, for the model that the command names if it names one; with warnings of
     what numbers may mean.
     """
-    brake_text(path)  # refused before anything large is loaded
-    from ..report import Study
     from ..report.data import read_brake
 
-    trusted = trust or model or False
-    study = (
-        Study.from_file(path, trust=trusted)
-        if warn
-        else Study.of(**vars(read_brake(path, trusted)))
-    )
+    brake = read_brake(path, trust or model or False)  # refused before anything large is loaded
+    from ..report.study import Study, warn_of
+
+    study = Study.of(**vars(brake))
+    if warn:
+        warn_of(study)
     plain = study.undamped().model
     if model not in (None, study.model, plain):
         raise ParameterError(f"--model {model}: {path} is about {plain}; leave one of the two out")

@@ -34,7 +34,7 @@ from .case import COUNT, Case, Span, in_degrees, is_typed, study_of
 from .output import print_json, refuse
 
 if TYPE_CHECKING:
-    from ..report import Study
+    from ..report.study import Study
 
 #: What makes an option of a command.
 Decorator: TypeAlias = Callable[[Any], Any]

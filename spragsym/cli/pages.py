@@ -27,8 +27,8 @@ from .output import drawn, print_json, print_rows, refuse, write
 
 if TYPE_CHECKING:
     from ..models import Model
-    from ..report import Study
     from ..report.over import Verdicts
+    from ..report.study import Study
 
 
 @o.command()

@@ -144,9 +144,6 @@ def dependence(names: Sequence[str], correlation: Correlation | None) -> Depende
     >>> found.titles, found.corners()[:, :2].tolist()
     (('k, k_x', 'mu0'), [[0.0, 0.0], [0.0, 0.0], [1.0, 1.0], [1.0, 1.0]])
     """
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
     matrix = np.eye(len(names))
     for pair, given in (correlation or {}).items():
         if not (
@@ -165,15 +162,14 @@ def dependence(names: Sequence[str], correlation: Correlation | None) -> Depende
         matrix[i, j] = matrix[j, i] = as_number(
             f"correlation of {', '.join(pair)}", given, _ALLOWED
         )
-    _, label = connected_components(coo_array(matrix != 0), directed=False)
+    together = np.linalg.matrix_power(matrix != 0, len(names))  # by chains of pairs
     factors = {}
-    for one in dict.fromkeys(label.tolist()):
-        group = tuple(np.flatnonzero(label == one).tolist())
+    for group in dict.fromkeys(tuple(np.flatnonzero(row).tolist()) for row in together):
         values, vectors = np.linalg.eigh(matrix[np.ix_(group, group)])
         if values[0] < -_SINGULAR:
-            together = ", ".join(names[i] for i in group)
+            listed = ", ".join(names[i] for i in group)
             raise ParameterError(
-                f"the correlations of {together} can't all be true at once (their matrix has "
+                f"the correlations of {listed} can't all be true at once (their matrix has "
                 f"the eigenvalue {values[0]:.3g}); "
                 "give smaller ones, or those of all pairs"
             )

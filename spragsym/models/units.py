@@ -4,73 +4,93 @@ one.
 
 from __future__ import annotations
 
+import ast
+import math
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
 from functools import cache, lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..core.errors import ParameterError, ParameterTypeError
 
-if TYPE_CHECKING:
-    import pint
+
+@dataclass(frozen=True)
+class Measure:
+    """A unit of measure: its size in SI, and its powers of kilogram, metre, second and radian."""
+
+    size: Fraction | float
+    powers: tuple[Fraction, ...] = (Fraction(0),) * 4
+
+    def times(self, other: Measure, power: Fraction | float = 1) -> Measure:
+        """The product with a power of another unit."""
+        of = Fraction(power)
+        powers = (one + of * more for one, more in zip(self.powers, other.powers, strict=True))
+        return Measure(self.size * other.size**of, tuple(powers))
+
 
 # ------------------------------------------------------------------------------------- their words
 
-#: Prefixes of SI, and the units that take them, each with its long names.
+#: Prefixes of SI.
 _PREFIXES = {
-    "n": "nano",
-    "u": "micro",
-    "µ": "micro",
-    "μ": "micro",
-    "m": "milli",
-    "c": "centi",
-    "d": "deci",
-    "da": "deca",
-    "h": "hecto",
-    "k": "kilo",
-    "M": "mega",
-    "G": "giga",
+    "n": ("nano", "1e-9"),
+    "u": ("micro", "1e-6"),
+    "µ": ("micro", "1e-6"),
+    "μ": ("micro", "1e-6"),
+    "m": ("milli", "1e-3"),
+    "c": ("centi", "1e-2"),
+    "d": ("deci", "1e-1"),
+    "da": ("deca", "1e1"),
+    "h": ("hecto", "1e2"),
+    "k": ("kilo", "1e3"),
+    "M": ("mega", "1e6"),
+    "G": ("giga", "1e9"),
 }
-_WITH_PREFIX = {
-    "m": ("meter", "metre"),
-    "g": ("gram",),
-    "s": ("second",),
-    "N": ("newton",),
-    "Pa": ("pascal",),
-    "J": ("joule",),
-    "W": ("watt",),
-    "Hz": ("hertz",),
-    "rad": ("radian",),
+#: Units that take them: symbol, size in SI, powers, and long names.
+_WITH_PREFIX: dict[str, tuple[str, tuple[int, ...], tuple[str, ...]]] = {
+    "m": ("1", (0, 1, 0, 0), ("meter", "metre")),
+    "g": ("1e-3", (1, 0, 0, 0), ("gram",)),
+    "s": ("1", (0, 0, 1, 0), ("second",)),
+    "N": ("1", (1, 1, -2, 0), ("newton",)),
+    "Pa": ("1", (1, -1, -2, 0), ("pascal",)),
+    "J": ("1", (1, 2, -2, 0), ("joule",)),
+    "W": ("1", (1, 2, -3, 0), ("watt",)),
+    "Hz": ("1", (0, 0, -1, 0), ("hertz",)),
+    "rad": ("1", (0, 0, 0, 1), ("radian",)),
 }
-#: Units without a prefix: what pint calls each, and the words that mean it.
-_ALONE = {
-    "metric_ton": ("t", "tonne", "metric_ton"),
-    "short_ton": ("short_ton",),
-    "pound": ("lb", "lbs", "pound", "pounds", "lbm", "pound_mass"),
-    "grain": ("grain", "grains"),
-    "slug": ("slug", "slugs"),
-    "inch": ("in", "inch", "inches"),
-    "foot": ("ft", "foot", "feet"),
-    "yard": ("yd", "yard", "yards"),
-    "thou": ("thou",),
-    "mile": ("mi", "mile", "miles"),
-    "pound_force": ("lbf", "pound_force", "force_pound"),
-    "kilogram_force": ("kgf", "kp", "kilogram_force", "force_kilogram"),
-    "kip": ("kip",),
-    "psi": ("psi", "pound_force_per_square_inch"),
-    "ksi": ("ksi", "kip_per_square_inch"),
-    "bar": ("bar",),
-    "millibar": ("mbar", "millibar"),
-    "degree": ("deg", "degree", "degrees", "°"),
-    "arcminute": ("arcmin", "arcminute", "arcminutes"),
-    "gon": ("gon", "grade"),
-    "turn": ("turn", "rev", "revolution"),
-    "rpm": ("rpm", "revolutions_per_minute"),
-    "minute": ("min", "minute", "minutes"),
-    "hour": ("h", "hr", "hour", "hours"),
+#: Units without a prefix: name, size in another unit, and the words that mean it. The inch and the
+#: pound are those of 1959, the standard gravity that of 1901.
+_ALONE: dict[str, tuple[str | float, str, tuple[str, ...]]] = {
+    "metric_ton": ("1000", "kg", ("t", "tonne", "metric_ton")),
+    "pound": ("0.45359237", "kg", ("lb", "lbs", "pound", "pounds", "lbm", "pound_mass")),
+    "short_ton": ("2000", "pound", ("short_ton",)),
+    "grain": ("1/7000", "pound", ("grain", "grains")),
+    "inch": ("0.0254", "m", ("in", "inch", "inches")),
+    "foot": ("12", "inch", ("ft", "foot", "feet")),
+    "yard": ("36", "inch", ("yd", "yard", "yards")),
+    "thou": ("1e-3", "inch", ("thou",)),
+    "mile": ("5280", "foot", ("mi", "mile", "miles")),
+    "pound_force": ("9.80665", "pound m/s^2", ("lbf", "pound_force", "force_pound")),
+    "kilogram_force": ("9.80665", "N", ("kgf", "kp", "kilogram_force", "force_kilogram")),
+    "slug": ("1", "pound_force s^2/foot", ("slug", "slugs")),
+    "kip": ("1000", "pound_force", ("kip",)),
+    "psi": ("1", "pound_force/inch^2", ("psi", "pound_force_per_square_inch")),
+    "ksi": ("1000", "psi", ("ksi", "kip_per_square_inch")),
+    "bar": ("1e5", "Pa", ("bar",)),
+    "millibar": ("100", "Pa", ("mbar", "millibar")),
+    "degree": (math.pi / 180, "rad", ("deg", "degree", "degrees", "°")),
+    "arcminute": (math.pi / 10800, "rad", ("arcmin", "arcminute", "arcminutes")),
+    "gon": (math.pi / 200, "rad", ("gon", "grade")),
+    "turn": (2 * math.pi, "rad", ("turn", "rev", "revolution")),
+    "rpm": (math.pi / 30, "rad/s", ("rpm", "revolutions_per_minute")),
+    "minute": ("60", "s", ("min", "minute", "minutes")),
+    "hour": ("3600", "s", ("h", "hr", "hour", "hours")),
 }
+#: Words of no unit.
+_FACTORS = {"%": "percent", "percent": "percent", "ppm": "ppm"}
 #: Words with several meanings, none of which is taken, and what says each of them.
 _TWO_MEANINGS = {
     "grad": "deg and gon",
@@ -90,29 +110,32 @@ _REMEDY = (
 
 @cache
 def _words() -> dict[str, str]:
-    """Names of pint by the words that are read, whatever else pint takes them for."""
-    known = {word: name for name, words in _ALONE.items() for word in words}
-    for symbol, (name, *others) in _WITH_PREFIX.items():
-        long = [form for one in (name, *others) for form in (one, f"{one}s")]
-        known |= dict.fromkeys([symbol, *long], name)
-        for prefix, whole in _PREFIXES.items():
-            known.setdefault(prefix + symbol, whole + name)
-            known |= {whole + form: whole + name for form in long}
+    """Long names of units by the words that are read."""
+    known = {word: name for name, (*_, words) in _ALONE.items() for word in words}
+    for symbol, (*_, names) in _WITH_PREFIX.items():
+        long = [form for one in names for form in (one, f"{one}s")]
+        known |= dict.fromkeys([symbol, *long], names[0])
+        for prefix, (whole, _) in _PREFIXES.items():
+            known.setdefault(prefix + symbol, whole + names[0])
+            known |= {whole + form: whole + names[0] for form in long}
     return known
 
 
-#: What a unit may be written with; pint's own parser sees nothing else.
+@cache
+def _named_units() -> dict[str, Measure]:
+    """Units with a prefix, or with one that is left out, by their long names."""
+    sizes = {"": "1"} | dict(_PREFIXES.values())
+    return {
+        prefix + names[0]: Measure(Fraction(size) * Fraction(own), tuple(map(Fraction, powers)))
+        for own, powers, names in _WITH_PREFIX.values()
+        for prefix, size in sizes.items()
+    }
+
+
+#: What a unit may be written with.
 _LETTERS = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,60}")
 _WORD = re.compile(r"(?:(?![²³¹])[^\W\d])+|[%°]")
-_TORQUE = [("[length]", 2.0), ("[mass]", 1.0), ("[time]", -2.0)]
-
-
-@cache
-def registry() -> pint.UnitRegistry[Any]:
-    """The units of pint."""
-    from pint import UnitRegistry
-
-    return UnitRegistry(cache_folder=None)
+_RAISED = str.maketrans("⁻¹²³", "-123")
 
 
 @lru_cache(maxsize=256)
@@ -128,15 +151,17 @@ def factor(unit: str, si: str) -> float:
         if unit not in ("", "1", "%"):
             raise ParameterError(f"the unit {unit!r} is too much: this is a number without unit")
         return 0.01 if unit == "%" else 1.0
-    wanted, given = registry().parse_units(si), parsed(unit)
-    (*of_given, angle), (*of_wanted, wanted_angle) = dimension(given), dimension(wanted)
+    wanted, given = parsed(si), parsed(unit)
     # A torque is N m, and its stiffness N m or N m/rad: the radian is 1.
-    if of_given != of_wanted or (angle != wanted_angle and of_wanted != _TORQUE):
-        raise ParameterError(f"the unit {unit!r} ({given}) does not measure what {si} does")
-    return float(registry().Quantity(1.0, given).to(wanted).magnitude)
+    counted = 3 if wanted.powers[:3] == parsed("N m").powers[:3] else 4
+    if given.powers[:counted] != wanted.powers[:counted]:
+        spelled = re.sub(r"\s*([*/])\s*", r" \1 ", _spelled(unit))
+        raise ParameterError(f"the unit {unit!r} ({spelled}) does not measure what {si} does")
+    return float(given.size / wanted.size)
 
 
-def parsed(unit: str) -> pint.Unit:
+@lru_cache(maxsize=256)
+def parsed(unit: str) -> Measure:
     """A unit from its text: SI with prefixes and engineers' units, each word with one meaning."""
     # A power of a power may be larger than any number.
     powers = re.search(r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", unit)
@@ -146,47 +171,63 @@ def parsed(unit: str) -> pint.Unit:
         or any(len(digits) > 2 for digits in re.findall(r"\d+", unit))
     ):
         raise ParameterError(f"the unit {unit!r} can't be read")
-    named = _WORD.sub(lambda found: _named(found[0], unit), unit)
+    text = re.sub("[⁻¹²³]+", lambda found: f"^{found[0].translate(_RAISED)}", _spelled(unit))
+    text = re.sub(r"(?<=[\w)])\s+(?=[\w(])", "*", re.sub("[·⋅]", "*", text)).replace("^", "**")
     try:
-        return registry().parse_units(named.replace("·", "*").replace("⋅", "*"))
-    except Exception as error:  # pint raises many kinds, of the tokenizer too
+        found = _product(ast.parse(text, mode="eval").body)
+        float(found.size)  # which may be larger than any number
+    except (SyntaxError, ValueError, ArithmeticError) as error:
         raise ParameterError(f"the unit {unit!r} is not known") from error
+    return found
+
+
+def _product(tree: ast.expr) -> Measure:
+    """The unit that is a product of others and of their powers."""
+    match tree:
+        case ast.Constant(1):
+            return Measure(Fraction(1))
+        case ast.Name(name) if name in _ALONE:
+            size, of, _ = _ALONE[name]
+            factor = size if isinstance(size, float) else Fraction(size)
+            return Measure(factor).times(parsed(of))
+        case ast.Name(name) if name in _named_units():
+            return _named_units()[name]
+        case ast.BinOp(base, ast.Pow(), power):
+            return Measure(Fraction(1)).times(_product(base), _number(power))
+        case ast.BinOp(one, ast.Mult() | ast.Div() as sign, other):
+            return _product(one).times(_product(other), 1 if isinstance(sign, ast.Mult) else -1)
+    raise ValueError("no product of units")
+
+
+def _number(tree: ast.expr) -> Fraction:
+    """The number of an exponent."""
+    match tree:
+        case ast.Constant(int() | float() as number):
+            return Fraction(str(number))
+        case ast.UnaryOp(ast.USub(), of):
+            return -_number(of)
+        case ast.BinOp(one, ast.Div(), other):
+            return _number(one) / _number(other)
+    raise ValueError("no number")
+
+
+def _spelled(unit: str) -> str:
+    """A unit with the long names of its words."""
+    return _WORD.sub(lambda found: _named(found[0], unit), unit)
 
 
 def _named(word: str, unit: str) -> str:
-    """What pint calls a word of a unit; an error that says what else it may be."""
+    """Long name of a word of a unit; an error that says what else it may be."""
     if word in _TWO_MEANINGS:
         raise ParameterError(f"the unit {word!r} has two meanings, {_TWO_MEANINGS[word]}")
-    if word in _words():
-        return _words()[word]
-    try:
-        found = registry().Unit(word)
-        bare = not any(power for _, power in dimension(found))
-        zero = registry().Quantity(0.0, found).to_base_units().magnitude
-    except Exception as error:  # as above
-        raise ParameterError(f"the unit {unit!r} is not known; {_REMEDY}") from error
-    if bare:
+    if word in _FACTORS:
         raise ParameterError(
-            f"{found} in the unit {unit!r} is a factor and no unit; multiply the number by it"
+            f"{_FACTORS[word]} in the unit {unit!r} is a factor and no unit; multiply the number "
+            "by it"
         )
-    if zero != 0:
-        raise ParameterError(f"the unit {unit!r} has a zero point of its own")
-    raise ParameterError(
-        f"{word!r} in the unit {unit!r} may be the {found}, or something else, and is not read; "
-        f"{_REMEDY}"
-    )
-
-
-def dimension(unit: pint.Unit) -> tuple[Any, ...]:
-    """Powers of length, mass and time, and of the radian, which pint counts as a number."""
-    from pint.util import to_units_container
-
-    powers: dict[str, Any] = dict(unit.dimensionality)
-    radians: Any = to_units_container(registry().get_base_units(unit)[1]).get("radian", 0)
-    return (
-        *sorted((name, round(float(power), 9)) for name, power in powers.items()),
-        ("angle", round(float(radians), 9)),
-    )
+    if word not in _words():
+        raise ParameterError(f"the unit {unit!r} is not known; {_REMEDY}")
+    return _words()[word]
 
 
 # ---------------------------------------------------------------------- numbers that carry a unit

@@ -9,8 +9,6 @@ import math
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-import mpmath
-
 from .arithmetic import Number
 
 #: Significant digits of a bound.
@@ -34,11 +32,11 @@ class Decimal(NamedTuple):
 
 def exactly(value: Any) -> Fraction:
     """The rational number that an int, a float, a Fraction, an mpf or a decimal text is."""
-    return (
-        Fraction(*map(int, mpmath.libmp.to_rational(value._mpf_)))
-        if hasattr(value, "_mpf_")
-        else Fraction(value)
-    )
+    if not hasattr(value, "_mpf_"):
+        return Fraction(value)
+    from mpmath import libmp  # heavy, and only who has loaded it has such numbers
+
+    return Fraction(*map(int, libmp.to_rational(value._mpf_)))
 
 
 def around(value: Number, error: Number, digits: int | None = None) -> Decimal:

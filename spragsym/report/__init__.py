@@ -2,7 +2,5 @@
 hertz.
 """
 
-from .reports import Report
-from .study import Study
-
-__all__ = ["Report", "Study"]
+#: Modules that other rooms ask; each is loaded when it is imported, so that a refusal is quick.
+__all__ = ["data", "example", "over", "reports", "study"]

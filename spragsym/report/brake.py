@@ -14,18 +14,16 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias
 import numpy as np
 
 from ..core.errors import ParameterError, hint
-from ..design.jumps import Ends, first_ends, told
 from ..design.sampling import Correlation, Dependence, dependence
 from ..models.load import USUAL, WITH_DAMPERS
 from ..models.parameters import Range, Ranges, Span, as_number, as_range
 from ..models.quantities import Quantities, QuantityValues, Scales, factor, quantities, share
-from ..statics.balance import NOTHING
 from .damping import RATIO, modal_dampers
 from .friction_fit import FrictionFit
-from .friction_law import friction_bounds, friction_depends_on
 from .units import PLAIN_UNITS, Measured, Numbers, read, shown_in
 
 if TYPE_CHECKING:
+    from ..design.jumps import Ends
     from ..models.parameters import ParameterSet
 
 #: Least, as drawn, and largest within the tolerances.
@@ -283,6 +281,10 @@ class Brake:
         """The friction that works, by the law: least, as drawn, and largest within the tolerances;
         0 without friction.
         """
+        # The solvers are heavy, and a refusal does not need them.
+        from ..statics.balance import NOTHING
+        from .friction_law import friction_bounds, friction_depends_on
+
         p = self.dimensionless
         if not self.slides:
             return 0.0, 0.0, 0.0
@@ -360,10 +362,14 @@ class Brake:
     @cached_property
     def ends(self) -> Ends:
         """Where the state ends as something rises, and how far that was looked for."""
+        from ..design.jumps import first_ends  # heavy, and a refusal does not need it
+
         return first_ends(self.operating_point, **self.along())
 
     def jump(self) -> float:
         """Where the state jumps, as the parameter that rises; NaN where it does not."""
+        from ..design.jumps import told  # as above
+
         return float(told(self.ends).value)
 
     def loaded(self, values: Mapping[str, Any], target: float | None) -> Any:

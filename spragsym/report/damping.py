@@ -10,8 +10,6 @@ from ..core.errors import ParameterError
 from ..models.load import WITH_DAMPERS
 from ..models.parameters import FloatArray, Range
 from ..models.quantities import Quantities
-from ..statics.balance import Balance
-from ..statics.stability import linearization
 from .example import example_of
 from .units import Measured
 
@@ -105,6 +103,10 @@ def remedy(kind: Quantities) -> str:
 
 def _matrices(kind: Quantities, values: Mapping[str, float]) -> list[FloatArray]:
     """Mass, damping and stiffness without friction where all coordinates are 0, in contact."""
+    # The solvers are heavy, and a refusal does not need them.
+    from ..statics.balance import Balance
+    from ..statics.stability import linearization
+
     p, model = kind.parameter_set(values), kind.model
     off = {name: 1.0 for name in model.parameters if p[name] is None}
     if model.coefficient is not None:

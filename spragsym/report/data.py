@@ -118,29 +118,21 @@ class _FileReader:
                 f"{self.table('brake')}: [brake] is without {', '.join(missing)}; add lines "
                 f"such as {wanted}"
             )
-        ratio = None
+        data: dict[str, Any] = {"model": model, "source": Path(self.path).name, "fit": fit}
+        data |= {key: str(own[key] or "") for key in ("title", "date")}
+        with self.at("correlation"):
+            data["correlation"] = _correlation(own["correlation"], found, fit, kind.friction)
+        with self.at("state"):
+            data["state"] = _state(own["state"] or {}, kind)
+        with self.at("may_change"):
+            data["may_change"] = _may_change(own["may_change"] or {}, kind)
+        with self.at("vary" if own["begin"] is None else "begin"):
+            data["load"] = _rise(own["vary"], own["begin"], kind, found)
         with self.at("damping_ratio"):
             if own["damping_ratio"] is not None:
-                ratio = _exact("damping_ratio", own["damping_ratio"], "1", RATIO)
-                found |= modal_dampers(kind, found, ratio)
-        study = Brake.of(
-            quantities={key: found[key] for key in kind.units if key in found},
-            model=model,
-            source=Path(self.path).name,
-            fit=fit,
-            damping_ratio=ratio,
-            title=str(own["title"] or ""),
-            date=str(own["date"] or ""),
-        )
-        with self.at("correlation"):
-            study.correlation = _correlation(own["correlation"], study)
-        with self.at("state"):
-            study.state = _state(own["state"] or {}, kind)
-        with self.at("may_change"):
-            study.may_change = _may_change(own["may_change"] or {}, kind)
-        with self.at("vary" if own["begin"] is None else "begin"):
-            study.load = _rise(own["vary"], own["begin"], study)
-        return study
+                data["damping_ratio"] = _exact("damping_ratio", own["damping_ratio"], "1", RATIO)
+                found |= modal_dampers(kind, found, data["damping_ratio"])
+        return Brake.of(**data, quantities={key: found[key] for key in kind.units if key in found})
 
     def _table(self) -> dict[str, Any]:
         try:
@@ -216,14 +208,14 @@ def _quantity(key: str, given: object, unit: str, allowed: Range) -> Measured:
         raise ParameterError(f"{key} = {error}") from error
 
 
-def _correlation(given: Any, study: Brake) -> Correlation:
+def _correlation(
+    given: Any, found: dict[str, Measured], fit: FrictionFit | None, friction: str | None
+) -> Correlation:
     """Which quantities vary together: those of the file, and μ₀ and d of one fit."""
-    fit, rows = study.fit, given if isinstance(given, list) else [] if given is None else [given]
-    rows = (
-        [*rows, [study.kind.friction, "d", fit.correlation]]
-        if fit is not None and {study.kind.friction, "d"} <= set(study.tolerances)
-        else rows
-    )
+    rows = given if isinstance(given, list) else [] if given is None else [given]
+    varying = [name for name, one in found.items() if one.varies]
+    if fit is not None and {friction, "d"} <= set(varying):
+        rows = [*rows, [friction, "d", fit.correlation]]
     for row in rows:
         if not (
             isinstance(row, list)
@@ -234,14 +226,14 @@ def _correlation(given: Any, study: Brake) -> Correlation:
             raise ParameterError(
                 f"correlation = {given!r} is no list of two names and a number each; {cure}"
             )
-    found = {(one, other): value for one, other, value in rows}
-    if len(set(map(frozenset, found))) < len(rows):
+    pairs = {(one, other): value for one, other, value in rows}
+    if len(set(map(frozenset, pairs))) < len(rows):
         raise ParameterError(
             f"correlation = {given!r} has a pair twice, or that of the measured file; keep "
             "one of them"
         )
-    dependence(list(study.tolerances), found)
-    return found
+    dependence(varying, pairs)
+    return pairs
 
 
 def _state(given: object, kind: Quantities) -> Numbers:
@@ -285,13 +277,15 @@ def _may_change(given: object, kind: Quantities) -> Ranges:
     return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}
 
 
-def _rise(vary: Any, begin: Any, study: Brake) -> LoadParameter | None:
-    units = study.kind.units
+def _rise(
+    vary: Any, begin: Any, kind: Quantities, found: dict[str, Measured]
+) -> LoadParameter | None:
+    units = kind.units
     if not isinstance(vary, str | None):
         raise ParameterError(f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
     if begin is not None and vary in units:
         begin = _exact("begin", begin, units[vary])
-    return load_parameter_of(study.kind, vary, begin, study.values)
+    return load_parameter_of(kind, vary, begin, {name: one.value for name, one in found.items()})
 
 
 def _fitted(value: float, error: float, unit: str) -> Measured:

@@ -80,8 +80,7 @@ class Study(Brake):
         A number whose unit was probably meant otherwise is a UserWarning.
         """
         study = cls.of(**vars(read_brake(path, trust)))
-        for said in of_data(study):
-            warnings.warn(f"{study.source}: {said}", stacklevel=2)
+        warn_of(study)
         return study
 
     def report(
@@ -127,3 +126,9 @@ class Study(Brake):
         ``plot``).
         """
         (report or self.report()).to_html(path)
+
+
+def warn_of(study: Brake) -> None:
+    """Warn of numbers of a file whose units were probably meant otherwise, where it is read."""
+    for said in of_data(study):
+        warnings.warn(f"{study.source}: {said}", stacklevel=3)

@@ -26,7 +26,7 @@ from ..orbits import FateMap as FateMap
 from ..orbits import Lyapunov as Lyapunov
 from ..orbits.diagram import Diagram as Diagram
 from ..papers import PaperCheck as PaperCheck
-from ..report import Report as Report
+from ..report.reports import Report as Report
 from .equilibria import Equilibria as Equilibria
 from .equilibria import EquilibriumType as EquilibriumType
 from .equilibria import Undecided as Undecided

@@ -294,17 +294,35 @@ def test_an_error_is_one_line_that_says_what_to_do(
     assert not list(tmp_path.iterdir())
 
 
-def test_a_file_that_is_not_there_is_refused_before_much_is_loaded(tmp_path: Path) -> None:
+def test_what_is_refused_is_refused_before_a_solver_is_loaded(tmp_path: Path) -> None:
+    """Neither SciPy nor mpmath, nor pint, nor a room that solves: loading them takes a second."""
+    good = (Path(ss.__file__).parent / "report/brake.toml").read_text(encoding="utf-8")
+    mistakes = {
+        "unit": good.replace("180 N/mm", "180 N/mn"),
+        "key": good + 'mass = "0.35 kg"\n',
+        "range": good.replace("52 deg", "200 deg"),
+        "ratio": good.replace("0.5 %", "0.5 % ± 0.1 %"),
+        "state": good + 'state = { x = "2 mm ± 1 mm" }\n',
+        "ends": good + 'may_change = { V = "[1, 2] m/s" }\n',
+        "pair": good + 'correlation = [["k", "V", 0.9]]\n',
+        "rise": good + 'vary = "V"\n',
+    }
+    for name, text in mistakes.items():
+        (tmp_path / f"{name}.toml").write_text(text, encoding="utf-8")
     code = (
         "import sys\nfrom spragsym.cli import main\n"
-        "try:\n    main(['report', 'none.toml'])\nexcept SystemExit as stop:\n    code = stop.code\n"
-        "print(code, *({'spragsym.report', 'spragsym.motion', 'pint'} & set(sys.modules)))"
+        "for name in sys.argv[1:]:\n    try:\n        main(['report', name + '.toml'])\n"
+        "    except SystemExit as stop:\n        print(stop.code)\n"
+        "print(*({'scipy', 'mpmath', 'pint'} & set(sys.modules)), *(one for one in sys.modules\n"
+        "    if one in ('spragsym.statics', 'spragsym.bifurcation', 'spragsym.motion')))"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, encoding="utf-8"
-    )
-    assert done.stdout == "2\n", done
+    names = ["none", *mistakes]
+    command = [sys.executable, "-c", code, *names]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, encoding="utf-8")
+    assert done.stdout == "2\n" * len(names) + "\n", done
     assert "none.toml can't be read" in done.stderr
+    assert done.stderr.count("\n") == len(names)
+    assert "unexpected" not in done.stderr
 
 
 @pytest.mark.parametrize(

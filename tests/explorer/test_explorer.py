@@ -101,7 +101,6 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     """The dimensionless numbers by hand from those of the example file, and a model that the page
     can't compute refused.
     """
-    pytest.importorskip("pint", reason="pint is not installed")
     data, out = ROOT / "spragsym" / "report" / "brake.toml", tmp_path / "mine.html"
     assert (
         CliRunner().invoke(explore, ["--data", str(data), "--out", str(out), "--no-open"]).exit_code
@@ -235,7 +234,6 @@ def test_the_lowest_fold_is_said(explorer: Explorer, changes: dict[str, float]) 
 @pytest.mark.thorough
 def test_data_of_ones_own_is_typed_and_shown_in_its_units(browser: Any, tmp_path: Path) -> None:
     """Boxes, axes, states, starts and pace in newtons, millimetres and seconds, by hand."""
-    pytest.importorskip("pint", reason="pint is not installed")
     data, out = ROOT / "spragsym" / "report" / "brake.toml", tmp_path / "mine.html"
     CliRunner().invoke(explore, ["--data", str(data), "--out", str(out), "--no-open"])
     context = browser.new_context(viewport={"width": 1300, "height": 1000})

@@ -253,15 +253,37 @@ def test_a_word_of_several_meanings_is_refused_with_what_to_write() -> None:
 
 def test_every_word_that_is_read_is_read_as_pint_writes_it_too() -> None:
     pint = pytest.importorskip("pint")
+    registry = pint.application_registry
     known = units._words()
     for word, name in known.items():
         if word in units._TWO_MEANINGS:
             continue
-        assert units.parsed(word) == units.registry().Unit(name), word
-        written = str(pint.application_registry.Unit(name))
+        assert _as_pint(units.parsed(word), registry.Unit(name)), word
+        written = str(registry.Unit(name))
         if written not in units._TWO_MEANINGS:  # what pint calls a ton
             assert units.parsed(written) == units.parsed(word), word
     assert len(known) > 200
+
+
+def test_products_of_units_are_read_as_pint_reads_them() -> None:
+    registry = pytest.importorskip("pint").application_registry
+    random = np.random.default_rng(8)
+    words = sorted(set(units._words()) - set(units._TWO_MEANINGS) - {"°"})
+    for _ in range(60):
+        one, two, three = random.choice(words, 3)
+        power = random.choice(["", "^2", "**-1", "^(3/2)", "^-2"])
+        text = random.choice([f"{one}/({two} {three}{power})", f"{one} {two}{power}/{three}"])
+        named = re.sub(r"[a-zA-Zµμ_]+", lambda found: units._words()[found[0]], text)
+        assert _as_pint(units.parsed(text), registry.parse_units(named)), text
+
+
+def _as_pint(mine: units.Measure, other: Any) -> bool:
+    """Whether a unit has the size in SI and the dimension that pint gives it."""
+    base = (1 * other).to_base_units()
+    powers = {name: float(power) for name, power in base.unit_items()}
+    found = [powers.get(name, 0) for name in ("kilogram", "meter", "second", "radian")]
+    same = bool(np.allclose(found, [float(power) for power in mine.powers], atol=1e-12))
+    return same and bool(np.isclose(float(mine.size), base.magnitude, rtol=1e-13, atol=0))
 
 
 @pytest.mark.parametrize(

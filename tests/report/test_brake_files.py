@@ -57,7 +57,7 @@ VALUES = [
             "; all of it must be above 0 N/mm",
         ],
     ),
-    ("L_0", '"38 degC"', ["zero point"]),
+    ("L_0", '"38 degC"', ["'degC' is not known; write m, g"]),
     ("theta0", '"52"', ["no unit", '"52 deg ± 1 deg"']),
     ("theta0", '"180 deg"', ["'180 deg'", "180 deg is not above 0 deg and below 180 deg"]),
     ("k_y", '"-1 N/mm"', ["at least 0"]),

@@ -17,13 +17,16 @@ from ..display import Column
 from ..models.field import FLOATS, GAP, JUMPED, Border, Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IndexArray
+from ..numerics.vectors import magnitude
 from ..results.result import Rows
-from .lobatto import PiecewisePolynomial
+from .lobatto import PiecewisePolynomial, sample_times
 from .problem import Event, Problem, kinds_of
 
 #: A border that was passed no longer ago is met to first order: the square of that, in the
 #: motion's unit of time, is below rounding.
 AT_ONCE = 1e-8
+#: Steps that are farther apart than this where a border was noticed meet so far behind it.
+BEHIND = 4 * GAP
 #: Newton's method leads back to a border that was passed no longer ago than this.
 LATEST = 1.0
 #: Its most steps.
@@ -360,6 +363,8 @@ def assembled(
         if len(pieces) == 1
         else (np.concatenate(parts) for parts in zip(*pieces, strict=True))
     )
+    for crossing in crossings:
+        t, states = _met_in_time(t, states, crossing)
     samples = PiecewisePolynomial(
         np.append(t[:, :-1].ravel(), t[-1, -1]),
         np.append(
@@ -371,6 +376,24 @@ def assembled(
     if t_record > t[0, 0]:
         samples = samples.after(t_record)
     return Solution(samples, tuple(crossing for crossing in crossings if crossing.t >= t_record))
+
+
+def _met_in_time(t: FloatArray, states: FloatArray, crossing: Crossing) -> Samples:
+    """Steps of which one ends and the next begins where a border was met, each by its own
+    polynomial, if they do not meet where that was noticed; so shortly behind it that the mode is
+    told by the sample.
+    """
+    row = int(np.searchsorted(t[:, -1], crossing.t))
+    if row + 1 >= len(t):
+        return t, states
+    apart, late = magnitude(states[row + 1, :, 0] - states[row, :, -1]), t[row, -1] - crossing.t
+    if apart <= BEHIND or not late < min(t[row, -1] - t[row, 0], t[row + 1, -1] - t[row, -1]):
+        return t, states
+    t, states, met = t.copy(), states.copy(), crossing.t + BEHIND / apart * late
+    for which, ends in ((row, (t[row, 0], met)), (row + 1, (met, t[row + 1, -1]))):
+        own, t[which] = PiecewisePolynomial(t[which].copy(), states[which]), sample_times(*ends)
+        states[which] = own(t[which])
+    return t, states
 
 
 def without_chatter(solution: Solution, problem: Problem) -> Solution:

@@ -52,11 +52,14 @@ LARGE = 1e12
 
 @dataclass(frozen=True)
 class _ModeStep:
-    """One step within a mode, in time from ``clock`` on, and what is crossed at its end."""
+    """One step within a mode, in time from ``clock`` on, and what is crossed at its end: ``met`` is
+    the state in this mode there, ``last`` that from which the next one goes on.
+    """
 
     clock: float
     begin: float
     end: float
+    met: FloatArray
     last: FloatArray
     dense: Callable[[Any], FloatArray]
     mode: Mode
@@ -73,7 +76,7 @@ class _ModeStep:
         for.
         """
         samples = self.dense(self.t)
-        samples[:, -1] = self.last
+        samples[:, -1] = self.met
         return samples
 
 
@@ -175,7 +178,8 @@ class Flight:
                 dense, begin, end, steps = solver.dense_output(), solver.t_old, solver.t, steps + 1
                 if steps > most:
                     raise too_many_steps(replace(self.problem, rtol=solver.rtol), most, clock + end)
-                piece = _ModeStep(clock, begin, end, solver.y.copy(), dense, mode)
+                last = solver.y.copy()
+                piece = _ModeStep(clock, begin, end, last, last, dense, mode)
                 found = self._first_crossing(piece)
                 if found is None:
                     yield piece
@@ -194,11 +198,11 @@ class Flight:
                 if abs(clear) > GAP / 10 and rate:
                     at = max(at - clear / rate, begin)
                     whole = self._stepped(mode, before, begin, at)
-            columns = whole[m:].reshape(m, -1)
+            met, columns = whole.copy(), whole[m:].reshape(m, -1)
             after, crossings = passed(
                 self.problem, row, mode, clock + at, whole[:m], self.directions, columns
             )
-            yield _ModeStep(clock, begin, at, whole, dense, mode, crossings)
+            yield _ModeStep(clock, begin, at, met, whole, dense, mode, crossings)
             clock, mode = clock + at, after
 
     def _stepped(self, mode: Mode, state: FloatArray, begin: float, end: float) -> FloatArray:
@@ -273,22 +277,21 @@ class Flight:
     def _extrema(self, piece: _ModeStep) -> list[Extremum]:
         """Zeros of the rates within a step: of the leading coordinate, numbered −1, and of levels
         where there is a kink.
+
+        Signs at a step's end are those of the state behind it: rounding decides on those at a border.
         """
         field, found = self.problem.field, list[Extremum]()
         watched = [-1, *(row for row, border in enumerate(field.borders) if border.kink)]
-        values = self._levels(piece.mode, piece.samples[: field.size])[watched, 1]
+        states = np.column_stack([piece.samples[:, :-1], piece.last])[: field.size]
+        values = self._levels(piece.mode, states)[watched, 1]
         for row, i in np.argwhere((values[:, :-1] < 0) != (values[:, 1:] < 0)).tolist():
-            t = _root(
-                partial(self._at, piece, False, watched[row], 1), *piece.t[i : i + 2].tolist()
-            )
-            found.append(
-                Extremum(
-                    piece.clock + t,
-                    watched[row],
-                    1 if values[row, i] < 0 else -1,
-                    *self._split(piece.dense(t)),
-                )
-            )
+            (begin, end), rate = piece.t[i : i + 2].tolist(), values[row, i]
+            level = partial(self._at, piece, False, watched[row], 1)
+            behind = rate * level(end) > 0  # the step's own rate keeps its sign up to its end
+            t = end if behind else _root(level, begin, end)
+            state = piece.last if behind else piece.dense(t)
+            way = 1 if rate < 0 else -1
+            found.append(Extremum(piece.clock + t, watched[row], way, *self._split(state)))
         return sorted(found, key=lambda turn: turn.t)
 
 

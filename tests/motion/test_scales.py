@@ -92,7 +92,7 @@ def test_a_cycle_its_branch_and_its_fate_are_the_same_scaled(size: float) -> Non
 @pytest.mark.parametrize("V", [1e-6, 1e-10])
 def test_slip_begins_where_a_slow_belt_uses_the_friction_up(V: float, backend: str) -> None:
     """The limit is passed 1e-12/V late, and the state goes on from where it was met: the circle
-    about μ_k through x = μ_s, x′ = V.
+    about μ_k through x = μ_s, x′ = V. Until then it rides with the belt, between samples too.
 
     What rounds in x, 1e-16, is 1e-16/V in time.
     """
@@ -103,6 +103,9 @@ def test_slip_begins_where_a_slow_belt_uses_the_friction_up(V: float, backend: s
     assert tr.events is not None
     late = 1e-9 + 2e-16 / V
     assert tr.events.of("slip").t == pytest.approx([begun], abs=late)
+    riding = begun * np.linspace(0.05, 1.0, 8)
+    held = np.stack([0.59 + V * riding, np.full(8, V)])
+    np.testing.assert_allclose(tr(riding), held, rtol=0.0, atol=late)
     since = tr.t[-1] - begun
     c, s = math.cos(since), math.sin(since)
     turned = 0.4 + 0.2 * c + V * s, V * c - 0.2 * s

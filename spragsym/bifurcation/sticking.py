@@ -17,6 +17,7 @@ friction, at every h.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
@@ -24,7 +25,8 @@ import numpy as np
 
 from ..core.errors import ConvergenceError, ModelError, ParameterError
 from ..core.questions import Method, question
-from ..models.forces import presses_either
+from ..models.field import undecorated
+from ..models.forces import named, presses_either
 from ..models.model import Model, parameter_class
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import determinant
@@ -95,10 +97,7 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
             f"in {model.name} friction holds nothing; a page says what it holds by "
             "page.friction(…, holds=…)"
         )
-    speeds = model.algebra.borders(
-        *np.zeros(2 * len(model.coordinates)), *model.arguments(p, "motion")
-    )[len(model.contacts) :]
-    for speed, entry in zip(speeds, model.frictions, strict=False):
+    for speed, entry in zip(belt_speeds(p), model.frictions, strict=False):
         if np.any(speed):
             belt = entry["belt"]
             raise ParameterError(
@@ -110,7 +109,7 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     model.require_one_contact_and_no_clock("sticking_states with one friction that holds")
     if (found := line(p)) is not None:
         return found
-    own = _held(model)(**{name: p[name] for name in p.ranges})
+    own = held(p, [holding[0]["name"]])
     turns = [_turns(own, place) for place in range(len(model.coordinates))]
     try:
         way = Way(
@@ -128,20 +127,29 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
         ) from error
 
 
-def _held(model: Model) -> Any:
-    """The class of parameters of a model whose friction coefficient is a parameter: the share of
-    the static one that is used.
+def belt_speeds(p: ParameterSet) -> Sequence[Any]:
+    """Sliding speeds of what rests, of all frictions."""
+    model = p.model
+    levels = model.algebra.borders(
+        *np.zeros(2 * len(model.coordinates)), *model.arguments(p, "motion")
+    )
+    return levels[len(model.contacts) :]
+
+
+def held(p: ParameterSet, holding: Sequence[str]) -> Any:
+    """Parameters of a model whose friction coefficients, those of some contacts, are parameters:
+    the shares of the static ones that are used, of which none is.
     """
-    algebra, about, arguments = model.algebra, dict(model.about), model.about["arguments"]
+    kind = _model_held(p.model, tuple(holding))
+    return kind(**{name: p[name] for name in p.ranges})
 
-    def slopes(*given: Any) -> tuple[Any, ...]:
-        *fixed, _ = given  # μ is linear in the share
-        none, whole = (algebra.friction_held(*fixed, share) for share in (0, 1))
-        return (*[0] * len(model.parameters), whole - none)
 
-    law = {"friction_at_rest": algebra.friction_held, "friction_by_parameters": slopes}
+@cache
+def _model_held(model: Model, holding: tuple[str, ...]) -> Any:
+    """The class of such parameters."""
+    about, arguments = dict(model.about), model.about["arguments"]
+    shares, laws = [named(HELD, name) for name in holding], _laws(model, holding)
     share = {
-        "name": HELD,
         "meaning": "share of the static friction coefficient that is used",
         "unit": "1",
         "role": "both",
@@ -152,15 +160,45 @@ def _held(model: Model) -> Any:
         "low_open": False,
         "high_open": False,
     }
-    about["parameters"] = [*about["parameters"], share]
+    about["parameters"] = [*about["parameters"], *({"name": name, **share} for name in shares)]
     about["contacts"] = [
         {**entry, "border": None} if presses_either(entry) else entry for entry in model.contacts
     ]
-    about["arguments"] = arguments | {name: [*arguments["motion"], HELD] for name in law}
+    about["arguments"] = arguments | {name: [*arguments["motion"], *shares] for name in laws}
     kind: Any = parameter_class(about, model.where)
-    module: Any = SimpleNamespace(**vars(algebra) | law)
+    module: Any = SimpleNamespace(**vars(model.algebra) | laws)
     kind._model = Model(model.where, about, lambda: module, kind)
     return kind
+
+
+def _laws(model: Model, holding: tuple[str, ...]) -> dict[str, Any]:
+    """Friction coefficients, and their slopes by the parameters, as functions of the shares too,
+    the last arguments.
+    """
+    laws, count = dict[str, Any](), len(holding)
+    for entry in model.frictions:
+        name = entry["name"]
+        slopes, place = named("friction_by_parameters", name), None
+        own = undecorated(getattr(model.algebra, slopes))
+        if name in holding:
+            own = undecorated(getattr(model.algebra, named("friction_held", name)))
+            place = holding.index(name)
+
+        def law(*given: Any, xp: Any = None, own: Any = own, place: Any = place) -> Any:
+            return own(*given[:-count], given[place - count], xp=xp)
+
+        def by_parameters(*given: Any, xp: Any = None, own: Any = own, place: Any = place) -> Any:
+            fixed, added = given[:-count], [0] * count
+            if place is None:
+                return *own(*fixed, xp=xp), *added
+            none, whole = (own(*fixed, share, xp=xp) for share in (0, 1))
+            added[place] = whole - none  # μ is linear in the share
+            return *[0] * len(model.parameters), *added
+
+        laws[slopes] = by_parameters
+        if place is not None:
+            laws |= {named(f"friction_at_{it}", name): law for it in ("rest", "speed")}
+    return laws
 
 
 def _turns(own: ParameterSet, place: int) -> Points:

@@ -102,6 +102,16 @@ def line(p: ParameterSet) -> StickingStates | None:
     return _result(p, ends, [])
 
 
+def is_convex(p: ParameterSet) -> bool:
+    """Whether all states in which friction holds are proved to form one convex set, as where forces
+    are linear: that in which the balance and |h_i| ≤ 1 hold, both linear in coordinates and shares.
+    """
+    try:
+        return _is_pressed(_balanced(p).pressed)
+    except (ModelError, ConvergenceError):
+        return False
+
+
 @dataclass(frozen=True)
 class _Balanced:
     """Forces K q + b + Σ (μ_i − μ_0,i) C_i of coordinates and friction coefficients, of which

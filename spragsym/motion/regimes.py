@@ -4,13 +4,15 @@ one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from functools import cached_property
 from typing import Any, TypeAlias
 
 import numpy as np
 
+from ..bifurcation.connected_rest import connected
 from ..bifurcation.sticking import sticking_states
 from ..core.errors import ConvergenceError, ModelError, ParameterError
 from ..display import Column, named_fields
@@ -167,23 +169,44 @@ class Outcome(Named):
 
 
 #: Boxes of connected sets of rest, the least and the largest of each coordinate: (k, 2, n).
-Sets: TypeAlias = FloatArray | tuple[()]
+Sets: TypeAlias = FloatArray
 
 
-def sets_of_rest(p: ParameterSet) -> Sets:
-    """The sets of states in which friction holds the mass where nothing moves, each of them one
-    attractor; none where the belt moves, friction holds nothing, or not all are told apart.
+@dataclass(frozen=True)
+class RestSets:
+    """The connected sets of states in which friction holds where nothing moves, of scalar
+    parameters, each of them one attractor.
     """
-    if not p.model.field.sticking_borders:
-        return ()
-    try:
-        found = sticking_states(p)
-    except (ParameterError, ConvergenceError, ModelError):
-        return ()
-    ends = [
-        [found.ends[f"{name}_{end}"] for name in p.model.coordinates] for end in ("low", "high")
-    ]
-    return np.moveaxis(np.array(ends), 2, 0)
+
+    p: ParameterSet
+
+    @cached_property
+    def boxes(self) -> Sets | None:
+        """Boxes of all sets; None where these are not told apart."""
+        try:
+            found = sticking_states(self.p)
+        except (ParameterError, ConvergenceError, ModelError):
+            return None
+        ends = [
+            [found.ends[f"{name}_{end}"] for name in self.p.model.coordinates]
+            for end in ("low", "high")
+        ]
+        return np.moveaxis(np.array(ends), 2, 0)
+
+    def in_one(self, one: FloatArray, other: FloatArray, near: FloatArray) -> bool | None:
+        """Whether two places of rest lie in one set; None where that is not known."""
+        model = self.p.model
+        field, constants = model.field, model.field.constants(self.p.scalars(*self.p.ranges))
+        for place in (one, other):
+            if not field.stays(field.initial_mode([*place, *np.zeros(len(place))], constants)):
+                return False
+        if self.boxes is not None:
+            places = [
+                _sets_that_hold(each, self.boxes, field.periodic, near) for each in (one, other)
+            ]
+            if [len(place) for place in places] == [1, 1]:
+                return places[0] == places[1]
+        return connected(self.p, one, other, near) or None
 
 
 def same_limit(
@@ -191,13 +214,12 @@ def same_limit(
     other: Outcome,
     field: Field,
     constants: Values,
-    sets: Callable[[], Sets] = lambda: (),
-) -> bool:
+    sets: RestSets | None = None,
+) -> bool | None:
     """Whether two motions of one set of parameters have one limit, by all numbers of its state, in
-    units of the motion there.
+    units of the motion there; None where that is not known.
 
-    ``sets`` gives the sets of rest, each of which is one limit. What has no limit is not told
-    apart.
+    Each of the ``sets`` of rest is one limit. What has no limit is not told apart.
     """
     if one.limit != other.limit:
         return False
@@ -211,10 +233,8 @@ def same_limit(
         near = SAME * (1 + magnitude(one.rest / units))
         if magnitude(apart(one.rest, other.rest, periodic) / units) < near:
             return True
-        places = {
-            _sets_that_hold(each.rest, sets(), periodic, near * units) for each in (one, other)
-        }
-        return len(places) == 1 and len(places.pop()) == 1
+        pair = np.array(one.rest), np.array(other.rest)
+        return sets is not None and sets.in_one(*pair, near * units)
     # Two cycles, by period, averages, and the one state that stands for each, all found by Newton's
     # method.
     turns = np.isnan(one.cycle_mean), np.isnan(other.cycle_mean)
@@ -237,7 +257,7 @@ def same_limit(
 
 
 def _sets_that_hold(
-    rest: Sequence[float], sets: Sets, periodic: Sequence[int], near: FloatArray
+    rest: FloatArray, sets: Sets, periodic: Sequence[int], near: FloatArray
 ) -> tuple[int, ...]:
     """Rows of the sets whose boxes hold a place; boxes of several may meet."""
 

@@ -278,7 +278,7 @@ class Flight:
         """Zeros of the rates within a step: of the leading coordinate, numbered −1, and of levels
         where there is a kink.
 
-        Signs at a step's end are those of the state behind it: rounding decides on those at a border.
+        Signs at a step's end are those of the state behind it: rounding decides those at a border.
         """
         field, found = self.problem.field, list[Extremum]()
         watched = [-1, *(row for row, border in enumerate(field.borders) if border.kink)]

@@ -225,7 +225,8 @@ def _surely(system: System, start: FloatArray) -> FateVerdict:
 
 def _differ(system: System, one: FateVerdict, other: FateVerdict) -> bool:
     """Whether two motions are seen to come to different attractors."""
-    return one.decided and other.decided and not system.same_limit(one.outcome, other.outcome)
+    decided = one.decided and other.decided
+    return decided and system.same_limit(one.outcome, other.outcome) is False
 
 
 def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:

@@ -20,7 +20,7 @@ from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
 from ..motion.integrators import Flow
-from ..motion.regimes import Outcome, Regime, Sets, same_limit, sets_of_rest
+from ..motion.regimes import Outcome, Regime, RestSets, same_limit
 from ..motion.scales import MotionScales, scaled, scales_of
 from ..motion.shooting import Conditions, Iterate, Orbit
 from ..motion.simulation import motion_of
@@ -70,14 +70,14 @@ class System:
         """What the field's functions take."""
         return self.field.constants(self.values)
 
-    def same_limit(self, one: Outcome, other: Outcome) -> bool:
-        """Whether two motions have one limit."""
-        return same_limit(one, other, self.field, self.constants, lambda: self._sets_of_rest)
+    def same_limit(self, one: Outcome, other: Outcome) -> bool | None:
+        """Whether two motions have one limit; None where that is not known."""
+        return same_limit(one, other, self.field, self.constants, self._sets_of_rest)
 
     @cached_property
-    def _sets_of_rest(self) -> Sets:
+    def _sets_of_rest(self) -> RestSets:
         named = zip(self.field.parameters, self.values, strict=True)
-        return sets_of_rest(self.field.parameter_set(**dict(named)))
+        return RestSets(self.field.parameter_set(**dict(named)))
 
     def at(self, vary: str, value: float) -> System:
         """The system at another value of one parameter, which is checked."""

@@ -3,6 +3,7 @@ rate, and a force that is constant is no event.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -93,20 +94,60 @@ def test_a_set_of_rest_states_is_one_attractor() -> None:
     assert [len({*found.attractor[own == each, 0]}) for each in range(3)] == [1, 1, 1]
 
 
-@pytest.mark.thorough
-def test_where_sets_of_rest_are_not_answered_places_are_told_apart() -> None:
-    """Several frictions hold, and forces are not affine: each place of rest counts, and no error is
-    told.
+def blocks(second: str, name: str) -> Any:
+    """Two blocks on belts at rest, with this on the second one in place of its spring."""
+    return model_of(BLOCKS.replace("page.spring(beta * k, along=x_2)", second), name)
+
+
+def rests(p: Any, rng: np.random.Generator) -> Any:
+    """Where motions from random starts come to rest."""
+    x_1, x_2 = rng.uniform(-1.2, 1.2, (2, 3))
+    return basin(p, x_1=x_1, x_2=x_2, vx_10=rng.uniform(-1, 1), t_end=60.0, transient=30.0)
+
+
+def test_rest_under_stiffening_springs_is_one_attractor() -> None:
+    """Forces of a strictly convex energy map places onto forces one to one: those within the limits
+    of friction are those of one connected set of places.
     """
-    stiffening = BLOCKS.replace(
-        "page.spring(beta * k, along=x_2)",
-        "page.spring(beta * k, along=x_2)\npage.potential(k * x_2**4 / a**2 / 4)",
+    rng = np.random.default_rng(75)
+    model = blocks("page.potential(k * (beta * x_2**2 / 2 + x_2**4 / a**2 / 4))", "stiffening")
+    for _ in range(2):
+        beta, kappa, mu_s = rng.uniform((0.5, 0.1, 0.45), (2.0, 1.0, 0.8))
+        p = model.Parameters(V=0.0, beta=beta, kappa=kappa, mu_s=mu_s)
+        with pytest.raises(ss.errors.ModelError, match="not linear"):
+            ss.sticking_states(p)
+        found = rests(p, rng)
+        assert len(found.attractors) == 1
+        assert not found.remarks
+
+
+def test_rest_of_blocks_that_nothing_ties_to_the_ground_is_one_attractor() -> None:
+    """Forces are linear, det K is 0: the states that |F_i| ≤ μ_s N_i holds form a strip."""
+    rng = np.random.default_rng(76)
+    text = BLOCKS.replace("page.spring(k, along=x_1)\n", "")
+    text = text.replace("page.spring(beta * k", "page.force(beta * k * a / 9").replace(
+        "k, *", "k, "
     )
-    p = model_of(stiffening, "stiffening_blocks").Parameters(V=0.0)
-    with pytest.raises(ss.errors.ModelError, match="not linear"):
-        ss.sticking_states(p)
-    found = basin(p, x_1=[0.0, 0.1], x_2=[0.0], t_end=20.0, transient=10.0)
-    assert found.attractor[:, 0].tolist() == [0, 1]
+    model = model_of(text, "untied")
+    for kappa in (0.0, rng.uniform(0.1, 1.0)):
+        p = model.Parameters(V=0.0, beta=rng.uniform(0.5, 2.0), kappa=kappa)
+        found = rests(p, rng)
+        assert len(found.attractors) == 1
+        assert not found.remarks
+
+
+def test_rest_in_several_wells_is_not_told_to_be_one_attractor() -> None:
+    """Without a spring between them the second block rests where |x³ − x| ≤ μ_s N_2 / (k a)."""
+    rng = np.random.default_rng(77)
+    model = blocks("page.potential(beta * k * (x_2**4 / a**2 / 4 - x_2**2 / 2))", "two_wells")
+    p = model.Parameters(V=0.0, beta=1.0, kappa=0.0, mu_s=0.2, mu_k=rng.uniform(0.1, 0.15), N_2=1.0)
+    found = rests(p, rng)
+    x_2 = found.sweep.rest_x_2
+    well = np.sign(x_2) * (np.abs(x_2) > 0.5)
+    assert len({*well.ravel()}) == len(found.attractors) > 1
+    for each in np.unique(found.attractor):
+        assert len({*well[found.attractor == each]}) == 1
+    assert "they may be one" in found.remarks[0]
 
 
 @pytest.mark.thorough

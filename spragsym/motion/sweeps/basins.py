@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ from ...display import named_fields
 from ...models.parameters import FloatArray, ParameterSet, as_numbers
 from ...numerics.interval_arrays import IntArray
 from ...results.result import Named
-from ..regimes import Outcome, Regime, same_limit, sets_of_rest
+from ..regimes import Outcome, Regime, RestSets, same_limit
 from .many import Sweep, rms_sweep
 
 
@@ -40,6 +40,9 @@ class Basin(Named):
         else NaN.
     sweep : Sweep
         Everything that was measured.
+    remarks : tuple of str
+        Which attractors may be one: rest where friction holds whole sets of states that are not
+        told apart.
     """
 
     plane: tuple[str, str]
@@ -47,6 +50,7 @@ class Basin(Named):
     attractor: IntArray
     attractors: tuple[tuple[Regime, int, float, float], ...]
     sweep: Sweep
+    remarks: tuple[str, ...] = ()
 
     def _shown(self) -> dict[str, Any]:
         values = named_fields(self)
@@ -123,27 +127,44 @@ def basin(
     (one, first), (other, second) = axes.items()
     options: dict[str, Any] = {one + "0": first[:, None], other + "0": second, **starts}
     sweep = rms_sweep(p, **options)
-    field, sets = sweep.model.field, cache(partial(sets_of_rest, p))
+    field = sweep.model.field
     one_limit = partial(
-        same_limit, field=field, constants=field.constants(p.scalars(*p.ranges)), sets=sets
+        same_limit,
+        field=field,
+        constants=field.constants(p.scalars(*p.ranges)),
+        sets=RestSets(p),
     )
-    return Basin((one, other), (first, second), *_attractors(sweep, one_limit), sweep)
+    return Basin((one, other), (first, second), sweep=sweep, **_attractors(sweep, one_limit))
 
 
 def _attractors(
-    sweep: Sweep, one_limit: Callable[[Outcome, Outcome], bool]
-) -> tuple[IntArray, tuple[tuple[Regime, int, float, float], ...]]:
+    sweep: Sweep, one_limit: Callable[[Outcome, Outcome], bool | None]
+) -> dict[str, Any]:
     """Group motions by what they settle to or approach: by all numbers of an equilibrium's place or
     of a cycle's one state, or by the set of rest.
     """
     labels = np.full(sweep.regime.shape, -1)
-    known: list[Outcome] = []
+    known, unknown = list[Outcome](), dict[int, list[int]]()
     for index in np.argwhere(sweep.regime != Regime.FAILED):
-        outcome = sweep.outcome(tuple(index))
-        same = (i for i, other in enumerate(known) if one_limit(other, outcome))
-        labels[tuple(index)] = label = next(same, len(known))
-        if label == len(known):
+        outcome, apart = sweep.outcome(tuple(index)), list[int]()
+        for label, other in enumerate(known):
+            same = one_limit(other, outcome)
+            if same:
+                break
+            apart += [label] * (same is None)
+        else:
+            label = len(known)
             known.append(outcome)
-    return labels, tuple(
-        (one.limit, one.equilibrium, one.cycle_mean, one.cycle_spread) for one in known
-    )
+            unknown |= {label: apart} if apart else {}
+        labels[tuple(index)] = label
+    return {
+        "attractor": labels,
+        "attractors": tuple(
+            (one.limit, one.equilibrium, one.cycle_mean, one.cycle_spread) for one in known
+        ),
+        "remarks": tuple(
+            f"attractor {one} is rest where friction holds, as {', '.join(map(str, others))}: no "
+            "path of such states between them is proved, and they may be one"
+            for one, others in unknown.items()
+        ),
+    }

@@ -106,7 +106,7 @@ def test_the_slope_of_the_friction_by_the_share() -> None:
     uneven = model_of(shipped_page("coulomb_stick_slip", law), "uneven").Parameters(
         mu_s=0.5, mu_k=0.4, V=0.0
     )
-    found, own = ss.sticking_states(uneven), sticking._held(uneven.model)
+    found, own = ss.sticking_states(uneven), sticking.held(uneven, [""])
     low, high = (own._model.algebra.friction_at_rest(0.5, 0.4, 0.0, share) for share in (-1, 1))
     assert [found.x_low[0], found.x_high[0], low, high] == pytest.approx([-0.5, 0.6, -0.5, 0.6])
     assert own._model.algebra.friction_by_parameters(0.5, 0.4, 0.0, 0.3)[-1] == pytest.approx(

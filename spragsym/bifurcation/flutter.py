@@ -148,7 +148,7 @@ def flutter_onsets(
     [135.389588 166.068824] [ 1 -1]
     >>> onsets = ss.flutter_onsets(ss.load("stick_slip").Parameters(), vary="V")
     >>> onsets.V.round(4).tolist(), onsets.criticality.tolist()
-    ([0.101, 1.4035], ['gentle', 'dangerous'])
+    ([0.101, 1.4035], ['supercritical', 'subcritical'])
     """
     name = p.model.one(vary)
     contacts = [balance.contact for balance in balances_of(p.model, None, within)]
@@ -487,11 +487,10 @@ class Onsets(Points):
     Attributes
     ----------
     criticality : ndarray of str
-        ``"gentle"`` where l₁ < 0 is proved (supercritical: the cycle that is born attracts within
-        the plane of the pair, and grows from nothing), ``"dangerous"`` where l₁ > 0 is
-        (subcritical: an unstable cycle shrinks onto the state, and beyond the onset motions go
-        far), else ``"undecided"``, also where l₁ comes from the tail of a law smoothed at rest
-        alone.
+        ``"supercritical"`` where l₁ < 0 is proved (the cycle that is born attracts within the plane
+        of the pair, and grows from nothing), ``"subcritical"`` where l₁ > 0 is (an unstable cycle
+        shrinks onto the state, and beyond the onset motions go far), else ``"undecided"``, also
+        where l₁ comes from the tail of a law smoothed at rest alone.
     lyapunov, lyapunov_error : ndarray
         The first Lyapunov coefficient l₁ and a bound on its error that is proved; NaN and inf where
         ``why`` says that there is none. The state is coordinates, then rates, in the model's units,
@@ -512,7 +511,7 @@ class Onsets(Points):
         Column("branch", "1", "number of the state from below in theta"),
         Column("count", "1", "number of states at this point"),
         Column("side", "1", "side on which flutter is"),
-        Column("criticality", "1", "gentle, dangerous or undecided", row="behind"),
+        Column("criticality", "1", "supercritical, subcritical or undecided", row="behind"),
         Column("when", "1", "direction of the parameter in which it sets in", row="behind"),
         Column("lyapunov", "", "first Lyapunov coefficient", row="beside"),
         Column("lyapunov_error", "", "bound on its error", row="beside"),
@@ -550,13 +549,13 @@ class Onsets(Points):
 
     @cached_property
     def criticality(self) -> NDArray[np.str_]:
-        """gentle, dangerous or undecided."""
-        return np.array([told(form)[0] for form in self.normal_forms], dtype=np.str_)
+        """supercritical, subcritical or undecided."""
+        return np.array([criticality_of(form)[0] for form in self.normal_forms], dtype=np.str_)
 
     @cached_property
     def why(self) -> tuple[str, ...]:
         """Why an onset is undecided."""
-        return tuple(told(form)[1] for form in self.normal_forms)
+        return tuple(criticality_of(form)[1] for form in self.normal_forms)
 
     def _normal_form(self, row: int) -> Any:
         if self.kind[row] != "hopf":
@@ -589,9 +588,9 @@ def form_or_why(*point: Any) -> Any:
         return str(reason)
 
 
-def told(form: Any) -> tuple[str, str]:
-    """What the sign of the coefficient says, and why nothing where it does not; of a normal form,
-    or of why there is none.
+def criticality_of(form: Any) -> tuple[str, str]:
+    """Criticality by the sign of the coefficient, and why it is undecided; of a normal form, or of
+    why there is none.
     """
     if isinstance(form, str):
         return "undecided", form
@@ -599,4 +598,4 @@ def told(form: Any) -> tuple[str, str]:
         return "undecided", NEAR_ZERO
     if abs(form.lyapunov) * form.reach**2 < MEANT:
         return "undecided", BELOW_THE_LAW.format(MEANT)
-    return "gentle" if form.lyapunov < 0 else "dangerous", ""
+    return "supercritical" if form.lyapunov < 0 else "subcritical", ""

@@ -41,13 +41,13 @@ from .defining_systems import (
 from .flutter import (
     NEVER_STABLE,
     Frequencies,
+    criticality_of,
     crossing,
     every,
     form_or_why,
     frequencies,
     meeting,
     of_forms,
-    told,
 )
 from .normal_forms import NormalForm
 from .options import ContinuationOptions
@@ -133,8 +133,8 @@ def onset_curves(
     between: Ranges | None = None,
     options: ContinuationOptions | None = None,
 ) -> OnsetCurves:
-    """Curves of Hopf points in the plane of two parameters, each point supercritical (gentle) or
-    subcritical (dangerous).
+    """Curves of Hopf points in the plane of two parameters, each point supercritical or
+    subcritical.
 
     Parameters
     ----------
@@ -177,7 +177,7 @@ def onset_curves(
     >>> p = ss.load("stick_slip").Parameters()
     >>> found = ss.onset_curves(p, ("V", "zeta"), between={"V": (0.0, 1.0), "zeta": (0.0, 2.0)})
     >>> len(found), sorted(set(found.curves[0].criticality.tolist()))
-    (1, ['dangerous', 'gentle'])
+    (1, ['subcritical', 'supercritical'])
     >>> found.changes["V"].round(4).tolist()  # where F‴ = 0, at (1 + √2) v_s
     [0.2414]
     """
@@ -349,7 +349,7 @@ class _Plane(Family):
             "omega": omega,
             "lyapunov": of_forms(forms, "lyapunov", np.nan),
             "lyapunov_error": of_forms(forms, "lyapunov_error", np.inf),
-            "criticality": np.array([told(form)[0] for form in forms], dtype=np.str_),
+            "criticality": np.array([criticality_of(form)[0] for form in forms], dtype=np.str_),
         }
         own = {own_name(self.balance.model, name): column for name, column in ours.items()}
         return Curve({**self.named(states), **own})
@@ -378,7 +378,7 @@ class _Plane(Family):
             found, good = curves.on_curve(
                 (0.5 * (one + two))[:, None], (chord / length)[:, None], np.array([length])
             )
-            kind = told(self.forms(curves, found)[0])[0] if good[0] else "undecided"
+            kind = criticality_of(self.forms(curves, found)[0])[0] if good[0] else "undecided"
             if kind == "undecided":
                 break
             one, two = (found[:, 0], two) if kind == first else (one, found[:, 0])

@@ -165,9 +165,9 @@ def quasi_static_path(
     *q, undamped, error = np.array(out).T
     along = along[: len(out)]
     coordinates: dict[str, Any] = dict(zip(way.balance.coordinates, q, strict=True))
-    coordinates |= {name: np.array(touching) for name in way.told_of_contacts}
+    coordinates |= {name: np.array(touching) for name in way.contact_columns}
     states = one_each(p.replace(**{vary: along}), coordinates, undamped.astype(np.int8), error)
-    named = (*states.state_columns, *way.told_of_contacts)
+    named = (*states.state_columns, *way.contact_columns)
     places = {name: states[name][:, 0] for name in named}
     return Path(p, vary, along, states.undamped[:, 0], tuple(jumps), places, states)
 
@@ -620,7 +620,7 @@ class Way:
         return [float(column[stop, slot]) for column in columns]
 
     @property
-    def told_of_contacts(self) -> tuple[str, ...]:
+    def contact_columns(self) -> tuple[str, ...]:
         """The column that says which contacts touch, of a model with several."""
         return (own_name(self.p.model, "touching"),) if len(self.balances) > 1 else ()
 

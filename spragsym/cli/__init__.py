@@ -180,7 +180,7 @@ def _run(arguments: list[str], debug: bool) -> int:
         error.show()
         return error.exit_code
     except (Exception, KeyboardInterrupt) as error:
-        message, code = _told(error, arguments)
+        message, code = _message_and_code(error, arguments)
         with suppress(OSError, ValueError):
             if debug:
                 traceback.print_exc()
@@ -193,7 +193,7 @@ def _run(arguments: list[str], debug: bool) -> int:
     return 0
 
 
-def _told(error: BaseException, arguments: list[str]) -> tuple[str, int]:
+def _message_and_code(error: BaseException, arguments: list[str]) -> tuple[str, int]:
     """What is said of an error, and its exit code."""
     match error:
         case click.Abort() | KeyboardInterrupt():

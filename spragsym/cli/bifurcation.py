@@ -119,7 +119,7 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
         for title, one in told.items():
             print_points(title.capitalize(), one, titles[: len(found[title].vary)])
 
-    return {"parameters": case.told(), **told}, tables
+    return {"parameters": case.parameter_row(), **told}, tables
 
 
 def _draw(
@@ -222,7 +222,9 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
                         for end, pick in (("from", min), ("to", max))
                     },
                     "onset": ", ".join(
-                        kind for kind in ("gentle", "dangerous", "undecided") if kind in kinds
+                        kind
+                        for kind in ("supercritical", "subcritical", "undecided")
+                        if kind in kinds
                     ),
                 }
                 for number, curve in enumerate(curves, 1)
@@ -237,7 +239,7 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
             "two of them is not seen"
         )
 
-    return {"parameters": case.told(), **told}, tables
+    return {"parameters": case.parameter_row(), **told}, tables
 
 
 #: Of an onset what JSON has besides the table.

@@ -134,7 +134,7 @@ class Case:
                 f"--vary {typed}: from where to where? Give it as {typed}=FROM:TO"
             )
 
-    def told(self) -> Row:
+    def parameter_row(self) -> Row:
         """The parameters, angles in degrees."""
         titles = ((*self.parameter(name), value) for name, value in self.values.items())
         return {title: None if value is None else unit * value for title, unit, value in titles}
@@ -300,7 +300,7 @@ class Case:
     def said(self, remarks: Iterable[str]) -> list[str]:
         """Remarks with what they say of parameters and coordinates in the units of the file."""
         return [
-            text.told(self._named)
+            text.in_units(self._named)
             if self.study is not None and isinstance(text, Remark)
             else str(text)
             for text in remarks

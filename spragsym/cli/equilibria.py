@@ -20,7 +20,7 @@ from ..bifurcation.defining_systems import ranges
 from ..core.errors import ConvergenceError, ParameterError, SpragsymError
 from ..core.progress import show_progress
 from ..core.remarks import At, Remark
-from ..design.jumps import first_ends, told
+from ..design.jumps import first_ends, require_known
 from ..display import columns_of_class, own_name
 from ..models.parameters import INSIDE
 from . import options as o
@@ -336,7 +336,7 @@ def _first(case: Case, p: ParameterSet, along: Span, way: str, jumped: bool) -> 
         )
         begin, until = ends or (lowest, None)
         falls = way == "down" if ends is None else ends[1] < ends[0]
-        found = told(
+        found = require_known(
             first_ends(
                 p, name, direction="down" if falls else "up", begin=begin, until=until, **case.ask
             )
@@ -373,7 +373,7 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
             return None
 
     def jump() -> float:
-        found = told(first_ends(p, str(own)))
+        found = require_known(first_ends(p, str(own)))
         if math.isnan(found.value) and math.isfinite(found.until):
             end = At(str(own), (float(found.until),), "g")
             remarks.append(Remark("mu0_jump: followed up to {}; beyond that it is not known", end))

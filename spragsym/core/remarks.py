@@ -23,14 +23,14 @@ class At:
     digits: str = ".8g"
     unit: str = ""
 
-    def told(self, units: Units) -> str:
+    def in_units(self, units: Units) -> str:
         """It in other units."""
         title, one = units(self.name)
         low, *high = (f"{one * (end + 0.0):{self.digits}}" for end in self.ends)
         return f"{title} in [{low}, {high[0]}]" if high else f"{title} = {low}"
 
     def __str__(self) -> str:
-        return self.told(lambda name: (name, 1.0)) + self.unit
+        return self.in_units(lambda name: (name, 1.0)) + self.unit
 
 
 class Remark(str):
@@ -47,7 +47,9 @@ class Remark(str):
     def __getnewargs__(self) -> tuple[Any, ...]:
         return (self.template, *self.parts)
 
-    def told(self, units: Units) -> str:
+    def in_units(self, units: Units) -> str:
         """The sentence in other units."""
-        parts = (part.told(units) if isinstance(part, At | Remark) else part for part in self.parts)
+        parts = (
+            part.in_units(units) if isinstance(part, At | Remark) else part for part in self.parts
+        )
         return self.template.format(*parts) if self.parts else self.template

@@ -28,7 +28,7 @@ from ..models.parameters import POSITIVE, ParameterSet, Range, as_number, set_of
 from ..models.quantities import QuantityValues
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..numerics.vectors import norm
-from .jumps import Ends, Followed, first_ends, have_jumped, slopes_of, told
+from .jumps import Ends, Followed, first_ends, have_jumped, require_known, slopes_of
 
 if TYPE_CHECKING:
     from ..models.model import Model
@@ -234,7 +234,7 @@ class EndOfState:
     def ahead(self, z: FloatArray) -> tuple[float, FloatArray]:
         """How far beyond the design's own value the state ends, and the slopes of that by z."""
         p, slopes = self.designs.sets(z), self.designs.slopes(z)
-        found = self._next(p) or told(first_ends(p, self.vary, begin=self.begin))
+        found = self._next(p) or require_known(first_ends(p, self.vary, begin=self.begin))
         place = np.append(found.state, found.value)
         self.last = place if np.isfinite(place).all() else None
         # What is not among the slopes the jump does not depend on, as the belt's speed.

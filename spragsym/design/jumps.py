@@ -111,7 +111,7 @@ def jump_value(
     >>> np.round(ss.jump_value(p), 6)
     array([0.597422, 0.385931,      nan])
     """
-    found = told(
+    found = require_known(
         first_ends(p, vary, direction=direction, begin=begin, until=until, method=method)
     ).value
     return found if found.ndim else float(found)
@@ -157,7 +157,9 @@ def jump_gradient(
     >>> print("{:.4f} for each degree, {:.4f} for each 0.01 of sigma".format(*each))
     -0.0313 for each degree, 0.0186 for each 0.01 of sigma
     """
-    found = told(first_ends(p, vary, direction=direction, begin=begin, until=until, method=method))
+    found = require_known(
+        first_ends(p, vary, direction=direction, begin=begin, until=until, method=method)
+    )
     name = model_of(p).rising(vary, 0.0)[0]
     return JumpGradient(name, found.value, slopes_of(p, name, found))
 
@@ -434,7 +436,7 @@ class Ends:
     others: Mapping[int, ModelEnd] = field(default_factory=dict)
 
 
-def told(found: Ends) -> Ends:
+def require_known(found: Ends) -> Ends:
     """The values themselves; an error if nothing is known of a single point, a warning if nothing
     is known of some of many.
     """

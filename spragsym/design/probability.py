@@ -152,7 +152,7 @@ def estimated(
         sums, partial(_at_points, variables, together, event), [*together.factors], sobol
     )
     done: dict[int, list[float]] = {}
-    results = processes.results(workers, work, dict(enumerate(tasks)), _told)
+    results = processes.results(workers, work, dict(enumerate(tasks)), _chunk_text)
     with advance(progress, len(tasks), 0) as step, closing(results):
         for i, record in results:
             done[i] = record
@@ -266,7 +266,7 @@ def _at_points(
     )
 
 
-def _told(chunk: Chunk) -> str:
+def _chunk_text(chunk: Chunk) -> str:
     return f"points {chunk.begin} to {chunk.begin + chunk.size} of replicate {chunk.replicate}"
 
 

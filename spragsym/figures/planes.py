@@ -89,7 +89,7 @@ def draw_onset_curves(
     """Curves of Hopf points in the plane of two parameters, as maps of stability are printed;
     returns the artists.
 
-    Full where the onset is supercritical (gentle), dashed where it is subcritical (dangerous),
+    Full where the onset is supercritical, dashed where it is subcritical,
     dotted where that is undecided; dots where l₁ changes its sign (generalized Hopf, GH), squares
     for points of two conditions (Bogdanov–Takens, BT; zero–Hopf, ZH; double Hopf, HH). Without
     damping two modes meet on grey lines; with it, where oscillations grow is shaded and called
@@ -107,7 +107,7 @@ def draw_onset_curves(
     ax, model = own_axes(ax), found.points.parameters.model
     artists: list[Any] = []
     color = BLACK if found.damping else GREY
-    styles = {"gentle": "-", "dangerous": "--", "undecided": ":" if found.damping else "-"}
+    styles = {"supercritical": "-", "subcritical": "--", "undecided": ":" if found.damping else "-"}
     for curve in found.curves:
         across, up = _places(model, found.vary, curve)
         for part in runs(curve.criticality):
@@ -219,7 +219,7 @@ def stability_figure(found: OnsetCurves) -> Sheet:
         say(ax, _no("onsets", found.complete))
     lines = " without damping: two modes meet."
     if found.damping:
-        lines = """, supercritical (gentle) on full lines, subcritical (dangerous) on dashed,
+        lines = """, supercritical on full lines, subcritical on dashed,
         undecided on dotted ones. Dots: GH; squares: curves end on folds (BT, ZH) or cross (HH)."""
     return figure.describe(
         f"Onsets of oscillation of {model.name}{lines}{_open(found)}",

@@ -76,8 +76,8 @@ _LINES = 40
 _VALUES = 80
 #: Kinds of onsets: how a line is drawn, and the words for it.
 ONSETS = {
-    "gentle": ("full line", "it begins with a small amplitude (supercritical)"),
-    "dangerous": ("dashed", "with a large one at once (subcritical)"),
+    "supercritical": ("full line", "it begins with a small amplitude (supercritical)"),
+    "subcritical": ("dashed", "with a large one at once (subcritical)"),
     "undecided": ("dotted", "which of the two is not decided"),
 }
 #: Points of two conditions, in plain words.

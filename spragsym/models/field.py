@@ -305,7 +305,7 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
         faces=motion.faces
         if len(motion.contacts) == 1
         else tuple(k for k, entry in enumerate(motion.contacts) if entry["border"]),
-        forces=tuple(forces.told_of(model).items()),
+        forces=tuple(forces.forces_of(model).items()),
         nonlinear_levels=model.about.get("curved", False),
         periodic=tuple(
             place

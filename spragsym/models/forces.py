@@ -65,7 +65,7 @@ def columns(model: Model) -> list[Column]:
     return found
 
 
-def told_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatArray]:
+def derived_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatArray]:
     """What follows from where states are, their coordinates on one more axis than ``p``: of each
     inclined spring the direction in (−π, π], the length and the tension, and the contact's force.
     """
@@ -80,7 +80,7 @@ def told_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatA
         ]
         forces = {
             name: np.where(np.isnan(q[0]), np.nan, force(q, motion))
-            for name, force in told_of(model).items()
+            for name, force in forces_of(model).items()
         }
     return {**dict(zip(columns_of(model), places, strict=False)), **forces}
 
@@ -101,7 +101,7 @@ def contact_force(
     return np.add(force(*q, *constants, closed), 0.0)  # without the sign of a zero
 
 
-def told_of(model: Model) -> dict[str, partial[FloatArray]]:
+def forces_of(model: Model) -> dict[str, partial[FloatArray]]:
     """Forces by their names: tension k (L − L_0), negative where it pushes, as ``spring_force`` of
     the only inclined spring, or ``spring_force_1``, …; ``contact_force``.
     """
@@ -142,7 +142,7 @@ def spring_named(model: Model, spring: str | None) -> str:
             else "nothing: there is no inclined spring"
         )
         raise ParameterError(f"spring = {spring!r} of {model.name} is {offered}")
-    return list(told_of(model))[springs.index(spring)]
+    return list(forces_of(model))[springs.index(spring)]
 
 
 def of_statics(model: Model, constants: Sequence[Any]) -> list[Any]:

@@ -459,7 +459,7 @@ class Trajectory(Named):
         one of several.
         """
         name = forces.spring_named(self.model, spring)
-        return forces.told_of(self.model)[name](self.state, self._arguments())
+        return forces.forces_of(self.model)[name](self.state, self._arguments())
 
     def contact_force(self, contact: str | None = None) -> FloatArray:
         """Normal force of the contact at the samples: 0 where the mass has lifted off; ``contact``

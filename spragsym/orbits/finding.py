@@ -160,7 +160,7 @@ def cycle(
     >>> onsets = ss.flutter_onsets(model.Parameters(), vary="V")
     >>> born = ss.cycle(onset=onsets, index=1, amplitude=0.05)
     >>> str(onsets.criticality[1]), born.stable, bool(born.parameters["V"] > onsets.V[1])
-    ('dangerous', False, True)
+    ('subcritical', False, True)
     """
     if onset is not None:
         if p is not None or near is not None:

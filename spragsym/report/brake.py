@@ -368,9 +368,9 @@ class Brake:
 
     def jump(self) -> float:
         """Where the state jumps, as the parameter that rises; NaN where it does not."""
-        from ..design.jumps import told  # as above
+        from ..design.jumps import require_known  # as above
 
-        return float(told(self.ends).value)
+        return float(require_known(self.ends).value)
 
     def loaded(self, values: Mapping[str, Any], target: float | None) -> Any:
         """Parameters of brakes, by their quantities in SI, with the loading parameter at a target,

@@ -250,7 +250,8 @@ class _Answers:
             return f"{quantity}/{unit}" if unit else quantity, size
 
         told = (
-            reason.told(units) if isinstance(reason, Remark) else str(reason) for reason in reasons
+            reason.in_units(units) if isinstance(reason, Remark) else str(reason)
+            for reason in reasons
         )
         return ", and ".join(dict.fromkeys(text.partition(";")[0] for text in told))
 

@@ -193,7 +193,7 @@ def _forces(study: Brake, ends: Ranges, known: float = 1.0) -> tuple[Any, Any]:
 
 def _extremes(p: ParameterSet, states: FloatArray) -> Ranges:
     constants = [float(value) for value in p.model.arguments(p, "motion")]
-    told = ((name, force(states, constants)) for name, force in forces.told_of(p.model).items())
+    told = ((name, force(states, constants)) for name, force in forces.forces_of(p.model).items())
     return {name: (float(np.min(force)), float(np.max(force))) for name, force in told}
 
 
@@ -265,7 +265,7 @@ def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: boo
     where = [
         name for name in forces.columns_of(model) if name not in place
     ]  # direction and length of each spring in turn
-    told = forces.told_of(model)
+    told = forces.forces_of(model)
     rate = _roots(study, list(place.values())) / scales.time
     size = np.abs(rate).max()
     # Where nothing damps, as without friction, the sign of the real part is the rounding's.

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ..core.errors import ConvergenceError
 from ..display import Column, Table, counted, in_rows, not_all, own_name, points
 from ..files import storage
-from ..models.forces import told_of, told_of_states
+from ..models.forces import derived_of_states, forces_of
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IntArray
 from .result import WHOLE, Items, OfStates, Result, along_axes, axes_of
@@ -91,7 +91,7 @@ def _names(model: Model, more: tuple[str, ...]) -> tuple[str, ...]:
     made = (each.name for each in Equilibria.schema if each.of is not None)
     several = ["touching"] if model.has_regimes else []
     ours = (own_name(model, name) for name in (*several, *_KNOWN, *_LINEARIZED, *made, *more))
-    return tuple(dict.fromkeys([*model.places, *told_of(model), *model.parameters, *ours]))
+    return tuple(dict.fromkeys([*model.places, *forces_of(model), *model.parameters, *ours]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -292,7 +292,7 @@ class Equilibria(OfStates):
 
     @cached_property
     def _made(self) -> dict[str, FloatArray]:
-        return told_of_states(self.parameters, list(self.coordinates.values()))
+        return derived_of_states(self.parameters, list(self.coordinates.values()))
 
     @cached_property
     def _all(self) -> Any:

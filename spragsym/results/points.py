@@ -14,7 +14,7 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import NDArray
 
 from ..display import Column, Table, Tabular, counted, following, in_rows, not_all
-from ..models.forces import told_of_states
+from ..models.forces import derived_of_states
 from ..models.model import Model
 from ..models.parameters import FloatArray
 from ..numerics.columns import picked
@@ -214,10 +214,10 @@ class Points(OfStates, Rows):
         return self._ended if isinstance(self._ended, Ended) else self._ended(self)
 
     @cached_property
-    def _told(self) -> dict[str, FloatArray]:
+    def _derived(self) -> dict[str, FloatArray]:
         """What follows from where the states are."""
         p = self.parameters.replace(**{name: self[name] for name in self.vary})
-        told = told_of_states(p, [place[:, None] for place in self.coordinates.values()])
+        told = derived_of_states(p, [place[:, None] for place in self.coordinates.values()])
         return picked(told, (slice(None), 0))
 
     @property
@@ -243,7 +243,7 @@ class Points(OfStates, Rows):
             given = self.parameters[name]
             return np.full(len(self), np.nan if given is None or given.ndim else float(given))
         if name in self.state_columns:
-            return self._told[name]
+            return self._derived[name]
         return self.data()[name]
 
 
@@ -301,7 +301,7 @@ class Curve(Named, Rows):
         Column("upper", "1", "whether the stable state that ends is the upper one in theta"),
         Column("{p}_after", "{p}", "{p} of the state that is jumped to"),
         Column("omega", "1/s", "frequency of the onset"),
-        Column("criticality", "1", "gentle, dangerous or undecided"),
+        Column("criticality", "1", "supercritical, subcritical or undecided"),
         Column("lyapunov", "", "first Lyapunov coefficient"),
         Column("lyapunov_error", "", "bound on its error"),
     )

@@ -174,9 +174,9 @@ def classified(
     """
     with quiet():
         signs, real, even = _over(balance, balance.prepared_at(given), ends)
-    codes, proved = _told(signs, real, even)
+    codes, proved = _types_by_signs(signs, real, even)
     for row, signs in _with_digits(balance, given, ends, ~proved, lambda _: _types):
-        codes[row], proved[row] = _told(signs, real[row], even[row])
+        codes[row], proved[row] = _types_by_signs(signs, real[row], even[row])
     M, G, K = linearization(balance, states, given, damping=False)
     if balance.gyroscopic:
         every = roots(M, G, K)
@@ -318,12 +318,12 @@ def decay(
         at = balance.state(Intervals(ends), balance.prepared_at(given))
         without = matrix(at.damping(), at.shape).magnitude.max(axis=(0, 1)) <= NOTHING
         half = np.where(growth > 0, 0.5 * growth, 0.0)
-        told = _told_to_decay(_signs_over(at, asked(Intervals.point(half))))
+        told = _decay_by_signs(_signs_over(at, asked(Intervals.point(half))))
         found = np.where(without & (undamped != 0), undamped, told).astype(np.int8)
     for row, signs in _with_digits(
         balance, given, ends, found == 0, lambda row: asked(ball(float(half[row]), BITS))
     ):
-        found[row] = _told_to_decay(signs)
+        found[row] = _decay_by_signs(signs)
     return found
 
 
@@ -386,7 +386,7 @@ def _routh(M: Matrix, C: Matrix, K: Matrix) -> list[Any]:
     return [*a, *(hurwitz(a, size) for size in range(2, len(a) - 1))]
 
 
-def _told_to_decay(signs: Sequence[Int8Array]) -> Int8Array:
+def _decay_by_signs(signs: Sequence[Int8Array]) -> Int8Array:
     """1 where nothing grows, −1 where something does, by the signs of :func:`_routh_twice`; of the
     second that it grows only.
     """
@@ -420,7 +420,7 @@ def _signs_over(at: Evaluation, ask: Ask) -> list[Int8Array]:
     return [stacked(part, at.shape).signs for part in parts]
 
 
-def _told(
+def _types_by_signs(
     signs: Sequence[Int8Array], real: BoolArray, even: BoolArray
 ) -> tuple[Int8Array, BoolArray]:
     """Codes, and whether the signs that are known decide them, 0 for one that is not; ``real`` and
@@ -480,7 +480,7 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> EquilibriumType:
     )
     symmetric = _without_friction(balance, np.array([mus])) | same
     signs = _signs_at(precise, q, _types)
-    code, proved = _told(signs, symmetric & still, symmetric | still)
+    code, proved = _types_by_signs(signs, symmetric & still, symmetric | still)
     if not proved[0]:
         raise UndecidedSign("a state on the border of its type")
     return EquilibriumType(int(code[0]))

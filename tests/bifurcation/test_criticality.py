@@ -49,7 +49,7 @@ def test_stick_slip_in_closed_form(stick_slip: Any) -> None:
                 abs(mpmath.mpf(float(stick_slip.crossing[row])) - crossing)
                 <= stick_slip.crossing_error[row]
             )
-    assert stick_slip.criticality.tolist() == ["gentle", "dangerous"]
+    assert stick_slip.criticality.tolist() == ["supercritical", "subcritical"]
     assert stick_slip.when.tolist() == ["up", "down"]  # it swings at speeds between the two
 
 
@@ -160,7 +160,7 @@ def test_amplitude_over_the_root_of_the_distance(
     for amplitude in amplitudes:
         found = ss.cycle(onset=onsets, index=row, amplitude=amplitude)
         if name == "stick_slip":
-            assert found.stable == (onsets.criticality[row] == "gentle")
+            assert found.stable == (onsets.criticality[row] == "supercritical")
         half = np.ptp(found.samples.states[moves]) / 2
         square = (half / (2 * abs(form.q[moves]))) ** 2
         distance = found.parameters[vary] - getattr(onsets, vary)[row]

@@ -66,7 +66,7 @@ def test_stick_slip_in_closed_form() -> None:
     assert curve.zeta == pytest.approx(
         2 * 0.4 * 0.2 * (V**2 - 0.04) / (V**2 + 0.04) ** 2, abs=1e-11
     )
-    assert (curve.criticality == np.where(gentle, "gentle", "dangerous")).all()
+    assert (curve.criticality == np.where(gentle, "supercritical", "subcritical")).all()
     assert curve.omega == pytest.approx(1.0)
     assert found.changes["V"] == pytest.approx(
         [(1 + np.sqrt(2)) * 0.2], abs=max(1e-12, *found.changes["error"])
@@ -102,7 +102,7 @@ def test_onsets_change_from_gentle_to_dangerous_where_it_is_said(found: tuple[An
         for off in (-1e-3, 1e-3):
             onsets = ss.flutter_onsets(p.replace(theta0=theta0 + off), vary="mu0", between=BETWEEN)
             told.append(onsets.criticality[np.abs(onsets.mu0 - mu0).argmin()])
-        assert set(told) == {"gentle", "dangerous"}
+        assert set(told) == {"supercritical", "subcritical"}
     assert (curves.changes["error"] < 1e-5).all()
 
 

@@ -48,7 +48,7 @@ def test_an_onset_of_the_tail_is_undecided(model: Any) -> None:
         ss.flutter_onsets(
             model.Parameters(V=1.0, d=5.0), "mu0", between={"mu0": (0.0, 1.0)}
         ).criticality[0]
-        == "dangerous"
+        == "subcritical"
     )
 
 

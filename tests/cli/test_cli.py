@@ -443,8 +443,8 @@ def test_remarks_are_told_in_other_units() -> None:
     )
     assert remark == "on lines: searched x in [0, 1] rad, a part of its range"
     assert (
-        remark.told(lambda name: (f"{name}_mm", 38.0))
+        remark.in_units(lambda name: (f"{name}_mm", 38.0))
         == "on lines: searched x_mm in [0, 38], a part of its range"
     )
     copied = pickle.loads(pickle.dumps(remark))  # noqa: S301  # bytes of our own
-    assert copied.told(lambda name: (name, 2.0)).endswith("x in [0, 2], a part of its range")
+    assert copied.in_units(lambda name: (name, 2.0)).endswith("x in [0, 2], a part of its range")

@@ -148,8 +148,8 @@ def reference_of(onsets: Any, row: int) -> Reference:
 
 
 def against_motions(onsets: Any, row: int, longest: float = 20_000.0) -> str | None:
-    """``"gentle"`` where motions from inside and outside come towards the cycle that is born,
-    ``"dangerous"`` where both leave it; None where that takes too long, or where another pair of
+    """``"supercritical"`` where motions from inside and outside come towards the cycle that is born,
+    ``"subcritical"`` where both leave it; None where that takes too long, or where another pair of
     the state grows.
     """
     form = onsets.normal_forms[row]
@@ -188,5 +188,9 @@ def against_motions(onsets: Any, row: int, longest: float = 20_000.0) -> str | N
         ]
         ends.append(size[1] - size[0])
     return (
-        "gentle" if ends[0] > 0 > ends[1] else "dangerous" if ends[0] < 0 < ends[1] else "neither"
+        "supercritical"
+        if ends[0] > 0 > ends[1]
+        else "subcritical"
+        if ends[0] < 0 < ends[1]
+        else "neither"
     )

@@ -49,7 +49,7 @@ typedef struct {
     double given[GIVEN + 1];
     double state[STATES];
     double nominal[STATES]; /* as the importer was last told */
-    double mode[MODES];
+    double mode[MODES], next[MODES]; /* the next one where a step has ended at an event */
     double unit[STATES], second, level[BORDERS + 1]; /* of the motion, inside */
 } State;
 
@@ -150,6 +150,7 @@ static Motion motion_of(const Instance *it) {
 /* Keeps the mode of a motion, and its units. */
 static void keep(Instance *it, const Motion *motion) {
     memcpy(it->now.mode, motion->mode, sizeof motion->mode);
+    memcpy(it->now.next, motion->mode, sizeof motion->mode);
     memcpy(it->now.unit, motion->unit, sizeof motion->unit);
     memcpy(it->now.level, motion->level, sizeof motion->level);
     it->now.second = motion->second;
@@ -637,15 +638,24 @@ FMI(fmi3Status, GetAdjointDerivative)(void *instance, const fmi3ValueReference *
 
 /* --------------------------------------------------------------------------------------------------------- events */
 
-/* Enters the mode beyond every border that the state has reached; where friction begins to hold or ceases to, the sliding speed
- * becomes 0. Not 0: the motion has no rates. */
+/* Enters the next mode, and that beyond every border that the state has reached; where friction begins to hold or ceases to, the
+ * sliding speed becomes 0. Not 0: the motion has no rates. */
 static int enter(Instance *it) {
     Motion motion;
     Point at;
     double unit[STATES], unit_of_rate[STATES], mode[MODES];
     memcpy(mode, it->now.mode, sizeof mode);
     scales(&it->now, unit, unit_of_rate);
-    if (here(it, &motion, &at, unit_of_rate) || settle(&motion, &at)) {
+    if (here(it, &motion, &at, unit_of_rate)) {
+        return 1;
+    }
+    if (!it->now.jumped) {
+        memcpy(motion.mode, it->now.next, sizeof motion.mode);
+        if (mode[1] != motion.mode[1] && mode[1] * motion.mode[1] == 0.0 && stop(&motion, at.state)) {
+            return 1;
+        }
+    }
+    if (settle(&motion, &at)) {
         return 1;
     }
     keep(it, &motion);
@@ -806,7 +816,7 @@ FMI(fmi3Status, DoStep)(void *instance, double from, double duration, bool no_re
             for (int i = 0; i < STATES; i++) {
                 state[i] = now->state[i] / unit[i];
             }
-            border = carry(&motion, state, whole - done, &now->length, &elapsed);
+            border = carry(&motion, state, whole - done, &now->length, &elapsed, now->next);
         }
         if (border == STUCK) {
             const double stuck = now->time;

@@ -405,14 +405,19 @@ static double nearest(const Motion *it, const Point *at, int *border) {
     return it->borders ? at->clearance[found] : 1.0;
 }
 
+/* How long ago a border was met where the field jumps; it is noticed GAP behind. 0 where that is not told. */
+static double lateness(const Motion *it, const Point *at, int border) {
+    const double late = (GAP - at->clearance[border]) / -at->change[border];
+    return (HOLDS && border >= LIFTS && border < EVENTS && late > 0.0 && late < it->second) ? late : 0.0;
+}
+
 /* Passes a border, on the other side of which the mode is told: where friction begins to hold or ceases to, from where the border
  * was met, which is GAP ahead. */
 static int pass(Motion *it, Point *at, int border) {
-    const double late = (GAP - at->clearance[border]) / -at->change[border], side = it->mode[1];
-    const int jumps = HOLDS && border >= LIFTS && border < EVENTS && late > 0.0 && late < it->second;
+    const double late = lateness(it, at, border), side = it->mode[1];
     double error;
     Point met, behind;
-    const int back = jumps && !step(it, at, -late, &met, &error);
+    const int back = late > 0.0 && !step(it, at, -late, &met, &error);
     if (cross(it, at->state, border)) {
         return 1;
     }
@@ -512,8 +517,9 @@ static int dips(const Motion *it, const Point *from, double *h, Point *to) {
     return 0;
 }
 
-/* Carries a state on for a while, or to the first event: DONE, the border that it has reached, or STUCK. */
-static int carry(Motion *it, double *state, double duration, double *length, double *elapsed) {
+/* Carries a state on for a while, or to the first event: DONE, the border that it has reached, or STUCK. An event is where its
+ * border was met, or at the start; the mode behind it, which is told where it is noticed, is the next one. */
+static int carry(Motion *it, double *state, double duration, double *length, double *elapsed, double *next_mode) {
     Point from, to;
     double error, t = 0.0;
     int border = DONE;
@@ -549,6 +555,14 @@ static int carry(Motion *it, double *state, double duration, double *length, dou
         from = to;
         if (nearest(it, &from, &border) <= 0.0) {
             if (border < EVENTS) {
+                memcpy(next_mode, it->mode, sizeof it->mode);
+                const double back = fmin(lateness(it, &from, border), t);
+                Motion behind = *it;
+                if (back > 0.0 && !step(it, &from, -back, &to, &error) && !cross(&behind, from.state, border)) {
+                    memcpy(next_mode, behind.mode, sizeof behind.mode);
+                    from = to;
+                    t -= back;
+                }
                 break;
             }
             if (settle(it, &from)) {
@@ -556,6 +570,9 @@ static int carry(Motion *it, double *state, double duration, double *length, dou
             }
         }
         border = DONE;
+    }
+    if (border == DONE) {
+        memcpy(next_mode, it->mode, sizeof it->mode);
     }
     memcpy(state, from.state, sizeof from.state);
     *elapsed = t;

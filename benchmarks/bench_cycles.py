@@ -53,7 +53,7 @@ def main() -> None:
             "theta0",
             between={"theta0": (np.radians(1.0), np.radians(75.0))},
             points=100,
-            longest=0.04,
+            options=ss.BranchOptions(longest_step=0.04),
         ),
         time.process_time,
     )

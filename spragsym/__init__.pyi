@@ -48,6 +48,7 @@ from .orbits import fate_boundary as fate_boundary
 from .orbits import fate_map as fate_map
 from .orbits import lyapunov as lyapunov
 from .orbits.diagram import diagram as diagram
+from .orbits.options import BranchOptions as BranchOptions
 from .papers import check as check
 from .report.study import Study as Study
 from .results.equilibria import EquilibriumType as EquilibriumType

@@ -123,7 +123,9 @@ def compared(
 ) -> tuple[dict[str, Any], ss.results.CycleBranch]:
     """A cycle followed over a range, and over a part of it with shorter steps."""
     branches = [
-        ss.cycle_branch(cycle, vary, between={vary: to}, points=120, longest=step)
+        ss.cycle_branch(
+            cycle, vary, between={vary: to}, points=120, options=ss.BranchOptions(longest_step=step)
+        )
         for to, step in zip(ranges, (0.08, 0.05), strict=True)
     ]
     (whole, part), inside = (told(branch, ranges[1], cycle) for branch in branches), ranges[1]

@@ -29,16 +29,12 @@ from ..motion.shooting import (
     solved,
 )
 from ..numerics.vectors import magnitude, norm
+from .options import BranchOptions
 
 #: A test function is known to so many of its errors.
 SURE = 100.0
 #: Its differences are taken over this.
 DIFFERENCE = 1e-6
-
-#: Largest angle between a step of a branch and its tangents, as its cosine.
-STRAIGHT = 0.97
-#: A smaller one, at which steps become longer.
-STRAIGHTER = 0.995
 
 #: Share of the largest singular value below which another one is 0.
 ALONE = 1e-10
@@ -51,11 +47,9 @@ FINE = 1e-15
 #: A zero of a test function is located to this, in units of the arc.
 LOCATED = 1e-11
 
-#: First step to a value of the parameter, in shares of the way: all of it where the branch is
-#: straight.
-WHOLE = 2.0
-#: Shortest of these steps.
-LEAST_SHARE = 1e-3
+#: Options of the way to a value of the parameter, in shares of it: all of it at once where the
+#: branch is straight.
+ON_THE_WAY = BranchOptions(first_step=2.0, longest_step=np.inf, shortest_step=1e-3, kink=0.0)
 
 
 def in_phase(_: Setting, near: Orbit, target: FloatArray) -> Conditions:
@@ -304,36 +298,32 @@ def turning(point: Point) -> float:
 def steps(
     point: Point,
     ahead: Callable[[Point, float], Point],
-    first: float,
-    longest: float,
-    shortest: float,
-    kink: float = 0.0,
+    options: BranchOptions,
     look: Callable[[Point, Point, float], Any] = lambda _, found, length: found,
 ) -> Iterator[Any]:
     """What is seen at points by steps that are shorter where one fails or the branch bends, longer
     where it is straight; no end.
 
     ``ahead`` gives the point a length of arc from another, ``look`` what is seen on that way, by
-    default the point; a ConvergenceError of either ends the steps once they are the shortest. A
-    bend within ``kink`` is a kink of the branch.
+    default the point; a ConvergenceError of either ends the steps once they are the shortest.
     """
-    length = first
+    length = options.first_step
     while True:
         try:
             found = ahead(point, length)
             straight = aligned(point, found)
-            if straight < STRAIGHT and length > kink:
+            if straight < options.straight and length > options.kink:
                 raise ConvergenceError("it bends within the shortest step")
             seen = look(point, found, length)
         except (ConvergenceError, ZeroDivisionError, np.linalg.LinAlgError):
             length /= 3
-            if length < shortest:
+            if length < options.shortest_step:
                 raise
             continue
         yield seen
         point, length = (
             remeshed_point(found),
-            min(longest, length * (1.6 if straight > STRAIGHTER else 1.1)),
+            min(options.longest_step, length * (1.6 if straight > options.straighter else 1.1)),
         )
 
 
@@ -375,9 +365,7 @@ def along(point: Point, value: float) -> Point:
         for found in steps(
             point.oriented(direction * math.copysign(1.0, turning(point))),
             ahead,
-            WHOLE,
-            np.inf,
-            LEAST_SHARE,
+            ON_THE_WAY,
         ):
             point = found
             if point.value == value:

@@ -20,12 +20,10 @@ from ..models.model import Model
 from ..models.parameters import (
     ANGLE,
     FINITE,
-    POSITIVE,
     FloatArray,
     Ranges,
     Span,
     as_count,
-    as_number,
     as_ranges,
     varied_range,
 )
@@ -60,45 +58,17 @@ from .events import (
     touching,
     vertical,
 )
+from .options import BranchOptions
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import NEAREST, halved, meets, switched
 
-#: Length of the first step along the arc.
-FIRST = 0.004
-#: Length of the longest step.
-LONGEST = 0.08
-#: Length below which a branch is given up.
-SHORTEST = 1e-9
-#: Length of a kink of the branch.
-KINK = 1e-6
-
-#: The same along a curve of events.
-OF_EVENTS = 0.01, 0.1, 1e-6, 1e-4
+#: Options of curves of events.
+OF_EVENTS = BranchOptions(first_step=0.01, longest_step=0.1, shortest_step=1e-6, kink=1e-4)
 
 #: Error of an end by rounding, where a size vanishes, in ranges of the parameter.
 ROUNDED = 1e-12
 #: Error of an end at an orbit that rests for long, in ranges of the parameter.
 RESTED = 1e-6
-
-#: Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
-LONG = 6.0
-
-#: States move by no more than this in one step.
-FAR = 0.5
-#: Nor by more than this share of the orbit's extent, however small that is in the model's units:
-#: an equilibrium is a closed orbit of every period, and Newton's method may not fall onto it.
-SHARE = 0.3
-
-#: An orbit of a smaller extent, or of a smaller share of the first one's, has shrunk onto an
-#: equilibrium.
-LEAST = 1e-3
-
-#: Share of the first cycle's extent below which a branch has shrunk onto an equilibrium where the
-#: parameter turns back.
-SHRUNK = 0.1
-
-#: Slowest part of an orbit that is said to come to rest.
-STILL = 2e-3
 
 #: Kind of an end at which an arrival becomes tangent.
 CATASTROPHIC = "catastrophic-sliding"
@@ -258,7 +228,12 @@ class CycleBranch(Result):
 
 @in_usual_state
 def cycle_branch(
-    cycle: Cycle, vary: str, *, between: Ranges, points: int = 400, longest: float = LONGEST
+    cycle: Cycle,
+    vary: str,
+    *,
+    between: Ranges,
+    points: int = 400,
+    options: BranchOptions | None = None,
 ) -> CycleBranch:
     """Follow a cycle as a parameter varies, through folds, to both ends of a range or to where the
     branch ends.
@@ -274,8 +249,8 @@ def cycle_branch(
         Its range, by its name; the branch is followed both ways from the cycle.
     points : int
         Most points each way.
-    longest : float
-        Longest step, as a length in states, shares of the period and halves of the range.
+    options : BranchOptions, optional
+        Lengths of steps and other limits, by default :class:`spragsym.BranchOptions`.
 
     Returns
     -------
@@ -285,7 +260,7 @@ def cycle_branch(
     ------
     ParameterError
         For a parameter that the model does not have, a range without the cycle's own value, or
-        beyond what it may be, no points, or a step that is not positive.
+        beyond what it may be, or no points.
 
     Notes
     -----
@@ -308,7 +283,8 @@ def cycle_branch(
     low, high = varied_range(vary, between, ANGLE if model.column(vary).is_angle else FINITE)
     for bound in (low, high):
         model.check(vary, bound)
-    points, longest = as_count("points", points), as_number("longest", longest, POSITIVE)
+    points = as_count("points", points)
+    options = options or BranchOptions()
     value = cycle.values[index]
     if not low <= value <= high:
         raise ParameterError(
@@ -326,9 +302,9 @@ def cycle_branch(
     pieces = len(own.states)  # an even number, so that halves of a doubled cycle are seen
     begun = remeshed(own, 2 * pieces) if pieces % 2 else own.guess
     start = remeshed_point(started(setting, begun))
-    back = list(_followed([start.oriented(-1.0)], (low, high), points, longest))
+    back = list(_followed([start.oriented(-1.0)], (low, high), points, options))
     behind = [item.oriented(-1.0) for item in back if isinstance(item, Point)]
-    forth = list(_followed([*behind[:1], start], (low, high), points, longest))
+    forth = list(_followed([*behind[:1], start], (low, high), points, options))
     closed = back and isinstance(back[-1], DetectedEvent) and back[-1].kind == "closed"
     items = [*reversed(back), start, *([] if closed else forth)]
     orbits, events, places = [], [], []
@@ -364,16 +340,17 @@ def cycle_branch(
 
 
 def _followed(
-    followed: list[Point], to: Span, points: int, longest: float
+    followed: list[Point], to: Span, points: int, options: BranchOptions
 ) -> Iterator[Point | DetectedEvent]:
     """Points and findings in one direction behind the last of some points, an end the last of
     them.
     """
     start = followed[-1]
+    first_extent = extent(start.orbit)
 
     def ahead(point: Point, length: float) -> Point:
         with doing("the branch of cycles beside {:.6g}", point.value):
-            return within(point, length, to, min(FAR, SHARE * extent(point.orbit)))
+            return within(point, length, to, min(options.move, options.share * extent(point.orbit)))
 
     def look(point: Point, found: Point, length: float) -> list[Point | DetectedEvent]:
         arc = between(point, found) if found.value in to else length
@@ -392,21 +369,23 @@ def _followed(
         ):  # it was cut anew, and is compared with what is cut like it
             before = corrected(point, -arc)
         for happened in detected_events(point, found, arc, before):
-            if happened.kind == "fold" and extent(happened.orbit) < SHRUNK * extent(start.orbit):
+            if happened.kind == "fold" and extent(happened.orbit) < options.shrunk * extent(
+                start.orbit
+            ):
                 return [*items, _shrunk(followed)]
             items.append(happened)
-        if extent(found.orbit) < LEAST * min(1.0, extent(start.orbit)):
+        if extent(found.orbit) < options.vanished * min(1.0, first_extent):
             return [*items, _shrunk(followed)]
         followed.append(found)
-        return [*items, found, *_ends(start, point, found, arc, to)]
+        return [*items, found, *_ends(start, point, found, arc, to, options)]
 
     try:
-        for items in islice(steps(start, ahead, FIRST, longest, SHORTEST, KINK, look), points):
+        for items in islice(steps(start, ahead, options, look), points):
             yield from items
             if isinstance(items[-1], DetectedEvent):
                 return
     except ConvergenceError as error:
-        yield _lost(followed, error)
+        yield _lost(followed, error, options)
         return
     before, last = [start, *followed][-2:]
     yield DetectedEvent(
@@ -474,7 +453,7 @@ def _at_border(followed: Sequence[Point]) -> DetectedEvent | None:
 
 
 def _ends(
-    start: Point, point: Point, ahead: Point, length: float, to: Span
+    start: Point, point: Point, ahead: Point, length: float, to: Span, options: BranchOptions
 ) -> Iterator[DetectedEvent]:
     """The end of the branch at a point, if it is one."""
     orbit, moved = ahead.orbit, abs(ahead.value - point.value)
@@ -482,7 +461,9 @@ def _ends(
         yield DetectedEvent("end", orbit, moved, how=VERTICAL)
     elif ahead.value in to:
         yield DetectedEvent("end", orbit, 0.0, how="the range ends")
-    elif orbit.period > LONG * point.setting.period and (rest := _rests(orbit)):
+    elif orbit.period > options.long_period * point.setting.period and (
+        rest := _rests(orbit, options.still)
+    ):
         rounding = 1e-15 * (point.setting.spans[0] + abs(ahead.value))
         yield DetectedEvent("homoclinic", orbit, moved + rounding, how=rest)
     elif point is not start and _passes(start, point, ahead):
@@ -509,16 +490,18 @@ def _joins(followed: Sequence[Point], found: Point) -> Iterator[DetectedEvent]:
     yield replace(edge, how=FAMILIES)
 
 
-def _lost(followed: Sequence[Point], error: ConvergenceError) -> DetectedEvent:
+def _lost(
+    followed: Sequence[Point], error: ConvergenceError, options: BranchOptions
+) -> DetectedEvent:
     point = followed[-1]
     orbit = point.orbit
-    if orbit.period > 2 * point.setting.period and (rest := _rests(orbit)):
+    if orbit.period > 2 * point.setting.period and (rest := _rests(orbit, options.still)):
         return DetectedEvent("homoclinic", orbit, RESTED * point.setting.spans[0], how=rest)
     before = followed[-2] if len(followed) > 1 else point
     lost = DetectedEvent(
         "end",
         orbit,
-        SCATTER * abs(point.value - before.value) + SHORTEST * point.setting.spans[0],
+        SCATTER * abs(point.value - before.value) + options.shortest_step * point.setting.spans[0],
         how=f"it could not be followed farther: {error}" if point.alone else FAMILIES,
     )
     return _at_border(followed) or lost
@@ -540,7 +523,7 @@ def _passes(start: Point, point: Point, ahead: Point) -> bool:
         return False
 
 
-def _rests(orbit: Orbit) -> str:
+def _rests(orbit: Orbit, still: float) -> str:
     """Where an orbit of a very long period hardly moves, without the sign of a zero; nothing where
     it moves everywhere.
 
@@ -548,7 +531,7 @@ def _rests(orbit: Orbit) -> str:
     """
     states = [extremum.state for extremum in orbit.extrema()] or list(orbit.samples().states.T)
     sizes = [norm(orbit.rate(state)) for state in states]
-    if min(sizes) >= STILL:
+    if min(sizes) >= still:
         return ""
     names, place = orbit.field.coordinates, np.round(states[int(np.argmin(sizes))], 6) + 0.0
     told = [
@@ -672,7 +655,7 @@ def cycle_events(
     def followed(direction: float) -> tuple[list[Orbit], str]:
         found: list[Orbit] = []
         try:
-            for point in islice(steps(first.oriented(direction), ahead, *OF_EVENTS), points):
+            for point in islice(steps(first.oriented(direction), ahead, OF_EVENTS), points):
                 if not all(
                     low <= value <= high
                     for value, (low, high) in zip(point.orbit.guess.varied, bounds, strict=True)

@@ -39,16 +39,16 @@ from . import Cycle, CycleBranch, cycle, cycle_branch
 from .arclength import Point, between, placed, steps, turning, within, zero_of
 from .events import SLIDING
 from .finding import cycle_near
+from .options import BranchOptions
 from .orbit import same_cycle
 from .system import FixedPoints, System
 
 #: Values of the parameter at which the statics say where equilibria are.
 SEEDS = 13
 
-#: Longest step along a branch of equilibria, in units of the motion and halves of the range.
-LONGEST = 0.02
-#: Shortest step along it.
-SHORTEST = 1e-7
+#: Options of branches of equilibria, whose steps are in units of the motion and halves of the
+#: range.
+OF_EQUILIBRIA = BranchOptions(first_step=0.0025, longest_step=0.02, shortest_step=1e-7, kink=0.0)
 #: Most steps each way.
 STEPS = 2000
 
@@ -332,7 +332,7 @@ def _followed(rest: FixedPoints, point: Point, to: Span) -> Iterator[Point]:
         return found
 
     with suppress(ConvergenceError):
-        for found in islice(steps(point, ahead, LONGEST / 8, LONGEST, SHORTEST), STEPS):
+        for found in islice(steps(point, ahead, OF_EQUILIBRIA), STEPS):
             if (
                 found.coordinates != point.coordinates
             ).any():  # as it is where the range ends at the first point
@@ -373,10 +373,13 @@ def _passes(line: Sequence[Point], point: Point) -> bool:
     place, periodic = point.orbit.state, point.orbit.field.periodic
     for end in (line[0], line[-1]):  # it ends within a step of a border, which the point may be on
         off = abs(end.value - point.value) / point.setting.spans[0]
-        if max(off, magnitude(apart(place, end.orbit.state, periodic))) <= 2 * SHORTEST:
+        if (
+            max(off, magnitude(apart(place, end.orbit.state, periodic)))
+            <= 2 * OF_EQUILIBRIA.shortest_step
+        ):
             return True
     for one, other in pairwise(line):
-        near = magnitude(apart(place, one.orbit.state, periodic)) < 2 * LONGEST
+        near = magnitude(apart(place, one.orbit.state, periodic)) < 2 * OF_EQUILIBRIA.longest_step
         if (
             near
             and (one.value - point.value) * (other.value - point.value) <= 0

@@ -72,7 +72,10 @@ def slow() -> ss.results.Cycle:
 def branch(slow: ss.results.Cycle) -> ss.results.CycleBranch:
     """Through three grazings and a period doubling."""
     return ss.cycle_branch(
-        slow, "theta0", between={"theta0": (np.radians(41.0), np.radians(43.6))}, longest=0.3
+        slow,
+        "theta0",
+        between={"theta0": (np.radians(41.0), np.radians(43.6))},
+        options=ss.BranchOptions(longest_step=0.3),
     )
 
 
@@ -236,7 +239,10 @@ SADDLE_LOOP = field_of(
 @pytest.mark.thorough
 def test_a_branch_ends_at_a_homoclinic_orbit() -> None:
     branch = ss.cycle_branch(
-        cycle_near(SADDLE_LOOP, (-0.1,), (1.3, 0.0)), "e", between={"e": (-0.3, 0.3)}, longest=0.2
+        cycle_near(SADDLE_LOOP, (-0.1,), (1.3, 0.0)),
+        "e",
+        between={"e": (-0.3, 0.3)},
+        options=ss.BranchOptions(longest_step=0.2),
     )
     shrunk, (homoclinic,) = branch.of("end")[0], branch.of("homoclinic")
     assert "equilibrium" in shrunk.how
@@ -265,7 +271,10 @@ TWO_CIRCLES = field_of(
 @pytest.fixture(scope="module")
 def folding() -> ss.results.CycleBranch:
     return ss.cycle_branch(
-        cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)), "e", between={"e": (-1.5, -0.4)}, longest=0.3
+        cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)),
+        "e",
+        between={"e": (-1.5, -0.4)},
+        options=ss.BranchOptions(longest_step=0.3),
     )
 
 
@@ -298,7 +307,9 @@ def test_two_folds_within_a_step_are_seen(apart: float) -> None:
 
     field = field_of(f"two folds, {apart} apart", force, slope, lambda x, v, e, m: v)
     begin = cycle_near(field, (0.1,), (1.5, 0.0))
-    branch = ss.cycle_branch(begin, "e", between={"e": (-0.1, 0.15)}, longest=0.3)
+    branch = ss.cycle_branch(
+        begin, "e", between={"e": (-0.1, 0.15)}, options=ss.BranchOptions(longest_step=0.3)
+    )
     assert sorted(fold.value for fold in branch.of("fold")) == pytest.approx(
         [-2 * apart**3 / 3, 2 * apart**3 / 3], abs=1e-9
     )
@@ -326,7 +337,9 @@ def test_where_another_branch_crosses_it_can_be_followed() -> None:
         by_parameters=lambda q, c, mode, xp=math: ((0.0,), (q[1],)),
     )
     found = cycle_near(fork, (-0.1,), (1.0, 0.0, 0.0, 0.0))
-    branch = ss.cycle_branch(found, "e", between={"e": (-0.2, 0.15)}, longest=0.3)
+    branch = ss.cycle_branch(
+        found, "e", between={"e": (-0.2, 0.15)}, options=ss.BranchOptions(longest_step=0.3)
+    )
     (crossing,) = branch.of("fold")
     assert crossing.value == pytest.approx(0, abs=1e-8)
     assert "another branch" in crossing.how
@@ -400,7 +413,7 @@ def test_the_doubled_cycle_and_where_it_comes_from(branch: ss.results.CycleBranc
         doubled,
         "theta0",
         between={"theta0": (np.radians(42.9), doubled.values[0] + 1e-6)},
-        longest=0.2,
+        options=ss.BranchOptions(longest_step=0.2),
     )
     ends = [event for event in back.of("end") if "half" in event.how]
     assert ends[0].value == pytest.approx(doubling.value, abs=1e-8)
@@ -869,7 +882,10 @@ def test_a_torus_is_seen_by_simulations_on_both_sides() -> None:
         near=ss.cycle(at(90.0), **BELT, near=(2.3294, 1.34, 0.0, 0.2515), patient=False),
     )
     branch = ss.cycle_branch(
-        start, "theta0", between={"theta0": (np.radians(55.5), start.values[0] + 1e-6)}, longest=0.3
+        start,
+        "theta0",
+        between={"theta0": (np.radians(55.5), start.values[0] + 1e-6)},
+        options=ss.BranchOptions(longest_step=0.3),
     )
     (torus,) = branch.of("torus")
     one, other, _ = torus.cycle.multipliers[1:]

@@ -100,7 +100,7 @@ def report(
     if csv is not None or plot is not None:
         raise click.UsageError("--csv and --plot show what --over tells; give --over theta0=40:70")
     with show_progress(
-        "computing the report (--no-oscillation and --no-redesign leave out what takes longest)"
+        "computing the report (--no-oscillation and --no-redesign leave out two of its parts)"
     ):
         found = study.report(redesign=redesign, oscillation=oscillation, safety=safety)
     if json_output:

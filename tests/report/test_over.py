@@ -123,3 +123,17 @@ def test_the_command_writes_table_and_picture(run: Run, tmp_path: Path) -> None:
     assert table.read_text(encoding="utf-8").count("\n") == 3
     assert picture.read_text(encoding="utf-8").startswith("<?xml")
     assert '"onsets": []' in run(*asked, "--json")
+
+
+def test_a_belt_too_slow_for_the_jump_jumps_at_higher_speed(study: ss.Study) -> None:
+    """0.6 (1 − exp(−0.2)) = 0.11 is below the jump at 0.37, which is below 0.6."""
+    (row,) = verdicts_over(study, {"V": np.array([0.02])}).rows
+    assert row[3] == "jumps at higher speed"
+
+
+def test_what_to_do_with_a_point_that_is_unsettled() -> None:
+    row = (52.0, math.nan, math.nan, "unsettled", "")
+    assert over.Verdicts(("theta0 [deg]",), (row, row), "it is open").unsettled == (
+        "2 of 2 unsettled, the first because it is open; write that value into the file and ask "
+        "for its report, which says more, or take other ends"
+    )

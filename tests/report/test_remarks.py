@@ -1,0 +1,284 @@
+"""Remarks on what a report can't answer, and captions of its pictures: each in full, of answers
+that are set by hand.
+"""
+
+import copy
+import dataclasses
+import math
+import re
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.core.errors import ConvergenceError
+from spragsym.report import facts
+from spragsym.report.brake import Brake
+from tests.report.test_sentences import (
+    DAMPED,
+    EXACT,
+    LOAD,
+    LOOSE,
+    SLOW,
+    STRIBECK,
+    named,
+    odds,
+    oscillation,
+    said_of,
+    state,
+)
+
+FAR = named(LOAD, ends=SimpleNamespace(until=1e-3), jump=lambda: math.nan)
+
+
+def refused(*_: Any, **__: Any) -> Any:
+    raise ConvergenceError("the search did not end; take another")
+
+
+def lowest(kind: str, value: float, complete: bool = True) -> Callable[..., Any]:
+    return lambda p: SimpleNamespace(
+        kind=kind, value=value, where=1.0, complete=complete, remarks=("a region is open; look",)
+    )
+
+
+@pytest.mark.parametrize(
+    ("question", "study", "answers", "remark"),
+    [
+        (
+            "_jump",
+            STRIBECK,
+            {},
+            "the model has no friction coefficient: say which quantity rises until the state "
+            'jumps, as vary = "theta0"',
+        ),
+        (
+            "_jump",
+            FAR,
+            {},
+            "the jump along F_L is not known: there is none up to 57 N, where the search ends",
+        ),
+        (
+            "_lowest",
+            EXACT,
+            {"critical_friction": lowest("undecided", 0.2)},
+            "below a friction of 0.2 it cannot jump at any angle; above that is not decided",
+        ),
+        (
+            "_lowest",
+            EXACT,
+            {"critical_friction": lowest("undecided", 0.0)},
+            "whether some friction is too small for a jump at any angle is not decided",
+        ),
+        (
+            "_lowest",
+            EXACT,
+            {"critical_friction": lowest("fold", 0.2, complete=False)},
+            "that nothing jumps below mu_lowest is not proved: a region is open",
+        ),
+        (
+            "_lowest",
+            EXACT,
+            {"critical_friction": refused},
+            "the friction below which it jumps at no angle is not known: the search did not end",
+        ),
+        (
+            "_jump_along_the_inclination",
+            EXACT,
+            {"jump_value": refused},
+            "the jump along theta0 is not known: the search did not end",
+        ),
+    ],
+)
+def test_a_remark(
+    question: str,
+    study: Brake,
+    answers: dict[str, Any],
+    remark: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    for name, answer in answers.items():
+        monkeypatch.setattr(facts, name, answer)
+    asked = facts._Answers(study)
+    getattr(facts, question)(asked)
+    assert asked.remarks == [remark]
+
+
+def test_changes_beyond_nothing_are_not_looked_for() -> None:
+    asked = facts._Answers(EXACT)
+    assert not facts._changes_are_searched(asked, 0.0, -0.1, 1.2, fails=True)
+    assert asked.remarks == [
+        "changes are not looked for: 1.2 times a friction of 0.3 does not lie beyond it"
+    ]
+
+
+def test_what_no_search_answers_is_remarked_in_the_order_of_asking(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    open_one = copy.copy(ss.equilibria(LOOSE.operating_point))
+    undecided = type("Undecided", (type(open_one),), {"complete": False})
+    object.__setattr__(open_one, "__class__", undecided)
+    object.__setattr__(open_one, "remarks", ("a box is undecided; look",))
+    monkeypatch.setattr(facts, "equilibria", lambda p: open_one)
+    monkeypatch.setattr(facts, "_slides", lambda study: None)
+    monkeypatch.setattr(facts, "chance", lambda study, n: odds(0.1, 0.05, 0.2))
+    questions = "current oscillation_of certificate bracket folds distance jump_peak changes"
+    for name in questions.split():
+        monkeypatch.setattr(facts, name, refused)
+    found = facts.facts(LOOSE, facts.ReportOptions(redesign=False))
+    why = "not known: the search did not end"
+    assert found.remarks == (
+        f"the state that the brake is in is {why}",
+        "states may be missing: a box is undecided",
+        f"the oscillation is {why}",
+        f"whether nothing within the tolerances jumps is {why}",
+        f"bounds of the probability are {why}",
+        f"folds along mu0 are {why}",
+        f"folds along theta0 are {why}",
+        f"the nearest jump is {why}",
+        f"the jump as a motion is {why}",
+    )
+
+
+@pytest.mark.thorough
+def test_a_model_in_which_nothing_rises_is_asked_for_its_state(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    options = facts.ReportOptions(probability=False, redesign=False, oscillation=False)
+    monkeypatch.setattr(facts, "current", lambda study, eq: None)
+    found = facts.facts(STRIBECK, options)
+    assert found.remarks[1] == (
+        "which state the brake is in is not known, since nothing is said to rise: "
+        "name it with state"
+    )
+
+
+# ----------------------------------------------------------------------------- captions of a page
+
+
+@pytest.fixture
+def pages(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """The pictures of a page, which are not drawn."""
+    pytest.importorskip("matplotlib")
+    from spragsym.figures import report_pages
+
+    monkeypatch.setattr(report_pages, "picture", lambda draw: "")
+    return report_pages
+
+
+def captions(rows: Any) -> list[str]:
+    return [caption for _, caption in rows]
+
+
+def test_captions_of_the_planes(pages: Any) -> None:
+    brake_in_the_plane, rising = captions(pages._planes(said_of(LOOSE)))
+    assert brake_in_the_plane == (
+        "Where the brake works (dot) and its tolerances (box). On the lines two states of sliding "
+        "meet; where it is shaded there are three. Cross: the friction at which the reference "
+        "state jumps at this angle."
+    )
+    assert rising == (
+        "Displacement along the belt as the friction rises (red, with its jumps); grey: all "
+        "states, full where stable. Dots: folds, where two states meet and end. Shaded: the "
+        "friction within its tolerances."
+    )
+    never = said_of(LOOSE, jump_at=math.inf, jump_parameter=math.inf, reach="never")
+    assert captions(pages._planes(never))[0].endswith("where it is shaded there are three.")
+    assert len(captions(pages._planes(said_of(LOOSE, mu_lowest=math.inf)))) == 1
+    assert "as F_L rises (red" in captions(pages._planes(said_of(LOAD)))[0]
+    assert captions(pages._planes(said_of(LOAD)))[0].endswith("Shaded: F_L within its tolerances.")
+
+
+@pytest.mark.parametrize(
+    ("growth", "stability", "words"),
+    [
+        (1.0, "unstable", "grow: it squeals or judders"),
+        (-1.0, "neutral", "hardly grow or die out, as next to nothing damps"),
+        (-1.0, "stable", "die out"),
+    ],
+)
+def test_the_caption_of_the_map(
+    growth: float, stability: str, words: str, pages: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kinds = np.array(["gentle", "dangerous", "undecided"])
+    curve = {"theta0": np.array([0.8, 0.9]), "mu0": np.array([0.2, 0.4])}
+    found = SimpleNamespace(
+        curves=[type("Curve", (dict,), {"criticality": kinds})(curve)],
+        undecided=(),
+        vary=("theta0", "mu0"),
+        between={"theta0": (0.1, 3.0), "mu0": (0.0, 1.0)},
+        changes={"error": [0.0]},
+        points=SimpleNamespace(kind=["BT", "ZH", "HH"]),
+    )
+    monkeypatch.setattr(pages.ss, "onset_curves", lambda *_, **__: found)
+    monkeypatch.setattr(pages, "growth_of_oscillations", lambda eq: growth)
+    known = said_of(DAMPED, states=(state(stability=stability),))
+    assert captions(pages._stability_map(known)) == [
+        f"The map of stability. The brake (dot) works where small oscillations {words}; they grow "
+        "where it is shaded. Box: its tolerances. Full line: it begins with a small amplitude "
+        "(supercritical); dashed: with a large one at once (subcritical); dotted: which of the two "
+        "is not decided; GH: where that changes; BT: a line ends where two states meet; ZH: a line "
+        "touches one on which two states meet; HH: two lines cross, and two frequencies set in."
+    ]
+
+
+def test_captions_of_the_motion(pages: Any) -> None:
+    cycle = oscillation(motion=SimpleNamespace(trajectory=lambda rounds: None))
+    phase, stems = captions(pages._of_motion(said_of(SLOW), cycle))
+    assert phase == (
+        "The oscillation: speed along the belt over x, one closed curve a cycle. Dotted: the speed "
+        "of the belt."
+    )
+    assert stems == "Its spectrum: x moves at multiples of 41.23 Hz alone."
+    fast = dataclasses.replace(cycle, frequency_hz=2345.6)
+    assert captions(pages._of_motion(said_of(SLOW), fast))[1] == (
+        "Its spectrum: x moves at multiples of 2.346 kHz alone."
+    )
+    other = dataclasses.replace(cycle, kind="motion", frequency_hz=math.nan)
+    assert captions(pages._of_motion(said_of(SLOW), other))[1] == (
+        "Its spectrum: the amplitude of x at each frequency."
+    )
+
+
+def test_a_cycle_that_is_its_own_mirror_image_has_odd_multiples_alone() -> None:
+    """x(t + T/2) = −x(t) leaves no even harmonics: of stems at n f every second one is 0."""
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    from spragsym.figures.motions import draw_harmonics
+
+    angles = [2.0 * np.pi * k / 3.0 for k in (1, 3)]  # over a period of 3
+    kept = {
+        "samples": lambda self, t: np.array([np.cos(angles[0] * t) + np.cos(angles[1] * t) / 9]),
+        "period": 3.0,
+        "field": SimpleNamespace(model=ss.load("stick_slip")),
+    }
+    _, ax = pyplot.subplots()
+    stems = draw_harmonics(object.__new__(type("Mirror", (ss.results.Cycle,), kept)), "x", ax)
+    ends = np.array([end for _, end in stems.get_segments()])
+    np.testing.assert_allclose(ends, [[1 / 3, 1], [2 / 3, 0], [1, 1 / 9]], atol=1e-12)
+    pyplot.close("all")
+
+
+def test_the_caption_and_the_words_of_the_shares(
+    pages: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(pages, "_stability_map", lambda known: ())
+    told = said_of(LOOSE, probability=odds(0.1, 0.05, 0.2))
+    assert captions(pages.pictures(told))[-1] == (
+        "Which tolerance decides whether it jumps: Sobol' indices, inner bars alone, outer ones "
+        "with interactions; lines: 95 % intervals."
+    )
+    ax = pages.single(4.6, 3.3)[1]
+    pages.draw_shares(told.probability.sobol, ax)
+    assert ax.get_xlabel() == "share of the variance of “it jumps”"
+    assert [text.get_text() for text in ax.texts] == ["inner: alone; outer: with others"]
+
+
+def test_a_page_without_a_title_is_a_sprag_slip_report(
+    pages: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("jinja2")
+    monkeypatch.setattr(pages, "_stability_map", lambda known: ())
+    page = pages.report_page(said_of(EXACT))
+    assert re.findall("<title>(.*?)</title>", page) == ["Sprag-slip report"]

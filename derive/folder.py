@@ -5,7 +5,7 @@ has already are imported from it.
 import itertools
 import math
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +26,7 @@ from . import (
     units,
 )
 from .emit import write
-from .emit.function import Module
+from .emit.function import Function, Module
 from .emit.quantities import interval
 from .emit import python
 from .emit.python import algebra
@@ -95,12 +95,20 @@ def _algebra(model: Model, header: str, shared: Shared | None) -> str:
     # where the place does not tell the regime (turnings of torsion springs; sticking; a root in the
     # contact law), and where it is short (no inclined springs).
     it = model.mechanics
+    several = len(it.contacts) > 1
     polynomial = all(contact.polynomial for contact in it.contacts)
-    told = not it.torsions and not it.holds and polynomial and len(it.contacts) == 1
+    told = not it.torsions and not it.holds and polynomial and not several
     by_regimes = bool(shared and it.lines and told)
+    first: list[Function] = []
     for part in parts:
         own = []
         for function in part.functions:
+            # Functions of several contacts with the same algebra: one under all their names.
+            twin = next((one for one in first if several and _same(one, function)), None)
+            if twin is not None:
+                own.append(f"{function.name} = {twin.name}")
+                continue
+            first.append(function)
             given = ", ".join(map(str, function.arguments))
             text = algebra.definition(
                 function, _EVERYWHERE.format(given) if by_regimes and function.name == "rhs" else ""
@@ -119,6 +127,11 @@ def _algebra(model: Model, header: str, shared: Shared | None) -> str:
         for home, names in sorted(borrowed.items())
     ]
     return algebra.whole(whole, meanings(model.mechanics), header, imports, sections)
+
+
+def _same(one: Function, other: Function) -> bool:
+    """Whether two functions are the same but for their names and summaries."""
+    return replace(one, name="", summary="") == replace(other, name="", summary="")
 
 
 def meanings(model: Mechanics) -> Mapping[str, str]:

@@ -76,15 +76,23 @@ class Motion:
             ]
         )
 
+    def _coupled(self, place: int) -> list[int]:
+        """The frictions that hold whose forces a constraint depends on: its own, and those that the
+        mobility couples with it, one after another.
+        """
+        found = [place]
+        for row in found:
+            coupled = (i for i, entry in enumerate(self.mobility.row(row)) if entry != 0)
+            found += [i for i in coupled if i not in found]
+        return sorted(found)
+
     def _in_symbols(self, name: str, entries: sp.Matrix) -> tuple[sp.Matrix, Names]:
         """Entries of a system, and by what symbols they stand in its determinants; by themselves
-        where they are numbers, or there is one friction, and no determinant.
+        where they are numbers, or a friction is coupled with no other, and has no determinant.
         """
-        if len(self.holding) < 2:
-            return entries, {}
         symbols = entries.copy()
         for i, j in itertools.product(*map(range, entries.shape)):
-            if not entries[i, j].is_number:
+            if not entries[i, j].is_number and len(self._coupled(i)) > 1:
                 symbols[i, j] = sp.Symbol(f"_{name}_{i + 1}{j + 1}", real=True)
         pairs = zip(symbols, entries, strict=True)
         return symbols, {symbol: entry for symbol, entry in pairs if symbol != entry}
@@ -93,17 +101,18 @@ class Motion:
         """The solution f of mobility f = stuck for one friction where it holds, the others hold or
         have the values ``slipping``: by Cramer's rule.
         """
-        own, rows = self.holding.index(friction), len(self.holding)
+        own = self.holding.index(friction)
+        places = self._coupled(own)
         mobility, _ = self._in_symbols("mobility", self.mobility)
-        system, right = sp.zeros(rows, rows), sp.zeros(rows, 1)
-        for row, it in enumerate(self.holding):
-            share = sp.S.One if row == own else it.stuck
-            for column in range(rows):
+        system, right = sp.zeros(len(places)), sp.zeros(len(places), 1)
+        for row, place in enumerate(places):
+            share = sp.S.One if place == own else self.holding[place].stuck
+            for column, other in enumerate(places):
                 none = sp.S.One if row == column else sp.S.Zero
-                system[row, column] = none + share * (mobility[row, column] - none)
-            right[row] = share * stuck[row] + (1 - share) * slipping[row]
+                system[row, column] = none + share * (mobility[place, other] - none)
+            right[row] = share * stuck[place] + (1 - share) * slipping[place]
         whole = system.det(method="berkowitz")
-        system[:, own] = right
+        system[:, places.index(own)] = right
         return system.det(method="berkowitz") / whole
 
     @cached_property
@@ -280,28 +289,27 @@ class Motion:
 
     def turns(self, symbol: sp.Symbol) -> Row:
         """Derivatives of μ of every friction, or of the force of one that holds: of several by
-        their names.
+        their names where they are not 0.
         """
-        if len(self.holding) > 1:
-            return tuple(
-                self._turn(it, symbol)
-                if it in self.holding
-                else self.model.derivative(self.coefficients[it.mu], symbol)
-                for it in self.model.frictions
-            )
-        return tuple(self.friction_slope(it, symbol) for it in self.model.frictions)
+        slopes = tuple(self.friction_slope(it, symbol) for it in self.model.frictions)
+        if len(slopes) < 2:
+            return slopes
+        return tuple(
+            slope if slope == 0 else self._turn(it, symbol)
+            for it, slope in zip(self.model.frictions, slopes, strict=True)
+        )
 
     def _turn(self, friction: FrictionForce, symbol: sp.Symbol) -> sp.Symbol:
         return sp.Symbol(f"_turn_{friction.name}_{symbol}", real=True)
 
     def turned(self, symbols: Symbols) -> Names:
-        """What the derivatives of several frictions that hold are, by their names."""
-        if len(self.holding) < 2:
+        """What the derivatives of several frictions are, by their names."""
+        if len(self.model.frictions) < 2:
             return {}
         return {
             self._turn(it, symbol): self.friction_slope(it, symbol)
             for symbol in symbols
-            for it in self.holding
+            for it in self.model.frictions
         }
 
     def friction_slope(self, friction: FrictionForce, symbol: sp.Symbol) -> sp.Expr:

@@ -1,5 +1,6 @@
 """Pages with several contacts: what is refused by its line, and what is derived."""
 
+from inspect import unwrap
 from pathlib import Path
 
 import pytest
@@ -10,8 +11,8 @@ import sympy as sp
 
 from spragsym.derive import limits, pages, statics
 from spragsym.derive.model import PageError
-from tests.oracles.contact_pages import HEAD, PAD
-from tests.oracles.user_pages import replaced
+from tests.oracles.contact_pages import FALLING_BLOCKS, HEAD, PAD, TIED_BLOCKS
+from tests.oracles.user_pages import model_of, replaced
 
 REAR = 'rear = page.contact(y + a * phi, lambda depth: k_c * depth, name="rear")'
 ON_REAR = "page.friction(x + h * phi, V, law, at_rest=mu0, on=rear)"
@@ -107,3 +108,21 @@ page.friction(x, V, law, at_rest=mu0, on=pad)
         found.append(pages.read(path).mechanics)
     assert found[0].residuals == found[1].residuals
     assert [str(symbol) for symbol in found[0].coefficients] == ["mu"]
+
+
+def test_a_friction_that_inertia_couples_with_no_other_holds_by_itself() -> None:
+    """What one holds with depends on whether the other sticks only where the blocks are tied."""
+    mass = ("page.rate(x_2)**2) / 2", "beta * page.rate(x_2)**2) / 2")
+    for page, name, coupled in (
+        (replaced(FALLING_BLOCKS, mass), "uneven_blocks", False),
+        (TIED_BLOCKS, "tied_blocks", True),
+    ):
+        code = unwrap(model_of(page, name).algebra.grip).__code__
+        assert any(name.startswith("_stuck_") for name in code.co_varnames) == coupled
+
+
+def test_functions_of_contacts_with_the_same_algebra_are_one() -> None:
+    algebra = model_of(FALLING_BLOCKS, "falling_blocks").algebra
+    for name, alike in (("friction_slope", True), ("contact_force", False)):
+        one, other = (unwrap(getattr(algebra, f"{name}_{end}")) for end in ("first", "second"))
+        assert (one is other) == alike

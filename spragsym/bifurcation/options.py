@@ -32,8 +32,8 @@ class ContinuationOptions(Options):
     segments : int
         Most segments of a tube towards a fold.
     fold_distance : float
-        Distance from a fold, over the larger of 1 and its value, at which the states beside it are
-        looked at.
+        Distance from a fold at which the states beside it are looked at, over its value or 1, or
+        the largest value on the way if that is less.
     halvings : int
         Times that a step is halved to tell branches apart, where all is to be known.
     open_steps : int

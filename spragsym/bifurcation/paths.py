@@ -45,6 +45,13 @@ from .turning_points import turned
 ROUNDED = 2.0**-52
 
 
+def _size(values: FloatArray, along: FloatArray) -> FloatArray:
+    """|value|, and no less than 1 or the largest on the way if that is less: over it room is
+    left around values of a parameter in any units.
+    """
+    return np.maximum(min(1.0, float(np.abs(along).max())), np.abs(values))
+
+
 @dataclass(frozen=True)
 class ModelEnd(Result):
     """Where a state vanishes at a fold, leaves the contact or runs to infinity."""
@@ -359,7 +366,7 @@ class Way:
         """Where states vanish: folds, and where they leave the contact. Those on the ends are
         inside of what is searched.
         """
-        allowed, room = self.p.ranges[self.vary], beyond * scale_of(along)
+        allowed, room = self.p.ranges[self.vary], beyond * _size(along, along)
         low, high = (
             max(float((along - room).min()), allowed.low),
             min(float((along + room).max()), allowed.high),
@@ -408,7 +415,7 @@ class Way:
     def _stops(self, along: FloatArray) -> FloatArray:
         """The values in their order, with a stop on each side of each fold."""
         at = np.concatenate([self.at, self.passes[self.vary]])
-        known, size = np.concatenate([along, at]), scale_of(at)
+        known, size = np.concatenate([along, at]), _size(at, along)
         apart = np.abs(known - at[:, None])
         # Between a fold and what is nearer than that no stop has room: those beside the fold are
         # farther off than both.

@@ -9,6 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
+from tests.oracles.dimensional_pages import dimensional, units
 from tests.oracles.user_pages import model_of, replaced
 
 pytest.importorskip("sympy")
@@ -116,3 +117,22 @@ def test_its_value_is_the_limit_of_that_of_imperfect_ones(rod: Any) -> None:
     e = np.array([1e-2, 1e-4, 1e-6, 0.0])
     found = ss.jump_value(rod.Parameters(e=e), "P", begin=0.5, until=1.5)
     assert found == pytest.approx(fold_of_rod(e), abs=1e-14)
+
+
+@pytest.mark.thorough
+def test_a_path_and_its_jump_are_the_same_in_any_units() -> None:
+    """The article's model in kilograms and metres of random sizes, along a stiffness whose values
+    are as small or large.
+    """
+    model, rng, found = dimensional("kang_nam"), np.random.default_rng(75), []
+    for kilogram in (1.0, *10 ** rng.uniform((-6.0, 3.0), (-3.0, 6.0))):
+        of_parameters, of_state = units(model, (kilogram, 10 ** rng.uniform(-3.0, 3.0), 1.0))
+        given = {"theta0": 0.855, "mu0": 0.55, "V": 0.5}
+        values = {name: value for name, value in model.base.items() if value is not None} | given
+        p = model.Parameters(**{name: of_parameters[name] * one for name, one in values.items()})
+        path = ss.quasi_static_path(
+            p, "kappa", np.linspace(0.0005, 0.05, 5) * of_parameters["kappa"], start=0
+        )
+        (jump,) = path.jumps
+        found.append([jump.value / of_parameters["kappa"], *path.x / of_state[0]])
+    np.testing.assert_allclose(found[1:], [found[0]] * 2, rtol=1e-10)

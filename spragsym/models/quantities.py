@@ -18,8 +18,8 @@ from ..display import Tabular
 from .load import load
 from .model import Model, title_drawing_words
 from .parameters import POSITIVE, Carried, ParameterSet, Range, Values, as_numbers
+from .units import dimension
 from .units import factor as factor
-from .units import parsed
 
 
 class Quantities:
@@ -198,7 +198,8 @@ class Quantities:
 @cache
 def _powers(unit: str, bases: tuple[str, ...]) -> tuple[float, ...]:
     def powers(text: str) -> list[float]:
-        return [float(power) for power in parsed(text).powers[:3]]
+        known = {} if text == "1" else dimension(text)
+        return [float(known.get(axis, 0)) for axis in ("[mass]", "[length]", "[time]")]
 
     matrix = np.array([powers(base) for base in bases]).T
     return tuple(

@@ -4,33 +4,19 @@ one.
 
 from __future__ import annotations
 
-import ast
-import math
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache
-from typing import Any
+from math import pi
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..core.errors import ParameterError, ParameterTypeError
 
-
-@dataclass(frozen=True)
-class Measure:
-    """A unit of measure: its size in SI, and its powers of kilogram, metre, second and radian."""
-
-    size: Fraction | float
-    powers: tuple[Fraction, ...] = (Fraction(0),) * 4
-
-    def times(self, other: Measure, power: Fraction | float = 1) -> Measure:
-        """The product with a power of another unit."""
-        of = Fraction(power)
-        powers = (one + of * more for one, more in zip(self.powers, other.powers, strict=True))
-        return Measure(self.size * other.size**of, tuple(powers))
-
+if TYPE_CHECKING:
+    import pint
 
 # ------------------------------------------------------------------------------------- their words
 
@@ -49,45 +35,48 @@ _PREFIXES = {
     "M": ("mega", "1e6"),
     "G": ("giga", "1e9"),
 }
-#: Units that take them: symbol, size in SI, powers, and long names.
-_WITH_PREFIX: dict[str, tuple[str, tuple[int, ...], tuple[str, ...]]] = {
-    "m": ("1", (0, 1, 0, 0), ("meter", "metre")),
-    "g": ("1e-3", (1, 0, 0, 0), ("gram",)),
-    "s": ("1", (0, 0, 1, 0), ("second",)),
-    "N": ("1", (1, 1, -2, 0), ("newton",)),
-    "Pa": ("1", (1, -1, -2, 0), ("pascal",)),
-    "J": ("1", (1, 2, -2, 0), ("joule",)),
-    "W": ("1", (1, 2, -3, 0), ("watt",)),
-    "Hz": ("1", (0, 0, -1, 0), ("hertz",)),
-    "rad": ("1", (0, 0, 0, 1), ("radian",)),
+#: Units that take them: symbol, definition, and long names.
+_WITH_PREFIX: dict[str, tuple[str, tuple[str, ...]]] = {
+    "m": ("[length]", ("meter", "metre")),
+    "g": ("[mass]", ("gram",)),
+    "s": ("[time]", ("second",)),
+    "rad": ("[angle]", ("radian",)),
+    "N": ("kilogram meter / second**2", ("newton",)),
+    "Pa": ("newton / meter**2", ("pascal",)),
+    "J": ("newton meter", ("joule",)),
+    "W": ("joule / second", ("watt",)),
+    "Hz": ("1 / second", ("hertz",)),
 }
-#: Units without a prefix: name, size in another unit, and the words that mean it. The inch and the
-#: pound are those of 1959, the standard gravity that of 1901.
-_ALONE: dict[str, tuple[str | float, str, tuple[str, ...]]] = {
-    "metric_ton": ("1000", "kg", ("t", "tonne", "metric_ton")),
-    "pound": ("0.45359237", "kg", ("lb", "lbs", "pound", "pounds", "lbm", "pound_mass")),
-    "short_ton": ("2000", "pound", ("short_ton",)),
-    "grain": ("1/7000", "pound", ("grain", "grains")),
-    "inch": ("0.0254", "m", ("in", "inch", "inches")),
-    "foot": ("12", "inch", ("ft", "foot", "feet")),
-    "yard": ("36", "inch", ("yd", "yard", "yards")),
-    "thou": ("1e-3", "inch", ("thou",)),
-    "mile": ("5280", "foot", ("mi", "mile", "miles")),
-    "pound_force": ("9.80665", "pound m/s^2", ("lbf", "pound_force", "force_pound")),
-    "kilogram_force": ("9.80665", "N", ("kgf", "kp", "kilogram_force", "force_kilogram")),
-    "slug": ("1", "pound_force s^2/foot", ("slug", "slugs")),
-    "kip": ("1000", "pound_force", ("kip",)),
-    "psi": ("1", "pound_force/inch^2", ("psi", "pound_force_per_square_inch")),
-    "ksi": ("1000", "psi", ("ksi", "kip_per_square_inch")),
-    "bar": ("1e5", "Pa", ("bar",)),
-    "millibar": ("100", "Pa", ("mbar", "millibar")),
-    "degree": (math.pi / 180, "rad", ("deg", "degree", "degrees", "°")),
-    "arcminute": (math.pi / 10800, "rad", ("arcmin", "arcminute", "arcminutes")),
-    "gon": (math.pi / 200, "rad", ("gon", "grade")),
-    "turn": (2 * math.pi, "rad", ("turn", "rev", "revolution")),
-    "rpm": (math.pi / 30, "rad/s", ("rpm", "revolutions_per_minute")),
-    "minute": ("60", "s", ("min", "minute", "minutes")),
-    "hour": ("3600", "s", ("h", "hr", "hour", "hours")),
+#: Units without a prefix: name, definition, and the words that mean it. The inch and the pound are
+#: those of 1959, the standard gravity that of 1901.
+_ALONE: dict[str, tuple[str, tuple[str, ...]]] = {
+    "metric_ton": ("1000 kilogram", ("t", "tonne", "metric_ton")),
+    "pound": ("0.45359237 kilogram", ("lb", "lbs", "pound", "pounds", "lbm", "pound_mass")),
+    "short_ton": ("2000 pound", ("short_ton",)),
+    "grain": ("1/7000 pound", ("grain", "grains")),
+    "inch": ("0.0254 meter", ("in", "inch", "inches")),
+    "foot": ("12 inch", ("ft", "foot", "feet")),
+    "yard": ("36 inch", ("yd", "yard", "yards")),
+    "thou": ("0.001 inch", ("thou",)),
+    "mile": ("5280 foot", ("mi", "mile", "miles")),
+    "pound_force": (
+        "9.80665 pound meter / second**2",
+        ("lbf", "pound_force", "force_pound"),
+    ),
+    "kilogram_force": ("9.80665 newton", ("kgf", "kp", "kilogram_force", "force_kilogram")),
+    "slug": ("pound_force second**2 / foot", ("slug", "slugs")),
+    "kip": ("1000 pound_force", ("kip",)),
+    "psi": ("pound_force / inch**2", ("psi", "pound_force_per_square_inch")),
+    "ksi": ("1000 psi", ("ksi", "kip_per_square_inch")),
+    "bar": ("100000 pascal", ("bar",)),
+    "millibar": ("100 pascal", ("mbar", "millibar")),
+    "degree": (f"{pi / 180!r} radian", ("deg", "degree", "degrees", "°")),
+    "arcminute": (f"{pi / 10800!r} radian", ("arcmin", "arcminute", "arcminutes")),
+    "gon": (f"{pi / 200!r} radian", ("gon", "grade")),
+    "turn": (f"{2 * pi!r} radian", ("turn", "rev", "revolution")),
+    "rpm": (f"{pi / 30!r} radian / second", ("rpm", "revolutions_per_minute")),
+    "minute": ("60 second", ("min", "minute", "minutes")),
+    "hour": ("3600 second", ("h", "hr", "hour", "hours")),
 }
 #: Words of no unit.
 _FACTORS = {"%": "percent", "percent": "percent", "ppm": "ppm"}
@@ -111,8 +100,8 @@ _REMEDY = (
 @cache
 def _words() -> dict[str, str]:
     """Long names of units by the words that are read."""
-    known = {word: name for name, (*_, words) in _ALONE.items() for word in words}
-    for symbol, (*_, names) in _WITH_PREFIX.items():
+    known = {word: name for name, (_, words) in _ALONE.items() for word in words}
+    for symbol, (_, names) in _WITH_PREFIX.items():
         long = [form for one in names for form in (one, f"{one}s")]
         known |= dict.fromkeys([symbol, *long], names[0])
         for prefix, (whole, _) in _PREFIXES.items():
@@ -122,20 +111,23 @@ def _words() -> dict[str, str]:
 
 
 @cache
-def _named_units() -> dict[str, Measure]:
-    """Units with a prefix, or with one that is left out, by their long names."""
-    sizes = {"": "1"} | dict(_PREFIXES.values())
-    return {
-        prefix + names[0]: Measure(Fraction(size) * Fraction(own), tuple(map(Fraction, powers)))
-        for own, powers, names in _WITH_PREFIX.values()
-        for prefix, size in sizes.items()
-    }
+def _registry() -> pint.UnitRegistry[Any]:
+    """The units that are read, for pint, whose own thousand take half a second to be defined."""
+    from pint import UnitRegistry
+
+    registry: pint.UnitRegistry[Any] = UnitRegistry(None, non_int_type=Fraction)
+    for whole, size in dict(_PREFIXES.values()).items():
+        registry.define(f"{whole}- = {size}")
+    units = {names[0]: definition for definition, names in _WITH_PREFIX.values()}
+    for name, definition in (units | {name: one for name, (one, _) in _ALONE.items()}).items():
+        registry.define(f"{name} = {definition}")
+    return registry
 
 
-#: What a unit may be written with.
+#: What a unit may be written with; pint's parser sees nothing else.
 _LETTERS = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,60}")
 _WORD = re.compile(r"(?:(?![²³¹])[^\W\d])+|[%°]")
-_RAISED = str.maketrans("⁻¹²³", "-123")
+_TORQUE = {"[length]": 2, "[mass]": 1, "[time]": -2}
 
 
 @lru_cache(maxsize=256)
@@ -151,17 +143,19 @@ def factor(unit: str, si: str) -> float:
         if unit not in ("", "1", "%"):
             raise ParameterError(f"the unit {unit!r} is too much: this is a number without unit")
         return 0.01 if unit == "%" else 1.0
-    wanted, given = parsed(si), parsed(unit)
+    wanted, given = dimension(si), dimension(unit)
+    off = {axis for axis in {*wanted, *given} if wanted.get(axis, 0) != given.get(axis, 0)}
     # A torque is N m, and its stiffness N m or N m/rad: the radian is 1.
-    counted = 3 if wanted.powers[:3] == parsed("N m").powers[:3] else 4
-    if given.powers[:counted] != wanted.powers[:counted]:
+    if all(wanted.get(axis, 0) == power for axis, power in _TORQUE.items()):
+        off.discard("[angle]")
+    if off:
         spelled = re.sub(r"\s*([*/])\s*", r" \1 ", _spelled(unit))
         raise ParameterError(f"the unit {unit!r} ({spelled}) does not measure what {si} does")
-    return float(given.size / wanted.size)
+    return float(_size(unit) / _size(si))
 
 
 @lru_cache(maxsize=256)
-def parsed(unit: str) -> Measure:
+def parsed(unit: str) -> pint.Unit:
     """A unit from its text: SI with prefixes and engineers' units, each word with one meaning."""
     # A power of a power may be larger than any number.
     powers = re.search(r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", unit)
@@ -171,44 +165,23 @@ def parsed(unit: str) -> Measure:
         or any(len(digits) > 2 for digits in re.findall(r"\d+", unit))
     ):
         raise ParameterError(f"the unit {unit!r} can't be read")
-    text = re.sub("[⁻¹²³]+", lambda found: f"^{found[0].translate(_RAISED)}", _spelled(unit))
-    text = re.sub(r"(?<=[\w)])\s+(?=[\w(])", "*", re.sub("[·⋅]", "*", text)).replace("^", "**")
+    named = _spelled(unit).replace("·", "*").replace("⋅", "*")
     try:
-        found = _product(ast.parse(text, mode="eval").body)
-        float(found.size)  # which may be larger than any number
-    except (SyntaxError, ValueError, ArithmeticError) as error:
+        return _registry().parse_units(named)
+    except Exception as error:  # pint raises many kinds, of the tokenizer too
         raise ParameterError(f"the unit {unit!r} is not known") from error
-    return found
 
 
-def _product(tree: ast.expr) -> Measure:
-    """The unit that is a product of others and of their powers."""
-    match tree:
-        case ast.Constant(1):
-            return Measure(Fraction(1))
-        case ast.Name(name) if name in _ALONE:
-            size, of, _ = _ALONE[name]
-            factor = size if isinstance(size, float) else Fraction(size)
-            return Measure(factor).times(parsed(of))
-        case ast.Name(name) if name in _named_units():
-            return _named_units()[name]
-        case ast.BinOp(base, ast.Pow(), power):
-            return Measure(Fraction(1)).times(_product(base), _number(power))
-        case ast.BinOp(one, ast.Mult() | ast.Div() as sign, other):
-            return _product(one).times(_product(other), 1 if isinstance(sign, ast.Mult) else -1)
-    raise ValueError("no product of units")
+def _size(unit: str) -> Fraction | float:
+    """Size of one unit in metres, grams, seconds and radians."""
+    one = _registry().Quantity(Fraction(1), parsed(unit))
+    size: Fraction | float = one.to_root_units().magnitude
+    return size
 
 
-def _number(tree: ast.expr) -> Fraction:
-    """The number of an exponent."""
-    match tree:
-        case ast.Constant(int() | float() as number):
-            return Fraction(str(number))
-        case ast.UnaryOp(ast.USub(), of):
-            return -_number(of)
-        case ast.BinOp(one, ast.Div(), other):
-            return _number(one) / _number(other)
-    raise ValueError("no number")
+def dimension(unit: str) -> dict[str, Fraction]:
+    """Powers of length, mass, time and angle in a unit."""
+    return {axis: Fraction(str(power)) for axis, power in parsed(unit).dimensionality.items()}
 
 
 def _spelled(unit: str) -> str:

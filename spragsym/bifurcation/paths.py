@@ -629,11 +629,11 @@ class Way:
     @property
     def contact_columns(self) -> tuple[str, ...]:
         """The column that says which contacts touch, of a model with several."""
-        return (own_name(self.p.model, "touching"),) if len(self.balances) > 1 else ()
+        return (own_name(self.p.model, "touching"),) if self.p.model.has_regimes else ()
 
     def touching(self, stop: int, slot: int) -> str:
-        """Names of the contacts that touch in a state."""
-        if len(self.balances) == 1:
+        """Names of the contacts that touch in a state, of a model with several."""
+        if not self.contact_columns:
             return ""
         if slot < 0:
             return str(self.turns[own_name(self.p.model, "touching")][~slot])

@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
-from tests.oracles.contact_pages import JAMMING, PAD, SPRUNG, balanced, pad
+from tests.oracles.contact_pages import BLOCKS, JAMMING, PAD, SPRUNG, balanced, pad
 from tests.oracles.user_pages import model_of
 
 pytest.importorskip("sympy")
@@ -127,3 +127,15 @@ def test_onsets_of_flutter_are_those_of_every_combination() -> None:
     assert found["touching"].tolist() == [touching for _, touching in sorted(expected)]
     np.testing.assert_allclose(found.mu0, [at for at, _ in sorted(expected)], rtol=1e-9)
     assert found.criticality.tolist() == ["undecided"] * len(expected)
+
+
+@pytest.mark.thorough
+def test_a_path_of_contacts_that_never_open_says_that_all_touch() -> None:
+    p = model_of(BLOCKS, "blocks").Parameters()
+    path = ss.quasi_static_path(p, "mu_k", np.linspace(0.1, 0.4, 3))
+    assert path["touching"].tolist() == ["first, second"] * 3
+    assert path.growth.shape == (3,)
+    K = np.array([[1 + p.kappa, -p.kappa], [-p.kappa, p.beta + p.kappa]])
+    for value, *place in zip(path.values, path["x_1"], path["x_2"], strict=True):
+        expected = np.linalg.solve(K, value * np.array([p.N_1, p.N_2]))
+        assert place == pytest.approx(expected.tolist(), rel=1e-12)

@@ -151,7 +151,9 @@ def material(
     )
 
 
-def _motion(model: pages.Model, data: Data | None, inputs: Collection[str]) -> targets.Motion:
+def _motion(
+    model: pages.Model, data: Data | None, inputs: Collection[str]
+) -> targets.MotionMaterial:
     """What moves: with data in their units and else in SI, without any in none."""
     it, page = model.mechanics, model.page
     measures = page.units if data is not None else []
@@ -211,7 +213,7 @@ def _motion(model: pages.Model, data: Data | None, inputs: Collection[str]) -> t
         raise UnknownInput(
             f"{', '.join(unknown)} is no quantity of {model.name}; give {', '.join(known)}"
         )
-    return targets.Motion(
+    return targets.MotionMaterial(
         time=time,
         states=(
             *(variable(str(place.symbol), place.meaning, place.unit) for place in places),

@@ -100,7 +100,7 @@ class Touch(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Point:
+class BranchPoint:
     """A closed orbit on a branch, and the direction in which the branch goes on: of length 1 in the
     branch's units.
 
@@ -138,7 +138,7 @@ class Point:
         """The tangent in these units, of length 1."""
         return self.weights * self.tangent
 
-    def oriented(self, sign: float) -> Point:
+    def oriented(self, sign: float) -> BranchPoint:
         """The point, with the branch going on the other way for −1."""
         return replace(self, tangent=sign * self.tangent)
 
@@ -186,12 +186,12 @@ def level_and_rate(orbit: Orbit, border: int, mode: Mode, place: FloatArray) -> 
     )
 
 
-def point_of(setting: Setting, orbit: Orbit, along: FloatArray | None = None) -> Point:
+def point_of(setting: Setting, orbit: Orbit, along: FloatArray | None = None) -> BranchPoint:
     """A point with its tangent, turned so that it goes along a direction; by default to larger
     values of the first parameter.
     """
     sizes, ways = directions(setting, orbit)
-    point = Point(
+    point = BranchPoint(
         setting,
         orbit,
         ways[-1] / setting.weights(orbit),
@@ -236,7 +236,9 @@ def at_zero(kind: str, setting: Setting, near: Orbit, target: FloatArray) -> Con
     return conditions
 
 
-def corrected(point: Point, length: float, *, reach: float = np.inf, iterations: int = 7) -> Point:
+def corrected(
+    point: BranchPoint, length: float, *, reach: float = np.inf, iterations: int = 7
+) -> BranchPoint:
     """The point on the branch a length of arc from a point, negative lengths backward."""
     setting = point.setting
     guess = point.orbit.guess.moved(length * point.tangent)
@@ -262,7 +264,7 @@ def fixed(setting: Setting, orbit: Orbit) -> Orbit:
     return setting.integrated(solved(setting.flow, orbit.guess, conditions).guess)
 
 
-def placed(point: Point, value: float, way: FloatArray | None = None) -> Point:
+def placed(point: BranchPoint, value: float, way: FloatArray | None = None) -> BranchPoint:
     """The point at a value of the first free parameter, near where a way from another point, by
     default its tangent, leads.
     """
@@ -273,7 +275,7 @@ def placed(point: Point, value: float, way: FloatArray | None = None) -> Point:
     return point_of(setting, fixed(setting, near), point.tangent)
 
 
-def within(point: Point, length: float, to: Span, reach: float = np.inf) -> Point:
+def within(point: BranchPoint, length: float, to: Span, reach: float = np.inf) -> BranchPoint:
     """The point a length of arc ahead, or at the end of a range of the first free parameter where
     the tangent leads beyond it.
 
@@ -288,7 +290,7 @@ def within(point: Point, length: float, to: Span, reach: float = np.inf) -> Poin
     return found
 
 
-def turning(point: Point) -> float:
+def turning(point: BranchPoint) -> float:
     """How much of the first free parameter is in the direction of a branch: 0 where it turns
     back.
     """
@@ -296,10 +298,10 @@ def turning(point: Point) -> float:
 
 
 def steps(
-    point: Point,
-    ahead: Callable[[Point, float], Point],
+    point: BranchPoint,
+    ahead: Callable[[BranchPoint, float], BranchPoint],
     options: BranchOptions,
-    look: Callable[[Point, Point, float], Any] = lambda _, found, length: found,
+    look: Callable[[BranchPoint, BranchPoint, float], Any] = lambda _, found, length: found,
 ) -> Iterator[Any]:
     """What is seen at points by steps that are shorter where one fails or the branch bends, longer
     where it is straight; no end.
@@ -328,8 +330,12 @@ def steps(
 
 
 def zero_of(
-    test: Callable[[Point], float], one: Point, other: Point, length: float, xtol: float = LOCATED
-) -> Point:
+    test: Callable[[BranchPoint], float],
+    one: BranchPoint,
+    other: BranchPoint,
+    length: float,
+    xtol: float = LOCATED,
+) -> BranchPoint:
     """Where a test function is zero between two points, by bracketing along the arc;
     ConvergenceError, ValueError without.
     """
@@ -345,7 +351,7 @@ def zero_of(
     return known[float(brentq(value, 0.0, length, xtol=xtol, rtol=8.9e-16))]
 
 
-def along(point: Point, value: float) -> Point:
+def along(point: BranchPoint, value: float) -> BranchPoint:
     """The point at a value of the free parameter on the same sheet of a branch, which may not turn
     back on the way.
 
@@ -355,7 +361,7 @@ def along(point: Point, value: float) -> Point:
     setting, direction = point.setting, math.copysign(1.0, value - point.value)
     to = (min(point.value, value), max(point.value, value))
 
-    def ahead(point: Point, length: float) -> Point:
+    def ahead(point: BranchPoint, length: float) -> BranchPoint:
         found = within(point, length, to)
         if not turning(found) * direction > 0:
             raise ConvergenceError("it turns back")
@@ -381,7 +387,7 @@ def along(point: Point, value: float) -> Point:
     return point
 
 
-def remeshed_point(point: Point) -> Point:
+def remeshed_point(point: BranchPoint) -> BranchPoint:
     """The point in more mesh intervals, where derivatives over one have grown large, or in others,
     where one begins at a jump.
     """
@@ -402,7 +408,7 @@ def remeshed_point(point: Point) -> Point:
     )
 
 
-def uncertainty(point: Point) -> float:
+def uncertainty(point: BranchPoint) -> float:
     """Error of the parameter: what does not close, with what rounding adds, times the sensitivity
     along the branch.
     """
@@ -414,12 +420,12 @@ def uncertainty(point: Point) -> float:
     )
 
 
-def between(one: Point, other: Point) -> float:
+def between(one: BranchPoint, other: BranchPoint) -> float:
     """Length of the chord from one point to the other along the first one's tangent."""
     return float((other.place - one.place) @ one.way)
 
 
-def aligned(one: Point, other: Point) -> float:
+def aligned(one: BranchPoint, other: BranchPoint) -> float:
     """The smallest cosine between two tangents and the chord from one point to the other, if these
     are apart.
     """
@@ -432,7 +438,7 @@ def aligned(one: Point, other: Point) -> float:
     )
 
 
-def started(setting: Setting, guess: Iterate) -> Point:
+def started(setting: Setting, guess: Iterate) -> BranchPoint:
     """The first point of a branch, from a closed orbit."""
     orbit = setting.integrated(guess)
     if orbit.largest_gap > 1e-9:

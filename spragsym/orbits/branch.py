@@ -33,7 +33,7 @@ from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import norm
 from ..results.result import Result
 from .arclength import (
-    Point,
+    BranchPoint,
     Setting,
     at_zero,
     between,
@@ -303,13 +303,13 @@ def cycle_branch(
     begun = remeshed(own, 2 * pieces) if pieces % 2 else own.guess
     start = remeshed_point(started(setting, begun))
     back = list(_followed([start.oriented(-1.0)], (low, high), points, options))
-    behind = [item.oriented(-1.0) for item in back if isinstance(item, Point)]
+    behind = [item.oriented(-1.0) for item in back if isinstance(item, BranchPoint)]
     forth = list(_followed([*behind[:1], start], (low, high), points, options))
     closed = back and isinstance(back[-1], DetectedEvent) and back[-1].kind == "closed"
     items = [*reversed(back), start, *([] if closed else forth)]
     orbits, events, places = [], [], []
     for item in items:
-        if isinstance(item, Point):
+        if isinstance(item, BranchPoint):
             orbits.append(item.orbit)
         elif item.kind != "closed":
             orbit = item.orbit
@@ -340,19 +340,21 @@ def cycle_branch(
 
 
 def _followed(
-    followed: list[Point], to: Span, points: int, options: BranchOptions
-) -> Iterator[Point | DetectedEvent]:
+    followed: list[BranchPoint], to: Span, points: int, options: BranchOptions
+) -> Iterator[BranchPoint | DetectedEvent]:
     """Points and findings in one direction behind the last of some points, an end the last of
     them.
     """
     start = followed[-1]
     first_extent = extent(start.orbit)
 
-    def ahead(point: Point, length: float) -> Point:
+    def ahead(point: BranchPoint, length: float) -> BranchPoint:
         with doing("the branch of cycles beside {:.6g}", point.value):
             return within(point, length, to, min(options.move, options.share * extent(point.orbit)))
 
-    def look(point: Point, found: Point, length: float) -> list[Point | DetectedEvent]:
+    def look(
+        point: BranchPoint, found: BranchPoint, length: float
+    ) -> list[BranchPoint | DetectedEvent]:
         arc = between(point, found) if found.value in to else length
         if (met := meets(point, found)) is not None:
             if arc > NEAREST * extent(found.orbit):
@@ -363,7 +365,10 @@ def _followed(
             if length > FINEST and point.alone:
                 raise ConvergenceError("the orbit is one of a whole family")
             return [*_joins(followed, found)]
-        items, before = list[Point | DetectedEvent](), followed[-2] if len(followed) > 1 else None
+        items, before = (
+            list[BranchPoint | DetectedEvent](),
+            followed[-2] if len(followed) > 1 else None,
+        )
         if (
             before and followed[-1] is not point
         ):  # it was cut anew, and is compared with what is cut like it
@@ -394,7 +399,7 @@ def _followed(
 
 
 def _vanishing(
-    points: Sequence[Point], size: Callable[[Point], float], how: str, kind: str = "end"
+    points: Sequence[BranchPoint], size: Callable[[BranchPoint], float], how: str, kind: str = "end"
 ) -> DetectedEvent:
     """The end behind some points of a branch at which a size shrinks to 0.
 
@@ -417,7 +422,7 @@ def _vanishing(
     return DetectedEvent(kind, points[-1].orbit, error, how=how, value=value)
 
 
-def _shrunk(followed: Sequence[Point]) -> DetectedEvent:
+def _shrunk(followed: Sequence[BranchPoint]) -> DetectedEvent:
     """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the
     parameter near it.
     """
@@ -426,16 +431,16 @@ def _shrunk(followed: Sequence[Point]) -> DetectedEvent:
     )
 
 
-def _at_border(followed: Sequence[Point]) -> DetectedEvent | None:
+def _at_border(followed: Sequence[BranchPoint]) -> DetectedEvent | None:
     """The end where an orbit comes to touch a border, or sticks at the limit of the force from the
     first, or where it comes to a border at a tangent; None elsewhere.
     """
 
-    def off(point: Point) -> float:
+    def off(point: BranchPoint) -> float:
         sticking = (touch.level for touch in sliding_entries(point) if touch.level > 0)
         return min((*sticking, *(abs(touch.level) for touch in point.touches)), default=np.inf)
 
-    def slowest(point: Point) -> float:
+    def slowest(point: BranchPoint) -> float:
         return min((rate for rate, _ in approaches(point)), default=np.inf)
 
     last = followed[-1]
@@ -453,7 +458,12 @@ def _at_border(followed: Sequence[Point]) -> DetectedEvent | None:
 
 
 def _ends(
-    start: Point, point: Point, ahead: Point, length: float, to: Span, options: BranchOptions
+    start: BranchPoint,
+    point: BranchPoint,
+    ahead: BranchPoint,
+    length: float,
+    to: Span,
+    options: BranchOptions,
 ) -> Iterator[DetectedEvent]:
     """The end of the branch at a point, if it is one."""
     orbit, moved = ahead.orbit, abs(ahead.value - point.value)
@@ -470,7 +480,7 @@ def _ends(
         yield DetectedEvent("closed", orbit, 0.0)
 
 
-def _joins(followed: Sequence[Point], found: Point) -> Iterator[DetectedEvent]:
+def _joins(followed: Sequence[BranchPoint], found: BranchPoint) -> Iterator[DetectedEvent]:
     """The end of a branch at the edge of a family of cycles, one of which is found, and what
     happens there.
 
@@ -491,7 +501,7 @@ def _joins(followed: Sequence[Point], found: Point) -> Iterator[DetectedEvent]:
 
 
 def _lost(
-    followed: Sequence[Point], error: ConvergenceError, options: BranchOptions
+    followed: Sequence[BranchPoint], error: ConvergenceError, options: BranchOptions
 ) -> DetectedEvent:
     point = followed[-1]
     orbit = point.orbit
@@ -507,7 +517,7 @@ def _lost(
     return _at_border(followed) or lost
 
 
-def _passes(start: Point, point: Point, ahead: Point) -> bool:
+def _passes(start: BranchPoint, point: BranchPoint, ahead: BranchPoint) -> bool:
     """Whether the start's cycle lies on the step from one point to the next, passed the same way: a
     branch that closes.
 
@@ -648,7 +658,7 @@ def cycle_events(
     setting = Setting(orbit.flow, free, event.cycle.period / time_of(orbit), tuple(spans), holds)
     first = point_of(setting, setting.integrated(orbit.guess))
 
-    def ahead(point: Point, length: float) -> Point:
+    def ahead(point: BranchPoint, length: float) -> BranchPoint:
         with doing("the curve of events beside {:.6g}", point.value):
             return corrected(point, length, reach=0.5, iterations=9)
 

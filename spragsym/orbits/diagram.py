@@ -36,7 +36,7 @@ from ..results import Equilibria
 from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, cycle, cycle_branch
-from .arclength import Point, between, placed, steps, turning, within, zero_of
+from .arclength import BranchPoint, between, placed, steps, turning, within, zero_of
 from .events import SLIDING
 from .finding import cycle_near
 from .options import BranchOptions
@@ -322,10 +322,10 @@ def _at(vary: str, value: float) -> At:
 # equilibria
 
 
-def _followed(rest: FixedPoints, point: Point, to: Span) -> Iterator[Point]:
+def _followed(rest: FixedPoints, point: BranchPoint, to: Span) -> Iterator[BranchPoint]:
     """Points ahead, to the end of the range, of the mode, or of the steps."""
 
-    def ahead(point: Point, length: float) -> Point:
+    def ahead(point: BranchPoint, length: float) -> BranchPoint:
         found = within(point, length, to, reach=0.5)
         if not rest.inside(found):
             raise ConvergenceError("the mode ends")
@@ -341,7 +341,9 @@ def _followed(rest: FixedPoints, point: Point, to: Span) -> Iterator[Point]:
                 return
 
 
-def _located(one: Point, other: Point, test: Callable[[Point], float]) -> Point | None:
+def _located(
+    one: BranchPoint, other: BranchPoint, test: Callable[[BranchPoint], float]
+) -> BranchPoint | None:
     """The point between two where a test function changes its sign; None if it does not."""
     first, last = test(one), test(other)
     if (first < 0) == (last < 0) or min(abs(first), abs(last)) < LOST:
@@ -351,7 +353,7 @@ def _located(one: Point, other: Point, test: Callable[[Point], float]) -> Point 
     return None
 
 
-def _labels(rest: FixedPoints, line: Sequence[Point], number: int) -> Iterator[Label]:
+def _labels(rest: FixedPoints, line: Sequence[BranchPoint], number: int) -> Iterator[Label]:
     """Folds, where the parameter turns back, and Hopf points, where a pair crosses the imaginary
     axis.
     """
@@ -368,7 +370,7 @@ def _labels(rest: FixedPoints, line: Sequence[Point], number: int) -> Iterator[L
                 yield Label(label, place.value, x, "equilibria", number)
 
 
-def _passes(line: Sequence[Point], point: Point) -> bool:
+def _passes(line: Sequence[BranchPoint], point: BranchPoint) -> bool:
     """Whether a branch passes through a point."""
     place, periodic = point.orbit.state, point.orbit.field.periodic
     for end in (line[0], line[-1]):  # it ends within a step of a border, which the point may be on
@@ -419,7 +421,7 @@ def _equilibria(
     p: ParameterSet, vary: str, to: Span, seeds: Sequence[tuple[Touching, Equilibria]]
 ) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:
     """All branches on which there is one of the equilibria known, with their labels."""
-    model, found = p.model, list[tuple[Touching, list[Point]]]()
+    model, found = p.model, list[tuple[Touching, list[BranchPoint]]]()
     index, span = model.parameters.index(vary), (to[1] - to[0]) / 2
     scales = _scales_of_all(p.replace(**{vary: sum(to) / 2}), seeds)
     for contact, known in seeds:

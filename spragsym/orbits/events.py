@@ -19,7 +19,7 @@ from ..motion.shooting import Conditions, Orbit, remeshed, solved
 from ..numerics.vectors import magnitude
 from .arclength import (
     LOCATED,
-    Point,
+    BranchPoint,
     Setting,
     Touch,
     between,
@@ -82,7 +82,7 @@ CLOSER = 0.03
 ALIKE = 0.6
 
 
-def criterion(kind: str, point: Point) -> float:
+def criterion(kind: str, point: BranchPoint) -> float:
     """A test function along a branch: at a fold the parameter itself turns back; where another
     branch crosses, it does not.
     """
@@ -93,7 +93,7 @@ def criterion(kind: str, point: Point) -> float:
     return criterion_of(kind, point.orbit)
 
 
-def known(kind: str, point: Point) -> float:
+def known(kind: str, point: BranchPoint) -> float:
     """A test function of which the sign is known, or 0: one that is within its error tells
     nothing.
     """
@@ -120,7 +120,11 @@ class DetectedEvent:
 
 
 def detected_events(
-    one: Point, other: Point, length: float, before: Point | None = None, depth: int = 0
+    one: BranchPoint,
+    other: BranchPoint,
+    length: float,
+    before: BranchPoint | None = None,
+    depth: int = 0,
 ) -> Iterator[DetectedEvent]:
     """All that happens between two points of a branch, in its order; halves the step where
     something may be hidden in it.
@@ -180,7 +184,7 @@ def detected_events(
         )
 
 
-def vertical(one: Point, other: Point, length: float) -> bool:
+def vertical(one: BranchPoint, other: BranchPoint, length: float) -> bool:
     """Whether the parameter stays what it is from one point to another, far apart: a whole family
     of cycles at one value.
 
@@ -198,7 +202,7 @@ def vertical(one: Point, other: Point, length: float) -> bool:
     )
 
 
-def _bends_to_zero(kind: str, before: Point, one: Point, other: Point) -> bool:
+def _bends_to_zero(kind: str, before: BranchPoint, one: BranchPoint, other: BranchPoint) -> bool:
     """Whether the parabola through three values of one sign, equally far apart, comes to 0 between
     the last two.
     """
@@ -210,7 +214,7 @@ def _bends_to_zero(kind: str, before: Point, one: Point, other: Point) -> bool:
 
 
 def _grazing(
-    one: Point, other: Point, turns: list[tuple[Point, Touch]], length: float
+    one: BranchPoint, other: BranchPoint, turns: list[tuple[BranchPoint, Touch]], length: float
 ) -> Iterator[DetectedEvent]:
     """Where an orbit touches a border, by its turns there: of both points, or of the one that does
     not slide on the border.
@@ -245,7 +249,7 @@ def _kind(orbit: Orbit, touch: Touch) -> str:
     return "adding-sliding" if that.crossings[2:] else "grazing"
 
 
-def sliding_entries(point: Point) -> list[Touch]:
+def sliding_entries(point: BranchPoint) -> list[Touch]:
     """All places of one round where the orbit comes to a border on which it may stay."""
     found, orbit = list[Touch](), point.orbit
     for crossing in orbit.crossings():
@@ -262,7 +266,7 @@ def sliding_entries(point: Point) -> list[Touch]:
     return found
 
 
-def approaches(point: Point) -> list[tuple[float, str]]:
+def approaches(point: BranchPoint) -> list[tuple[float, str]]:
     """Rates at which levels come to 0 where the field jumps, and names of the borders: one that
     comes to 0 is of a tangent arrival, behind which the orbit does not come there.
     """
@@ -283,12 +287,14 @@ def approaches(point: Point) -> list[tuple[float, str]]:
     return found
 
 
-def _switching(one: Point, other: Point, arrival: Touch, length: float) -> Iterator[DetectedEvent]:
+def _switching(
+    one: BranchPoint, other: BranchPoint, arrival: Touch, length: float
+) -> Iterator[DetectedEvent]:
     """Where an orbit comes to the edge of the states that stay on a border: it leaves at once, or
     goes on into them.
     """
 
-    def stays(point: Point) -> float:
+    def stays(point: BranchPoint) -> float:
         for _, become in paired([arrival], sliding_entries(point)):
             return become.level
         raise ConvergenceError("the orbit does not come to the border")
@@ -302,7 +308,9 @@ def _switching(one: Point, other: Point, arrival: Touch, length: float) -> Itera
     yield from _located(kind, stays, one, other, length, name)
 
 
-def _lies_between(one: Point, other: Point, value: float, length: float, off: float) -> bool:
+def _lies_between(
+    one: BranchPoint, other: BranchPoint, value: float, length: float, off: float
+) -> bool:
     """Whether the parameter passes a value between two points: a turn of a doubled cycle has
     another one half a period away.
 
@@ -316,9 +324,9 @@ def _lies_between(one: Point, other: Point, value: float, length: float, off: fl
 
 def _located(
     kind: str,
-    test: Callable[[Point], float],
-    one: Point,
-    other: Point,
+    test: Callable[[BranchPoint], float],
+    one: BranchPoint,
+    other: BranchPoint,
     length: float,
     how: str = "",
 ) -> Iterator[DetectedEvent]:
@@ -352,7 +360,9 @@ def _located(
         yield DetectedEvent(kind, point.orbit, off, how=how)
 
 
-def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> float:
+def _error(
+    kind: str, one: BranchPoint, other: BranchPoint, length: float, point: BranchPoint
+) -> float:
     """How well the parameter is known at the zero of a test function: that of the orbit, and what
     the place on the arc adds.
     """
@@ -375,7 +385,7 @@ def _error(kind: str, one: Point, other: Point, length: float, point: Point) -> 
     return own + abs(turning(point)) * place + SCATTER * (width * max(scatter)) / change
 
 
-def crossing_difference(one: Point, other: Point) -> Counter[int]:
+def crossing_difference(one: BranchPoint, other: BranchPoint) -> Counter[int]:
     """How much oftener one orbit crosses each border than another."""
     one_way, other_way = (
         Counter(crossing.border for crossing in each.orbit.crossings()) for each in (one, other)
@@ -383,7 +393,7 @@ def crossing_difference(one: Point, other: Point) -> Counter[int]:
     return one_way - other_way
 
 
-def crossing_mismatch(one: Point, other: Point) -> int:
+def crossing_mismatch(one: BranchPoint, other: BranchPoint) -> int:
     """In how many crossings two orbits differ: the differences in how often each border is crossed,
     added up.
     """
@@ -423,7 +433,9 @@ def may_touch(one: Touch, other: Touch, length: float) -> bool:
     )
 
 
-def lost(near: Point, pairs: list[tuple[Touch, Touch]], away: float) -> list[tuple[Point, Touch]]:
+def lost(
+    near: BranchPoint, pairs: list[tuple[Touch, Touch]], away: float
+) -> list[tuple[BranchPoint, Touch]]:
     """Turns of a point that are no turns of the other and may have come to the border between: by
     level and slope.
     """
@@ -436,7 +448,7 @@ def lost(near: Point, pairs: list[tuple[Touch, Touch]], away: float) -> list[tup
     ]
 
 
-def grazing(near: Point, touch: Touch, beside: float = 0.0) -> Orbit:
+def grazing(near: BranchPoint, touch: Touch, beside: float = 0.0) -> Orbit:
     """The closed orbit that touches a border, begun where it does: near a point with a turn near
     that border.
 

@@ -15,7 +15,7 @@ from ..motion.shooting import CLOSED, Iterate, Orbit, extent, solved, time_of
 from ..numerics.vectors import magnitude, norm
 from .arclength import (
     SURE,
-    Point,
+    BranchPoint,
     Setting,
     at_zero,
     corrected,
@@ -81,7 +81,7 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     )
 
 
-def _aside(point: Point, crossed: FloatArray | None, rounds: int) -> Point:
+def _aside(point: BranchPoint, crossed: FloatArray | None, rounds: int) -> BranchPoint:
     """Where branches meet, so many times round: the other of two directions, across that of the
     branch.
 
@@ -107,7 +107,7 @@ def _aside(point: Point, crossed: FloatArray | None, rounds: int) -> Point:
     plane = directions(setting, orbit)[1][-2:]
     plane = plane - np.outer(plane @ along, along)
     direction = max(plane, key=norm) / weights
-    return Point(setting, orbit, direction / norm(direction[: orbit.field.size]))
+    return BranchPoint(setting, orbit, direction / norm(direction[: orbit.field.size]))
 
 
 def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
@@ -119,7 +119,7 @@ def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     return found
 
 
-def parted(point: Point) -> FloatArray:
+def parted(point: BranchPoint) -> FloatArray:
     """How far apart the two halves of a round are: states less those half a round before, across
     the flow, over √their number.
     """
@@ -130,7 +130,7 @@ def parted(point: Point) -> FloatArray:
     return (apart - along[:, None] * flows).ravel() / np.sqrt(half)
 
 
-def meets(one: Point, other: Point) -> float | None:
+def meets(one: BranchPoint, other: BranchPoint) -> float | None:
     """The share of the step from one point to the next at which their halves come together; None if
     they do not.
     """
@@ -145,7 +145,7 @@ def meets(one: Point, other: Point) -> float | None:
     return was / (was + now) if before @ after < 0 else None
 
 
-def halved(one: Point, other: Point, share: float) -> tuple[Orbit, float] | None:
+def halved(one: BranchPoint, other: BranchPoint, share: float) -> tuple[Orbit, float] | None:
     """The doubling of the cycle of half the period at a share of a step, and the error of its
     parameter.
 

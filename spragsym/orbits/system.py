@@ -26,7 +26,7 @@ from ..motion.shooting import Conditions, Iterate, Orbit
 from ..motion.simulation import motion_of
 from ..motion.solution import FlowResult
 from ..numerics.vectors import magnitude, norm
-from .arclength import Point, Setting, started
+from .arclength import BranchPoint, Setting, started
 from .orbit import Cycle
 
 #: Of a matrix of the motion about an equilibrium: relative error, with a margin.
@@ -283,7 +283,7 @@ class FixedPoints:
     field: Field
     mode: Mode | None = None
 
-    def started(self, system: System, state: FloatArray, index: int, span: float) -> Point:
+    def started(self, system: System, state: FloatArray, index: int, span: float) -> BranchPoint:
         """An equilibrium of a system as a point from which it is followed in one parameter."""
         setting = Setting(
             replace(system.flow, other=self.flow_map), (index,), 1.0, (span,), _of_one_time
@@ -316,12 +316,12 @@ class FixedPoints:
             raise ConvergenceError("there is no motion") from error
         return FlowResult(state + np.append(state[n:], force), by_state, by_parameters, (), ())
 
-    def eigenvalues(self, point: Point) -> list[complex]:
+    def eigenvalues(self, point: BranchPoint) -> list[complex]:
         """Eigenvalues of the linearized motion."""
         there = self.at(point.orbit.state, point.orbit.constants)
         return [complex(value) for value in np.linalg.eigvals(self.field.matrix(*there))]
 
-    def pairs(self, point: Point) -> float:
+    def pairs(self, point: BranchPoint) -> float:
         """Product of the sums of all pairs of eigenvalues, each over its size: 0 where a pair is ±
         i ω.
         """
@@ -330,7 +330,7 @@ class FixedPoints:
             math.prod((one + other) / (abs(one) + abs(other) or 1.0) for one, other in pairs).real
         )
 
-    def inside(self, point: Point) -> bool:
+    def inside(self, point: BranchPoint) -> bool:
         """Whether a state is on this side of all kinks; the field jumps at the end of a torsion
         spring, or is smooth.
         """

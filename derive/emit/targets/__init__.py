@@ -52,7 +52,7 @@ class Variable:
 
 
 @dataclass(frozen=True)
-class Motion:
+class MotionMaterial:
     """What moves in a page's model, for languages that hand it over as a whole."""
 
     time: Variable
@@ -105,7 +105,7 @@ class Material:
     ] = ()
     arithmetic: Source = NOTHING  #: double-double numbers
     widened: Source = NOTHING  #: the kernel a second time, on these
-    motion: Motion | None = None  #: of a page
+    motion: MotionMaterial | None = None  #: of a page
 
     @property
     def algebra(self) -> dict[str, Definition]:

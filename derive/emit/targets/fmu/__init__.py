@@ -25,7 +25,7 @@ from xml.sax.saxutils import quoteattr
 
 from ...definitions import Definition
 from ...expressions import number
-from .. import Material, Motion, Variable, c, runtime, spoken, taken
+from .. import Material, MotionMaterial, Variable, c, runtime, spoken, taken
 from ..c.layout import plain
 
 _SYSTEMS = {"linux": ("linux", ".so"), "darwin": ("darwin", ".dylib"), "win32": ("windows", ".dll")}
@@ -167,7 +167,7 @@ def _compiler(given: str) -> list[str]:
 # model.h
 
 
-def _model(material: Material, seen: Motion, words: Mapping[str, str]) -> str:
+def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -> str:
     """Sizes, quantities with their units, and adapters of the library's functions, which take
     arrays.
     """
@@ -270,7 +270,7 @@ def _powers(one: Variable) -> str:
 # modelDescription.xml
 
 
-def _description(summary: str, seen: Motion) -> dict[str, str]:
+def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
     """Units, variables in the order of their value references, and what each of them is in the
     structure of the model.
     """

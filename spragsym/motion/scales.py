@@ -18,6 +18,7 @@ import numpy as np
 
 from ..models.field import FLOATS, Border, Field, Mode, Values
 from ..models.parameters import FloatArray
+from ..numerics.vectors import TURN
 from .lobatto import PiecewisePolynomial
 
 if TYPE_CHECKING:
@@ -168,7 +169,8 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Motion
     the damping, or of what changes the speed at the start. Coordinates of one unit share theirs.
     Lengths have the largest undeformed length of a spring along a line, or else, as other
     coordinates, the largest of the coordinates at the start, of how far they go at its rates and
-    accelerations in the unit of time, and of the way on which friction that holds is used up.
+    accelerations in the unit of time, and of the way on which friction that holds is used up,
+    unless an angle uses it up within a turn.
     Angles have the unit 1. Of a motion about which this says nothing all units are 1, and
     of a field that does not tell the units of its coordinates.
 
@@ -233,14 +235,14 @@ def _time_and_ways(field: Field, constants: Values, state: list[float]) -> tuple
             continue
         held = next(mode for mode in field.modes if border.sign(mode))
         level, slopes = (each(state, constants, held) for each in (border.level, border.slopes))
+        steepest = dict.fromkeys(field.units, 0.0)
+        for unit, slope in zip(field.units, slopes, strict=False):
+            steepest[unit] = max(steepest[unit], abs(slope))
+        if steepest.get("rad", 0.0) * TURN > abs(level):
+            continue  # within a turn an angle uses it up, however far the others would have to go
         for i, unit in enumerate(field.units):
-            steepest = max(
-                abs(slope)
-                for slope, other in zip(slopes, field.units, strict=False)
-                if other == unit
-            )
-            if steepest:
-                ways[i] = max(ways[i], abs(level) / steepest)
+            if steepest[unit]:
+                ways[i] = max(ways[i], abs(level) / steepest[unit])
     return 1.0 / rate, ways
 
 

@@ -14,6 +14,7 @@ from spragsym.motion.regimes import Outcome, Regime, same_limit
 from spragsym.motion.scales import scales_of
 from spragsym.orbits.attractors import Attractor, followed
 from spragsym.orbits.system import System
+from tests.oracles import dry_friction
 from tests.oracles.user_pages import model_of
 
 STICK_SLIP = ss.load("coulomb_stick_slip")
@@ -295,3 +296,15 @@ def test_rests_that_are_far_apart_in_their_units_are_two() -> None:
         rests = [Outcome(Regime.EQUILIBRIUM, rest=(x * size,)) for x in (-1.0, 1.0, 1.0 + 1e-8)]
         assert not same_limit(rests[0], rests[1], model.field, constants)
         assert same_limit(rests[1], rests[2], model.field, constants)
+
+
+def test_an_angle_that_uses_friction_up_leaves_other_units_alone() -> None:
+    """A pendulum whose tip sticks: at some angles its slider would have to go thousands of lengths
+    for the same.
+    """
+    model, rng = dry_friction.model("tip"), np.random.default_rng(75)
+    constants = model.field.constants(model.Parameters(V=0.4).scalars(*model.parameters))
+    upright = rng.uniform(-2e-2, 2e-2, 50)
+    states = np.column_stack([rng.uniform(0.5, 1.5, 50), upright, np.zeros(50), np.full(50, 0.4)])
+    for state in states.tolist():
+        assert scales_of(model.field, constants, state).trivial

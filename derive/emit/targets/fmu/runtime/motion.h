@@ -45,6 +45,7 @@ enum {
 /* Binary digits between one unit and the next, and beyond which a unit is not 1. */
 #define DIGITS 2
 #define COMMON 5
+#define TURN 6.283185307179586
 
 typedef struct {
     double p[PARAMETERS + 1];
@@ -273,13 +274,16 @@ static double distances(const Motion *it, const double *state, double *ways) {
     }
     if (!grip(state, it->p, held.mode, margin) && !grip_slopes(state, it->p, held.mode, slope)) {
         for (int row = 0; row < 2; row++) {
-            for (int angle = 0; angle < 2; angle++) {
+            for (int angle = 1; angle >= 0; angle--) {
                 double steepest = 0.0;
                 for (int i = 0; i < COORDINATES; i++) {
                     steepest = (ANGLES[i] == angle) ? fmax(steepest, fabs(slope[(row + 1) * WIDE + i])) : steepest;
                 }
                 for (int i = 0; steepest > 0.0 && i < COORDINATES; i++) {
                     ways[i] = (ANGLES[i] == angle) ? fmax(ways[i], fabs(margin[row]) / steepest) : ways[i];
+                }
+                if (angle && steepest * TURN > fabs(margin[row])) {
+                    break; /* within a turn an angle uses it up, however far the others would have to go */
                 }
             }
         }

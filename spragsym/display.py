@@ -70,7 +70,27 @@ class Column:
     row: str = ""
 
     def value(self, result: object) -> Any:
-        """The column of a result: as it follows from others, or the attribute of its name."""
+        """The column of a result: as it follows from others, or the attribute of its name.
+
+        Parameters
+        ----------
+        result : Result
+            A result that has the column.
+
+        Returns
+        -------
+        array or number
+
+        Examples
+        --------
+        >>> from types import SimpleNamespace
+        >>> Column("x", "m").value(SimpleNamespace(x=2.0))
+        2.0
+        >>> Column("width", "m", of=lambda result: result.high - result.low).value(
+        ...     SimpleNamespace(low=1.0, high=4.0)
+        ... )
+        3.0
+        """
         return getattr(result, self.name) if self.of is None else self.of(result)
 
     @property

@@ -78,18 +78,51 @@ class PaperCheck:
         return all(row.is_expected for row in self.rows)
 
     def as_dict(self) -> dict[str, Any]:
-        """Verdicts for JSON: of each row all fields, which are empty where they do not apply."""
+        """Verdicts for JSON: of each row all fields, which are empty where they do not apply.
+
+        Returns
+        -------
+        dict
+            ``paper``, ``model``, ``conventions`` and ``rows``.
+
+        Examples
+        --------
+        >>> PaperCheck("A paper", "kang_nam", (), ()).as_dict()
+        {'paper': 'A paper', 'model': 'kang_nam', 'conventions': [], 'rows': []}
+        """
         rows = [asdict(row) for row in self.rows]
         head = {"paper": self.paper, "model": self.model, "conventions": list(self.conventions)}
         return {**head, "rows": rows}
 
     def summary(self) -> str:
-        """Number of statements with each verdict."""
+        """Number of statements with each verdict.
+
+        Returns
+        -------
+        str
+
+        Examples
+        --------
+        >>> from types import SimpleNamespace
+        >>> rows = [SimpleNamespace(status=word) for word in ("confirmed", "misprint", "confirmed")]
+        >>> PaperCheck("A paper", "kang_nam", (), tuple(rows)).summary()
+        '2 confirmed, 1 misprint'
+        """
         counts = Counter(self.status)
         return ", ".join(f"{counts[status]} {status}" for status in sorted(counts))
 
     def to_markdown(self) -> str:
-        """A ledger that a referee can attach."""
+        """A ledger that a referee can attach.
+
+        Returns
+        -------
+        str
+
+        Examples
+        --------
+        >>> PaperCheck("A paper", "kang_nam", (), ()).to_markdown().splitlines()[0]
+        '# A paper'
+        """
         lines = [f"# {self.paper or 'Printed equations'}", ""]
         lines += [f"Held against the page `{self.model}`: {self.summary()}.", ""]
         lines += [f"- {convention}" for convention in self.conventions]
@@ -101,7 +134,17 @@ class PaperCheck:
         return "\n".join(lines) + "\n"
 
     def to_html(self) -> str:
-        """The same as one page of HTML, which loads nothing."""
+        """The same as one page of HTML, which loads nothing.
+
+        Returns
+        -------
+        str
+
+        Examples
+        --------
+        >>> "<h1>A paper</h1>" in PaperCheck("A paper", "kang_nam", (), ()).to_html()
+        True
+        """
         parts = [f"<h1>{html.escape(self.paper or 'Printed equations')}</h1>"]
         parts += [f"<p>Held against {html.escape(self.model)}: {html.escape(self.summary())}.</p>"]
         parts += [f"<p>{html.escape(convention)}</p>" for convention in self.conventions]

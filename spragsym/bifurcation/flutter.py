@@ -568,11 +568,47 @@ class Onsets(Points):
         return form_or_why(self.parameters.model, self.given(row), state, vary, radii)
 
     def given(self, row: int) -> FloatArray:
-        """Parameters of one of them, in the order of the model."""
+        """Parameters of one of them, in the order of the model.
+
+        Parameters
+        ----------
+        row : int
+            Number of the onset, from 0.
+
+        Returns
+        -------
+        array
+            Shape (parameters,).
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> onsets = ss.flutter_onsets(ss.load("stick_slip").Parameters(), "V")
+        >>> onsets.given(0).round(6)  # mu_s, v_s, zeta and V
+        array([0.5     , 0.1     , 0.05    , 0.101015])
+        """
         return np.array([self[name][row] for name in self.parameters.model.parameters])
 
     def state(self, row: int) -> FloatArray:
-        """Coordinates of one of them."""
+        """Coordinates of one of them.
+
+        Parameters
+        ----------
+        row : int
+            Number of the onset, from 0.
+
+        Returns
+        -------
+        array
+            Shape (coordinates,), angles in radians.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> onsets = ss.flutter_onsets(ss.load("stick_slip").Parameters(), "V")
+        >>> onsets.state(0).round(6)
+        array([0.499974])
+        """
         return np.array([self[name][row] for name in self.parameters.model.coordinates])
 
 

@@ -406,7 +406,20 @@ class JumpGradient(Named):
     slopes: Mapping[str, FloatArray]
 
     def as_table(self) -> Table:
-        """The value and its slopes; of many points the smallest and the largest."""
+        """The value and its slopes; of many points the smallest and the largest.
+
+        Returns
+        -------
+        Table
+            Title, header and rows of text.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> found = ss.jump_gradient(ss.Parameters.article(theta0=0.9, mu0=0.5), "mu0")
+        >>> found.as_table().rows[0]
+        ('mu0', '0.3816866751', '0.3816866751')
+        """
         rows = []
         for name, values in {"value": self.value, **self.slopes}.items():
             known = np.asarray(values)[~np.isnan(self.value)]

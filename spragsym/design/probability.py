@@ -99,7 +99,20 @@ class JumpProbability(Result):
         }
 
     def as_table(self) -> Table:
-        """The probability on the line above, and the indices."""
+        """The probability on the line above, and the indices.
+
+        Returns
+        -------
+        Table
+            Title, header and rows of text.
+
+        Examples
+        --------
+        >>> indices = {"k": 0.25}, {"k": 0.75}, {"k": 0.01}, {"k": 0.02}
+        >>> found = JumpProbability(0.1, 0.09, 0.11, 0.95, 4096, 0.0, *indices)
+        >>> found.as_table().rows
+        (('of k', '0.2500', '0.0100', '0.7500', '0.0200'),)
+        """
         columns = (self.first, self.first_error, self.total, self.total_error)
         rows = tuple(
             (f"of {name}", *(f"{column[name]:.4f}" for column in columns)) for name in self.first

@@ -159,6 +159,19 @@ class Diagram(Result):
         """The points of all branches, one branch after the other: what they are ``of``, the number
         of the ``branch`` among its kind, the parameter, the lowest and highest first coordinate,
         the period (NaN of equilibria), and whether they are stable.
+
+        Returns
+        -------
+        dict of str to array
+            Columns of one length, a row a point.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("stick_slip")
+        >>> found = ss.diagram(model.Parameters(), "V", between={"V": (0.05, 0.3)}, points=60)
+        >>> sorted(set(found.data()["of"].tolist()))
+        ['cycles', 'equilibria']
         """
         parts = [
             ("equilibria", at, one, one.states[:, 0], one.states[:, 0], 0 * one.values + np.nan)

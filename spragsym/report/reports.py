@@ -37,21 +37,89 @@ class Report(Facts, Result):
         return tuple(f"{verb} {what}" for verb, what in next_steps(self))
 
     def to_dict(self) -> texts.Json:
-        """The report as JSON has it; quantities in the units of the file."""
+        """The report as JSON has it; quantities in the units of the file.
+
+        Returns
+        -------
+        dict
+
+        Examples
+        --------
+        >>> from math import radians
+        >>> import spragsym as ss
+        >>> brake = {"m": 0.35, "k": 1.8e5, "k_x": 9e3, "k_y": 0.0, "k_c": 1.5e6, "F_L": 420.0}
+        >>> brake |= {"L_0": 0.038, "theta0": radians(52), "mu0": 0.3}
+        >>> report = ss.Study(brake).report(probability=False, redesign=False)
+        >>> round(report.to_dict()["mu_jump"], 4)
+        0.3663
+        """
         return texts.as_json(self)
 
     def text(self) -> str:
-        """The report as text: the verdict, then the numbers."""
+        """The report as text: the verdict, then the numbers.
+
+        Returns
+        -------
+        str
+
+        Examples
+        --------
+        >>> from math import radians
+        >>> import spragsym as ss
+        >>> brake = {"m": 0.35, "k": 1.8e5, "k_x": 9e3, "k_y": 0.0, "k_c": 1.5e6, "F_L": 420.0}
+        >>> brake |= {"L_0": 0.038, "theta0": radians(52), "mu0": 0.3}
+        >>> report = ss.Study(brake).report(probability=False, redesign=False)
+        >>> print(report.text().partition(":")[0])
+        It does not sprag
+        """
         return "\n".join(texts.blocks(self))
 
     def to_html(self, path: str | os.PathLike[str]) -> None:
-        """Write the report as one page with its pictures (extra ``plot``)."""
+        """Write the report as one page with its pictures (extra ``plot``).
+
+        Parameters
+        ----------
+        path : str or path
+            The file, which is written over.
+
+        Raises
+        ------
+        MissingExtraError
+            Without matplotlib.
+
+        Examples
+        --------
+        >>> import pathlib, tempfile
+        >>> import spragsym as ss
+        >>> block = {"m": 2.0, "k": 800.0, "c": 1.0, "N_0": 1.0, "mu_s": 0.5, "v_s": 0.1, "V": 1.0}
+        >>> report = ss.Study(block, model="stick_slip").report(oscillation=False)
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     report.to_html(pathlib.Path(folder, "report.html"))
+        ...     pathlib.Path(folder, "report.html").read_text(encoding="utf-8")[:15]
+        '<!DOCTYPE html>'
+        """
         import spragsym  # a shorthand: no room imports one behind it
 
         put(path, spragsym.figures.report_page(self))
 
     def as_table(self) -> Table:
-        """The rows of its text."""
+        """The rows of its text.
+
+        Returns
+        -------
+        Table
+            Title, header and rows of text.
+
+        Examples
+        --------
+        >>> from math import radians
+        >>> import spragsym as ss
+        >>> brake = {"m": 0.35, "k": 1.8e5, "k_x": 9e3, "k_y": 0.0, "k_c": 1.5e6, "F_L": 420.0}
+        >>> brake |= {"L_0": 0.038, "theta0": radians(52), "mu0": 0.3}
+        >>> report = ss.Study(brake).report(probability=False, redesign=False)
+        >>> report.as_table().header
+        ('', 'value')
+        """
         return Table(
             self.verdict,
             ("", "value"),

@@ -201,7 +201,24 @@ class Equilibria(OfStates):
         return np.nonzero(np.arange(self.undamped.shape[-1]) < self.count[..., None])
 
     def reason(self, *index: int) -> str:
-        """Why the point with this index has no answer; empty if it has one."""
+        """Why the point with this index has no answer; empty if it has one.
+
+        Parameters
+        ----------
+        *index : int
+            Index of the point, one number an axis.
+
+        Returns
+        -------
+        str
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> eq = ss.equilibria(ss.Parameters.article(theta0=np.radians([30.0, 60.0]), mu0=0.5))
+        >>> eq.reason(0)
+        ''
+        """
         here = np.arange(self.count.size).reshape(self.count.shape)
         boxes = (box for box in self.undecided if here[box.index] == here[index])
         return "; ".join(dict.fromkeys(box.reason for box in boxes))
@@ -209,13 +226,42 @@ class Equilibria(OfStates):
     def require_decided(self) -> Self:
         """This result, if every point has an answer; otherwise raise :class:`ConvergenceError` with
         the first reason.
+
+        Returns
+        -------
+        Equilibria
+
+        Raises
+        ------
+        ConvergenceError
+            If a point has no answer.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> eq = ss.equilibria(ss.Parameters.article(theta0=np.radians([30.0, 60.0]), mu0=0.5))
+        >>> eq.require_decided() is eq
+        True
         """
         if self.undecided:
             raise ConvergenceError(self.undecided[0].reason)
         return self
 
     def as_table(self) -> Table:
-        """A row for each equilibrium, with the parameters that vary over the points."""
+        """A row for each equilibrium, with the parameters that vary over the points.
+
+        Returns
+        -------
+        Table
+            Title, header and rows of text.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> eq = ss.equilibria(ss.Parameters.article(theta0=np.radians([30.0, 60.0]), mu0=0.5))
+        >>> eq.as_table().title, len(eq.as_table().rows)
+        ('4 equilibria in contact of 2 points', 4)
+        """
         every, number = self.states, math.prod(self.count.shape)
 
         def columns(some: IntArray) -> dict[str, Any]:
@@ -236,6 +282,18 @@ class Equilibria(OfStates):
     def data(self) -> dict[str, NDArray[Any]]:
         """A row for each equilibrium: the parameters that vary over the points, its stability and
         place, growth and error.
+
+        Returns
+        -------
+        dict of str to array
+            Columns of one length, angles in radians.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> eq = ss.equilibria(ss.Parameters.article(theta0=np.radians([30.0, 60.0]), mu0=0.5))
+        >>> eq.data()["x"].round(4)
+        array([0.0677, 0.6058, 1.6408, 0.9102])
         """
         return self._rows(self.states)
 
@@ -244,6 +302,22 @@ class Equilibria(OfStates):
         equilibria, NaN beyond ``count`` (extra ``sweep``).
 
         An axis along which one parameter alone varies is named after it; others are ``axis_0``, ….
+
+        Returns
+        -------
+        xarray.Dataset
+
+        Raises
+        ------
+        MissingExtraError
+            Without xarray.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> eq = ss.equilibria(ss.Parameters.article(theta0=np.radians([30.0, 60.0]), mu0=0.5))
+        >>> dict(eq.to_xarray().sizes)
+        {'theta0': 2, 'state': 3}
         """
         p, shape, state = self.parameters, self.parameters.shape, self._own("state")
         inputs = {name: p[name] for name in p.ranges if p[name] is not None}
@@ -258,7 +332,24 @@ class Equilibria(OfStates):
         return storage.dataset(variables, coords, {}, self._in_model_units)
 
     def row_columns(self, *rows: str) -> tuple[str, ...]:
-        """Names of the columns of the schema that stand in these parts of a row of states."""
+        """Names of the columns of the schema that stand in these parts of a row of states.
+
+        Parameters
+        ----------
+        *rows : str
+            Parts of a row: ``"before"`` or ``"behind"`` the state.
+
+        Returns
+        -------
+        tuple of str
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> eq = ss.equilibria(ss.Parameters.article(theta0=np.radians([30.0, 60.0]), mu0=0.5))
+        >>> eq.row_columns("before")
+        ('stability',)
+        """
         known = _names(self.parameters.model, self._source.more)
         names = (self._own(each.name) for each in self.schema if each.row in rows)
         return tuple(name for name in names if name in known)

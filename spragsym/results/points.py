@@ -161,6 +161,18 @@ class Points(OfStates, Rows):
     def data(self) -> dict[str, NDArray[Any]]:
         """The parameters that vary, the state, what happens there and the bound on the errors, by
         name.
+
+        Returns
+        -------
+        dict of str to array
+            Columns of one length, angles in radians.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> found = ss.folds(ss.Parameters.article(mu0=0.5))
+        >>> found.data()["theta0"].round(4)
+        array([0.7777, 2.7063])
         """
         several = [name for name in map(self._own, _OF_SEVERAL) if name in self._values]
         where = {name: self[name] for name in (*self.vary, *self.state_columns, *several)}
@@ -170,6 +182,18 @@ class Points(OfStates, Rows):
     def as_table(self) -> Table:
         """A row for each point: the parameters that vary, the state, what ends there or begins, and
         what else is known of it.
+
+        Returns
+        -------
+        Table
+            Title, header and rows of text, angles in degrees.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> found = ss.folds(ss.Parameters.article(mu0=0.5))
+        >>> [row[0] for row in found.as_table().rows]
+        ['44.5593177', '155.0594188']
         """
         said = self._schema
         columns = self.data()
@@ -187,7 +211,25 @@ class Points(OfStates, Rows):
         return in_rows(caption, said, len(self), lambda some: picked(columns, some))
 
     def select(self, which: BoolArray) -> Self:
-        """The points that ``which`` marks."""
+        """The points that ``which`` marks.
+
+        Parameters
+        ----------
+        which : array of bool
+            Shape (points,).
+
+        Returns
+        -------
+        Points
+            Of the same class.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> found = ss.folds(ss.Parameters.article(mu0=0.5))
+        >>> len(found), len(found.select(found.theta0 < 1.0))
+        (2, 1)
+        """
         values = picked(self._values, which)
         ended = self._ended
         if isinstance(ended, Ended) and not callable(ended.after):
@@ -199,6 +241,23 @@ class Points(OfStates, Rows):
     def between(self, spans: FloatArray) -> Self:
         """The points in ranges of what varies, shape (number, 2), which take the place of those
         that were searched.
+
+        Parameters
+        ----------
+        spans : array
+            Shape (number of parameters that vary, 2), angles in radians.
+
+        Returns
+        -------
+        Points
+            Of the same class.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> found = ss.folds(ss.Parameters.article(mu0=0.5))
+        >>> found.between(np.array([[0.0, 1.0]])).theta0.round(4)
+        array([0.7777])
         """
         values = np.array([self[name] for name in self.vary])
         inside = np.asarray(((spans[:, :1] <= values) & (values <= spans[:, 1:])).all(axis=0))
@@ -358,6 +417,19 @@ class BifurcationSet(Result):
     def data(self) -> dict[str, NDArray[Any]]:
         """The points of all curves, one curve after the other, and of each the number of its
         ``curve``.
+
+        Returns
+        -------
+        dict of str to array
+            Columns of one length, angles in radians; empty without curves.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> found = ss.bifurcation_set(ss.Parameters.article())
+        >>> columns = found.data()
+        >>> sorted(columns)[:3], len(set(columns["curve"])) == len(found.curves)
+        (['curve', 'mu0', 'theta'], True)
         """
         if not self.curves:
             return {}

@@ -123,12 +123,39 @@ class Result(Tabular):
     def data(self) -> dict[str, NDArray[Any]]:
         """The columns of its table by name, whole: arrays of one shape, angles in radians; none
         where it has no rows.
+
+        Returns
+        -------
+        dict of str to array
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> found = ss.folds(ss.Parameters.article(mu0=0.5))
+        >>> sorted(found.data())
+        ['L', 'error', 'kind', 'theta', 'theta0', 'x', 'y']
         """
         return sorted_out(self, self._schema)[0]
 
     def to_dataframe(self) -> Any:
         """A ``pandas.DataFrame`` of :meth:`data`, a row a point, angles in radians; pandas must be
         installed.
+
+        Returns
+        -------
+        pandas.DataFrame
+
+        Raises
+        ------
+        MissingExtraError
+            Without pandas.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> found = ss.folds(ss.Parameters.article(mu0=0.5))
+        >>> found.to_dataframe().shape
+        (2, 7)
         """
         try:
             from pandas import DataFrame  # type: ignore[import-untyped]  # it brings no types
@@ -137,7 +164,24 @@ class Result(Tabular):
         return DataFrame({name: column.ravel() for name, column in self.data().items()})
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of :meth:`data`, with unit, meaning and codes (extra ``sweep``)."""
+        """An ``xarray.Dataset`` of :meth:`data`, with unit, meaning and codes (extra ``sweep``).
+
+        Returns
+        -------
+        xarray.Dataset
+
+        Raises
+        ------
+        MissingExtraError
+            Without xarray.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> found = ss.folds(ss.Parameters.article(mu0=0.5))
+        >>> dict(found.to_xarray().sizes)
+        {'row': 2}
+        """
         variables = {}
         for name, column in self.data().items():
             dims = (
@@ -191,6 +235,26 @@ class Result(Tabular):
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all of it to ``*.json``, which :func:`spragsym.open` reads, or its columns to
         ``*.csv`` or ``*.nc``.
+
+        Parameters
+        ----------
+        path : str or path
+            A file that ends in ``.json``, ``.csv`` or ``.nc``; it is written whole, or not at all.
+
+        Raises
+        ------
+        ParameterError
+            For another ending.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> found = ss.folds(ss.Parameters.article(mu0=0.5))
+        >>> import pathlib, tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     found.save(pathlib.Path(folder, "folds.json"))
+        ...     ss.open(pathlib.Path(folder, "folds.json")).theta0.round(4)
+        array([0.7777, 2.7063])
         """
         from .files import save
 
@@ -222,6 +286,30 @@ class Result(Tabular):
     def plot(self, ax: Any = None, **options: Any) -> Any:
         """Draw it into ``ax``, by default pyplot's current axes, and return what was drawn (extra
         ``plot``).
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn.
+        **options
+            Those of the function of :mod:`spragsym.figures` that draws it.
+
+        Returns
+        -------
+        list of artists
+
+        Raises
+        ------
+        MissingExtraError
+            Without matplotlib.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> found = ss.folds(ss.Parameters.article(mu0=0.5))
+        >>> from matplotlib.figure import Figure
+        >>> bool(found.plot(Figure().add_subplot()))
+        True
         """
         # a shorthand for what a user asks the package: no room imports one behind it
         import spragsym
@@ -407,12 +495,42 @@ class InUnits(Rows):
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` with units; in names ``_per_`` stands for the stroke, which HDF5
         does not take.
+
+        Returns
+        -------
+        xarray.Dataset
+
+        Raises
+        ------
+        MissingExtraError
+            Without xarray.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> eq = ss.equilibria(ss.Parameters.article(theta0=np.radians([30.0, 60.0]), mu0=0.5))
+        >>> dict(eq.to_units(ss.Scales(length=0.038, time=5e-4, force=57e3)).to_xarray().sizes)
+        {'row': 4}
         """
         meanings, units = _in_hdf5(self.meanings), _in_hdf5(self.units)
         return Result.to_xarray(InUnits(_in_hdf5(self.values), meanings, units))
 
     def data(self) -> dict[str, NDArray[Any]]:
-        """The columns by name."""
+        """The columns by name.
+
+        Returns
+        -------
+        dict of str to array
+            Each under the name that says its unit.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> eq = ss.equilibria(ss.Parameters.article(theta0=np.radians([30.0, 60.0]), mu0=0.5))
+        >>> found = eq.to_units(ss.Scales(length=0.038, time=5e-4, force=57e3))
+        >>> found.data()["x_m"].round(4)
+        array([0.0026, 0.023 , 0.0623, 0.0346])
+        """
         return dict(self.values)
 
 

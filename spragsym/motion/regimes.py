@@ -131,7 +131,20 @@ class Outcome(Named):
         return self.places()
 
     def places(self) -> dict[str, float]:
-        """The numbers of ``rest`` and ``cycle`` by their names."""
+        """The numbers of ``rest`` and ``cycle`` by their names.
+
+        Returns
+        -------
+        dict
+            Numbers by ``rest_`` or ``cycle_`` with the name of a component.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> sorted(tr.outcome().places())
+        ['cycle_vx', 'cycle_x', 'rest_x']
+        """
         n = len(self.names) // 2
         names = (
             *(f"rest_{name}" for name in self.names[:n]),

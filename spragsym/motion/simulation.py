@@ -211,7 +211,20 @@ class Trajectory(Named):
         return self.model.components
 
     def data(self) -> dict[str, Any]:
-        """Time and every component, at the samples."""
+        """Time and every component, at the samples.
+
+        Returns
+        -------
+        dict
+            Arrays of shape (n,) by ``"t"`` and the names of the components.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> list(tr.data())
+        ['t', 'x', 'vx']
+        """
         return {self._own("t"): self.t, **dict(zip(self.components, self.state, strict=True))}
 
     @property
@@ -221,6 +234,18 @@ class Trajectory(Named):
     def as_table(self) -> Table:
         """First, smallest, largest and last value of each coordinate and rate, in place of all
         samples.
+
+        Returns
+        -------
+        Table
+            Titles, units, and a row for each extreme.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> len(tr.as_table().rows)
+        2
         """
         said, t = self._schema, self.t
         rows = [
@@ -258,7 +283,25 @@ class Trajectory(Named):
         return self.samples.weights()
 
     def integral(self, values: ArrayLike) -> float:
-        """Integral over time of ``values``, given at the samples."""
+        """Integral over time of ``values``, given at the samples.
+
+        Parameters
+        ----------
+        values : array_like, shape (n,)
+            Numbers at the samples.
+
+        Returns
+        -------
+        float
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> change = tr.energy()[-1] - tr.energy()[0]
+        >>> bool(abs(tr.integral(tr.power()) - change) < 1e-8)
+        True
+        """
         return float(np.sum(self.weights * np.asarray(values)))
 
     def __call__(self, t: ArrayLike) -> FloatArray:
@@ -274,6 +317,22 @@ class Trajectory(Named):
     def after(self, transient: float | None) -> Trajectory:
         """What follows the time ``transient``, three quarters of the end if None, as a trajectory;
         an error if nothing does.
+
+        Parameters
+        ----------
+        transient : float or None
+            Time at which the part begins.
+
+        Returns
+        -------
+        Trajectory
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> bool(tr.after(150.0).t[0] >= 150.0)
+        True
         """
         transient = (
             0.75 * float(self.t[-1])
@@ -298,6 +357,24 @@ class Trajectory(Named):
     def mean(self, transient: float | None = None, *, of: str | None = None) -> float:
         """Time average of x, a model's first coordinate, (or ``of="y"``, ``"vx"``, ``"vy"``) after
         ``transient``.
+
+        Parameters
+        ----------
+        transient : float, optional
+            Time before which nothing counts, by default three quarters of the motion.
+        of : str, optional
+            A coordinate or its rate, as ``"y"`` or ``"vx"``; by default the first coordinate.
+
+        Returns
+        -------
+        float
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> round(tr.mean(), 4)
+        0.2501
         """
         late = self.after(transient)
         return late.integral(late._values(of)) / float(late.t[-1] - late.t[0])
@@ -309,6 +386,26 @@ class Trajectory(Named):
         mean.
 
         The article's Figure 7b shows the root mean square of x, from zero.
+
+        Parameters
+        ----------
+        transient : float, optional
+            Time before which nothing counts, by default three quarters of the motion.
+        of : str, optional
+            A coordinate or its rate, as ``"y"`` or ``"vx"``; by default the first coordinate.
+        about : str
+            ``"zero"`` or ``"mean"``.
+
+        Returns
+        -------
+        float
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> round(tr.rms(about="mean"), 4)
+        0.2694
         """
         late = self.after(transient)
         deviation = late._values(of) - late._centre(of, about)
@@ -317,7 +414,28 @@ class Trajectory(Named):
     def largest(
         self, transient: float | None = None, *, of: str | None = None, about: str = "zero"
     ) -> float:
-        """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
+        """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean.
+
+        Parameters
+        ----------
+        transient : float, optional
+            Time before which nothing counts, by default three quarters of the motion.
+        of : str, optional
+            A coordinate or its rate, as ``"y"`` or ``"vx"``; by default the first coordinate.
+        about : str
+            ``"zero"`` or ``"mean"``.
+
+        Returns
+        -------
+        float
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> round(tr.largest(of="vx"), 4)
+        0.3996
+        """
         late, row = self.after(transient), row_of(of, self.components)
         extrema = late.samples(np.append(late._turns(row), late.t[[0, -1]]))[row]
         return magnitude(extrema - late._centre(of, about))
@@ -328,6 +446,24 @@ class Trajectory(Named):
 
         The same as a :class:`~spragsym.results.Sweep` tells of it. A cycle is found by Newton's
         method on the flow and its derivatives, which integrates a few periods more.
+
+        Parameters
+        ----------
+        transient : float, optional
+            Time before which nothing counts, by default three quarters of the motion.
+        tol : float
+            Share of the motion's reach that may be left.
+
+        Returns
+        -------
+        Outcome
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> tr.outcome().regime.name
+        'LIMIT_CYCLE'
         """
         late = self.after(transient)
         start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])
@@ -354,6 +490,25 @@ class Trajectory(Named):
         It has settled when what is left to the cycle is at most ``tol`` of the motion's reach. The
         period is the cycle's own, whatever is left. For what a motion only approaches see
         :meth:`outcome`.
+
+        Parameters
+        ----------
+        transient : float, optional
+            Time before which nothing counts, by default three quarters of the motion.
+        tol : float
+            Share of the motion's reach that may be left.
+
+        Returns
+        -------
+        float
+            In units of time; NaN where there is none.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> round(tr.period(), 4)
+        8.6233
         """
         outcome = self.outcome(transient, tol=tol)
         return outcome.period if outcome.regime == Regime.LIMIT_CYCLE else float("nan")
@@ -361,12 +516,41 @@ class Trajectory(Named):
     def converged(self, transient: float | None = None, *, tol: float = SETTLED) -> bool:
         """Whether the motion after ``transient`` has settled to rest or to a cycle, within ``tol``
         (see :meth:`outcome`).
+
+        Parameters
+        ----------
+        transient : float, optional
+            Time before which nothing counts, by default three quarters of the motion.
+        tol : float
+            Share of the motion's reach that may be left.
+
+        Returns
+        -------
+        bool
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> tr.converged()
+        True
         """
         return self.outcome(transient, tol=tol).regime in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE)
 
     def statistics(self) -> MotionStatistics:
         """What :func:`~spragsym.motion.integrators.measure` measures on the way, from the
         samples.
+
+        Returns
+        -------
+        MotionStatistics
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> len(tr.statistics().maxima) > 10
+        True
         """
         counts = (
             self._event_counts()
@@ -378,12 +562,34 @@ class Trajectory(Named):
     def energy(self) -> FloatArray:
         """Kinetic and stored energy, contact and applied forces included, at the samples; with
         terms of the kinetic energy linear in the rates, or without them, Jacobi's integral.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> tr.energy().shape == tr.t.shape
+        True
         """
         return self.model.algebra.energy(*self.state, *self._arguments(), *self._pushing())
 
     def friction_power(self) -> FloatArray:
         """Rate at which friction changes that energy, at the samples: positive where it drives the
         motion.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> bool(tr.friction_power().max() > 0 > tr.friction_power().min())
+        True
         """
         rates = np.split(self.state, 2)[1]
         slides = self.model.algebra.border_rates(
@@ -408,6 +614,22 @@ class Trajectory(Named):
 
         Where it jumps, between both sides: so that integrals over the steps before and after are
         right.
+
+        Parameters
+        ----------
+        contact : str, optional
+            Name of one of several contacts.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("coulomb_stick_slip").Parameters(V=0.1), t_end=50.0)
+        >>> round(float(tr.friction_force().max()), 4)
+        0.5907
         """
         rubbing = self.model.rubbing
         name = rubbing[forces.contact_named(self.model, contact, rubbing)]
@@ -441,13 +663,42 @@ class Trajectory(Named):
         return self.sticking_share()
 
     def sticking_share(self, contact: str | None = None) -> float:
-        """The share of time in which friction sticks; ``contact`` names one of several."""
+        """The share of time in which friction sticks; ``contact`` names one of several.
+
+        Parameters
+        ----------
+        contact : str, optional
+            Name of one of several contacts.
+
+        Returns
+        -------
+        float
+            Between 0 and 1.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("coulomb_stick_slip").Parameters(V=0.1), t_end=50.0)
+        >>> 0 < tr.sticking_share() < 1
+        True
+        """
         sides = self._sides()[forces.contact_named(self.model, contact, self.model.rubbing)]
         return float(np.diff(self.t)[sides[:-1] == 0].sum() / (self.t[-1] - self.t[0]))
 
     def power(self) -> FloatArray:
         """Rate at which friction, dampers and forces without a potential change that energy, at the
         samples.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> tr.power().shape == tr.t.shape
+        True
         """
         pushing = self._pushing() if self.model.clock else ()
         return self.friction_power() + self.model.algebra.power_besides_friction(
@@ -457,6 +708,24 @@ class Trajectory(Named):
     def spring_force(self, spring: str | None = None) -> FloatArray:
         """Tension of an inclined spring at the samples, negative where it pushes; ``spring`` names
         one of several.
+
+        Parameters
+        ----------
+        spring : str, optional
+            Name of one of several inclined springs.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import spragsym as ss
+        >>> p = ss.Parameters.article(theta0=np.radians(49))
+        >>> tr = ss.simulate(p, V=0.5, d=10.0, t_end=100.0)
+        >>> bool(tr.spring_force().min() < 0)
+        True
         """
         name = forces.spring_named(self.model, spring)
         return forces.forces_of(self.model)[name](self.state, self._arguments())
@@ -464,6 +733,24 @@ class Trajectory(Named):
     def contact_force(self, contact: str | None = None) -> FloatArray:
         """Normal force of the contact at the samples: 0 where the mass has lifted off; ``contact``
         names one of several.
+
+        Parameters
+        ----------
+        contact : str, optional
+            Name of one of several contacts.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import spragsym as ss
+        >>> p = ss.Parameters.article(theta0=np.radians(49))
+        >>> tr = ss.simulate(p, V=0.5, d=10.0, t_end=100.0)
+        >>> bool(tr.contact_force().min() >= 0)
+        True
         """
         names = [entry["name"] for entry in self.model.contacts]
         place = forces.contact_named(self.model, contact, names)
@@ -474,6 +761,26 @@ class Trajectory(Named):
     ) -> Spectrum:
         """Amplitudes over frequency, in cycles per unit of time, of the motion after
         ``transient``.
+
+        Parameters
+        ----------
+        transient : float, optional
+            Time before which nothing counts, by default three quarters of the motion.
+        of : str, optional
+            A coordinate or its rate, as ``"y"`` or ``"vx"``; by default the first coordinate.
+        points : int
+            Points at equal steps from which it is taken.
+
+        Returns
+        -------
+        Spectrum
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> round(tr.spectrum().peak(), 3)
+        0.116
         """
         return spectrum_of(self.after(transient).samples, row_of(of, self.components), points)
 
@@ -483,6 +790,25 @@ class Trajectory(Named):
 
         NaN where there are fewer than two swings. For motions that decay to rest; towards a cycle
         see :meth:`outcome`.
+
+        Parameters
+        ----------
+        transient : float
+            Time before which nothing counts.
+        of : str, optional
+            A coordinate or its rate, as ``"y"`` or ``"vx"``; by default the first coordinate.
+
+        Returns
+        -------
+        float
+            In one over the unit of time.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=2.0), t_end=200.0)
+        >>> round(tr.decay_rate(), 4)
+        0.0126
         """
         row, late = row_of(of, self.model.coordinates), self.after(transient)
         turns = np.sort(late._turns(row))
@@ -495,7 +821,19 @@ class Trajectory(Named):
         return -float(slope)
 
     def to_dataset(self) -> Any:
-        """An ``xarray.Dataset`` with units and provenance (extra ``sweep``)."""
+        """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
+
+        Returns
+        -------
+        xarray.Dataset
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> list(tr.to_dataset().dims)
+        ['t', 'event_t']
+        """
         t, at, error, event, contact = map(
             self._own, ("t", "event_t", "error", "event", "event_contact")
         )

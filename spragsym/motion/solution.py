@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from ..core.errors import ConvergenceError, one_of
+from ..core.errors import ConvergenceError, ParameterError, one_of
 from ..display import Column
 from ..models.field import FLOATS, GAP, JUMPED, Border, Field, Mode, Values
 from ..models.parameters import FloatArray
@@ -461,6 +461,22 @@ class Events(Rows):
     def of(self, *kinds: Event | str) -> Events:
         """The events of some kinds only, by members of :class:`Event` or their names, as
         "stick".
+
+        Parameters
+        ----------
+        *kinds : Event or str
+            Members or their names.
+
+        Returns
+        -------
+        Events
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("coulomb_stick_slip").Parameters(V=0.1), t_end=50.0)
+        >>> len(tr.events.of("stick")) == len(tr.events.of(ss.Event.STICK))
+        True
         """
         words = {kind.name.lower(): kind for kind in Event}
         chosen = [
@@ -470,7 +486,24 @@ class Events(Rows):
         return self.select(np.isin(self.which, chosen))
 
     def select(self, chosen: BoolArray) -> Events:
-        """The events that are marked."""
+        """The events that are marked.
+
+        Parameters
+        ----------
+        chosen : ndarray of bool, shape (n,)
+
+        Returns
+        -------
+        Events
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("coulomb_stick_slip").Parameters(V=0.1), t_end=50.0)
+        >>> late = tr.events.select(tr.events.t > 25.0)
+        >>> bool((late.t > 25.0).all())
+        True
+        """
         return replace(
             self,
             t=self.t[chosen],
@@ -480,7 +513,38 @@ class Events(Rows):
         )
 
     def on(self, contact: str) -> Events:
-        """The events of one of several contacts, by its name."""
+        """The events of one of several contacts, by its name.
+
+        Parameters
+        ----------
+        contact : str
+            Its name.
+
+        Returns
+        -------
+        Events
+
+        Raises
+        ------
+        ParameterError
+            For a name that no contact has.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("coulomb_stick_slip").Parameters(V=0.1), t_end=50.0)
+        >>> tr.events.on("front")
+        Traceback (most recent call last):
+            ...
+        spragsym.core.errors.ParameterError: contact = 'front': the events are those of one ...
+        """
+        if not self.t.size:
+            return self
+        if not self.contact:
+            raise ParameterError(
+                f"contact = {contact!r}: the events are those of one contact, which has no name; "
+                "leave it out"
+            )
         one_of("contact", contact, sorted({*self.contact}))
         return self.select(np.array(self.contact) == contact)
 

@@ -201,6 +201,26 @@ class CycleBranch(Result):
         cycles, the cycle that doubles there; where another branch crosses (a fold whose ``how``
         says so) a cycle on that one; at another fold a cycle on the far side of it. ``step`` is how
         far off, in states.
+
+        Parameters
+        ----------
+        event : CycleEvent
+            One of those of the branch.
+        step : float
+            How far off, in states.
+
+        Returns
+        -------
+        Cycle
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> p = ss.load("stick_slip").Parameters(V=0.2)
+        >>> options = ss.BranchOptions(longest_step=0.3)
+        >>> branch = ss.cycle_branch(ss.cycle(p), "V", between={"V": (0.15, 4.0)}, options=options)
+        >>> branch.switch(branch.of("fold")[0]).stable
+        False
         """
         return switched(self, event, step)
 
@@ -210,7 +230,21 @@ class CycleBranch(Result):
         return (self.highest - self.lowest) / 2
 
     def changes(self) -> Iterator[tuple[int, CycleEvent]]:
-        """Events at which the stability changes, each with the number of points before it."""
+        """Events at which the stability changes, each with the number of points before it.
+
+        Returns
+        -------
+        iterator of (int, CycleEvent)
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> p = ss.load("stick_slip").Parameters(V=0.2)
+        >>> options = ss.BranchOptions(longest_step=0.3)
+        >>> branch = ss.cycle_branch(ss.cycle(p), "V", between={"V": (0.15, 4.0)}, options=options)
+        >>> [event.kind for _, event in branch.changes()]
+        ['fold']
+        """
         for place in (np.flatnonzero(np.diff(self.stable)) + 1).tolist():
             between = [
                 event
@@ -221,7 +255,26 @@ class CycleBranch(Result):
                 yield place, between[0 if self.stable[place - 1] else -1]
 
     def of(self, *kinds: str) -> tuple[CycleEvent, ...]:
-        """The events of some kinds only."""
+        """The events of some kinds only.
+
+        Parameters
+        ----------
+        *kinds : str
+            As in :attr:`CycleEvent.kind`.
+
+        Returns
+        -------
+        tuple of CycleEvent
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> p = ss.load("stick_slip").Parameters(V=0.2)
+        >>> options = ss.BranchOptions(longest_step=0.3)
+        >>> branch = ss.cycle_branch(ss.cycle(p), "V", between={"V": (0.15, 4.0)}, options=options)
+        >>> len(branch.of("end"))
+        2
+        """
         chosen = [one_of("kinds", kind, TOLD) for kind in kinds]
         return tuple(event for event in self.events if event.kind in chosen)
 

@@ -336,7 +336,21 @@ class FateMap(Result):
     model: Any = field(repr=False)
 
     def count(self) -> dict[str, int]:
-        """How many points are of each kind."""
+        """How many points are of each kind.
+
+        Returns
+        -------
+        dict
+            Numbers of points by the kinds of fate.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import spragsym as ss
+        >>> p = ss.load("stick_slip").Parameters(V=np.array([0.2, 2.5]))
+        >>> ss.fate_map(p).count()
+        {'undecided': 0, 'rest': 1, 'cycle': 1, 'lift-off': 0, 'chaotic': 0}
+        """
         return {
             kind.name.lower().replace("_", "-"): int(np.count_nonzero(self.kind == kind))
             for kind in FateKind

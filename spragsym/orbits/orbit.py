@@ -147,6 +147,21 @@ class Cycle(Result):
     def require(self, field: Field, name: str) -> None:
         """Raise unless this is a cycle of that field: another's would be taken for what it is
         not.
+
+        Parameters
+        ----------
+        field : Field
+            That of the model with its parameters' names.
+        name : str
+            What the cycle is called in the error.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> cycle = ss.cycle(ss.load("stick_slip").Parameters(V=0.2))
+        >>> cycle.require(cycle.field, "cycle")
+        >>> cycle.period > 0
+        True
         """
         own = self.field
         if own.with_lead(field.lead) != field and not (own.where and own.where == field.where):
@@ -213,13 +228,44 @@ class Cycle(Result):
         return dict(zip(self.field.parameters, self.values, strict=True))
 
     def trajectory(self, periods: float = 1.0, **options: Any) -> Any:
-        """The motion over one period, or more of them, as :func:`~spragsym.simulate` gives it."""
+        """The motion over one period, or more of them, as :func:`~spragsym.simulate` gives it.
+
+        Parameters
+        ----------
+        periods : float
+            How many of them.
+        **options
+            Those of :func:`spragsym.simulate`.
+
+        Returns
+        -------
+        Trajectory
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> cycle = ss.cycle(ss.load("stick_slip").Parameters(V=0.2))
+        >>> tr = cycle.trajectory(2.0)
+        >>> round(float(tr.t[-1] / cycle.period), 9)
+        2.0
+        """
         chosen = {"rtol": 1e-13, "backend": self.backend} | options
         return motion_of(self.field, self.values, self.state, periods * self.period, **chosen)
 
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset``: the samples of one period, with everything else as attributes
         (extra ``sweep``).
+
+        Returns
+        -------
+        xarray.Dataset
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> cycle = ss.cycle(ss.load("stick_slip").Parameters(V=0.2))
+        >>> cycle.to_dataset().sizes["t"] > 10
+        True
         """
         dataset = self.trajectory().to_dataset()
         dataset.attrs |= {

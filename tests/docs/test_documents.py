@@ -104,6 +104,21 @@ def test_a_public_function_says_what_it_takes_gives_and_refuses() -> None:
             } == set(), name
 
 
+def test_a_public_method_of_a_result_says_what_it_takes_and_gives() -> None:
+    """Each section that applies, and an example with its output, where the method is written."""
+    for kind in {getattr(spragsym.results, name) for name in dir(spragsym.results)}:
+        for name, method in vars(kind).items() if inspect.isclass(kind) else ():
+            if name.startswith("_") or not inspect.isfunction(method):
+                continue
+            text, signature = inspect.getdoc(method) or "", inspect.signature(method)
+            examples = doctest.DocTestParser().get_examples(text)
+            assert any(example.want for example in examples), method.__qualname__
+            given = signature.return_annotation not in (None, "None")
+            wanted = ["Parameters"] * (len(signature.parameters) > 1) + ["Returns"] * given
+            for section in wanted:
+                assert f"\n{section}\n{'-' * len(section)}\n" in text, method.__qualname__
+
+
 # ------------------------------------------------------------------------------------------------
 # README
 

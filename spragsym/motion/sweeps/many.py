@@ -259,7 +259,26 @@ class Sweep(Named):
         return {**self.inputs, **self._words_and_measures()}
 
     def outcome(self, index: Any) -> Outcome:
-        """What one motion comes to."""
+        """What one motion comes to.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Place of the motion in the arrays.
+
+        Returns
+        -------
+        Outcome
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import spragsym as ss
+        >>> p = ss.load("stick_slip").Parameters(V=np.array([0.2, 2.5]))
+        >>> sweep = ss.rms_sweep(p, t_end=300.0)
+        >>> sweep.outcome(0).regime.name
+        'LIMIT_CYCLE'
+        """
         names = reported(self.model.coordinates, self.model.rates)
         columns = (self.measured[self._own(name)] for name in names)
         told = {name: float(one[index]) for name, one in zip(names, columns, strict=True)}
@@ -278,6 +297,19 @@ class Sweep(Named):
 
         An axis along which one input alone varies is named after it; others are ``axis_0``,
         ``axis_1``, …. θ₀ is there in radians and, as ``theta0_deg``, in degrees.
+
+        Returns
+        -------
+        xarray.Dataset
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import spragsym as ss
+        >>> p = ss.load("stick_slip").Parameters(V=np.array([0.2, 2.5]))
+        >>> sweep = ss.rms_sweep(p, t_end=300.0)
+        >>> dict(sweep.to_dataset().sizes)
+        {'V': 2}
         """
         shape = self.rms.shape
         dims = axes_of(self.inputs, shape)

@@ -46,10 +46,11 @@ ROUNDED = 2.0**-52
 
 
 def _size(values: FloatArray, along: FloatArray) -> FloatArray:
-    """|value|, and no less than 1 or the largest on the way if that is less: over it room is
-    left around values of a parameter in any units.
+    """|value|, and no less than 1 or the largest on the way if that is less, unless all are 0: over
+    it room is left around values of a parameter in any units.
     """
-    return np.maximum(min(1.0, float(np.abs(along).max())), np.abs(values))
+    largest = float(np.abs(along).max()) or 1.0
+    return np.maximum(min(1.0, largest), np.abs(values))
 
 
 @dataclass(frozen=True)

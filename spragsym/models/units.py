@@ -143,7 +143,7 @@ def factor(unit: str, si: str) -> float:
         if unit not in ("", "1", "%"):
             raise ParameterError(f"the unit {unit!r} is too much: this is a number without unit")
         return 0.01 if unit == "%" else 1.0
-    wanted, given = dimension(si), dimension(unit)
+    given, wanted = dimension(unit), dimension(si)  # a mistake in the first needs no pint
     off = {axis for axis in {*wanted, *given} if wanted.get(axis, 0) != given.get(axis, 0)}
     # A torque is N m, and its stiffness N m or N m/rad: the radian is 1.
     if all(wanted.get(axis, 0) == power for axis, power in _TORQUE.items()):

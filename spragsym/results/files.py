@@ -40,6 +40,24 @@ MOVED: Mapping[tuple[str, str], tuple[str, str]] = {
         "spragsym.kang_nam.parameters",
         "PhysicalParameters",
     ),
+    **{
+        (module := f"spragsym.{room}", former): (module, name)
+        for room, former, name in (
+            ("motion.shooting", "Guess", "Iterate"),
+            ("motion.shooting", "Loop", "Orbit"),
+            ("motion.solution", "Passage", "FlowResult"),
+            ("motion.solution", "Turn", "Extremum"),
+            ("orbits.arclength", "Point", "BranchPoint"),
+            ("orbits.events", "Finding", "DetectedEvent"),
+        )
+    },
+}
+#: Former names of fields, by those of now.
+FORMER_FIELDS: Mapping[str, str] = {
+    "orbit": "loop",
+    "orbits": "loops",
+    "flow_results": "passages",
+    "extrema": "turns",
 }
 #: Bytes of a file that is read back, at most.
 LARGEST = 1 << 30
@@ -239,10 +257,11 @@ def _read(given: Model | None, held: dict[str, Any]) -> Any:
     return out
 
 
-def _part(field: dataclasses.Field[Any], parts: Mapping[str, Any]) -> Any:
+def _part(field: dataclasses.Field[Any], parts: Mapping[str | None, Any]) -> Any:
     """A field of a result; of one that is younger than the file, its default."""
-    if field.name in parts:
-        return parts[field.name]
+    for name in (field.name, FORMER_FIELDS.get(field.name)):
+        if name in parts:
+            return parts[name]
     if field.default_factory is not MISSING:
         return field.default_factory()
     if field.default is MISSING:

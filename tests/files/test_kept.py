@@ -112,7 +112,8 @@ def classes_in(held: Any) -> Iterator[list[Any]]:
 def without(one: list[Any], name: str) -> list[Any]:
     """A class as a version wrote it that did not know one of its fields."""
     module, kind, parts = one
-    return [module, kind, {"dict": [part for part in parts["dict"] if part[0] != name]}]
+    names = (name, files.FORMER_FIELDS.get(name))
+    return [module, kind, {"dict": [part for part in parts["dict"] if part[0] not in names]}]
 
 
 def test_a_field_that_is_younger_than_a_file_has_its_default(tmp_path: Path) -> None:

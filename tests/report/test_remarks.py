@@ -202,7 +202,7 @@ def test_captions_of_the_planes(pages: Any) -> None:
 def test_the_caption_of_the_map(
     growth: float, stability: str, words: str, pages: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    kinds = np.array(["gentle", "dangerous", "undecided"])
+    kinds = np.array(["supercritical", "subcritical", "undecided"])
     curve = {"theta0": np.array([0.8, 0.9]), "mu0": np.array([0.2, 0.4])}
     found = SimpleNamespace(
         curves=[type("Curve", (dict,), {"criticality": kinds})(curve)],

@@ -223,6 +223,7 @@ def test_ctrl_c_where_python_can_not_raise_it_is_raised_at_the_end() -> None:
     code = """
 import signal, weakref
 from spragsym.core.interrupts import begun, ending
+signal.signal(signal.SIGINT, signal.default_int_handler)  # it is ignored in a script with &
 begun()
 gone = set()
 reference = weakref.ref(gone, lambda _: signal.raise_signal(signal.SIGINT))

@@ -21,7 +21,6 @@ from ..statics.balance import Balance
 from ..statics.forces import filled
 from ..statics.search import columns
 from .sticking import HELD, belt_speeds, held
-from .sticking_regions import is_convex
 from .tubes import Tubes
 
 
@@ -37,9 +36,12 @@ def connected(p: ParameterSet, one: FloatArray, other: FloatArray, near: FloatAr
         Places of rest.
     near : ndarray, shape (n,)
         How far from a place its state may be.
+
+    Returns
+    -------
+    bool
+        False where that is not proved.
     """
-    if is_convex(p):
-        return True
     speeds = zip(p.model.frictions, belt_speeds(p), strict=False)
     holding = [entry["name"] for entry, speed in speeds if entry["holds"] and not np.any(speed)]
     own, shares = held(p, holding), [named(HELD, name) for name in holding]

@@ -5,7 +5,7 @@ one.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache, lru_cache
 from math import pi
@@ -112,7 +112,7 @@ def _words() -> dict[str, str]:
 
 @cache
 def _registry() -> pint.UnitRegistry[Any]:
-    """The units that are read, for pint, whose own thousand take half a second to be defined."""
+    """Registry of pint with the units that are defined above; its own thousand are not loaded."""
     from pint import UnitRegistry
 
     registry: pint.UnitRegistry[Any] = UnitRegistry(None, non_int_type=Fraction)
@@ -143,7 +143,7 @@ def factor(unit: str, si: str) -> float:
         if unit not in ("", "1", "%"):
             raise ParameterError(f"the unit {unit!r} is too much: this is a number without unit")
         return 0.01 if unit == "%" else 1.0
-    given, wanted = dimension(unit), dimension(si)  # a mistake in the first needs no pint
+    given, wanted = dimension(unit), dimension(si)
     off = {axis for axis in {*wanted, *given} if wanted.get(axis, 0) != given.get(axis, 0)}
     # A torque is N m, and its stiffness N m or N m/rad: the radian is 1.
     if all(wanted.get(axis, 0) == power for axis, power in _TORQUE.items()):
@@ -179,9 +179,9 @@ def _size(unit: str) -> Fraction | float:
     return size
 
 
-def dimension(unit: str) -> dict[str, Fraction]:
-    """Powers of length, mass, time and angle in a unit."""
-    return {axis: Fraction(str(power)) for axis, power in parsed(unit).dimensionality.items()}
+def dimension(unit: str) -> Mapping[str, Any]:
+    """Powers of length, mass, time and angle in a unit, where they are not 0."""
+    return parsed(unit).dimensionality
 
 
 def _spelled(unit: str) -> str:

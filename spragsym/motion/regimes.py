@@ -14,6 +14,7 @@ import numpy as np
 
 from ..bifurcation.connected_rest import connected
 from ..bifurcation.sticking import sticking_states
+from ..bifurcation.sticking_regions import is_convex
 from ..core.errors import ConvergenceError, ModelError, ParameterError
 from ..display import Column, named_fields
 from ..models.field import SETTLED, Field, Values
@@ -206,6 +207,11 @@ class RestSets:
         ]
         return np.moveaxis(np.array(ends), 2, 0)
 
+    @cached_property
+    def convex(self) -> bool:
+        """Whether all states in which friction holds are proved to form one convex set."""
+        return is_convex(self.p)
+
     def in_one(self, one: FloatArray, other: FloatArray, near: FloatArray) -> bool | None:
         """Whether two places of rest lie in one set; None where that is not known."""
         model = self.p.model
@@ -219,7 +225,7 @@ class RestSets:
             ]
             if [len(place) for place in places] == [1, 1]:
                 return places[0] == places[1]
-        return connected(self.p, one, other, near) or None
+        return self.convex or connected(self.p, one, other, near) or None
 
 
 def same_limit(

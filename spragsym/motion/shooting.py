@@ -31,13 +31,13 @@ CLOSED = 1e-12
 LARGEST_GROWTH = 100.0
 
 #: Mesh intervals in one round, at most.
-MOST_STRETCHES = 64
-#: Mesh intervals of a guess, at most.
-SPLIT = 32
+MOST_INTERVALS = 64
+#: Mesh intervals of a first guess, at most.
+MOST_OF_GUESS = 32
 
 #: Mesh intervals begin no nearer to a jump of the field than this share of the longest time between
 #: jumps, each in its interval.
-CLEAR = 0.1
+LEAST_OFFSET = 0.1
 
 #: Where the leading coordinate changes faster, it is not largest.
 MOVES = 1e-8
@@ -478,7 +478,7 @@ def remeshed(orbit: Orbit, pieces: int, begin: float = 0.0) -> Iterate:
     return replace(orbit.guess, states=np.array([orbit.at(t) for t in times.tolist()]))
 
 
-def refined_mesh(orbit: Orbit, most: int = MOST_STRETCHES) -> Iterate | None:
+def refined_mesh(orbit: Orbit, most: int = MOST_INTERVALS) -> Iterate | None:
     """The orbit in twice as many mesh intervals where the derivatives over one have grown large;
     None elsewhere, and of ``most``.
     """
@@ -502,7 +502,7 @@ def offset_from_jumps(orbit: Orbit) -> float:
     width, begin = max((later - t, t) for t, later in pairwise([*times, times[0] + interval]))
     return (
         (begin + width / 2) % interval
-        if min(times[0], interval - times[-1]) < CLEAR * width
+        if min(times[0], interval - times[-1]) < LEAST_OFFSET * width
         else 0.0
     )
 
@@ -510,7 +510,7 @@ def offset_from_jumps(orbit: Orbit) -> float:
 def subdivided(flow: Flow, guess: Iterate) -> Orbit:
     """A guess integrated, in as many mesh intervals as its growth asks for."""
     orbit = integrated(flow, guess)
-    while cut := refined_mesh(orbit, SPLIT):
+    while cut := refined_mesh(orbit, MOST_OF_GUESS):
         orbit = integrated(flow, cut)
     return orbit
 

@@ -527,7 +527,7 @@ class Events(Rows):
         Raises
         ------
         ParameterError
-            For a name that no contact has.
+            If there are events, and none of a contact of that name.
 
         Examples
         --------

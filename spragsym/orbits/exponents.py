@@ -29,7 +29,7 @@ from .attractors import settled
 from .system import System, judged
 
 #: Time between two orthonormalizations, in the motion's unit of time.
-STRETCH = 5.0
+INTERVAL = 5.0
 
 #: How long a motion is followed where nobody says, in its unit of time.
 FOLLOWED = 4000.0
@@ -373,7 +373,7 @@ def rates_along(
 def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
     """:func:`rates_along` of a system whose motion has units of order 1."""
     field, constants = system.field, system.constants
-    m, count = field.size, max(16, math.ceil(span / STRETCH))
+    m, count = field.size, max(16, math.ceil(span / INTERVAL))
     interval = span / count
     logs, volumes, states = np.empty((count, m)), np.empty(count), [state]
     flow = rate(field, state, constants)

@@ -40,17 +40,12 @@ MOVED: Mapping[tuple[str, str], tuple[str, str]] = {
         "spragsym.kang_nam.parameters",
         "PhysicalParameters",
     ),
-    **{
-        (module := f"spragsym.{room}", former): (module, name)
-        for room, former, name in (
-            ("motion.shooting", "Guess", "Iterate"),
-            ("motion.shooting", "Loop", "Orbit"),
-            ("motion.solution", "Passage", "FlowResult"),
-            ("motion.solution", "Turn", "Extremum"),
-            ("orbits.arclength", "Point", "BranchPoint"),
-            ("orbits.events", "Finding", "DetectedEvent"),
-        )
-    },
+    ("spragsym.motion.shooting", "Guess"): ("spragsym.motion.shooting", "Iterate"),
+    ("spragsym.motion.shooting", "Loop"): ("spragsym.motion.shooting", "Orbit"),
+    ("spragsym.motion.solution", "Passage"): ("spragsym.motion.solution", "FlowResult"),
+    ("spragsym.motion.solution", "Turn"): ("spragsym.motion.solution", "Extremum"),
+    ("spragsym.orbits.arclength", "Point"): ("spragsym.orbits.arclength", "BranchPoint"),
+    ("spragsym.orbits.events", "Finding"): ("spragsym.orbits.events", "DetectedEvent"),
 }
 #: Former names of fields, by those of now.
 FORMER_FIELDS: Mapping[str, str] = {
@@ -257,9 +252,9 @@ def _read(given: Model | None, held: dict[str, Any]) -> Any:
     return out
 
 
-def _part(field: dataclasses.Field[Any], parts: Mapping[str | None, Any]) -> Any:
+def _part(field: dataclasses.Field[Any], parts: Mapping[str, Any]) -> Any:
     """A field of a result; of one that is younger than the file, its default."""
-    for name in (field.name, FORMER_FIELDS.get(field.name)):
+    for name in (field.name, FORMER_FIELDS.get(field.name, field.name)):
         if name in parts:
             return parts[name]
     if field.default_factory is not MISSING:

@@ -270,5 +270,5 @@ def _page(chosen: Path) -> Page:
         except PageError as error:
             raise ParameterError(str(error)) from error
     loaded = load(chosen if chosen.exists() else chosen.name)
-    loaded.require_one_contact_and_no_clock("a check")
+    loaded.require_answered("check")
     return pages.read(page_of(loaded, pages.SHIPPED), loaded.name)

@@ -181,7 +181,7 @@ def onset_curves(
     >>> found.changes["V"].round(4).tolist()  # where F‴ = 0, at (1 + √2) v_s
     [0.2414]
     """
-    p.model.require_one_contact_and_no_clock("onset_curves")
+    p.model.require_answered("onset_curves")
     vary = model_of(p).two(vary)
     as_count("n", n, 2)
     options = options or ContinuationOptions()

@@ -45,6 +45,7 @@ SEVERAL = (
     "cycle_events",
     "diagram",
     "equilibria",
+    "export",
     "fate",
     "fate_map",
     "flutter_onsets",
@@ -57,7 +58,7 @@ SEVERAL = (
     "sticking_states",
 )
 #: Parts of answers for several contacts.
-PARTS_OF_SEVERAL = ("first_ends", "linked", "open_ends", "rest_index")
+PARTS_OF_SEVERAL = ("first_ends", "linked", "open_ends", "rest_index", "rest")
 #: Questions that are answered of a page with a clock.
 FORCED = ("simulate", "rms_sweep", "cycle", "cycle_branch")
 
@@ -77,8 +78,7 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
     def ask(*args: P.args, **options: P.kwargs) -> R:
         method = options.pop("method", "auto")
         model = model_of(*args, *options.values())
-        if name not in SEVERAL + PARTS_OF_SEVERAL:
-            model.require_one_contact_and_no_clock(name)
+        model.require_answered(name)
         asked = model
         if method != "auto":
             asked = model.whole if one_of("method", method, WAYS) == "closed" else model.search

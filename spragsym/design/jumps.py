@@ -191,7 +191,7 @@ def have_jumped(
 
 def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     """dv/dp by name at the folds at which the states of points end."""
-    p.model.require_one_contact_and_no_clock("a derivative of the jump value")
+    p.model.require_answered("jump_gradient")
     balance = Balance(p.model)
     names, shape, states = (
         list(balance.parameters),

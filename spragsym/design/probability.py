@@ -396,6 +396,7 @@ def jump_probability(
         in_si = not {*distribution}.isdisjoint(
             {*quantities(asked.where).units} - {*asked.parameters}
         )
+    asked.require_answered("jump_probability")
     asked = asked.search if method == "search" else asked
     kind = quantities(asked.where) if in_si else None
     variables = _variables(asked, kind, distribution)

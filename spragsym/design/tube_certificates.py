@@ -14,7 +14,7 @@ from ..bifurcation.tubes import Place, Tubes
 from ..bifurcation.turning_points import passed, size_of
 from ..core.error_states import in_usual_state
 from ..core.errors import ParameterError
-from ..core.questions import Method, question
+from ..core.questions import Method, model_of, question
 from ..models.parameters import ParameterSet, as_count
 from ..models.quantities import Unit, checked_units
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
@@ -324,6 +324,7 @@ def certify(
     >>> ss.certify(low, low.replace(theta0=0.52, mu0=0.3, sigma=0.11), "no jump").outcome
     'proved'
     """
+    model_of(low, high).require_answered("certify")
     box = claims(low, high, claim, vary=vary, begin=begin, units=units, method=method)
     return box.certificate(
         claim, box.most if max_boxes is None else as_count("max_boxes", max_boxes), refute

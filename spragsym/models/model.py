@@ -17,7 +17,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..core.errors import ModelError, ParameterError
-from ..core.questions import FORCED, SEVERAL
+from ..core.questions import FORCED, PARTS_OF_SEVERAL, SEVERAL
 from ..display import Column, aligned
 from . import forces
 from .field import REACH, Field, field_of
@@ -166,44 +166,42 @@ class Model:
     @property
     def contact(self) -> Mapping[str, Any]:
         """The only contact; an error of a model with several."""
-        self._require_one("this")
-        return self.contacts[0]
+        (contact,) = self.contacts
+        return contact
 
     @property
     def friction_law(self) -> Mapping[str, Any] | None:
         """The only friction, None without any; an error of a model with several contacts."""
-        self._require_one("this")
-        return self.frictions[0] if self.frictions else None
+        return self.frictions[0] if self.contact and self.frictions else None
 
     @cached_property
     def clock(self) -> str:
         """The coordinate that is the phase of a clock, the last; empty where the page has none."""
         return self.coordinates[-1] if hasattr(self.algebra, "clock") else ""
 
-    def require_no_clock(self, what: str) -> None:
-        """An error for what is not answered of what varies in time: nothing rests, and a motion
-        depends on the phase at which it begins.
+    def require_answered(self, question: str) -> None:
+        """An error for a question that is not answered of the model: it names the question, why,
+        and what is answered instead.
         """
-        if self.clock:
-            raise ModelError(
-                f"{what} is not answered of {self.name}, whose page has a clock ({self.clock}): "
-                f"nothing rests there; ask {', '.join(FORCED)}, or hold the clock still with a "
-                "parameter in its place"
+        if why := self.refusal(question):
+            raise ModelError(f"{question} is not answered yet of {self.name}, {why}")
+
+    def refusal(self, question: str) -> str:
+        """Why a question is not answered of a page with a clock, or with several contacts, and what
+        is instead; empty where it is answered.
+        """
+        if self.clock and question not in FORCED:
+            return (
+                f"whose page has a clock ({self.clock}): nothing rests there; ask "
+                f"{', '.join(FORCED)}, or hold the clock still with a parameter in its place"
             )
-
-    def require_one_contact_and_no_clock(self, what: str) -> None:
-        """An error for what is not answered of several contacts, or of a page with a clock."""
-        self.require_no_clock(what)
-        self._require_one(what)
-
-    def _require_one(self, what: str) -> None:
-        if len(self.contacts) > 1:
+        if len(self.contacts) > 1 and question not in (*SEVERAL, *PARTS_OF_SEVERAL):
             names = ", ".join(entry["name"] for entry in self.contacts)
-            raise ModelError(
-                f"{what} is not answered yet of {self.name}, whose page has {len(self.contacts)} "
-                f"contacts ({names}); ask {', '.join(SEVERAL)}, or say all but one of "
-                "them by springs and forces"
+            return (
+                f"whose page has {len(self.contacts)} contacts ({names}); ask "
+                f"{', '.join(SEVERAL)}, or say all but one of them by springs and forces"
             )
+        return ""
 
     @cached_property
     def regimes(self) -> dict[Touching, str]:
@@ -404,25 +402,27 @@ class Model:
             values[entry["name"]] = middle if entry["base"] is None else entry["base"]
         return (("Base values", self.Parameters(**values)),)
 
-    def friction(self, p: ParameterSet, law: str = "friction_at_speed") -> FloatArray:
+    def friction(
+        self, p: ParameterSet, law: str = "friction_at_speed", contact: str | None = None
+    ) -> FloatArray:
         """The friction coefficient of steady sliding at the speed of the belt, or
-        ``"friction_at_rest"``, which statics takes.
+        ``"friction_at_rest"``, which statics takes; of several contacts that of the one named.
 
         Of the shape of ``p``, of which angles that the law does not depend on may be missing;
         source: the law of the page.
         """
-        if law not in ("friction_at_speed", "friction_at_rest") or not self.friction_law:
+        if law not in ("friction_at_speed", "friction_at_rest") or not self.frictions:
             raise ParameterError(
                 f"law = {law!r} of {self.name}: give friction_at_speed or friction_at_rest, "
                 "where there is friction"
             )
-        of_law = self.friction_law["quantities"]
+        friction = self.frictions[forces.contact_named(self, contact, self.rubbing)]
+        of_law = friction["quantities"]
         missing = {
             name: 1.0 for name in self.about["angles"] if name not in of_law and p[name] is None
         }
-        return np.asarray(
-            getattr(self.algebra, law)(*self.arguments(p.replace(**missing), "motion")), dtype=float
-        )
+        coefficient = getattr(self.algebra, forces.named(law, friction["name"]))
+        return np.asarray(coefficient(*self.arguments(p.replace(**missing), "motion")), dtype=float)
 
     def one(self, vary: str | None) -> str:
         if not self.parameters:

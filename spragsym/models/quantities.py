@@ -13,7 +13,13 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
-from ..core.errors import NotDimensionlessError, ParameterError, ParameterTypeError, hint
+from ..core.errors import (
+    ModelError,
+    NotDimensionlessError,
+    ParameterError,
+    ParameterTypeError,
+    hint,
+)
 from ..display import Tabular
 from .load import load
 from .model import Model, title_drawing_words
@@ -219,8 +225,23 @@ def share(model: Model, p: ParameterSet) -> Any:
     """The share of μ₀ at which friction works at the speed of the belt, by the model's own law; of
     the shape of ``p``.
     """
-    full, works = (model.friction(p, law) for law in ("friction_at_rest", "friction_at_speed"))
-    return np.where(full > 0, works / np.where(full > 0, full, 1.0), 1.0)[()]
+    shares = [
+        np.where(full > 0, works / np.where(full > 0, full, 1.0), 1.0)[()]
+        for entry in model.frictions
+        if entry["at_rest"] == "full"  # of the others statics takes the law as it is
+        for full, works in [
+            [
+                model.friction(p, law, entry["name"])
+                for law in ("friction_at_rest", "friction_at_speed")
+            ]
+        ]
+    ]
+    if any(np.any(one != shares[0]) for one in shares):
+        raise ModelError(
+            f"the frictions of {model.name} work at different shares of {model.coefficient}, and "
+            "statics of data takes one; ask equilibria(p) of parameters without units"
+        )
+    return shares[0] if shares else 1.0
 
 
 @dataclass(frozen=True)

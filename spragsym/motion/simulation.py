@@ -941,9 +941,7 @@ def initial_state(
     """
     names = [f"{name}0" for name in model.components]
     values: dict[str, ArrayLike] = dict.fromkeys(names, 0.0)
-    if p is None:
-        model.require_no_clock("this question")
-    elif model.clock:
+    if p is not None and model.clock:
         rate = values[names[-1]] = model.algebra.clock(*model.arguments(p, "motion"))
         asked = initial.get(names[-1], rate) if start is None else np.asarray(start)[-1:]
         if not np.all(np.abs(np.asarray(asked) - rate) <= 1e-9 * rate):

@@ -180,7 +180,7 @@ def basin_boundary(
     ([False, False, False], ['a cycle of period 34.0235', 'a cycle of period 34.0235'])
     """
     system, model = System.of(p, backend, V=V, d=d), p.model
-    model.require_one_contact_and_no_clock("basin_boundary")
+    model.require_answered("basin_boundary")
     names = model.components
     plane = (model.coordinates[0], model.rates[0]) if plane is None else plane
     if not len(plane) == len({*plane} & {*names}) == 2:

@@ -252,7 +252,7 @@ def diagram(
     True
     """
     model = model_of(p)
-    model.require_no_clock("diagram")
+    model.require_answered("diagram")
     model.require_parameter(vary)
     p.scalars(*(name for name in model.parameters if name != vary))
     points, doublings = as_count("points", points), as_count("doublings", doublings, 0)

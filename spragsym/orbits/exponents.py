@@ -18,6 +18,7 @@ import numpy as np
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
+from ..core.questions import model_of
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion.scales import MotionScales
 from ..motion.shooting import rate
@@ -166,6 +167,7 @@ def lyapunov(
     >>> bool(abs(found.exponents.sum() - found.trace) < 1e-9)
     True
     """
+    model_of(p).require_answered("lyapunov")
     system, state = System.of(p, backend, V=V, d=d), state_of(p.model, start)
     unit = system.scales(state).time
     t_end = as_number("t_end", FOLLOWED * unit if t_end is None else t_end, POSITIVE)

@@ -205,7 +205,7 @@ def fate_boundary(
     (0.72101173, 'equilibrium')
     """
     model = model_of(p)
-    model.require_one_contact_and_no_clock("fate_boundary")
+    model.require_answered("fate_boundary")
     model.require_parameter(vary)
     low, high = varied_range(vary, between, model.any_of(vary))
     system = System.of(p.given(V=V, d=d).replace(**{vary: low}), backend)

@@ -154,6 +154,7 @@ def fate(
     >>> round(ss.fate(p.replace(theta0=np.radians(30.0)), V=0.5, d=10.0).time_scale, -3)
     227000.0
     """
+    model_of(p).require_answered("fate")
     system, state = System.of(p, backend, V=V, d=d), state_of(p.model, start)
     if t_end is not None:
         t_end = as_number("t_end", t_end, POSITIVE)
@@ -427,6 +428,7 @@ def fate_map(
     (array([1, 2], dtype=int8), array([   nan, 34.267]))
     """
     model = model_of(p)
+    model.require_answered("fate_map")
     p.require(*p.ranges)
     p = p.given(V=V, d=d)
     inputs = {name: p[name] for name in p.ranges}

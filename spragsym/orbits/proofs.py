@@ -138,6 +138,8 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
     taken as the binary numbers that the floats are.
     """
     require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
+    if cycle.field.model is not None:
+        cycle.field.model.require_answered("prove_cycle")
     if not importlib.util.find_spec("flint"):
         raise MissingExtraError("spragsym.precise.prove_cycle", "flint", "certify")
     digits = as_count("digits", digits, 10, 200)

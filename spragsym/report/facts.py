@@ -258,7 +258,7 @@ class _Answers:
 
 def facts(study: Brake, options: ReportOptions) -> Facts:
     """All facts of a report; the same study and options give the same facts."""
-    study.operating_point.model.require_one_contact_and_no_clock("a report")
+    study.kind.model.require_answered("report")
     _slides(study)
     answers = _Answers(study)
     parameter = _jump(answers)

@@ -268,7 +268,7 @@ class BalanceInUnits(Balance):
     def __init__(
         self, model: Model, units: Mapping[str, Unit], law: str = "friction_at_rest"
     ) -> None:
-        model.require_one_contact_and_no_clock("what is asked of data with units")
+        model.require_answered("statics of data with units")
         super().__init__(model, True, law)
         self.units = units
         powers = {

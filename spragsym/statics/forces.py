@@ -56,7 +56,7 @@ class Forces:
         beyond: int | None = None,
         options: SearchOptions | None = None,
     ) -> None:
-        model.require_no_clock("what is asked of states at rest")
+        model.require_answered("rest")
         about = model.about
         #: How far beyond the contacts' borders states count, too, or beyond that of one of them,
         #: ``beyond``: 0 but where those on it are looked for.

@@ -153,7 +153,7 @@ def test_what_is_not_answered_of_a_clock_says_so() -> None:
     for ask in (ss.equilibria, ss.folds, ss.fate, ss.lyapunov):
         with pytest.raises(ModelError, match="has a clock"):
             ask(p)
-    with pytest.raises(ModelError, match="an export is not answered"):
+    with pytest.raises(ModelError, match="export is not answered yet of duffing"):
         _of_page(p.model, "c", None, ())
     with pytest.raises(ParameterError, match="the rate of the clock"):
         ss.simulate(p, vphase0=0.3)

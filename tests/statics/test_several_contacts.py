@@ -2,14 +2,19 @@
 hand and closed forms.
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym import precise
+from spragsym.cli.article import _check_model
+from spragsym.cli.export import _of_page
+from spragsym.core.questions import SEVERAL
 from tests.oracles.contact_pages import FOUR, LADDER, PAD, SHOES, THREE, balanced, pad
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, replaced
 
 pytest.importorskip("sympy")
 
@@ -121,21 +126,56 @@ def test_a_ladder_slides_at_the_inclination_of_the_closed_form() -> None:
     np.testing.assert_allclose(np.tan(eq["alpha"][:, 0]), (1 - mu * nu) / (2 * mu), rtol=1e-11)
 
 
-def test_what_is_not_answered_of_several_contacts_says_so() -> None:
+def a_study(model: ss.Model) -> ss.Study:
+    """Base values in SI, one of each unit."""
+    quantities = {entry["quantity"]: entry["base"] for entry in model.about["parameters"]}
+    units = {entry["name"]: 1.0 for entry in model.about["units"]}
+    return ss.Study(quantities | units, model=model.where)
+
+
+def test_data_with_units_have_the_friction_that_works_at_every_contact() -> None:
+    """Statics takes the coefficient times the share of it that works, the same of both legs."""
     model = model_of(PAD, "pad_on_2")
-    p = model.Parameters()
-    for ask in (
-        lambda: ss.cusps(p, ("mu0", "h")),
-        lambda: ss.fate_boundary(p, "mu0", between={"mu0": (0.1, 0.2)}),
-        lambda: ss.basin_boundary(p),
-        lambda: ss.sensitivity(p),
-        lambda: ss.bifurcation_set(p, ("mu0", "h")),
-        lambda: ss.jump_gradient(p, "mu0"),
-        lambda: ss.critical_value(p, "mu0", between={"mu0": (0.0, 1.0)}),
-        lambda: ss.onset_curves(p, ("mu0", "h")),
-        lambda: ss.explore(p),
-    ):
-        with pytest.raises(ss.errors.ModelError, match=r"not answered yet of pad_on_2.*2 contacts"):
+    at_work = a_study(model).operating_point
+    assert float(at_work["mu0"]) == 0.3 * np.tanh(20.0)
+    laws = [model.friction(at_work, "friction_at_rest", name) for name in model.rubbing]
+    assert laws == [at_work["mu0"]] * 2
+    with pytest.raises(ss.errors.ParameterError, match="contact = None of pad_on_2 is one of 'f"):
+        model.friction(at_work)
+    law = "V, lambda v: mu0 * tanh(v / V), at_rest=mu0, on=trailing"
+    study = a_study(model_of(replaced(SHOES, ("V, law, at_rest=mu0, on=trailing", law)), "shoes"))
+    with pytest.raises(ss.errors.ModelError, match="work at different shares of mu0"):
+        study.operating_point  # noqa: B018  # a property
+
+
+def test_what_is_not_answered_of_several_contacts_says_so() -> None:
+    """The question by its name, why, and what is answered instead."""
+    model = model_of(PAD, "pad_on_2")
+    p, span = model.Parameters(), {"mu0": (0.1, 0.2)}
+    asked: dict[str, Callable[[], object]] = {
+        "cusps": lambda: ss.cusps(p, ("mu0", "h")),
+        "fate_boundary": lambda: ss.fate_boundary(p, "mu0", between=span),
+        "basin_boundary": lambda: ss.basin_boundary(p),
+        "sensitivity": lambda: ss.sensitivity(p),
+        "bifurcation_set": lambda: ss.bifurcation_set(p, ("mu0", "h")),
+        "jump_gradient": lambda: ss.jump_gradient(p, "mu0"),
+        "jump_margin": lambda: ss.jump_margin(p, {"mu0": 0.1}),
+        "jump_probability": lambda: ss.jump_probability(span, model=model),
+        "certify": lambda: ss.certify(p, p.replace(mu0=0.4)),
+        "critical_value": lambda: ss.critical_value(p, "mu0", between={"mu0": (0.0, 1.0)}),
+        "onset_curves": lambda: ss.onset_curves(p, ("mu0", "h")),
+        "precise_equilibria": lambda: precise.equilibria(p),
+        "explore": lambda: ss.explore(p),
+        "report": lambda: a_study(model).report(),
+        "check": lambda: _check_model(model.where, False, ()),
+        "export to fmu": lambda: _of_page(model, "fmu", None, ()),
+    }
+    for name, ask in asked.items():
+        says = f"{name} is not answered yet of pad_on_2, {model.refusal(name)}"
+        assert "2 contacts (front, rear); ask basin, count, " in says
+        with pytest.raises(ss.errors.ModelError) as error:
             ask()
+        assert str(error.value) == says
+    assert not any(map(model.refusal, SEVERAL))
     with pytest.raises(ss.errors.ParameterTypeError, match="nor some of front, rear"):
         ss.equilibria(p, contact=("left",))

@@ -105,7 +105,7 @@ def basin(
     >>> found.attractor[:, 0]
     array([0, 0, 1])
     """
-    model_of(p).require_no_clock("basin")
+    model_of(p).require_answered("basin")
     names = model_of(p).components
     p = p.given(V=V, d=d)
     p.scalars(*p.ranges)

@@ -110,7 +110,7 @@ def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
         )
 
     def unknown(node: sp.Expr) -> sp.Expr:
-        """What stands for a function, or for the case that it is."""
+        """Stand-in for a function, or for the case that it is one."""
         if not isinstance(node, sp.Function):
             return named(node)
         arguments = [normal(argument) for argument in node.args]

@@ -146,7 +146,7 @@ def _letter(expression: sp.Expr) -> str:
 
 
 def _along(page: Page, coordinate: Coordinate) -> list[Element]:
-    """What ties a coordinate to the ground."""
+    """Elements that tie a coordinate to the ground."""
     return [it for it in page.elements if it.along == coordinate.symbol]
 
 
@@ -216,7 +216,7 @@ def _belt(sheet: Sheet, page: Page) -> None:
 
 
 def _tied_to_ground(sheet: Sheet, page: Page, coordinate: Coordinate) -> None:
-    """What is along a coordinate of the mass: to the wall or to the ceiling. A trolley's is drawn
+    """Elements along a coordinate of the mass: to the wall or to the ceiling. A trolley's is drawn
     with the trolley.
     """
     parts, width = _along(page, coordinate), _half(page).real

@@ -98,8 +98,8 @@ def material(
     in_python: bool = False,
     moving: bool = False,
 ) -> targets.Material:
-    """What a target prints of a page: all functions that have a result, or those of them that
-    ``only`` names.
+    """Material of a page that a target prints: all functions that have a result, or those of them
+    that ``only`` names.
 
     With ``moving``, forces, energy and power of a motion as one function too. In Python names are
     as on the page, and directions of springs follow from the place, so that derivatives by it are
@@ -154,7 +154,7 @@ def material(
 def _motion(
     model: pages.Model, data: Data | None, inputs: Collection[str]
 ) -> targets.MotionMaterial:
-    """What moves: with data in their units and else in SI, without any in none."""
+    """Motion of a page's model: with data in their units and else in SI, without any in none."""
     it, page = model.mechanics, model.page
     measures = page.units if data is not None else []
     kinds = tuple(units.read(measure.unit) for measure in measures)
@@ -257,8 +257,8 @@ def spelled(name: object) -> str:
 
 
 def library(name: str) -> str:
-    """What files and functions of an export begin with: a page's name as far as it has letters and
-    digits of ASCII; the example is ``main``.
+    """Name that files and functions of an export begin with: a page's name as far as it has letters
+    and digits of ASCII; the example is ``main``.
     """
     tidy = re.sub(r"[^A-Za-z0-9]+", "_", name).strip("_")
     return tidy if tidy[:1].isalpha() and tidy != "main" else f"page_{tidy}"
@@ -311,7 +311,7 @@ def _examples(model: pages.Model) -> dict[str, dict[str, str]]:
         name, of, text, choice, border, joined = _EXAMPLES[language]
 
         def chosen(touches: Callable[[NormalForce], str], lifted: str) -> str:
-            """What is said of each contact, by its border where it opens."""
+            """Text on each contact, by its border where it opens."""
             return ", ".join(
                 choice.format(border.format(place), touches(one), lifted)
                 if one.unilateral

@@ -75,7 +75,7 @@ def write_page(page: Path, out: Path) -> int:
 
 
 def modules(model: Mechanics) -> tuple[Module, ...]:
-    """What is generated from a page."""
+    """Modules that are generated from a page."""
     return tuple(part.module(model) for part in (statics, linearization, motion))
 
 
@@ -135,7 +135,7 @@ def _same(one: Function, other: Function) -> bool:
 
 
 def meanings(model: Mechanics) -> Mapping[str, str]:
-    """What every argument of the generated functions is."""
+    """Meanings of all arguments of the generated functions."""
     entries: dict[str, str] = {}
     for coordinate in model.page.coordinates:
         entries[str(coordinate.symbol)] = coordinate.meaning
@@ -177,7 +177,7 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
 
 
 def _sides(contact: NormalForce) -> str:
-    """In words: the two regimes of a contact, as PUSHING tells them."""
+    """Sides of a contact in words: the two regimes of a contact, as PUSHING tells them."""
     if contact.either_face:
         return f"1 where N ≥ 0, 0 where N ≤ 0{on(contact)}"
     return f"1 in contact, 0 in lift-off{on(contact)}"
@@ -340,8 +340,8 @@ def _is_proportional(sliding: Friction, datum: Datum) -> bool:
 
 
 def _at_rest(it: Mechanics, sliding: Friction) -> str:
-    """What statics takes for a friction to which the law is proportional: ``"full"``, that itself,
-    or ``"speed"``, the law at the belt's speed; ``"other"`` for neither.
+    """Friction of the statics, where the law is proportional to it: ``"full"``, that itself, or
+    ``"speed"``, the law at the belt's speed; ``"other"`` for neither.
     """
     name = _roles(it)["friction"]
     friction = next((datum for datum in it.parameters if datum.becomes == name), None)

@@ -97,7 +97,7 @@ def _formed(method: Any) -> Any:
 
 
 class _MethodReader:
-    """What a method holds, in a page's symbols."""
+    """Reader of a method of mechanics, in a page's symbols."""
 
     def __init__(
         self, method: Any, page: Page, coordinates: Mapping[sp.Expr, tuple[str, str]]
@@ -162,7 +162,7 @@ class _MethodReader:
     def named(
         self, what: str, given: tuple[Any, ...] | Mapping[str, Any] | None, names: tuple[str, ...]
     ) -> dict[str, Any]:
-        """What is said of contact or friction by its names, in the page's symbols."""
+        """Statement of contact or friction by its names, in the page's symbols."""
         said = dict(given if isinstance(given, Mapping) else zip(names, given or (), strict=False))
         needed = {"contact": ("normal",), "friction": ("coefficient", "along", "belt")}[what]
         if what == "friction" and said.keys() <= {*_OF_LOADS}:
@@ -289,7 +289,7 @@ class _MethodReader:
         }
 
     def bases(self, expression: sp.Expr) -> set[sp.Expr]:
-        """What it takes roots and quotients of, where that moves."""
+        """Expressions under roots and in denominators, where they move."""
         return {node.base for node in quotients(expression) if node.base.has(*self.places)}
 
     def expanded(self, expression: sp.Expr) -> sp.Expr:

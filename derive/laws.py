@@ -162,8 +162,8 @@ def slope_by_sizes(friction: FrictionForce) -> tuple[tuple[Pair, ...], ...]:
 
 
 def friction_at_rest(friction: FrictionForce) -> sp.Expr:
-    """What μ is in the statics: the limit of the law that the page names, or the law at the belt's
-    speed.
+    """Friction coefficient of the statics: the limit of the law that the page names, or the law at
+    the belt's speed.
     """
     named = friction.at_rest
     if named is None:

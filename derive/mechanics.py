@@ -57,11 +57,11 @@ class Line:
 
     @property
     def length(self) -> sp.Expr:
-        """Its length, by the vector."""
+        """Length of a line, by its vector."""
         return sp.sqrt(self.dx**2 + self.dy**2)
 
     def slopes(self, dx: sp.Expr, dy: sp.Expr) -> Names:
-        """How direction and length change when the vector changes by (dx, dy)."""
+        """Changes of direction and length when the vector changes by (dx, dy)."""
         turn = self.s * dx - self.c * dy
         return {
             self.l: self.c * dx + self.s * dy,
@@ -72,8 +72,8 @@ class Line:
 
 @dataclass(frozen=True)
 class Turning:
-    """How far a line is turned from an inclination at rest, against a torsion spring: φ in (−π, π],
-    the least turning.
+    """Rotation of a line from its inclination at rest, against a torsion spring: φ in (−π, π], the
+    least turning.
     """
 
     line: Line
@@ -132,7 +132,7 @@ class Angle:
 
     @property
     def parts(self) -> Symbols:
-        """What stands for it among the arguments of functions."""
+        """Symbols of an angle among the arguments of functions."""
         return (self.symbol, self.c, self.s) if self.alone else (self.c, self.s)
 
 
@@ -208,8 +208,8 @@ class NormalForce:
 
     @cached_property
     def penetration(self) -> sp.Expr:
-        """What DEPTH stands for: the penetration, and in lift-off, where the law is multiplied by
-        0, a tiny one at which it is finite.
+        """Expression for DEPTH: the penetration, and in lift-off, where the law is multiplied by 0,
+        a tiny one at which it is finite.
 
         The square keeps 1 − PUSHING, a whole number, together: added apart, 1 would take the last
         digits of a shallow penetration.
@@ -269,13 +269,13 @@ def named(function: str, of: NormalForce | FrictionForce) -> str:
 
 
 def on(of: NormalForce | FrictionForce) -> str:
-    """In words: the contact, of several."""
+    """Name of the contact in a sentence, where there are several."""
     return f" of {of.name}" if of.name else ""
 
 
 @dataclass(frozen=True)
 class Mechanics:
-    """What the equations of a dimensionless model are made of."""
+    """Parts of the equations of a dimensionless model."""
 
     page: Page
     coordinates: Symbols
@@ -438,7 +438,7 @@ class Mechanics:
 
     @property
     def depths(self) -> Names:
-        """What DEPTH of every contact stands for."""
+        """Expressions for DEPTH of every contact."""
         return {contact.depth: contact.penetration for contact in self.contacts}
 
     @cached_property

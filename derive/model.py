@@ -131,7 +131,7 @@ class Coordinate:
 
 
 def acceleration_of(coordinate: sp.Symbol) -> str:
-    """What code calls the acceleration of a coordinate: that of s would be a word of Python."""
+    """Name of the acceleration of a coordinate in code: that of s would be a word of Python."""
     return "as_" if str(coordinate) == "s" else f"a{coordinate}"
 
 
@@ -159,7 +159,7 @@ class Element:
 
     @property
     def quality(self) -> str:
-        """What its strength is called."""
+        """Name of the strength of an element."""
         return "coefficient" if self.what == "damper" else "stiffness"
 
 

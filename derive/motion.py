@@ -132,7 +132,7 @@ class Motion:
 
     @cached_property
     def dry_friction(self) -> Names:
-        """What the symbols of frictions that hold are.
+        """Expressions for the symbols of frictions that hold.
 
         Sticking or not, the force is a sum and no coefficient times a normal force that goes to 0
         where the contact is lost.
@@ -148,7 +148,7 @@ class Motion:
         return {**self.inverted, **sticking, **mobility, **self.free[1], **forces}
 
     def margins(self, friction: FrictionForce, force: sp.Expr) -> Row:
-        """How far a force of friction is from its limit with the belt, and from that against it:
+        """Distances of a force of friction from its limit with the belt, and from that against it:
         positive while friction holds.
         """
         ahead, behind = (
@@ -260,7 +260,7 @@ class Motion:
 
     @cached_property
     def inverted(self) -> Names:
-        """What the entries of the inverse of M are: M is inverted in numbers once, and never
+        """Expressions for the entries of the inverse of M: M is inverted in numbers once, and never
         differentiated.
         """
         if not self.is_coupled:
@@ -303,7 +303,7 @@ class Motion:
         return sp.Symbol(f"_turn_{friction.name}_{symbol}", real=True)
 
     def turned(self, symbols: Symbols) -> Names:
-        """What the derivatives of several frictions are, by their names."""
+        """Derivatives of several frictions, by their names."""
         if len(self.model.frictions) < 2:
             return {}
         return {
@@ -499,7 +499,9 @@ class Motion:
 
     @cached_property
     def borders(self) -> Row:
-        """What is zero on a kink of the field: the border of every contact, every sliding speed."""
+        """Levels that are zero on a kink of the field: the border of every contact, every sliding
+        speed.
+        """
         it = self.model
         return (
             *(sp.S.One if contact.border is None else contact.border for contact in it.contacts),

@@ -125,7 +125,7 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
 
 
 def _said(error: BaseException) -> str:
-    """What went wrong, and what to do about a name that is not there."""
+    """Text of an error, and the remedy for a name that is not there."""
     said, known = (
         f"{type(error).__name__}: {error}",
         f"spragsym.derive.model offers {', '.join(vocabulary.__all__)}",

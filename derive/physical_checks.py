@@ -288,8 +288,8 @@ def _check_independent(model: Mechanics) -> None:
 
 
 def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
-    """Where a law is negative at the base values, or 1 where there is none, in words; empty if no
-    place that was tried shows it.
+    """Place where a law is negative at the base values, or 1 where there is none, in words; empty
+    if no place that was tried shows it.
     """
     if law.is_nonnegative or sp.factor_terms(sp.expand(law)).is_nonnegative:
         return ""

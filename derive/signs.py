@@ -103,7 +103,7 @@ def _cosine(low: sp.Expr, high: sp.Expr) -> _Ends:
 
 
 def witness(model: Mechanics, expression: sp.Expr) -> str:
-    """Where an expression is negative, in words; empty if no place that was tried shows it.
+    """Place where an expression is negative, in words; empty if no place that was tried shows it.
 
     Floats propose a place, exact numbers confirm it.
     """

@@ -55,7 +55,7 @@ def _kinks(value: sp.Expr, moving: set[sp.Symbol]) -> Iterator[str]:
 
 
 def _unknown(value: sp.Expr) -> Iterator[str]:
-    """What is not algebra or a function that every number type has."""
+    """Parts that are neither algebra nor a function that every number type has."""
     if value.has(sp.I, sp.oo, sp.nan, sp.zoo):
         yield f"is {value}, which is no real number; write one that is"
     for node in sp.preorder_traversal(value):

@@ -285,8 +285,8 @@ def _is_negative(page: Page, value: sp.Expr) -> bool:
 
 
 def _negative_place(page: Page, value: sp.Expr) -> str:
-    """Where among ends, base values and places inside of all domains an expression is negative, in
-    words; empty if nowhere.
+    """Place among ends, base values and places inside of all domains where an expression is
+    negative, in words; empty if nowhere.
     """
     data = [entry for entry in page.parameters if entry.symbol in value.free_symbols]
     if value.is_nonnegative or value.free_symbols - {
@@ -322,7 +322,7 @@ def _places(entry: Datum) -> list[sp.Rational]:
 
 
 def _check_clock(page: Page) -> None:
-    """What the clock may stand in."""
+    """Check of the statements in which the clock may stand."""
     if page.timer is None:
         return
     own = {page.timer.symbol, speed_of(page.timer.symbol)}

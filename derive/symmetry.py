@@ -65,7 +65,7 @@ class Mirror:
         )
 
     def image(self, symbol: sp.Symbol) -> sp.Expr:
-        """Where a coordinate comes to lie."""
+        """Place where a mirror takes a coordinate."""
         return self.centres[symbol] - symbol if symbol in self.centres else symbol
 
 

@@ -335,7 +335,7 @@ def one_positive(line: Balance, e: Quartic, u: Real) -> Flag:
 
 
 def above(e1: Real, e2: Real, e3: Real, e4: Real, c: Real, margin: Real) -> Above:
-    """How many of the positive roots of e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ are above c ≥ 0.
+    """Number of positive roots of e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ above c ≥ 0.
 
     Three are positive, the fourth is real as well, and the value at c is negative. As many are
     above c as the derivatives there, over factorials, change their sign (Budan and Fourier), from
@@ -532,7 +532,7 @@ class Kind(NamedTuple):
 
 
 class Root(NamedTuple):
-    """What is at a root of f.
+    """Quantities at a root of f.
 
     The state; the radius around θ in which exactly one root is proved, infinite where none is; a
     bound on the error of θ, L, x and y over max(1, |value|); whether it certainly is an equilibrium

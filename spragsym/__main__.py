@@ -10,6 +10,8 @@ from .core.interrupts import INTERRUPTED, begun
 
 def run() -> None:
     """The command line, as a process of its own."""
+    # Matrices are small here: more threads of BLAS would only wait, and count as processor time.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     begun()
     from .cli import main
 

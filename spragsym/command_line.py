@@ -46,8 +46,8 @@ OF_COMMANDS = frozenset(
 
 
 def options_of(about: Mapping[str, Any], name: str) -> tuple[str, ...]:
-    """What commands call a parameter: as for the article's model, unless another parameter has that
-    name.
+    """Options by which commands call a parameter: as for the article's model, unless another
+    parameter has that name.
     """
     known = _OPTIONS.get(name)
     if known and known[0][2:] not in {entry["name"] for entry in about["parameters"]}:

@@ -100,12 +100,12 @@ class Column:
 
     @property
     def size(self) -> float:
-        """What one of its numbers is where it is shown: angles are degrees."""
+        """Size of the unit in which its numbers are shown: angles are degrees."""
         return math.degrees(1.0) if self.is_angle else 1.0
 
     @property
     def heading(self) -> str:
-        """Its name, of an angle with its unit."""
+        """Heading of a column: its name, of an angle with its unit."""
         return f"{self.name}{'_deg' if self.is_angle else ''}"
 
 
@@ -172,7 +172,7 @@ class Tabular:
         return next((model for model in models if hasattr(model, "columns")), None)
 
     def _shown(self) -> dict[str, Any]:
-        """What stands in the table, by name."""
+        """Fields of the table, by name."""
         return named_fields(self)
 
     @property
@@ -339,7 +339,7 @@ def following(thing: Any) -> dict[str, Any]:
 
 
 def counted(number: int, one: str, many: str) -> str:
-    """How many there are."""
+    """Number with its noun."""
     return f"{number} {one if number == 1 else many}"
 
 
@@ -349,7 +349,7 @@ def not_all(found: Any) -> str:
 
 
 def caption(said: Schema, name: str, single: Mapping[str, Any], size: str) -> str:
-    """What a result is, the numbers in it, and how many rows there are."""
+    """Caption of a result: its name, the numbers in it, and how many rows there are."""
     return ", ".join(
         [
             name,

@@ -187,7 +187,7 @@ class PaperCheck:
 
 
 def fields(row: Row) -> Mapping[str, str]:
-    """What a row says, under titles."""
+    """Fields of a row, under titles."""
     said = {title: str(getattr(row, name)) for name, title in _TITLES.items()}
     if row.edits:
         edits = (f"{it['kind']}: {it['old']} becomes {it['new']}" for it in row.edits)

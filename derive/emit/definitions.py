@@ -72,7 +72,7 @@ class Definition:
         )
 
     def tree(self, spelled: Mapping[str, str]) -> ast.Module:
-        """Its statements and its return statement, with other names for some."""
+        """Statements and return statement of a function, with other names for some."""
         lines = [f"{name} = {expression}" for name, expression in self.statements]
         tree = ast.parse("\n".join([*lines, f"return {nested(self.results, '()', str)}"]))
         for node in ast.walk(tree):

@@ -50,8 +50,8 @@ def widened(
 
 @dataclass
 class _Program:
-    """What has been written so far: functions and records of double-doubles, each after those that
-    it needs.
+    """Program as written so far: functions and records of double-doubles, each after those that it
+    needs.
     """
 
     kernel: Source

@@ -25,7 +25,7 @@ _STRENGTH = {
 
 @dataclass(frozen=True)
 class Syntax:
-    """What each language writes in its own way."""
+    """Syntax in which languages differ."""
 
     primitives: Mapping[
         str, str
@@ -101,7 +101,7 @@ class Expressions:
         )
 
     def called(self, name: str) -> str:
-        """What a primitive, a routine or generated algebra is called by."""
+        """Name by which a primitive, a routine or generated algebra is called."""
         if name in self.syntax.primitives:
             return self.syntax.primitives[name]
         return (

@@ -219,7 +219,7 @@ class Kinds:
 
 
 def passes(loop: ast.For) -> int:
-    """How often a loop repeats."""
+    """Number of passes of a loop."""
     match loop.iter:
         case ast.Call(func=ast.Name(id="range"), args=[ast.Constant(value=int(number))]):
             return number

@@ -99,7 +99,7 @@ def places(target: ast.expr) -> Iterator[str]:
 
 
 def items(node: ast.expr) -> list[ast.expr]:
-    """What a nested tuple holds, in order."""
+    """Items of a nested tuple, in order."""
     return (
         [leaf for item in node.elts for leaf in items(item)]
         if isinstance(node, ast.Tuple)

@@ -37,14 +37,14 @@ class Body:
 
     @cached_property
     def _computed(self) -> list[sp.Expr]:
-        """What is computed, with signs turned."""
+        """Computed expressions, with signs turned."""
         values = (value for symbol, value in self.assignments if symbol not in self.negated)
         return [value.xreplace(self.negated) for value in (*values, *flat(self.results))]
 
     @cached_property
     def inlined(self) -> Mapping[sp.Symbol, sp.Expr]:
-        """What needs no statement of its own: a power used in one place, printed there, a second
-        name, a name for minus another.
+        """Expressions that need no statement of their own: a power used in one place, printed
+        there, a second name, a name for minus another.
         """
         used = Counter(part for whole in self._computed for part in sp.preorder_traversal(whole))
         kept = {
@@ -56,7 +56,7 @@ class Body:
 
     @property
     def operations(self) -> int:
-        """How many there are."""
+        """Number of operations."""
         return sum(int(sp.count_ops(value)) for value in self._computed)
 
     @property

@@ -162,8 +162,8 @@ def fold_conic() -> Row:
 
 
 def fold_events(conic: Row) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """What vanishes where two folds of one θ meet, where one has θ₀ = 0 or π, and where one has no
-    friction.
+    """Quantities that vanish where two folds of one θ meet, where one has θ₀ = 0 or π, and where
+    one has no friction.
 
     The first two in E0, E1, E2 and Ec² of :func:`fold_conic`, which in v = tan(θ₀/2) is a quartic;
     the third is (p B q α)² (sin² θ₀ + cos² θ₀ − 1) with :func:`fold_angles` at M = 0.

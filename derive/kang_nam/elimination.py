@@ -138,7 +138,9 @@ def resolvent_cubic() -> Row:
 
 
 def identities() -> dict[str, bool]:
-    """How the two eliminations are related: statements, and whether exact algebra confirms each."""
+    """Relation between the two eliminations: statements, and whether exact algebra confirms
+    each.
+    """
     t, ell = tt, sp.Symbol("ell")
     in_t = sp.Poly(polynomial(quartic_in_t(), t), t)
     cubic = sp.Poly(polynomial(resolvent_cubic(), ell), ell)

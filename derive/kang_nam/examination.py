@@ -29,7 +29,7 @@ class Kind(NamedTuple):
 
 
 class Root(NamedTuple):
-    """What is at a root of f.
+    """Quantities at a root of f.
 
     The state; the radius around θ in which exactly one root is proved, infinite where none is; a
     bound on the error of θ, L, x and y over max(1, |value|); whether it certainly is an equilibrium

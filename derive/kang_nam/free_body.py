@@ -41,7 +41,7 @@ class ParameterPoint:
 
 
 def anchor(point: ParameterPoint, arithmetic: Any = mpmath.mp) -> mpmath.mpc:
-    """Where the inclined spring is held, over L_0."""
+    """Place at which the inclined spring is held, over L_0."""
     return arithmetic.expj(point.number("theta0", arithmetic))
 
 

@@ -84,8 +84,8 @@ _BECOMES = dict.fromkeys(("confirmed", "definition", "approximation"), HOLDS) | 
 
 @dataclass(frozen=True)
 class Judgement:
-    """What becomes of one printed row: what is printed less what is derived, or why there is no
-    such thing.
+    """Judgement of one printed row: what is printed less what is derived, or why there is no such
+    thing.
     """
 
     id: str
@@ -199,7 +199,7 @@ def as_dict(ledger: Ledger) -> dict[str, Any]:
 
 
 def summary(rows: tuple[LedgerRow, ...]) -> dict[str, int]:
-    """How many rows have each status."""
+    """Number of rows of each status."""
     return dict(sorted(Counter(row.status for row in rows).items()))
 
 

@@ -84,7 +84,7 @@ def render(written_in: str, generated: Callable[[str], str]) -> dict[str, str]:
 
 
 def material(generated: Callable[[str], str]) -> targets.Material:
-    """What every target prints."""
+    """Material that every target prints."""
     package, table = generated("__init__.py"), _run(generated("quantities.py"))
     names = re.findall(r"^- :mod:`(\w+)`", package, re.MULTILINE)
     parts = [
@@ -127,7 +127,7 @@ def material(generated: Callable[[str], str]) -> targets.Material:
 
 
 def kernel() -> language.Source:
-    """How the equilibria of a point are found and examined, as every target prints it."""
+    """Search for the equilibria of a point and their examination, as every target prints it."""
     return language.read(_HERE / "kernel.py", _HERE / "examination.py", _GENERAL / "elementary.py")
 
 

@@ -38,7 +38,7 @@ def page() -> Page:
 
 @cache
 def of_page() -> Mechanics:
-    """What its equations of motion are made of."""
+    """Parts of the equations of motion of a page."""
     found = pages.read(pages.SHIPPED / "kang_nam.py").mechanics
     _require(found)
     return found

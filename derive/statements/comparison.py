@@ -32,7 +32,7 @@ class Convention:
     shift: sp.Expr = field(default_factory=lambda: sp.S.Zero)
 
     def said(self, name: str) -> str:
-        """In words."""
+        """Convention in words."""
         shift = "" if self.shift == 0 else f" + {self.shift}"
         return f"{name} of the print is {'-' if self.sign < 0 else ''}{name}{shift} of the page"
 
@@ -89,7 +89,7 @@ class Comparison:
 
     @cached_property
     def names(self) -> dict[str, sp.Expr]:
-        """What the print's names are in the page's symbols; geometry stays in names."""
+        """Names of the print in the page's symbols; geometry stays in names."""
         it = self.item.it
         names = it.names | {name: sp.Symbol(name) for name in it.geometry}
         names |= self.converted
@@ -239,7 +239,7 @@ class Comparison:
 
 
 def judged_side(item: Item, equation: Equation) -> tuple[Node, str] | None:
-    """What of an equation is held against the object, and the name that it gives to it."""
+    """Side of an equation that is held against the object, and the name that it gives to it."""
     left, right = equation.left, equation.right
     is_residual = printed(right) == "0"
     if not item.held.is_value and not is_residual:

@@ -19,7 +19,9 @@ def settled(items: Sequence[Item]) -> Conventions:
     """
 
     def failing(conventions: Conventions, most: int) -> int:
-        """How many fail, or ``most``; those that failed last stand first, and end it early."""
+        """Number of samples that fail, or ``most``; those that failed last stand first, and end it
+        early.
+        """
         failed = []
         for item in order:
             if not Comparison(item, conventions).agrees:

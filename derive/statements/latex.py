@@ -182,7 +182,7 @@ class _LatexReader:
         return node_of(value) if {*shape_of(value)} == {1} else value
 
     def matrix(self, node: Node) -> Value:
-        """What a name stands for: entries, where it is one of a matrix."""
+        """Matrix that a name stands for: entries, where it is one of a matrix."""
         shape = self.matrices.get(node.value) if node.kind == "symbol" else None
         return node if shape is None else named(node, shape)
 
@@ -237,7 +237,7 @@ class _LatexReader:
         return whole if len(factors) == 1 else _over(whole, items)
 
     def slash(self, factors: list[Factor], here: Cursor, place: int) -> Value:
-        """What stands before a slash over the one factor behind it."""
+        """Expression before a slash, over the one factor behind it."""
         above = product([it.value for it in factors])
         if factors[-1].open:
             name = printed(node_of(factors[-1].value))
@@ -633,7 +633,7 @@ def _inside(items: Tokens) -> Tokens:
 
 
 def _bracket(it: Token | None, kinds: tuple[str, ...] = ("(",)) -> Tokens | None:
-    """What stands in a bracket here, with braces around it or without."""
+    """Content of a bracket here, with braces around it or without."""
     while it is not None and it.text == "{" and it.items is not None and len(it.items) == 1:
         it = it.items[0]
     return it.items if it is not None and it.text in kinds else None

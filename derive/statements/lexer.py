@@ -27,7 +27,7 @@ Tokens = Sequence[Token]
 
 
 def split(items: Tokens, *signs: str) -> list[list[Token]]:
-    """What stands between signs."""
+    """Parts between signs."""
     parts: list[list[Token]] = [[]]
     for it in items:
         if it.text in signs:
@@ -46,7 +46,7 @@ class Cursor:
 
     @property
     def item(self) -> Token | None:
-        """What stands here, or nothing behind the last one."""
+        """Item at this place, or nothing behind the last one."""
         return self.items[self.place] if self.place < len(self.items) else None
 
     @property
@@ -56,16 +56,16 @@ class Cursor:
 
     @property
     def at(self) -> int:
-        """Where in the print this is."""
+        """Place in the print."""
         return self.end if self.item is None else self.item.at[0]
 
     @property
     def end(self) -> int:
-        """Where in the print what stands before ends."""
+        """Place in the print where the last item ends."""
         return self.items[self.place - 1].at[1]
 
     def take(self) -> Token:
-        """What stands here; the place moves behind it."""
+        """Item at this place, behind which the place moves."""
         if self.item is None:
             raise Unread("an argument is missing", self.end)
         self.place += 1

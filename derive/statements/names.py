@@ -51,7 +51,7 @@ class Names:
         return {*TIMES} - self.symbols
 
     def of(self, name: Name, at: tuple[int, int]) -> Node:
-        """What a name is on the page."""
+        """Meaning of a name on the page."""
         found = self.known(name, at)
         if found is None:
             raise Unread(
@@ -60,7 +60,7 @@ class Names:
         return found
 
     def known(self, name: Name, at: tuple[int, int]) -> Node | None:
-        """What a name is on the page, or nothing."""
+        """Meaning of a name on the page, or nothing."""
         if (name,) in self.renamed:
             return moved(self.renamed[name,], at)
         if name.order:
@@ -100,7 +100,9 @@ class Names:
         return node.value in moving if node.kind == "symbol" else any(map(self._moves, node.args))
 
     def word(self, items: Tokens, place: int) -> int:
-        """How many items spell a name of the page that has several letters: a k c that is kc."""
+        """Number of items that spell a name of the page that has several letters: a k c that
+        is kc.
+        """
         letters = ""
         for it in items[place:]:
             if it.items is not None or not (it.text.isalnum() and it.text.isascii()):
@@ -123,7 +125,7 @@ def moved(node: Node, at: tuple[int, int]) -> Node:
 
 
 def _spellings(name: Name) -> Sequence[str]:
-    """How a page may spell a printed name."""
+    """Spellings that a printed name may have on a page."""
     labels = [re.sub(r"\W+", "", it) for it in (name.sub, name.sup) if it]
     bases = {"ell": ("ell", "l"), "lambda": ("lambda_", "lamda", "lam")}.get(
         name.base, (name.base,)

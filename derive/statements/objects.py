@@ -41,7 +41,7 @@ class Reading:
 
 @dataclass(frozen=True)
 class Object:
-    """What a statement is held against.
+    """Object that a statement is held against.
 
     ``entries`` are all components of a ``law`` of transformation between coordinates: scalar,
     covector, vector or form; ``index`` are the places of those that the statement is about. A
@@ -86,11 +86,13 @@ class Derivation:
 
     @cached_property
     def found(self) -> dict[tuple[str, str], object]:
-        """What was asked for by its word and the rest, or why the page does not have it."""
+        """Object that is asked for by its word and the rest, or the reason why the page does not
+        have it.
+        """
         return {}
 
     def kept(self, word: str, rest: str, derive: Callable[[], T]) -> T:
-        """What is derived, once; and once only why it can't be."""
+        """Derived object, derived once; or the reason why it can't be."""
         if (word, rest) not in self.found:
             try:
                 self.found[word, rest] = derive()
@@ -103,7 +105,7 @@ class Derivation:
 
     @cached_property
     def plain(self) -> dict[sp.Expr, sp.Expr]:
-        """What stands for directions, lengths, turnings and angles of the general derivation."""
+        """Expressions for directions, lengths, turnings and angles of the general derivation."""
         found: dict[sp.Expr, sp.Expr] = {}
         for angle in self.model.angles:
             found |= {angle.c: sp.cos(angle.symbol), angle.s: sp.sin(angle.symbol)}
@@ -192,7 +194,7 @@ class Derivation:
 
     @cached_property
     def names(self) -> dict[str, sp.Expr]:
-        """What every name of a print stands for."""
+        """Meanings of all names of a print."""
         symbols = (*self.model.coordinates, *self.model.rates, *self.accelerations)
         found: dict[str, sp.Expr] = {"mu": MU, "N": NORMAL, "lam": LAMBDA, str(TIME): TIME}
         found |= self.geometry | {str(PUSHING): PUSHING}
@@ -237,7 +239,7 @@ class Derivation:
         return (*angles, *(name for name in self.geometry if name.startswith("theta")))
 
     def name_of(self, datum: Datum) -> str:
-        """What a quantity of the page is called in this form."""
+        """Name of a quantity of the page in this form."""
         return datum.becomes if self.scaled else str(datum.symbol)
 
     def measured(self, length: sp.Expr) -> sp.Expr:

@@ -57,7 +57,9 @@ class Statement:
 
 @dataclass(frozen=True)
 class Paper:
-    """What a paper prints: its title, its page, its own names, its statements in order."""
+    """Statements that a paper prints: its title, its page, its own names, its statements in
+    order.
+    """
 
     title: str
     model: str

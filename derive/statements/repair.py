@@ -101,7 +101,9 @@ class Repair:
 
 @dataclass(frozen=True)
 class Pool:
-    """What an edit may bring in: values of names, and groups of names of one dimension."""
+    """Expressions that an edit may bring in: values of names, and groups of names of one
+    dimension.
+    """
 
     values: Mapping[str, Values]
     kinds: Mapping[str, object]  #: equal where two names have the same dimension
@@ -307,7 +309,9 @@ class _Alternatives:
 
 
 def _inverted(tree: Node, parts: Sequence[Values], whole: Values, need: Values) -> Iterator[Values]:
-    """What each part would have to be for the tree to be what it needs, where that is known."""
+    """Values that each part would have to have for the tree to be what it needs, where they are
+    known.
+    """
     match tree.kind:
         case "neg":
             yield -need

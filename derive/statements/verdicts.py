@@ -131,7 +131,7 @@ def uncompared(verdict: Verdict) -> Row:
 
 
 def _begun(statement: Statement) -> Row:
-    """What a row has from its statement."""
+    """Row as begun from its statement."""
     return Row(
         statement.id,
         statement.about,
@@ -320,7 +320,7 @@ def _repaired(it: Comparison, part: Component) -> Right | None:
 
 
 def _pool(it: Comparison, part: Component) -> Pool:
-    """What an edit of a side may bring in."""
+    """Expressions that an edit of a side may bring in."""
     item = it.item
     free = {str(symbol) for entry in item.held.entries for symbol in entry.free_symbols}
     hidden = {"lam", "N", "mu", str(PUSHING), str(TIME)} - free
@@ -412,7 +412,7 @@ def _has_limit_zero(gap: sp.Expr, name: str, end: str) -> bool:
 
 
 def _units_problem(item: Item, parts: Iterable[Component]) -> str:
-    """What does not balance in a print with units."""
+    """Problem of units in a print that has them."""
     names: dict[str, sp.Expr] = {name: sp.Symbol(name) for name in item.values}
     known = {symbol: item.it.kinds.get(name, units.NONE) for name, symbol in names.items()}
     for name, tree in item.defined.items():

@@ -609,7 +609,7 @@ typedef struct {
     int certain;
 } Kind;
 
-/* What is at a root of f.
+/* Quantities at a root of f.
  *
  * The state; the radius around theta in which exactly one root is proved, infinite where none is; a bound on the error of
  * theta, L, x and y over max(1, |value|); whether it certainly is an equilibrium (L > 0, and y on the side that nbar says);
@@ -946,7 +946,7 @@ INLINE Discriminant discriminant(Balance line, Cubic it, double u) {
 /* Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2 <= 0 and e1 < 0. */
 INLINE int one_positive(Balance line, Quartic e, double u) { return e.e1 < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size); }
 
-/* How many of the positive roots of e0 + e1 t + e2 t^2 + e3 t^3 + e4 t^4 are above c >= 0.
+/* Number of positive roots of e0 + e1 t + e2 t^2 + e3 t^3 + e4 t^4 above c >= 0.
  *
  * Three are positive, the fourth is real as well, and the value at c is negative. As many are above c as the derivatives
  * there, over factorials, change their sign (Budan and Fourier), from that value to e4 > 0: three times or once. */

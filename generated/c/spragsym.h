@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "d175a32f5b7f1767"
+#define SPRAGSYM_SOURCE "4881a74c7e1dc7b7"
 
 /** What became of a call. */
 typedef enum {

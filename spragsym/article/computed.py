@@ -466,7 +466,9 @@ def _slides_stably(degrees: float, speed: float, creep: float) -> bool:
 
 
 def fate_of_rest() -> Outcome:
-    """Where the motion from rest changes its fate, and at which saddle it hovers there."""
+    """Friction at which the motion from rest changes its fate, and the saddle at which it hovers
+    there.
+    """
     belts = [_article(V=speed, d=creep) for speed, creep in ((V, D), *OTHER_BELTS)]
     found, *others = [
         fate_boundary(p, "theta0", between={"theta0": (low, high)})
@@ -536,7 +538,9 @@ def oscillation_without_d() -> Outcome:
 
 
 def printed_with(mark: str, what: str, among: list[str], expected: list[str]) -> Outcome:
-    """Which of some equations are printed with a mark, as L⁴, or two primes of an acceleration."""
+    """Equations among some that are printed with a mark, as L⁴, or two primes of an
+    acceleration.
+    """
     equations = {row["id"]: row["printed"] for row in printed()["rows"]}
     found = [id for id in among if mark in equations[id]]
     return found == expected, {what: found}

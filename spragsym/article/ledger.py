@@ -88,7 +88,7 @@ def recorded(statements: Sequence[ArticleStatement] = STATEMENTS) -> list[Row]:
 
 
 def drifted(rows: Sequence[Row], record: Sequence[Row]) -> list[str]:
-    """What differs from the record, one line each: statuses, words, and numbers beyond their
+    """Differences from the record, one line each: statuses, words, and numbers beyond their
     digits.
     """
     before = {row["id"]: row for row in record}
@@ -174,7 +174,7 @@ def page() -> str:
     )
 
     def both_forms(id: str) -> str:
-        """What is printed above what is derived, as the ledger's page shows the row."""
+        """Printed form above the derived one, as the ledger's page shows the row."""
         section = forms.partition(f"\n### {id}\n")[2]
         return section[section.index("```math") :].partition("\n```\n")[0] + "\n```"
 

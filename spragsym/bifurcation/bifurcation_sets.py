@@ -61,8 +61,8 @@ def bifurcation_set(
     options: ContinuationOptions | None = None,
     method: Method = "auto",
 ) -> BifurcationSet:
-    """Where the number of equilibria in contact changes in the plane of two parameters: every curve
-    of folds, and the cusps.
+    """Curves in the plane of two parameters on which the number of equilibria in contact changes:
+    every curve of folds, and the cusps.
 
     Parameters
     ----------
@@ -147,8 +147,8 @@ def extrema(
     within: Ranges | None = None,
     options: SearchOptions | None = None,
 ) -> Iterator[tuple[str, Points]]:
-    """Where curves of folds have extreme values of the second parameter or end, by kind, each
-    proved; arguments as of ``folds``.
+    """Extreme values and ends of curves of folds in the second parameter, by kind, each proved;
+    arguments as of ``folds``.
 
     Kinds are ``"cusp"``; ``"turn"``: F = 0, det K = 0 and w · ∂F/∂v = 0 for the first parameter v,
     with w K = 0; ``"end"``, at either end of the range of v; and ``"border"``, where folds leave a
@@ -424,8 +424,8 @@ class FoldCurves:
         return np.concatenate(path, axis=1), False
 
     def _within(self, end: FloatArray, to: FloatArray) -> tuple[FloatArray, int | None]:
-        """Where the way from one point to another first comes to an end of a range, and the number
-        of the parameter there.
+        """Part of the way from one point to another up to an end of a range, and the number of the
+        parameter there.
         """
         way, (low, high) = to - end, self.spans.T
         last = np.where(way[-2:] > 0, high, low)

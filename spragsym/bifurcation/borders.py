@@ -141,7 +141,7 @@ def joined(parts: Sequence[Points]) -> Points:
 
 
 def _kinds(family: Family, found: Found, other: Balance) -> Any:
-    """What happens at each border point: by the signs of det K on both sides."""
+    """Kinds of border points, by the signs of det K on both sides."""
     ends = found.roots.ends
     closed, open_ = (_signs(balance, family, ends) for balance in (family.balance, other))
     alone = bool((open_ == 0).any()) and _is_singular(other, family)

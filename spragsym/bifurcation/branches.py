@@ -235,7 +235,7 @@ def _by_tubes(
 
 
 def _within(along: Along, step: Span) -> BoolArray:
-    """Which points lie between two values, or on them."""
+    """Mask of the points between two values, or on them."""
     return (along.at >= min(step)) & (along.at <= max(step))
 
 

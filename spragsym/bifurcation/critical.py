@@ -450,7 +450,7 @@ class _CandidateSearch:
         self.beginning = dict(zip(places, way.T, strict=True))
 
     def end_at(self, place: float, limit: float) -> ModelEnd | None:
-        """Where the state ends there below a limit; None if it does not."""
+        """Value at which the state ends there below a limit; None if it does not."""
         here, near = (
             self.p.replace(**{self.over: place}),
             dict(zip(self.balance.coordinates, self.beginning[place], strict=True)),
@@ -480,7 +480,7 @@ class _CandidateSearch:
         return None
 
     def folds_below(self, place: float, limit: float) -> int:
-        """How many there are."""
+        """Number of folds there below a limit."""
         found = folds(
             self.p.replace(**{self.over: place}), self.vary, between={self.vary: (self.low, limit)}
         )

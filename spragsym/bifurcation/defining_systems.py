@@ -78,7 +78,8 @@ FEW = 64
 
 @dataclass(frozen=True)
 class Family:
-    """What is searched: parameters that vary over ranges, at one point of the others or at many.
+    """Family of systems that is searched: parameters that vary over ranges, at one point of the
+    others or at many.
 
     ``given`` are all parameters, shape (parameters, points), NaN for those that vary; ``spans`` the
     ranges of these, shape (number, 2), and ``endless`` those of them whose range was cut; ``asked``
@@ -130,8 +131,8 @@ class Family:
         return out
 
     def named(self, z: FloatArray) -> dict[str, FloatArray]:
-        """What varies and the coordinates by name, from coordinates and parameters, shape (n +
-        number, …).
+        """Values of what varies and of coordinates by name, from coordinates and parameters, shape
+        (n + number, …).
         """
         n = self.balance.n
         return dict(zip((*self.vary, *self.balance.coordinates), [*z[n:], *z[:n]], strict=True))
@@ -189,7 +190,7 @@ def given_column(p: ParameterSet, names: Sequence[str], vary: Sequence[str]) -> 
 
 @dataclass(frozen=True)
 class Condition:
-    """What is asked of a state beside the balance.
+    """Condition on a state beside the balance.
 
     ``equations`` are the values that must vanish, one for each unknown parameter; jets carry
     ``order`` more derivatives. ``singular`` and ``touching``: one of them is det K = 0, or that the
@@ -397,7 +398,7 @@ class Augmented(OfFamily):
         self.condition, self.order = condition, condition.order
 
     def identity(self) -> Hashable:
-        """Those of the balance, the parameters that vary, and the condition."""
+        """Identity of the balance, the parameters that vary, and the condition."""
         return (
             type(self.balance),
             self.balance.identity(),
@@ -456,8 +457,8 @@ class Augmented(OfFamily):
 
 
 def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
-    """What a search along one parameter in a region has left open, or knows to few digits only,
-    again with many digits.
+    """Roots that a search along one parameter in a region has left open, or knows to few digits
+    only, again with many digits.
     """
     if system.condition.order or found.left.shape[2] > MANY:
         return found

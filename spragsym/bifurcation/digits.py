@@ -75,7 +75,7 @@ def precise_equilibria(
 
 
 def _each(found: Roots, tell: Callable[[FloatArray, FloatArray], T | None]) -> list[T]:
-    """What ``tell`` gives for each root, from its box and the one in which it is alone; no None
+    """Values of ``tell`` for each root, from its box and the one in which it is alone; no None
     among them.
     """
     told = map(tell, *(np.moveaxis(boxes, 2, 0) for boxes in (found.ends, found.alone)))

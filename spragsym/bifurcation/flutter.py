@@ -333,8 +333,8 @@ def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:
 
 
 def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray]:
-    """What a search has found, with the onsets that floats see and that are proved; those that are
-    not; and their frequencies.
+    """Onsets of a search, with those that floats see and that are proved; those that are not; and
+    their frequencies.
     """
     from scipy.optimize import linear_sum_assignment  # heavy, and a refusal does not need it
 

@@ -319,7 +319,7 @@ class _Plane(Family):
         return stability.roots(*matrices(self, states))
 
     def hardly_damped(self, states: FloatArray) -> BoolArray:
-        """Where C is next to nothing beside K."""
+        """Mask of points where C is next to nothing beside K."""
         (_, C, K), (_, G, _) = (matrices(self, states, damping) for damping in (True, False))
         C = C - G
         return np.abs(C).max(axis=(1, 2)) <= UNDAMPED * np.abs(K).max(axis=(1, 2))
@@ -411,6 +411,6 @@ def _pieces(
 
 
 def _at_ends(curves: FoldCurves, states: FloatArray, ends: FloatArray) -> BoolArray:
-    """Which states of a chain are Bogdanov–Takens points, one a column."""
+    """Mask of the states of a chain that are Bogdanov–Takens points, one a column."""
     off = np.abs(states[:, :, None] - ends[:, None]) / curves.scale[:, None, None]
     return (off.max(axis=0) < 1e-9).any(axis=1)

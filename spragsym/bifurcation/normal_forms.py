@@ -44,8 +44,8 @@ ROOM = 2.0**-50
 
 @dataclass(frozen=True)
 class NormalForm:
-    """What is known of a Hopf point; every ``…_error`` bounds the absolute error of the number
-    before it.
+    """Normal form of a Hopf point; every ``…_error`` bounds the absolute error of the number before
+    it.
 
     Attributes
     ----------

@@ -55,7 +55,7 @@ def _size(values: FloatArray, along: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class ModelEnd(Result):
-    """Where a state vanishes at a fold, leaves the contact or runs to infinity."""
+    """Value at which a state vanishes at a fold, leaves the contact or runs to infinity."""
 
     value: float  #: of the parameter, at the fold, on the border or in the limit
     # ``"fold"``, ``"pitchfork"``, ``"border"`` where it leaves the contact, ``"border_fold"`` where
@@ -183,8 +183,8 @@ def quasi_static_path(
 def first_end(
     p: ParameterSet, vary: str, span: Span, *, start: int | str = "small"
 ) -> ModelEnd | None:
-    """Where a state that is followed from the first value of a span to the last one vanishes first;
-    None if it does not.
+    """First value at which a state that is followed from the first value of a span to the last one
+    vanishes; None if it does not.
 
     Arguments and errors as for :func:`quasi_static_path`; whether there is another state behind it
     is not asked.
@@ -208,8 +208,8 @@ def open_ends(
     options: SearchOptions | None = None,
     method: Method = "auto",
 ) -> list[Points]:
-    """Where states leave the contact or come into it, and where they run to infinity, if they do,
-    beside the folds ``turns``.
+    """Values at which states leave the contact or come into it, and at which they run to infinity,
+    if they do, beside the folds ``turns``.
     """
     balances, found = balances_of(p.model, None, options=options), list[Points]()
     family_of = functools.partial(Family.of, p, (vary,), {vary: span}, options=options)
@@ -364,8 +364,8 @@ class Way:
         return eq
 
     def _ends(self, along: FloatArray, beyond: float) -> list[Points]:
-        """Where states vanish: folds, and where they leave the contact. Those on the ends are
-        inside of what is searched.
+        """Values at which states vanish: folds, and where they leave the contact. Those on the ends
+        are inside of what is searched.
         """
         allowed, room = self.p.ranges[self.vary], beyond * _size(along, along)
         low, high = (
@@ -382,8 +382,8 @@ class Way:
         return [found, *open_ends(self.p, self.vary, (low, high), found, options=self.search)]
 
     def _turns_within(self, along: FloatArray, ends: list[Points]) -> Points:
-        """Where states vanish on the way: one value for those that coincide within their errors,
-        and the value asked for there.
+        """Values on the way at which states vanish: one value for those that coincide within their
+        errors, and the value asked for there.
 
         Twins by a mirror coincide, and each search rounds in its own way.
         """
@@ -485,7 +485,7 @@ class Way:
         ).tolist()
 
     def _stability_met(self, number: int) -> int:
-        """Where one λ is 0 the others decide."""
+        """Stability of states met on the way: where one λ is 0 the others decide."""
         given = columns(
             self.p.replace(**{self.vary: self.at[number : number + 1]}), self.balance.parameters
         )

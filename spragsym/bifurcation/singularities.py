@@ -97,7 +97,7 @@ def folds_of(
 def _folds_in(
     balance: Balance, p: ParameterSet, vary: str, between: Ranges | None, within: Ranges | None
 ) -> Points:
-    """Those of one combination of contacts that touch."""
+    """Folds of one combination of contacts that touch."""
     family = Family.of(
         p, (vary,), between, within, contact=balance.contact, options=balance.options
     )
@@ -140,8 +140,8 @@ class _Mirror:
 
 
 def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
-    """What a search for folds has found, with the pitchforks behind it in place of the boxes that
-    are undecided around them.
+    """Points of a search for folds, with the pitchforks behind it in place of the boxes that are
+    undecided around them.
 
     Also their number.
     """
@@ -316,8 +316,8 @@ def told_apart(family: Family, found: Found, column: int) -> Roots:
 
 
 def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
-    """What is asked of a cusp: beside a mirror that turns one coordinate there are none but where
-    pitchforks are degenerate.
+    """Condition of a cusp off the mirrors: beside a mirror that turns one coordinate there are none
+    but where pitchforks are degenerate.
     """
     mirrors, n = [mirror for mirror in _mirrors(family) if len(mirror.odd) == 1], family.balance.n
 

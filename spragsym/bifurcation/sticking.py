@@ -202,7 +202,7 @@ def _laws(model: Model, holding: tuple[str, ...]) -> dict[str, Any]:
 
 
 def _turns(own: ParameterSet, place: int) -> Points:
-    """Where a coordinate turns back along the states."""
+    """Points where a coordinate turns back along the states."""
     family = Family.of(own, (HELD,))
 
     def equations(at: Evaluation) -> Sequence[Any]:

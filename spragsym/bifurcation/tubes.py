@@ -68,8 +68,8 @@ def halves(
 
 @dataclass(frozen=True)
 class Place(ByColumn):
-    """Where tubes stand: the middle z of the states there, how far the states of a box lie from it
-    at most, and slopes D.
+    """Place of tubes: the middle z of the states there, how far the states of a box lie from it at
+    most, and slopes D.
 
     Within ``room`` of z + D (p − c) each point p of the box has one state and no other, which lies
     within ``off`` of it, and within ``held`` of the middle. A tube has its states about z + a s + D
@@ -216,7 +216,7 @@ class Tubes(ByColumn):
 
     @property
     def n(self) -> int:
-        """How many coordinates there are, which is also the index of the parameter that varies."""
+        """Number of coordinates, which is also the index of the parameter that varies."""
         return self.balance.n
 
     @property
@@ -336,7 +336,7 @@ class Tubes(ByColumn):
             return balance.taped("forces", rows, Intervals.point(z[:-1]), bounds)
 
     def apart(self) -> FloatArray:
-        """How far the free parameters lie from their middles at most."""
+        """Largest distance of the free parameters from their middles."""
         wide = self._span()
         return np.maximum(wide.high - self.centre, self.centre - wide.low) * UP
 
@@ -406,7 +406,7 @@ class Tubes(ByColumn):
     def _beside(
         self, place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray
     ) -> FloatArray:
-        """How far the states of a place lie from where a tube's middle moves to with the pivot and
+        """Distance of the states of a place from where a tube's middle moves to with the pivot and
         the parameters.
         """
         off, turned, pivot = place.z - middle, place.by_p - by_p, self.pivot

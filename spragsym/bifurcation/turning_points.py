@@ -74,8 +74,8 @@ def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
 def passed(
     tubes: Tubes, start: Place, goal: FloatArray, sharp: bool = False
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """How far all states of a place are proved to go on as ``vary`` rises, and above which value to
-    have ended.
+    """Bounds of how far all states of a place are proved to go on as ``vary`` rises, and above
+    which value to have ended.
 
     The pivot is a coordinate, and the tube goes on through a fold, where v, which has risen before,
     falls. The first is ``start.z`` or more, and at least the goal where all come to it; the second
@@ -169,8 +169,8 @@ def pivots(tubes: Tubes, start: Place) -> Iterator[tuple[Tubes, Place, IntArray,
 
 
 def secants(tubes: Tubes, z: FloatArray, towards: FloatArray) -> tuple[FloatArray, BoolArray]:
-    """Where dv/ds = 0, from states on the curve, of which it is the first slope, to one that is a
-    step ``towards`` it, and on.
+    """Secant steps to dv/ds = 0, from states on the curve, of which it is the first slope, to one
+    that is a step ``towards`` it, and on.
     """
     size = size_of(z[tubes.pivot])
     step = towards * 1e-4 * size

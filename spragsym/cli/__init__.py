@@ -194,7 +194,7 @@ def _run(arguments: list[str], debug: bool) -> int:
 
 
 def _message_and_code(error: BaseException, arguments: list[str]) -> tuple[str, int]:
-    """What is said of an error, and its exit code."""
+    """Message of an error, and its exit code."""
     match error:
         case click.Abort() | KeyboardInterrupt():
             return "; ".join(["interrupted", *map(str, error.args)]), 130

@@ -242,7 +242,7 @@ def _check_paper(
 
 
 def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
-    """Which rows of the article hold for a model, fail, or have no meaning there."""
+    """Rows of the article that hold for a model, fail, or have no meaning there."""
     from ..derive import pages
     from ..derive.kang_nam import ledger
 
@@ -299,7 +299,7 @@ _TITLES = {
 
 
 def _fields(row: Mapping[str, Any]) -> dict[str, str]:
-    """What a row of the article's equations says, under titles; what is derived is printed so."""
+    """Fields of a row of the article's equations, under titles; what is derived is printed so."""
     whole = {"derived": row["printed"], **row} if row.get("derived_by") else row
     return {title: str(whole[key]) for key, title in _TITLES.items() if whole.get(key)}
 

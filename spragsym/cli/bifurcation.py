@@ -162,8 +162,8 @@ def _draw(
 @o.force
 @o.as_json
 def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
-    """Where oscillation sets in over the plane of two parameters, supercritical or subcritical: a
-    map of stability.
+    """Onsets of oscillation over the plane of two parameters, supercritical or subcritical: a map
+    of stability.
 
     Onsets are Hopf points with all damping, that of the friction law included; on curves of them
     those points too at which their kind changes (GH) and at which they meet folds (BT, ZH) and each
@@ -325,7 +325,7 @@ def lengths(columns: Sequence[str] | Mapping[str, Any]) -> list[str]:
 
 
 def summed(boxes: Sequence[Row]) -> str:
-    """How many boxes are undecided, and what holds them all; ``--json`` lists each."""
+    """Number of undecided boxes, and what holds them all; ``--json`` lists each."""
     titles = [title for title, ends in boxes[0].items() if isinstance(ends, list)]
     hull = ", ".join(
         f"{title} in [{min(box[title][0] for box in boxes):.8g}, "

@@ -39,8 +39,8 @@ LARGEST = 1e6
 
 @dataclass(frozen=True)
 class Span:
-    """What varies, as it was typed; of a case a parameter, with what one of it is in the answer,
-    and what it is called there.
+    """Range of what varies, as it was typed; of a case a parameter, with what one of it is in the
+    answer, and what it is called there.
 
     Its ends, if given, are as typed, and of a case the model's own.
     """
@@ -62,7 +62,7 @@ class Span:
 
 @dataclass(frozen=True)
 class Case:
-    """What a command is about, and in what units it answers.
+    """Subject of a command, and the units of its answer.
 
     ``values`` of its parameters are radians, None for those that were not given and have no base
     value; ``start`` is the initial state, ``x0`` and the like, as the model takes it; ``ask`` goes
@@ -108,8 +108,8 @@ class Case:
         return {span.name: (min(span.ends), max(span.ends)) for span in self.spans if span.ends}
 
     def searching(self, *names: str) -> dict[str, Any]:
-        """How points are asked for: the method, and ranges of what varies and of coordinates where
-        they were given.
+        """Arguments by which points are asked for: the method, and ranges of what varies and of
+        coordinates where they were given.
         """
         return {
             **self.ask,
@@ -140,7 +140,7 @@ class Case:
         return {title: None if value is None else unit * value for title, unit, value in titles}
 
     def parameter(self, name: str) -> Titled:
-        """What a parameter is called, and what one of it is there."""
+        """Title of a parameter, and what one of it is there."""
         return self._titled(name, "rad" if self.model.is_angle(name) else "1")
 
     def boxes(self, boxes: Iterable[Any], names: Sequence[str], **about: Any) -> list[Row]:
@@ -163,7 +163,8 @@ class Case:
         return p.following(**chosen) if chosen else p
 
     def spanning(self, span: Span, values: bool, alone: bool) -> Span:
-        """What varies, from what was typed; with ``values``, both ends are values themselves.
+        """Ranges of what varies, from what was typed; with ``values``, both ends are values
+        themselves.
 
         Where it stands ``alone`` a range has no value besides.
         """
@@ -218,7 +219,7 @@ class Case:
 
     @property
     def time(self) -> float:
-        """What one of a time is in the answer: seconds, with a file."""
+        """Unit of time in the answer: seconds, with a file."""
         return 1.0 if self.study is None else self.study.scales.time
 
     def of(self, name: str, kind: type = Equilibria, end: str = "") -> Titled:
@@ -284,7 +285,7 @@ class Case:
         )
 
     def axis(self, name: str, before: str = "", after: str = "") -> Titled | None:
-        """What an axis of a figure says of a parameter or a coordinate, and what one of the model's
+        """Title of an axis of a figure for a parameter or a coordinate, and what one of the model's
         own is there.
 
         None without a file, and of angles, which figures show in degrees.

@@ -255,8 +255,8 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
 @o.method
 @o.as_json
 def critical(case: Case, near: tuple[str, ...]) -> Any:
-    """Where the reference state jumps first as one parameter moves, and the frictions that decide
-    whether it can.
+    """Value at which the reference state jumps first as one parameter moves, and the frictions that
+    decide whether it can.
 
     Friction and inclination rise from their lower end; the others move up and down from their
     value, at a friction at which nothing has jumped.
@@ -317,7 +317,7 @@ def _or(value: float | None, word: str) -> float | str:
 
 
 def _first(case: Case, p: ParameterSet, along: Span, way: str, jumped: bool) -> Row:
-    """Where the state ends first; ``searched`` says from where to where, infinite if that is
+    """First end of the state; ``searched`` says from where to where, infinite if that is
     everywhere.
     """
     name, ends, searched, at, error = (
@@ -401,7 +401,7 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
 
 
 def _meanings(case: Case, frictions: Row, vary: str) -> dict[str, str]:
-    """What each friction is, of those that the model has."""
+    """Meaning of each critical friction, of those that the model has."""
     kind, own, angle = frictions["kind_lowest"], case.model.coefficient, case.model.inclination
     place = (
         f" ({'to' if kind == 'infinity' else 'a'} {kind}, at "

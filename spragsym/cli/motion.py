@@ -207,7 +207,7 @@ def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
 @o.plot("the map")
 @o.force
 def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: Any) -> None:
-    """What motions come to: rest, a cycle, chaos, lift-off, or undecided, and why.
+    """Fates of motions: rest, a cycle, chaos, lift-off, or undecided, and why.
 
     Every parameter is an axis: a single number, a,b,c, or start:stop:count; a picture is of two
     that vary. Killed or interrupted, the same command goes on where it stopped; finished, it reads
@@ -493,7 +493,7 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
 
 
 def _touching(case: Case, held: Int8Array) -> str:
-    """In words: which contacts touch in a mode."""
+    """Contacts that touch in a mode, in words."""
     contacts = zip(case.model.contacts, held.tolist(), strict=True)
     opening = {label_of(entry): touches for entry, touches in contacts if entry["border"]}
     some = tuple(name for name, touches in opening.items() if touches)

@@ -19,7 +19,7 @@ LONG = 10.0
 
 
 class _Work:
-    """What is being computed: each part within the one before it."""
+    """Work that is being computed: each part within the one before it."""
 
     def __init__(self, listener: Listener, part: str) -> None:
         self.listener, self.parts = listener, [part]

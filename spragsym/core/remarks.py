@@ -24,7 +24,7 @@ class At:
     unit: str = ""
 
     def in_units(self, units: Units) -> str:
-        """It in other units."""
+        """Text of the quantity in other units."""
         title, one = units(self.name)
         low, *high = (f"{one * (end + 0.0):{self.digits}}" for end in self.ends)
         return f"{title} in [{low}, {high[0]}]" if high else f"{title} = {low}"

@@ -109,7 +109,7 @@ class BoxParts(ByColumn, ABC):
 
     @property
     def slight(self) -> FloatArray:
-        """What the relative width of each side counts beside its effect on the states."""
+        """Weight of the relative width of each side beside its effect on the states."""
         return (
             1e-6 * (self.high - self.low) / np.maximum(np.abs(self.high) + np.abs(self.low), 1e-300)
         )

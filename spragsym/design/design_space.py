@@ -209,8 +209,8 @@ def _design(base: ParameterSet | QuantityValues) -> Design:
 
 
 class EndOfState:
-    """Where the followed state ends, as one parameter rises from where it begins to its own value
-    in each design.
+    """End of the followed state, as one parameter rises from where it begins to its own value in
+    each design.
 
     Jump value and gradient of one design after the other are found near the last: the first fold is
     the one of :func:`spragsym.jump_gradient`, by tubes from where ``vary`` begins. The next one is
@@ -232,7 +232,7 @@ class EndOfState:
         return have_jumped(self.designs.sets(z), self.vary, begin)
 
     def ahead(self, z: FloatArray) -> tuple[float, FloatArray]:
-        """How far beyond the design's own value the state ends, and the slopes of that by z."""
+        """Distance beyond the design's own value at which the state ends, and its slopes by z."""
         p, slopes = self.designs.sets(z), self.designs.slopes(z)
         found = self._next(p) or require_known(first_ends(p, self.vary, begin=self.begin))
         place = np.append(found.state, found.value)
@@ -425,7 +425,7 @@ class _RaySearch:
         return np.concatenate([axes, normal / np.linalg.norm(normal, axis=-1, keepdims=True)])
 
     def _reach(self, rays: FloatArray) -> FloatArray:
-        """How far each ray goes within the limits."""
+        """Length of each ray within the limits."""
         with np.errstate(divide="ignore", invalid="ignore"):
             ends = np.where(
                 rays > 0, self.limits[1] / rays, np.where(rays < 0, self.limits[0] / rays, np.inf)

@@ -41,7 +41,7 @@ def first_ends(
     until: float | None = None,
     method: Method = "auto",
 ) -> Ends:
-    """Where the followed state of each point ends first, and the state there; arguments as of
+    """First end of the followed state of each point, and the state there; arguments as of
     :func:`jump_value`.
     """
     return Followed(p, p.model.rising(vary, 0.0)[0], direction, begin, until).ends()
@@ -57,7 +57,8 @@ def jump_value(
     until: float | None = None,
     method: Method = "auto",
 ) -> float | FloatArray:
-    """Where the followed state ends first as one parameter moves: the reference state jumps there.
+    """First value at which the followed state ends as one parameter moves: the reference state
+    jumps there.
 
     Parameters
     ----------
@@ -297,7 +298,7 @@ class Followed:
         return (every[first : first + BLOCK] for first in range(0, every.size, BLOCK))
 
     def ends(self) -> Ends:
-        """Where the state of each point ends."""
+        """End of the state of each point."""
         n, reasons, others = self.balance.n, dict[int, str](), dict[int, ModelEnd]()
         z, error = np.empty((n + 1, self.begin.size)), np.empty(self.begin.size)
         for rows in self._blocks():
@@ -432,8 +433,8 @@ class JumpGradient(Named):
 
 @dataclass(frozen=True)
 class Ends:
-    """Where the states of many points end: the value, NaN where they don't, a bound on its error,
-    and the coordinates at a fold.
+    """Ends of the states of many points: the value, NaN where they don't, a bound on its error, and
+    the coordinates at a fold.
 
     ``value`` and ``error`` have the shape of the points, ``state`` has (n, …); ``reasons`` says of
     which points, by their position in ``value.flat``, nothing is known, and why; ``until`` how far

@@ -465,7 +465,7 @@ def _up_to(laws: Mapping[str, Any], vary: str, goal: float) -> Shares:
 
 
 def _proved(model: Model, variables: dict[str, Any], vary: str, begin: float) -> ProvedJumps | None:
-    """What is proved of parts of the box of the variables, if anything."""
+    """Proved part of the box of the variables, if any."""
     low, high, laws = _corners(model, variables)
     up_to = _up_to(laws, vary, float(high[vary]))
     try:

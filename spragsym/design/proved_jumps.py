@@ -68,9 +68,7 @@ class ProvedJumps:
 
 
 def proved_jumps(box: Splitting, share: Callable[[Any], FloatArray], most: int) -> ProvedJumps:
-    """What is proved of the parts of a box, of which those are halved first of which most is open
-    by ``share``.
-    """
+    """Proved parts of a box, of which those are halved first of which most is open by ``share``."""
     if not box.free:
         found = first_ends(box.point(box.whole.high[:, 0]), box.vary, begin=box.begin)
         ends = bool(np.isfinite(found.value))

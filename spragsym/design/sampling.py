@@ -45,7 +45,7 @@ def chunks(n: int, seeds: Sequence[int]) -> list[Chunk]:
 def sums(
     function: Function, groups: Sequence[Sequence[int]], indices: bool, chunk: Chunk
 ) -> list[float]:
-    """What a chunk adds: number, undecided, Σf and Σf² over both sets; then for each group of
+    """Sums of a chunk: number, undecided, Σf and Σf² over both sets; then for each group of
     variables two for its indices.
     """
     from scipy.stats import qmc
@@ -136,7 +136,7 @@ class Dependence:
 
 
 def dependence(names: Sequence[str], correlation: Correlation | None) -> Dependence:
-    """How some quantities vary together.
+    """Dependence of some quantities on each other.
 
     Examples
     --------

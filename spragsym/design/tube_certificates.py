@@ -177,8 +177,8 @@ class Splitting(Claim):
         return replace(pieces, base=base, of=of, safe=safe, top=top), weight
 
     def _begun(self, pieces: Pieces) -> tuple[Tubes, Place]:
-        """Where pieces begin: the state of what they are pieces of, proved; not sure where it can't
-        be.
+        """States at which pieces begin: the state of what they are pieces of, proved; not sure
+        where it can't be.
         """
         tubes, middle = self._over(pieces.low, pieces.high), 0.5 * (pieces.of[0] + pieces.of[1])
         shift = np.einsum("ikN,kN->iN", pieces.base.by_p, tubes.centre - middle)

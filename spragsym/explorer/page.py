@@ -220,7 +220,7 @@ def _escaped(text: str) -> str:
 
 
 def _words(blocks: Sequence[str]) -> str:
-    """What a page says below its drawing as HTML, formulas that are set apart too."""
+    """Text of a page below its drawing as HTML, formulas that are set apart too."""
     texts = ((_escaped(block), block.startswith(" ")) for block in blocks)
     return "\n".join(
         f"<pre>{text}</pre>" if formula else f"<p>{text}</p>" for text, formula in texts
@@ -284,7 +284,7 @@ def described(model: Model, points: Sequence[Mapping[str, float]]) -> dict[str, 
 
 
 def _slider(entry: Mapping[str, Any], values: Sequence[float]) -> dict[str, float]:
-    """What a slider spans, angles in degrees: the allowed range where it ends, else what holds base
+    """Range of a slider, angles in degrees: the allowed range where it ends, else what holds base
     value and points.
     """
     low, high, base = entry["low"], entry["high"], entry["base"]

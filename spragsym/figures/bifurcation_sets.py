@@ -392,7 +392,7 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
 
 
 def _given(p: Parameters, theta0: FloatArray) -> tuple[Any, ...]:
-    """What generated functions take, in contact."""
+    """Arguments of generated functions, in contact."""
     return np.cos(theta0), np.sin(theta0), *p.scalars("mu0", "kappa", "alpha", "sigma", "beta"), 1
 
 

@@ -325,8 +325,8 @@ PLAIN = {
 
 @styled
 def fate_map_figure(found: FateMap) -> Sheet:
-    """What motions come to over two parameters: rest, cycles coloured by their period, chaos,
-    undecided ones with a cross.
+    """Map of fates over two parameters: rest, cycles coloured by their period, chaos, undecided
+    ones with a cross.
     """
     figure, ax = single(DOUBLE, 3.2)
     every = draw_fate_map(found, ax)
@@ -483,7 +483,7 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
 
 
 def _aside(label: Label, place: tuple[float, float]) -> tuple[float, float]:
-    """Where the text of a label stands, in points: inside of the frame."""
+    """Place of the text of a label, in points: inside of the frame."""
     if label.label == "H":
         return (-11.0, 5.0)
     return (

@@ -402,7 +402,9 @@ _SHADES = (BLUE, BLACK, VERMILION)
 
 @styled
 def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
-    """What V and d, which the article does not state, do to its Figure 7b: a decade of each."""
+    """Sensitivity of the article's Figure 7b to V and d, which it does not state: a decade of
+    each.
+    """
     figure, (axes,) = panels(1, 3, DOUBLE, 2.5)
     p = Parameters.article()
     angles = np.arange(20.0, 70.0 + step_deg / 2, step_deg)

@@ -20,7 +20,7 @@ _COLOURS = dict(
 
 
 def verdict_figure(found: Verdicts) -> Figure:
-    """Where it jumps and the margin over one quantity; or the outcomes in the plane of two."""
+    """Jump and margin over one quantity; or the outcomes in the plane of two."""
     figure, columns = Figure(layout="constrained"), [*zip(*found.rows, strict=True)]
     several = len(found.titles) == 6
     outcome = np.array(columns[-2])

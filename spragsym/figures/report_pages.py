@@ -188,7 +188,7 @@ def _planes(report: Facts) -> Rows:
 
 
 def _stability_map(report: Facts) -> Rows:
-    """Where oscillation sets in, over angle and friction; nothing where the belt or its law is not
+    """Onsets of oscillation over angle and friction; nothing where the belt or its law is not
     known.
     """
     study, p = report.study, report.study.operating_point
@@ -229,7 +229,7 @@ def _stability_map(report: Facts) -> Rows:
 
 
 def _around(onsets: OnsetCurves, name: str, ends: Span) -> Span:
-    """What an axis spans: the curves and the brake, and a margin about them."""
+    """Range of an axis: the curves and the brake, and a margin about them."""
     values = np.concatenate([*(curve[name] for curve in onsets.curves), ends])
     low, high = onsets.between[name]
     margin = max(_MORE * float(np.ptp(values)), _LEAST * (high - low))
@@ -237,7 +237,7 @@ def _around(onsets: OnsetCurves, name: str, ends: Span) -> Span:
 
 
 def _kinds_of(onsets: OnsetCurves) -> str:
-    """What kinds of lines and points the map shows, in plain words."""
+    """Kinds of lines and points of the map, in plain words."""
     kinds = {str(kind) for curve in onsets.curves for kind in curve.criticality}
     lines = [f"{line}: {words}" for kind, (line, words) in ONSETS.items() if kind in kinds]
     if len(onsets.changes["error"]):

@@ -187,7 +187,7 @@ def angle_axis(
 
 
 def remark(ax: Axes, text: str) -> None:
-    """What a panel is of, above its right end."""
+    """Remark on a panel, above its right end."""
     ax.set_title(text, loc="right", color=GREY)
 
 

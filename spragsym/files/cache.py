@@ -36,7 +36,7 @@ def cached(made_of: Mapping[str, object], make: Callable[[], dict[str, str]]) ->
 
 
 def cache_folder() -> Path:
-    """Where results are kept: below ``XDG_CACHE_HOME``, ``LOCALAPPDATA`` or ``~/.cache``."""
+    """Folder of cached results: below ``XDG_CACHE_HOME``, ``LOCALAPPDATA`` or ``~/.cache``."""
     usual = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
     return Path(usual or Path.home() / ".cache") / "spragsym"
 

@@ -32,7 +32,7 @@ _NO_LOCKS = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL)
 
 
 def path_of(target: Path) -> Path:
-    """Where the journal of a result stands."""
+    """Path of the journal of a result."""
     return target.with_name(target.name + ".partial")
 
 

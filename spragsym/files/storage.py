@@ -76,7 +76,7 @@ def dataset(
 
 
 def provenance() -> dict[str, str]:
-    """What produced a file: the version and the hash of the derivation behind the generated
+    """Provenance of a file: the version and the hash of the derivation behind the generated
     code.
     """
     return {"source": f"spragsym {__version__}", "generated_from": SOURCE_HASH}
@@ -101,7 +101,7 @@ OVERWRITING: ContextVar[bool] = ContextVar("overwriting", default=False)
 
 
 def check_target(path: FilePath, bytes_needed: int) -> Path:
-    """Where a path leads; raise, before any work, if a file can't be written there."""
+    """Target of a path; an error, before any work, if a file can't be written there."""
     target = resolved(path)
     if target.suffix not in (".nc", ".csv"):
         raise ParameterError(
@@ -281,7 +281,7 @@ def resolved(path: FilePath) -> Path:
 
 
 def probe(path: FilePath, bytes_needed: int = 0, *, made: bool = False) -> Path:
-    """Where a path leads, found out before any work: a ParameterError if no file can be written
+    """Target of a path, found out before any work: a ParameterError if no file can be written
     there.
 
     ``made`` is for folders that are made on writing: the nearest one that exists is tried.

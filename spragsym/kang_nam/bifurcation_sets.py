@@ -213,8 +213,8 @@ _NEAR = 1e-12
 
 
 class CurveCondition(NamedTuple):
-    """What holds on a curve: coefficients in tan(θ₀/2), lowest power first, at cos θ, sin θ, and
-    friction at θ₀ there.
+    """Condition that holds on a curve: coefficients in tan(θ₀/2), lowest power first, at cos θ, sin
+    θ, and friction at θ₀ there.
 
     ``number`` is how many positive roots there are at tan(θ/2), where that is known; else those
     count that are real to rounding.
@@ -359,7 +359,7 @@ class Directions(NamedTuple):
     number: IntArray
 
     def folds_at(self, t: FloatArray) -> IntArray:
-        """How many folds there are in directions between the events."""
+        """Number of folds in directions between the events."""
         return self.number[np.searchsorted(self.events, t)]
 
 
@@ -372,8 +372,8 @@ def fold_polynomial(c: Number, s: Number, fixed: Fixed) -> tuple[Any, ...]:
 
 
 def directions(fixed: Fixed) -> Directions:
-    """Those in which folds are looked for first. (θ, θ₀, μ) → (π − θ, π − θ₀, −μ) gives the events
-    beyond π/2.
+    """Directions in which folds are looked for first. (θ, θ₀, μ) → (π − θ, π − θ₀, −μ) gives the
+    events beyond π/2.
     """
     # floats taken as the rationals that they are
     exact = Fixed(*map(Fraction, fixed))  # type: ignore[arg-type]

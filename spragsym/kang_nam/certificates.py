@@ -177,7 +177,7 @@ def _followed_with(boxes: ParameterBoxes, margin: float) -> Proved:
 def _moved(
     boxes: ParameterBoxes, values: dict[str, FloatArray], theta: FloatArray, margin: float
 ) -> LinearDirection:
-    """How an equilibrium of the middle moves over the box, to first order, and a little to one side
+    """Shift of an equilibrium of the middle over the box, to first order, and a little to one side
     of that.
     """
     slopes = _change(boxes, values, theta)
@@ -191,7 +191,7 @@ def _change(
     theta: FloatArray,
     term: Callable[[FloatArray], FloatArray] = np.positive,
 ) -> FloatArray:
-    """What half of each side but μ₀ moves an equilibrium, to first order: a unit changes all
+    """Shift of an equilibrium by half of each side but μ₀, to first order: a unit changes all
     parameters that depend on it.
 
     With ``np.abs`` for a ``term`` the value if nothing cancelled.
@@ -339,8 +339,8 @@ class ParameterBoxes(ProvedParts):
 
 
 class Ground(NamedTuple):
-    """What a claim is tested with: cos θ, sin θ, cos θ₀, sin θ₀ and the parameters, over cells or
-    at one θ of each box.
+    """Means by which a claim is tested: cos θ, sin θ, cos θ₀, sin θ₀ and the parameters, over cells
+    or at one θ of each box.
     """
 
     c: Affine
@@ -380,7 +380,7 @@ class LinearDirection(ByColumn):
     slopes: FloatArray
 
     def reach(self) -> FloatArray:
-        """How far it goes from its value."""
+        """Largest distance from the value."""
         return np.asarray(np.abs(self.slopes).sum(axis=0))
 
     def where(self, mine: BoolArray, other: LinearDirection) -> LinearDirection:

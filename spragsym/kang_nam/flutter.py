@@ -121,8 +121,8 @@ class FlutterBoundary(Result):
 
 @of_article("onset_curves(p, vary) has the curves of onsets in the plane of two parameters")
 def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
-    """Where the discriminant of (27) in λ² is zero on the equilibrium surface: the Hopf points of
-    the article's Figure 14.
+    """Boundary of flutter on the equilibrium surface, where the discriminant of (27) in λ² is zero:
+    the Hopf points of the article's Figure 14.
 
     Parameters
     ----------
@@ -286,7 +286,7 @@ class Elimination:
         return root.sign_of(value, exactly, 2 * degree, what)
 
     def multiplicity(self, root: RootOf) -> int:
-        """How many of the polynomial and its derivatives vanish at a root, in turn."""
+        """Number of the polynomial and its derivatives that vanish at a root, in turn."""
         multiplicity, derivative = 0, self.full
         while root.is_of(polynomials.common_divisor(self.simple, derivative)):
             multiplicity, derivative = multiplicity + 1, polynomials.derivative(derivative)

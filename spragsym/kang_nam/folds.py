@@ -99,7 +99,7 @@ def folds(
 
 
 def _words(fold: Fold) -> tuple[str, str, str]:
-    """Its kind, which state ends there and which way the parameter goes then."""
+    """Kind of a fold, the state that ends there and the way the parameter goes then."""
     if fold.kind != "fold":
         return fold.kind, "", ""
     return fold.kind, "upper" if fold.upper else "lower", "up" if fold.side < 0 else "down"

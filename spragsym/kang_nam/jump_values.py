@@ -74,7 +74,7 @@ def require_usual(p: Parameters, vary: str, begin: FloatArray | float | None) ->
 
 
 def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool = False) -> Ends:
-    """Where the reference state jumps first.
+    """First jumps of the reference state.
 
     With ``sides`` a value need only be known well enough to say on which side of that of its own
     point in ``p`` it lies.

@@ -69,7 +69,7 @@ REACH = 42.0
 
 @dataclass(frozen=True)
 class Border:
-    """Where a mode ends: at a zero of ``level``.
+    """Border at which a mode ends: at a zero of ``level``.
 
     Attributes
     ----------
@@ -232,7 +232,7 @@ class Field:
         return tuple(border for border in self.borders if border.stays)
 
     def stays(self, mode: Mode) -> tuple[Border, ...]:
-        """Those on which it stays in a mode."""
+        """Borders on which a state stays in a mode."""
         return tuple(border for border in self.sticking_borders if not border.sign(mode))
 
     def check(self, name: str, value: float) -> None:
@@ -399,7 +399,7 @@ class _Motion:
         self.way = self.turn + len(self.turns)
 
     def constants(self, values: Sequence[Any], xp: Any = None) -> tuple[Any, ...]:
-        """What the functions take, from values of the parameters."""
+        """Arguments of the functions, from values of the parameters."""
         # Of NumPy by one number at a time, so that no bit depends on where it stands in an array.
         cos, sin = (
             (xp.cos, xp.sin)
@@ -504,13 +504,13 @@ class _Motion:
         return True
 
     def _slip_rate(self, place: int, mode: Mode, state: Any, constants: Any) -> float:
-        """How fast a sliding speed changes in a mode."""
+        """Rate of change of a sliding speed in a mode."""
         pulls = self.in_mode("regime_rhs")(state, constants, mode, FLOATS)
         rates = undecorated(self.model.algebra.border_rates)(*state, *pulls, *constants)
         return float(rates[self.side + place])
 
     def _grips(self, place: int) -> Callable[..., float]:
-        """How far the force of a friction that would hold the mass is from its limits."""
+        """Distance of the force of a friction that would hold the mass from its limits."""
         row, grip = 2 * self.holding.index(place), self.in_mode("grip")
         return lambda state, constants, mode: float(
             min(grip(state, constants, mode, FLOATS)[row : row + 2])
@@ -760,5 +760,5 @@ class _Rooted:
 
 
 def _namespace(state: Any) -> Any:
-    """Where functions of a state's numbers are: in NumPy, unless they say another namespace."""
+    """Namespace of functions of a state's numbers: in NumPy, unless they say another namespace."""
     return getattr(state[0], "namespace", np)

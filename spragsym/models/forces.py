@@ -38,7 +38,7 @@ def columns_of(model: Model) -> tuple[str, ...]:
 
 
 def _ends(model: Model) -> list[str]:
-    """What stands behind names of what is told of each inclined spring: a number where there are
+    """Endings of the names of what is told of each inclined spring: a number where there are
     several.
     """
     count = len(model.about["springs"])
@@ -46,7 +46,7 @@ def _ends(model: Model) -> list[str]:
 
 
 def named(function: str, contact: str) -> str:
-    """What is generated or told of one contact; of the only one, which has no name."""
+    """Generated functions and facts of one contact; of the only one, which has no name."""
     return f"{function}_{contact}" if contact else function
 
 
@@ -66,8 +66,9 @@ def columns(model: Model) -> list[Column]:
 
 
 def derived_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatArray]:
-    """What follows from where states are, their coordinates on one more axis than ``p``: of each
-    inclined spring the direction in (−π, π], the length and the tension, and the contact's force.
+    """Quantities that follow from where states are, their coordinates on one more axis than ``p``:
+    of each inclined spring the direction in (−π, π], the length and the tension, and the contact's
+    force.
     """
     model = p.model
     statics, motion = (
@@ -146,6 +147,6 @@ def spring_named(model: Model, spring: str | None) -> str:
 
 
 def of_statics(model: Model, constants: Sequence[Any]) -> list[Any]:
-    """What functions of the statics take of the arguments of the motion."""
+    """Arguments of the motion that functions of the statics take."""
     known = dict(zip(model.about["arguments"]["motion"], constants, strict=True))
     return [known[name] for name in model.about["arguments"]["statics"]]

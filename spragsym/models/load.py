@@ -44,7 +44,7 @@ def _shipped_folder() -> Path:
 
 
 def page_of(model: Model, pages: Path) -> Path:
-    """Where the page of a model stands: among the shipped ``pages``, or in its folder."""
+    """Path of the page of a model: among the shipped ``pages``, or in its folder."""
     return (
         pages / f"{model.name}.py" if model.where == model.name else Path(model.where) / "page.py"
     )
@@ -143,7 +143,7 @@ _LARGEST = 64 << 20
 
 
 def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
-    """What ``model.json`` says, and the bytes of all files that it names, each as it was
+    """Content of ``model.json``, and the bytes of all files that it names, each as it was
     written.
     """
     path = folder / "model.json"

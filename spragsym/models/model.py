@@ -205,7 +205,7 @@ class Model:
 
     @cached_property
     def regimes(self) -> dict[Touching, str]:
-        """What ``contact`` may be for equilibria, and what each is called.
+        """Values that ``contact`` may have for equilibria, and the name of each.
 
         True where all contacts touch, False where none of those that can open does, else the names
         of those of them that do. One that presses on either of two faces, as in a slot, "touches"
@@ -251,8 +251,8 @@ class Model:
 
     @property
     def axes(self) -> tuple[str, ...]:
-        """What varies unless told otherwise: inclination and friction where the model has them,
-        else its first parameter of the balance.
+        """Parameters that vary unless told otherwise: inclination and friction where the model has
+        them, else its first parameter of the balance.
         """
         known = (name for name in (self.inclination, self.coefficient) if name is not None)
         return tuple(known) or self.plane[:1] or self.parameters[:1]
@@ -572,8 +572,8 @@ def _documentation(about: Mapping[str, Any]) -> str:
 
 
 def title_drawing_words(about: Mapping[str, Any]) -> tuple[str, str, list[str]]:
-    """What a page says above its drawing, the drawing in characters, and the blocks below; formulas
-    set apart are indented.
+    """Title of a page, its drawing in characters, and the blocks below; formulas set apart are
+    indented.
     """
     title, _, rest = about["drawing"].partition("\n\n::\n\n")
     drawn, *blocks = rest.split("\n\n")

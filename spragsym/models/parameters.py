@@ -59,7 +59,7 @@ class Range:
         return end + INSIDE * length * (1 if end <= self.low else -1)
 
     def inside(self, values: FloatArray) -> BoolArray:
-        """Where numbers are allowed."""
+        """Mask of the numbers that are allowed."""
         return np.isfinite(values) & self.spans(values)
 
     def __str__(self) -> str:
@@ -384,7 +384,7 @@ class ParameterSet(Values):
 
     @staticmethod
     def _attributes(values: Mapping[str, Any]) -> dict[str, Any]:
-        """Those whose names are no attributes of sets."""
+        """Values whose names are no attributes of sets."""
         return {name: one for name, one in values.items() if not hasattr(ParameterSet, name)}
 
     def following(self, /, **coordinates: float) -> Self:

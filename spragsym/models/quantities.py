@@ -81,7 +81,7 @@ class Quantities:
         return dict(zip(self.bases, _powers(unit, tuple(self.bases.values())), strict=True))
 
     def scale(self, unit: str, values: Mapping[str, Any]) -> Any:
-        """What one dimensionless unit of a quantity is in SI: the product of powers of the model's
+        """Size of one dimensionless unit of a quantity in SI: the product of powers of the model's
         units that has its dimension.
 
         Source: dimensional analysis; the model's page makes three quantities of independent
@@ -118,8 +118,8 @@ class Quantities:
         return self.model.Parameters(**self.groups(values))
 
     def ranges(self, values: Mapping[str, Any] | None = None) -> dict[str, Range]:
-        """Where quantities may lie: units of measure are positive, others as their parameters, at
-        units of these values.
+        """Ranges of quantities: units of measure are positive, others as their parameters, at units
+        of these values.
 
         Without values, in those of the parameters, of which ends other than 0 are rare.
         """
@@ -246,7 +246,7 @@ def share(model: Model, p: ParameterSet) -> Any:
 
 @dataclass(frozen=True)
 class Scales(Tabular):
-    """What one dimensionless unit is, in the units of the data, and of their shape: L_0,
+    """Units of a dimensionless model, in the units of the data, and of their shape: L_0,
     sqrt(m/k_c) and k_c L_0.
 
     Examples

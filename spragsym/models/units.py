@@ -343,7 +343,7 @@ def _root(kind: type) -> str:
 
 
 def _signs(value: object) -> Iterator[str]:
-    """What shows that an object has a unit, in words."""
+    """Signs that an object has a unit, in words."""
     for name in ("units", "unit"):
         text = getattr(value, name, None)
         if text is not None and not callable(text) and str(text) not in _NO_UNIT:

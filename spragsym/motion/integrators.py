@@ -114,7 +114,7 @@ def integrate(problem: Problem, backend: str) -> Solution:
 
 
 def measure(problems: Sequence[Problem], backend: str) -> list[MotionStatistics | Exception]:
-    """What is measured of motions after ``t_record``, from their samples, or why there is nothing.
+    """Measures of motions after ``t_record``, from their samples, or the reason why there are none.
 
     The problems share all but their constants and starts.
 
@@ -221,8 +221,8 @@ class Flow:
         directions: FloatArray | None = None,
         rtol: float = RTOL,
     ) -> T:
-        """What is asked of an integrator, ``back`` in the field's units; of an implicit one where
-        steps collapse. heyoka has tolerances of its own.
+        """Answer of an integrator, ``back`` in the field's units; of an implicit one where steps
+        collapse. heyoka has tolerances of its own.
         """
         problem = Problem(
             constants,

@@ -47,7 +47,7 @@ STABLE = 0.5
 
 
 class Event(IntEnum):
-    """Which border of the piecewise smooth field the motion crosses at an event.
+    """Border of the piecewise smooth field that the motion crosses at an event.
 
     The first two are of the contact. One that presses on either of two faces leaves its own face
     where the normal force passes 0, and regains it. The mass overtakes the belt, or the belt the
@@ -166,7 +166,7 @@ def out_of_range() -> ConvergenceError:
 
 
 def kinds_of(field: Field) -> dict[tuple[int, int], Event]:
-    """What a user calls crossing the borders, by number, to levels of a sign; nothing for some."""
+    """Names of crossings of the borders, by number, to levels of a sign; nothing for some."""
     return {
         (row, sign): Event[name.upper()]
         for row, border in enumerate(field.borders)

@@ -29,7 +29,7 @@ SAME = 1e-6
 
 
 class Regime(IntEnum):
-    """What a motion settles to, or approaches.
+    """Limit of a motion: what it settles to, or approaches.
 
     Examples
     --------

@@ -79,7 +79,7 @@ PRECISIONS = {
 
 @dataclass(frozen=True)
 class Onward:
-    """How the motion of a problem goes on from any state, by an integrator."""
+    """Continuation of the motion of a problem from any state, by an integrator."""
 
     problem: Problem
     backend: str
@@ -98,8 +98,8 @@ class Onward:
         return replace(self.problem.field_of(REACH), constants=lambda *_: self.problem.constants)
 
     def statistics(self, states: FloatArray, duration: float) -> list[MotionStatistics]:
-        """What is measured on the way from each of many states; an error where one of them cannot
-        be continued.
+        """Measures on the way from each of many states; an error where one of them cannot be
+        continued.
         """
         motions = [
             replace(self.problem, start=tuple(state), t_end=duration, t_record=0.0)
@@ -193,11 +193,11 @@ class Closed:
 
     @property
     def state(self) -> FloatArray:
-        """Where it begins."""
+        """Initial state of the orbit."""
         return self.orbit.state
 
     def scaled(self, states: FloatArray) -> FloatArray:
-        """Its own or other states of the section, in whole turns near, in units of the scale."""
+        """States of the section, its own or others, in whole turns near, in units of the scale."""
         return (
             section(_near(states, self.state, self.orbit.field.periodic), self.fixed) / self.scale
         )

@@ -91,7 +91,7 @@ class Iterate:
 
     @property
     def coordinates(self) -> FloatArray:
-        """What Newton's method moves: states, period, free parameters."""
+        """Unknowns of Newton's method: states, period, free parameters."""
         return np.concatenate([self.states.ravel(), [self.period], self.varied])
 
 
@@ -116,7 +116,7 @@ class Orbit:
 
     @property
     def state(self) -> FloatArray:
-        """Where it begins."""
+        """Initial state of the orbit."""
         return self.states[0]
 
     @property
@@ -235,8 +235,8 @@ class Orbit:
 
     @cached_property
     def multipliers(self) -> Multipliers:
-        """Its Floquet multipliers: where it sticks, the smallest one is 0, whatever rounding
-        leaves.
+        """Floquet multipliers of the orbit: where it sticks, the smallest one is 0, whatever
+        rounding leaves.
         """
         flows = [self.rate(state) for state in self.states]
         found = multipliers_of([each.by_state for each in self.flow_results], flows)

@@ -315,8 +315,8 @@ class Trajectory(Named):
         return self.samples(times)
 
     def after(self, transient: float | None) -> Trajectory:
-        """What follows the time ``transient``, three quarters of the end if None, as a trajectory;
-        an error if nothing does.
+        """Motion after the time ``transient``, three quarters of the end if None, as a trajectory;
+        an error if nothing is left.
 
         Parameters
         ----------
@@ -441,8 +441,8 @@ class Trajectory(Named):
         return magnitude(extrema - late._centre(of, about))
 
     def outcome(self, transient: float | None = None, *, tol: float = SETTLED) -> Outcome:
-        """What the motion settles to or approaches, how fast, and what is left, judged by what
-        follows ``transient``.
+        """Limit that the motion settles to or approaches, how fast, and what is left, judged by
+        what follows ``transient``.
 
         The same as a :class:`~spragsym.results.Sweep` tells of it. A cycle is found by Newton's
         method on the flow and its derivatives, which integrates a few periods more.
@@ -538,8 +538,7 @@ class Trajectory(Named):
         return self.outcome(transient, tol=tol).regime in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE)
 
     def statistics(self) -> MotionStatistics:
-        """What :func:`~spragsym.motion.integrators.measure` measures on the way, from the
-        samples.
+        """Measures on the way by :func:`~spragsym.motion.integrators.measure`, from the samples.
 
         Returns
         -------
@@ -894,16 +893,14 @@ class Trajectory(Named):
 
     @property
     def _faces(self) -> BoolArray:
-        """Which contacts press on either of two faces."""
+        """Contacts that press on either of two faces."""
         return np.array([forces.presses_either(entry) for entry in self.model.contacts])
 
     def _pushing(self) -> IndexArray:
         return (self._levels()[0] < 0).astype(int)
 
     def _event_counts(self) -> IndexArray:
-        """How often each kind of event happened, from the samples alone, which include all
-        events.
-        """
+        """Number of events of each kind, from the samples alone, which include all events."""
         sides = self._sides()
         lifted, stuck = (np.diff(part.astype(int)) for part in (self._levels()[0] > 0, sides == 0))
         opens, turns = lifted[~self._faces], lifted[self._faces]
@@ -926,7 +923,7 @@ class Trajectory(Named):
 
 
 def row_of(of: str | None, offered: tuple[str, ...]) -> int:
-    """Which of some components is asked for; the first unless told otherwise."""
+    """Row of a component that is asked for; of the first unless told otherwise."""
     return 0 if of is None else offered.index(one_of("of", of, offered))
 
 

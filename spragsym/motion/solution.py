@@ -56,8 +56,8 @@ def passed(
     directions: FloatArray | None,
     columns: FloatArray | None = None,
 ) -> tuple[Mode, tuple[Crossing, ...]]:
-    """How a motion goes on behind a border: its next mode, and the crossings, none where there is
-    no kink; of several at one instant the border's own is the first. What is left at the same
+    """Continuation of a motion behind a border: its next mode, and the crossings, none where there
+    is no kink; of several at one instant the border's own is the first. What is left at the same
     instant is left with it.
 
     Where the field jumps, the state and its derivatives by start and ``directions``, the
@@ -178,9 +178,9 @@ def _back(
     directions: FloatArray | None,
     columns: FloatArray | None,
 ) -> tuple[float, FloatArray, FloatArray, float] | None:
-    """How long ago a border was passed, with state, derivatives and the level's rate there: by
-    Newton's method, if that leads back a short time, else to first order; None where nothing
-    brings a motion across.
+    """Time since a border was passed, with state, derivatives and the level's rate there: by
+    Newton's method, if that leads back a short time, else to first order; None where nothing brings
+    a motion across.
     """
     field, constants = problem.field, problem.constants
     own = np.empty((len(state), 0)) if columns is None else columns
@@ -275,7 +275,7 @@ def project(
 
 
 def speed_across(problem: Problem, border: Border, mode: Mode, state: FloatArray) -> float:
-    """How fast a motion in a mode moves across a border."""
+    """Speed of a motion in a mode across a border."""
     values, constants = np.asarray(state).tolist(), problem.constants
     return abs(
         float(
@@ -426,7 +426,7 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
 
 @dataclass(frozen=True, eq=False)
 class Events(Rows):
-    """Where the motion passed a kink of the field, in order of time.
+    """Passages of kinks of the field, in order of time.
 
     Attributes
     ----------

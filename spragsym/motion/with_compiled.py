@@ -31,7 +31,7 @@ def available() -> bool:
 
 
 def version() -> str:
-    """What decides the last bits of a result: the field, and the method's tables."""
+    """Version of what decides the last bits of a result: the field, and the method's tables."""
     return f"compiled {C_SOURCE}, DOP853 of scipy {metadata.version('scipy')}"
 
 

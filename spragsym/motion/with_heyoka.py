@@ -72,8 +72,8 @@ CURVED = 1e-3 * GAP
 
 @dataclass(frozen=True)
 class Approach:
-    """Where a step ends because of what its Taylor series does not see: ``watched`` passes zero
-    upward there.
+    """End of a step because of what its Taylor series does not see: ``watched`` passes zero upward
+    there.
 
     The argument of a root, ``value``, is least and small, as the squared length of a spring that
     passes its anchor, or an exponential or a hyperbolic tangent of the place is about to be felt;
@@ -359,8 +359,8 @@ class BatchIntegrator:
             one.reach[kind] = bound(one.reach[kind], state[self.field.lead])
 
     def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
-        """Where a root's argument is zero to GAP, move the state on by as much: at its anchor a
-        spring has no direction.
+        """Passage of the zero of a root's argument: where it is zero to GAP, the state moves on by
+        as much: at its anchor a spring has no direction.
         """
         one, state, pars = (
             self.some[lane],
@@ -504,7 +504,7 @@ class BatchIntegrator:
     # motion by itself
 
     def begun(self, problem: Problem, directions: Any = ()) -> BatchIntegrator:
-        """It is to carry one motion."""
+        """Integrator begun for one motion."""
         self.some = [MotionState(problem, np.ravel(directions))]
         return self
 
@@ -548,7 +548,7 @@ def compiled(field: Field, tol: float, **options: Any) -> BatchIntegrator:
 
 
 def flow_integrator(problem: Problem, directions: FloatArray | None) -> BatchIntegrator:
-    """What carries a flow, with turns, and unless they are None its derivatives by the start and
+    """Integrator of a flow, with turns, and unless they are None its derivatives by the start and
     along ``directions``.
     """
     tol, count = (PLAIN, None) if directions is None else (TOLERANCE, len(directions))
@@ -572,7 +572,7 @@ def integrate(problem: Problem) -> Solution:
 
 
 def measured(problems: Sequence[Problem]) -> tuple[list[MotionStatistics | Exception], list[int]]:
-    """What follows ``t_record``, measured on the way: no continuous output, which would have to be
+    """Measures after ``t_record``, taken on the way: no continuous output, which would have to be
     kept; or why there is none.
 
     And the rows of those that are to be measured from samples.

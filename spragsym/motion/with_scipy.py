@@ -308,7 +308,7 @@ def integrate(problem: Problem) -> Solution:
 
 
 def _root(function: Callable[[float], float], begin: float, end: float) -> float:
-    """Where a function changes sign."""
+    """Place of a change of sign of a function."""
     from scipy.optimize import brentq
 
     if function(begin) * function(end) > 0:

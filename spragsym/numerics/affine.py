@@ -69,7 +69,7 @@ class Rounded(Arithmetic):
         self.value, self.error = value, error
 
     def radius(self) -> Any:
-        """How far from ``value`` the numbers reach."""
+        """Largest distance of the numbers from ``value``."""
         return (_spread(self) + self.error) * _SLACK
 
     def __add__(self, other: Number) -> Any:
@@ -212,7 +212,7 @@ def as_number(value: Number) -> Rounded:
 
 
 def _spread(number: Rounded) -> Any:
-    """What the terms reach together."""
+    """Sum of the terms' absolute values."""
     return np.abs(number.terms).sum(axis=0) if isinstance(number, Affine) else _ZERO
 
 

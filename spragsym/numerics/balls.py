@@ -202,7 +202,7 @@ def union(one: Ball, other: Ball) -> Ball:
 
 
 def middle(value: Ball) -> Ball:
-    """Its middle, as an interval without width."""
+    """Midpoint of a ball, as an interval without width."""
     return Ball(value.mid, 0, value.exp, value.bits)
 
 

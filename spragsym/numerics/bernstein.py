@@ -94,8 +94,8 @@ class Signs:
 def signs_between(
     coefficients: Sequence[Any], low: FloatArray, high: FloatArray, off: FloatArray
 ) -> Signs:
-    """What signs polynomials, lowest power first, have between places in w = t/(t + ``SCALE``),
-    which are known to ``off``.
+    """Signs of polynomials, lowest power first, between places in w = t/(t + ``SCALE``), which are
+    known to ``off``.
     """
     size = low.size
     whole = _beginning(coefficients, size)
@@ -154,8 +154,8 @@ def _beginning(coefficients: Sequence[Any], size: int) -> Parts:
 
 
 def _descartes(parts: Parts) -> tuple[BoolArray, BoolArray]:
-    """Where a part holds no root, and where exactly one, a simple one. An open sign between two
-    that differ changes nothing.
+    """Parts that hold no root, and those that hold exactly one, a simple one. An open sign between
+    two that differ changes nothing.
     """
     signs = Rounded(parts.value, parts.error).sign()
     unknown = signs == 0

@@ -117,7 +117,7 @@ class EquationSystem:
         return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
     def prepared(self, bounds: Intervals) -> Intervals:
-        """What the methods take as parameters, from the boxes of all nodes of the tree, shape
+        """Parameters as the methods take them, from the boxes of all nodes of the tree, shape
         (parameters, nodes).
         """
         return bounds
@@ -146,7 +146,7 @@ class Pairs(ByColumn):
 
 @dataclass(frozen=True)
 class SearchOutcome:
-    """What a search ends with: boxes with exactly one root for every point of their node, and boxes
+    """Outcome of a search: boxes with exactly one root for every point of their node, and boxes
     that nothing is known of.
 
     ``unique`` and ``where`` are one list: any root in the first box lies in the second one, too.
@@ -309,8 +309,8 @@ class _Search:
         return self._in_their_regions(Pairs(now.ends[:, :, parted[places]], children)).then(left)
 
     def _in_their_regions(self, pairs: Pairs) -> Pairs:
-        """What is left of boxes in the regions of their nodes: that of one point may be wide, and
-        that of another narrow.
+        """Intersections of boxes with the regions of their nodes: that of one point may be wide,
+        and that of another narrow.
         """
         if self.regions is None:
             return pairs

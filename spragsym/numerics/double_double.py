@@ -75,7 +75,7 @@ class DoubleDouble(NDArrayOperatorsMixin):
 
 
 def _of(pair: double_double.Wide) -> DoubleDouble:
-    """What an operation has made, as it is: its parts are floats already."""
+    """Result of an operation, as it is: its parts are floats already."""
     out = object.__new__(DoubleDouble)
     out.high, out.low = pair
     return out

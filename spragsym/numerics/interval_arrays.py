@@ -300,7 +300,9 @@ class Intervals(Arithmetic):
         return _wave(self, np.sin, 0.25)
 
     def not_negative(self) -> Intervals:
-        """What is known not to be negative, where rounding has pushed the lower end below 0."""
+        """Intervals of what is known not to be negative, where rounding has pushed the lower end
+        below 0.
+        """
         return Intervals(np.stack([np.minimum(self.ends[0], 0.0), self.ends[1]]))
 
     def component(self, across: Intervals) -> Intervals:

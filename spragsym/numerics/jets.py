@@ -261,7 +261,7 @@ def order_of(*parts: Any) -> int:
 
 
 def turned(sine: Number, cosine: Number) -> tuple[Jet, Jet]:
-    """How the vector (cosine, sine) changes, as a multiple 1 + u + i v of its value, of any
+    """Change of the vector (cosine, sine), as a multiple 1 + u + i v of its value, of any
     length.
     """
     c, s = constant(cosine), constant(sine)
@@ -269,7 +269,7 @@ def turned(sine: Number, cosine: Number) -> tuple[Jet, Jet]:
 
 
 def change_along(dx: Number, dy: Number, c: Number, s: Number, size: Number) -> tuple[Jet, Jet]:
-    """How the vector (dx, dy) changes along (c, s) and across it, over a size."""
+    """Change of the vector (dx, dy) along (c, s) and across it, over a size."""
     hx, hy = (change(part, order_of(dx, dy)) for part in (dx, dy))
     return (hx * c + hy * s) / size, (hy * c - hx * s) / size
 

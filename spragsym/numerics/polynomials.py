@@ -210,7 +210,7 @@ def roots_on_the_line(
 
 
 def root_bound(polynomial: Sequence[int]) -> Fraction:
-    """What the absolute value of every root stays below: Cauchy's bound."""
+    """Upper bound of the absolute value of every root: Cauchy's bound."""
     return 1 + Fraction(max(map(abs, polynomial)), abs(polynomial[-1]))
 
 
@@ -257,7 +257,7 @@ def real_roots(
         return Fraction((start << k) + scale * n, common << k)
 
     def lacking(n: int, k: int) -> int:
-        """How many times (n, n + 1)/2^k has to be halved yet; at most 0 if never."""
+        """Number of halvings of (n, n + 1)/2^k that are still to be done; at most 0 if none is."""
         begin, one = (start << k) + scale * n, common << k
         distance = (
             min(abs(begin), abs(begin + scale), one) if begin > 0 or begin + scale < 0 else one

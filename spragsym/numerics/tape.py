@@ -200,7 +200,7 @@ class Recorded(Intervals):
         return self._noted("sin")
 
     def not_negative(self) -> Recorded:
-        """What is known not to be negative."""
+        """Value that is known not to be negative."""
         return self._noted("not_negative")
 
     def component(self, across: Intervals) -> Any:

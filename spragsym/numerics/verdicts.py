@@ -159,7 +159,7 @@ def _divided(
     closed: BoolArray,
     rules: Rules,
 ) -> IntArray:
-    """What is to be done with boxes that are neither dropped nor proved."""
+    """Ways in which boxes that are neither dropped nor proved are divided."""
     widths = width_of(now)
     single, spent = boxes.single[rows], boxes.spent[rows]
     scale = scale_of(now).max(axis=0)

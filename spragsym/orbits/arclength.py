@@ -59,8 +59,8 @@ def in_phase(_: Setting, near: Orbit, target: FloatArray) -> Conditions:
 
 @dataclass(frozen=True)
 class Setting:
-    """What all points of a branch share: the flow, which parameters are free, and units of the
-    arc's length.
+    """Setting that all points of a branch share: the flow, which parameters are free, and units of
+    the arc's length.
 
     ``holds(setting, orbit, target)`` is what holds near an orbit besides closing: the phase, in the
     plane across the flow at that orbit, through a target; along a curve of events its test
@@ -84,7 +84,7 @@ class Setting:
 
 
 class Touch(NamedTuple):
-    """What an orbit does at a border: it comes to it, or turns where the border's level is
+    """Contact of an orbit with a border: it comes to it, or turns where the border's level is
     extremal.
 
     ``way`` is the border with the direction of the turn, or with the sign of the level from which
@@ -291,9 +291,7 @@ def within(point: BranchPoint, length: float, to: Span, reach: float = np.inf) -
 
 
 def turning(point: BranchPoint) -> float:
-    """How much of the first free parameter is in the direction of a branch: 0 where it turns
-    back.
-    """
+    """Component of the first free parameter in the direction of a branch: 0 where it turns back."""
     return float(point.tangent[-len(point.setting.free)])
 
 
@@ -303,7 +301,7 @@ def steps(
     options: BranchOptions,
     look: Callable[[BranchPoint, BranchPoint, float], Any] = lambda _, found, length: found,
 ) -> Iterator[Any]:
-    """What is seen at points by steps that are shorter where one fails or the branch bends, longer
+    """Points of a branch by steps that are shorter where one fails or the branch bends, longer
     where it is straight; no end.
 
     ``ahead`` gives the point a length of arc from another, ``look`` what is seen on that way, by
@@ -336,8 +334,8 @@ def zero_of(
     length: float,
     xtol: float = LOCATED,
 ) -> BranchPoint:
-    """Where a test function is zero between two points, by bracketing along the arc;
-    ConvergenceError, ValueError without.
+    """Zero of a test function between two points, by bracketing along the arc; ConvergenceError,
+    ValueError without.
     """
     from scipy.optimize import brentq
 

@@ -79,7 +79,7 @@ def followed_cycle(known: Cycle, values: Values) -> Cycle:
 
 
 def _varied(now: Values, then: Values) -> tuple[int, float]:
-    """Which one parameter differs, and by how much."""
+    """Parameter in which two sets differ alone, and by how much."""
     ((index, span),) = (
         (i, abs(b - a)) for i, (a, b) in enumerate(zip(now, then, strict=True)) if a != b
     )

@@ -50,11 +50,11 @@ Numbers: TypeAlias = list[Any]
 
 
 class NotProved(Exception):
-    """What could not be shown."""
+    """Claim that could not be shown."""
 
 
 class TooWide(NotProved):
-    """What a smaller set of starts, carried with more digits, may show."""
+    """Claim that a smaller set of starts, carried with more digits, may show."""
 
 
 #: Balls of so many bits for as long as the context lasts.
@@ -213,7 +213,7 @@ class Balls:
                 raise NotProved(f"{border.name} is too near to be told from what happens beside it")
 
     def apart(self, index: int) -> Any:
-        """How far apart in time the states come to a border, about; not rigorous."""
+        """Difference in time between arrivals of the states at a border, about; not rigorous."""
         border = self.smooth.field.borders[index]
         speed = arb(
             self.smooth.level_rate(border, [value.mid() for value in self.point])

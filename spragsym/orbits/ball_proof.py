@@ -60,7 +60,7 @@ SLOWEST = 1e-7
 
 
 def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
-    """What is shown of a claim: where its digits leave the box of starts too wide, with more of
+    """Proved parts of a claim: where its digits leave the box of starts too wide, with more of
     them, up to :data:`ENOUGH`.
     """
     digits = claim["digits"]
@@ -77,7 +77,7 @@ def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
 
 
 def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
-    """What is shown of a claim, all numbers exactly, as :func:`spoken`; within the bits of
+    """Proved parts of a claim, all numbers exactly, as :func:`spoken`; within the bits of
     :func:`accuracy_for`.
     """
     digits = claim["digits"]

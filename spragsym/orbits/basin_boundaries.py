@@ -218,7 +218,7 @@ def basin_boundary(
 
 
 def _surely(system: System, start: FloatArray) -> FateVerdict:
-    """What a motion comes to, unless rounding decides that."""
+    """Fate of a motion, unless rounding decides that."""
     found = judged(system, start)
     return verified(system, start, found, lambda beside: not _differ(system, found, beside))
 
@@ -295,8 +295,8 @@ class _Walk:
         )
 
     def off(self, state: FloatArray, span: float) -> tuple[float, FloatArray]:
-        """How far a motion has come along the direction of growth, and the derivative of that in
-        the plane.
+        """Distance of a motion along the direction of growth, and the derivative of that in the
+        plane.
         """
         flow_result = self.flow.flow_map(state, self.system.constants, span)
         left_eigenvector = self.saddle.left_eigenvector
@@ -441,8 +441,8 @@ class _Walk:
         return not any(other), told
 
     def sides(self, state: FloatArray, span: float, aside: float) -> list[FateVerdict]:
-        """What starts to either side of a point come to: where the part along the direction of
-        growth is less, and more.
+        """Fates of starts to either side of a point: where the part along the direction of growth
+        is less, and more.
         """
         _, normal = self.off(state, span)
         across = aside * normal / norm(normal) @ self.plane

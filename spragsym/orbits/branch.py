@@ -587,8 +587,8 @@ def _passes(start: BranchPoint, point: BranchPoint, ahead: BranchPoint) -> bool:
 
 
 def _rests(orbit: Orbit, still: float) -> str:
-    """Where an orbit of a very long period hardly moves, without the sign of a zero; nothing where
-    it moves everywhere.
+    """Place where an orbit of a very long period hardly moves, without the sign of a zero; nothing
+    where it moves everywhere.
 
     By the size of the field at its turns, or all along one that only turns around.
     """

@@ -216,8 +216,8 @@ def _bends_to_zero(kind: str, before: BranchPoint, one: BranchPoint, other: Bran
 def _grazing(
     one: BranchPoint, other: BranchPoint, turns: list[tuple[BranchPoint, Touch]], length: float
 ) -> Iterator[DetectedEvent]:
-    """Where an orbit touches a border, by its turns there: of both points, or of the one that does
-    not slide on the border.
+    """Points where an orbit touches a border, by its turns there: of both points, or of the one
+    that does not slide on the border.
     """
     turns = sorted(turns, key=lambda pair: abs(pair[1].level))
     nearest, first = turns[0]
@@ -240,7 +240,7 @@ def _grazing(
 
 
 def _kind(orbit: Orbit, touch: Touch) -> str:
-    """What it is called that an orbit touches a border, by what is beyond: it slides there in
+    """Name of the event that an orbit touches a border, by what is beyond: it slides there in
     contact, or slides no longer.
     """
     that = orbit.field.borders[touch.way[0]]
@@ -290,8 +290,8 @@ def approaches(point: BranchPoint) -> list[tuple[float, str]]:
 def _switching(
     one: BranchPoint, other: BranchPoint, arrival: Touch, length: float
 ) -> Iterator[DetectedEvent]:
-    """Where an orbit comes to the edge of the states that stay on a border: it leaves at once, or
-    goes on into them.
+    """Points where an orbit comes to the edge of the states that stay on a border: it leaves at
+    once, or goes on into them.
     """
 
     def stays(point: BranchPoint) -> float:
@@ -330,7 +330,7 @@ def _located(
     length: float,
     how: str = "",
 ) -> Iterator[DetectedEvent]:
-    """Where a test function is zero, by bracketing along the arc."""
+    """Zero of a test function, by bracketing along the arc."""
     width = abs(one.value - other.value)
     try:
         point = zero_of(test, one, other, length)
@@ -363,8 +363,8 @@ def _located(
 def _error(
     kind: str, one: BranchPoint, other: BranchPoint, length: float, point: BranchPoint
 ) -> float:
-    """How well the parameter is known at the zero of a test function: that of the orbit, and what
-    the place on the arc adds.
+    """Error of the parameter at the zero of a test function: that of the orbit, and what the place
+    on the arc adds.
     """
     own = uncertainty(point)
     if kind == "fold":
@@ -386,7 +386,7 @@ def _error(
 
 
 def crossing_difference(one: BranchPoint, other: BranchPoint) -> Counter[int]:
-    """How much oftener one orbit crosses each border than another."""
+    """Difference in how often two orbits cross each border."""
     one_way, other_way = (
         Counter(crossing.border for crossing in each.orbit.crossings()) for each in (one, other)
     )
@@ -401,7 +401,7 @@ def crossing_mismatch(one: BranchPoint, other: BranchPoint) -> int:
 
 
 def paired(one: list[Touch], other: list[Touch]) -> list[tuple[Touch, Touch]]:
-    """What an orbit does at borders with what that becomes on another: the nearest first, each
+    """Events of an orbit at borders, each with what it becomes on another: the nearest first, each
     once.
     """
     found, off = dict[int, int](), list[tuple[float, int, int]]()

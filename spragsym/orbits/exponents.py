@@ -281,7 +281,7 @@ class Rates:
 
     @property
     def trivial(self) -> int:
-        """Which one of these, largest first, is the trivial one; −1 at rest."""
+        """Index of the trivial exponent, of exponents in descending order; −1 at rest."""
         return int(self.order.argmin()) if self.moves else -1
 
     def undecided(self, before: float) -> str:

@@ -233,7 +233,7 @@ def fate_boundary(
 
 @dataclass(frozen=True)
 class _Fate:
-    """What the start comes to at a value; equal labels are attractors of which one is the other,
+    """Fate of the start at a value; equal labels are attractors of which one is the other,
     followed; −1 is undecided.
     """
 
@@ -396,14 +396,14 @@ class _FateSamples:
         )
 
     def described(self, low: _Fate, high: _Fate) -> str:
-        """What the start comes to on two sides."""
+        """Fates of the start on two sides."""
         return " and ".join(
             f"it comes to {each.verdict.described()} at {self.vary} = {each.value:.12g}"
             for each in (low, high)
         )
 
     def inside(self, *values: float) -> list[float]:
-        """Those of some values that lie in the bracket."""
+        """Values that lie in the bracket, of some."""
         return [value for value in values if self.known[0].value <= value <= self.known[-1].value]
 
 
@@ -521,8 +521,7 @@ def _first(samples: _FateSamples) -> FateBoundary | list[str]:
 
 
 def _boundary(bracket: _Bracket) -> FateBoundary | None:
-    """Where the fate that is kept ends between two values; ConvergenceError where that is no
-    boundary.
+    """End of the fate that is kept between two values; ConvergenceError where that is no boundary.
 
     None where both sides turn out to have one attractor, which is known from then on.
     """

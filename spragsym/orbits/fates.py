@@ -276,7 +276,7 @@ def _near(system: System, end: FloatArray) -> str:
 
 
 class FateKind(IntEnum):
-    """What a motion comes to, as :attr:`spragsym.results.Fate.kind` has it in words."""
+    """Fate of a motion, as :attr:`spragsym.results.Fate.kind` has it in words."""
 
     UNDECIDED = 0
     REST = 1
@@ -337,7 +337,7 @@ class FateMap(Result):
     model: Any = field(repr=False)
 
     def count(self) -> dict[str, int]:
-        """How many points are of each kind.
+        """Number of points of each kind.
 
         Returns
         -------
@@ -391,7 +391,7 @@ def fate_map(
     progress: bool = False,
     store: str | os.PathLike[str] | None = None,
 ) -> FateMap:
-    """What the motion from one start comes to, at every point of a broadcast of parameters.
+    """Fates of the motion from one start, at every point of a broadcast of parameters.
 
     Parameters
     ----------
@@ -448,7 +448,9 @@ def fate_map(
 
 
 def _longest(model: Model, inputs: Mapping[str, FloatArray], start: tuple[float, ...]) -> float:
-    """How long motions are followed where nobody says, by the largest unit of their times."""
+    """Longest time that motions are followed where nobody says, by the largest unit of their
+    times.
+    """
     units = list[float]()
     for point in np.broadcast(*inputs.values()):
         with suppress(ParameterError, ArithmeticError):  # where none begins one is not followed

@@ -244,7 +244,7 @@ def cycle_at(system: System, state: FloatArray, period: float) -> Cycle:
 
 
 def _steep(system: System) -> str:
-    """What may be too much for an integrator."""
+    """Feature that may be too much for an integrator."""
     value, name = max(
         (abs(value), name)
         for name, value in zip(system.field.parameters, system.values, strict=True)

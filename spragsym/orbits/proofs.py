@@ -28,7 +28,7 @@ DIGITS = 25
 
 @dataclass(frozen=True, eq=False)
 class CycleProof(Result):
-    """What was proved of a cycle.
+    """Proof of a cycle.
 
     ``print`` and :meth:`decimals` write the numbers with bounds that hold for the digits as they
     are written.
@@ -154,7 +154,7 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
 
 
 def proof_of(cycle: Cycle, found: dict[str, Any]) -> CycleProof:
-    """What was proved, every bit of it, from what the process says."""
+    """Proof of a cycle, every bit of it, from what the process says."""
     multipliers = tuple(
         (
             mpmath.mp.make_mpc((_binary(real)._mpf_, _binary(imaginary)._mpf_)),
@@ -187,7 +187,7 @@ def _unproved(cycle: Cycle, reason: str) -> CycleProof:
 
 
 def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:
-    """What is to be proved, as JSON holds it."""
+    """Claim to be proved, as JSON holds it."""
     m, n = cycle.field.size, len(cycle.field.coordinates)
     flow = cycle.orbit.rate(cycle.state)
     slopes = np.column_stack([np.delete(cycle.orbit.monodromy - np.eye(m), n, axis=1), flow])

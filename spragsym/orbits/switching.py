@@ -82,8 +82,8 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
 
 
 def _aside(point: BranchPoint, crossed: FloatArray | None, rounds: int) -> BranchPoint:
-    """Where branches meet, so many times round: the other of two directions, across that of the
-    branch.
+    """Starts beside a place where branches meet, so many times round: the other of two directions,
+    across that of the branch.
 
     It is of unit size in the first state; ``crossed`` is the branch's direction, where a tangent
     can't be computed.
@@ -120,8 +120,8 @@ def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
 
 
 def parted(point: BranchPoint) -> FloatArray:
-    """How far apart the two halves of a round are: states less those half a round before, across
-    the flow, over √their number.
+    """Distance between the two halves of a round: states less those half a round before, across the
+    flow, over √their number.
     """
     states, half = point.orbit.states, len(point.orbit.states) // 2
     apart = states[half:] - states[:half]

@@ -67,7 +67,7 @@ class System:
 
     @property
     def constants(self) -> Values:
-        """What the field's functions take."""
+        """Arguments of the field's functions."""
         return self.field.constants(self.values)
 
     def same_limit(self, one: Outcome, other: Outcome) -> bool | None:
@@ -128,8 +128,8 @@ class System:
 
 @dataclass(frozen=True)
 class FateVerdict:
-    """What a motion comes to, seen at ``t``, where it is at ``end``; ``otherwise`` is what one
-    within rounding comes to.
+    """Fate of a motion, seen at ``t``, where it is at ``end``; ``otherwise`` is what one within
+    rounding comes to.
     """
 
     outcome: Outcome
@@ -148,7 +148,7 @@ class FateVerdict:
         return self.kind in KINDS and not self.otherwise
 
     def described(self) -> str:
-        """In words."""
+        """Verdict in words."""
         found, limit = self.outcome, f"nothing that is decided by t = {self.t:g}"
         if self.kind == Regime.EQUILIBRIUM:
             place = zip(found.names, found.rest, strict=False)
@@ -167,9 +167,7 @@ def judged(
     times: Sequence[float] | None = None,
     rtol: float = 1e-12,
 ) -> FateVerdict:
-    """What the motion from a state comes to, looked at later and later as long as that is
-    undecided.
-    """
+    """Fate of the motion from a state, looked at later and later as long as that is undecided."""
     state, begun = start, 0.0
     for t_end in times or [t * system.scales(start).time for t in JUDGED]:
         motion = system.motion(state, t_end - begun, rtol=rtol)
@@ -227,7 +225,7 @@ class Saddle:
 
 
 def rounding_of(matrix: FloatArray) -> float:
-    """What rounding may add to a real part of an eigenvalue of a matrix of well separated
+    """Largest rounding error of a real part of an eigenvalue of a matrix of well separated
     eigenvalues.
     """
     return ROUNDING * max(1.0, magnitude(matrix))

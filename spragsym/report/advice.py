@@ -143,8 +143,8 @@ def _fit(study: Brake) -> Iterator[str]:
 
 
 def of_data(study: Brake) -> Iterator[str]:
-    """What the numbers alone say, whatever is asked of them: a unit that was probably meant
-    otherwise.
+    """Remarks that the numbers alone call for, whatever is asked of them: a unit that was probably
+    meant otherwise.
     """
     name, inclination, belt = study.kind.friction, study.kind.inclination, study.belt
     friction, angle = (study.quantities.get(str(one)) for one in (name, inclination))

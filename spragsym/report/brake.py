@@ -44,7 +44,7 @@ class LoadParameter:
 
     @property
     def word(self) -> str:
-        """What it is called in a sentence."""
+        """Name of the load parameter in a sentence."""
         return "friction" if self.is_friction else self.quantity
 
     def check(self, values: Numbers) -> LoadParameter:
@@ -220,7 +220,7 @@ class Brake:
         return self.kind.scales(self.values)
 
     def scale(self, si: str) -> float:
-        """What one of the model's is in an SI unit."""
+        """Size of the model's own unit in an SI unit."""
         return float(self.kind.scale(si, self.values))
 
     @cached_property
@@ -264,7 +264,7 @@ class Brake:
 
     @cached_property
     def law(self) -> str:
-        """Which friction works: that at the belt's speed where it is known and a value of μ₀ stands
+        """Friction law at work: that at the belt's speed where it is known and a value of μ₀ stands
         for it, else that at rest.
         """
         law = self.kind.law
@@ -337,8 +337,8 @@ class Brake:
 
     @property
     def load_scale(self) -> float:
-        """What one of the parameter that rises is as it is told: in SI, in the units of the brake
-        as drawn.
+        """Size of the model's own unit of the load parameter: in SI, in the units of the brake as
+        drawn.
         """
         return self.scale(self.kind.units[self.loading.quantity])
 
@@ -361,13 +361,13 @@ class Brake:
 
     @cached_property
     def ends(self) -> Ends:
-        """Where the state ends as something rises, and how far that was looked for."""
+        """End of the state as something rises, and how far that was looked for."""
         from ..design.jumps import first_ends  # heavy, and a refusal does not need it
 
         return first_ends(self.operating_point, **self.along())
 
     def jump(self) -> float:
-        """Where the state jumps, as the parameter that rises; NaN where it does not."""
+        """Value of the load parameter at which the state jumps; NaN where it does not."""
         from ..design.jumps import require_known  # as above
 
         return float(require_known(self.ends).value)
@@ -432,7 +432,9 @@ class Brake:
 
     @property
     def search_range(self) -> str:
-        """Where a jump is looked for, in a sentence: ``friction`` at all, or ``P up to 20 N``."""
+        """Range in which a jump is looked for, in a sentence: ``friction`` at all, or ``P up to 20
+        N``.
+        """
         word = self.loading.word
         return (
             word
@@ -454,7 +456,7 @@ class Brake:
         return {pair: value for pair, value in self.correlation.items() if set(pair) <= set(names)}
 
     def together(self, names: Sequence[str]) -> Dependence:
-        """How some of the quantities vary together."""
+        """Dependence of some of the quantities on each other."""
         return dependence(names, self.pairs(names))
 
     def __repr__(self) -> str:

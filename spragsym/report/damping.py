@@ -95,7 +95,7 @@ def _lines(kind: Quantities) -> str:
 
 
 def remedy(kind: Quantities) -> str:
-    """What to write so that a brake has damping."""
+    """Text to write so that a brake has damping."""
     if kind.model.where in WITH_DAMPERS:
         return 'write damping_ratio = "0.5 %" or what you measured'
     return f"write {_lines(kind)} or what you measured" if kind.dampers else "add it to the page"

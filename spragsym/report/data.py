@@ -159,7 +159,7 @@ class _FileReader:
         )
 
     def _syntax(self, message: str) -> str:
-        """What tomllib says, with the line before it and how a line is written."""
+        """Message of tomllib, with the line before it and how a line is written."""
         found = re.search(r" \(at line (\d+), column \d+\)", message)  # else at the end
         number = int(found[1]) if found else len(self.lines)
         line = self.lines[number - 1].strip() if 0 < number <= len(self.lines) else ""
@@ -211,7 +211,7 @@ def _quantity(key: str, given: object, unit: str, allowed: Range) -> Measured:
 def _correlation(
     given: Any, found: dict[str, Measured], fit: FrictionFit | None, friction: str | None
 ) -> Correlation:
-    """Which quantities vary together: those of the file, and μ₀ and d of one fit."""
+    """Quantities that vary together: those of the file, and μ₀ and d of one fit."""
     rows = given if isinstance(given, list) else [] if given is None else [given]
     varying = [name for name, one in found.items() if one.varies]
     if fit is not None and {friction, "d"} <= set(varying):

@@ -23,7 +23,7 @@ _FASTEST = 10.0
 
 
 def example_of(key: str, unit: str) -> str:
-    """How an engineer would write a quantity."""
+    """Example of a quantity, as an engineer would write it."""
     return OWN_EXAMPLES.get(key) or EXAMPLES.get(unit, (f"1 {unit}",))[0]
 
 

@@ -155,7 +155,7 @@ class Facts:
 
     @property
     def jumped(self) -> bool:
-        """It has jumped as drawn, at the belt's speed."""
+        """Verdict that it has jumped as drawn, at the belt's speed."""
         return self.reach == "jumped"
 
     @property
@@ -378,7 +378,7 @@ def speed_of_jump(study: Brake, jump: float | None) -> float:
 
 
 def reach_of(study: Brake, jump: float | None, speed: float) -> str:
-    """How far the friction goes, as :attr:`Facts.reach` says it."""
+    """Largest friction and its origin, as :attr:`Facts.reach` says it."""
     _, here, most = study.in_use
     if jump is None:
         return ""

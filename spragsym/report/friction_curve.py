@@ -228,9 +228,7 @@ def _cells(line: str, between: str) -> list[str]:
 
 
 def _word(name: str) -> str:
-    """What a column is called: small letters, without its unit and without a symbol behind its
-    name.
-    """
+    """Name of a column: small letters, without its unit and without a symbol behind its name."""
     parts = _HEAD.fullmatch(" ".join(name.split()))
     word = re.sub(r"[\s_\-.]+", " ", parts["name"] if parts else name).strip().lower()
     word = re.sub("[\N{MICRO SIGN}\N{GREEK SMALL LETTER MU}]", "mu", word)
@@ -250,7 +248,7 @@ def _number(cell: str) -> str:
 def _column(
     names: Sequence[str], units: Sequence[str], known: frozenset[str], si: str, line: int
 ) -> tuple[int, float]:
-    """Which column has one of these names, and what its unit is in SI."""
+    """Column that has one of these names, and the size of its unit in SI."""
     what, write = (
         ("the sliding speed", "v [m/s]")
         if si == "m/s"

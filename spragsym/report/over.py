@@ -62,7 +62,9 @@ class Verdicts:
 
     @property
     def unsettled(self) -> str:
-        """How many points are without an answer, why, and what to do; empty if none is."""
+        """Number of points without an answer, the reason, and the remedy; empty if there is
+        none.
+        """
         count = sum(row[-2] == OUTCOMES[""] for row in self.rows)
         return (
             f"{count} of {len(self.rows)} unsettled, the first because {self.reason}; write that "
@@ -117,7 +119,7 @@ def _titled(name: str, unit: str) -> str:
 
 
 def _told(study: Brake, values: Mapping[str, float]) -> tuple[tuple[float | str, ...], str]:
-    """What is said of one point, and why that is nothing."""
+    """Verdict of one point, and the reason where there is none."""
     try:
         at = brake_at(study, values)
         jump = at.told(at.jump())

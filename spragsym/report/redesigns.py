@@ -298,7 +298,7 @@ class _RedesignSearch:
         return open_one
 
     def _printed(self, after: Numbers) -> Numbers | None:
-        """What changes, as it is printed, if it keeps the target; a value that does not change in
+        """Changes as they are printed, if they keep the target; a value that does not change in
         print is left as it was.
         """
         for further in range(4):

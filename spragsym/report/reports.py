@@ -33,7 +33,7 @@ class Report(Facts, Result):
 
     @property
     def next_steps(self) -> tuple[str, ...]:
-        """What to do next, at most five steps."""
+        """Next steps, at most five."""
         return tuple(f"{verb} {what}" for verb, what in next_steps(self))
 
     def to_dict(self) -> texts.Json:
@@ -133,7 +133,7 @@ class Report(Facts, Result):
         )
 
     def _shown(self) -> texts.Json:
-        """It has no columns."""
+        """Fields of the table: none."""
         return {}
 
     __str__ = text

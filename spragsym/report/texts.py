@@ -55,7 +55,7 @@ def _on_others(report: Facts) -> str:
 
 
 def followed_state(study: Brake) -> str:
-    """What the state is called that is followed."""
+    """Name of the state that is followed."""
     return (
         f"the state chosen near {_places(in_units(study, study.near))}"
         if study.state
@@ -64,8 +64,8 @@ def followed_state(study: Brake) -> str:
 
 
 def _on_the_motion(report: Facts) -> str:
-    """What steady sliding does not say of the brake as drawn; nothing, where it comes to rest or is
-    not known to move.
+    """Limits of what steady sliding says of the brake as drawn; nothing, where it comes to rest or
+    is not known to move.
     """
     found = report.oscillation
     here = [state for state in report.states if state.current] or report.states
@@ -196,7 +196,7 @@ def _on_the_tolerances(report: Facts) -> str:
 
 
 def box(unbounded: Sequence[str]) -> str:
-    """What a certificate is about, if a part of the distribution of some quantities lies beyond
+    """Box that a certificate is about, if a part of the distribution of some quantities lies beyond
     it.
     """
     beyond = f", and {ENDS:g} standard deviations of {' and '.join(unbounded)}" if unbounded else ""

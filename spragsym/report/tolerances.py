@@ -32,7 +32,7 @@ _NOTHING = 1e-300
 
 @dataclass(frozen=True)
 class SamplingBudget:
-    """How much is looked at where states are followed: ``samples`` of a probability, ``boxes`` of a
+    """Numbers of samples where states are followed: ``samples`` of a probability, ``boxes`` of a
     proof and the ``points`` at which it is refuted; of a change, ``shares`` that are sampled where
     it is not proved, and ``many`` where not even a sample jumps; the ``most`` single quantities
     that are the nearest are proved, each ``further`` by these shares of what is left.
@@ -199,7 +199,7 @@ def counterexample(study: Brake, number: int) -> Numbers | None:
 
 
 def chance(study: Brake, n: int) -> JumpProbability:
-    """How probable a jump is with the distributions of the file, what varies together included."""
+    """Probability of a jump with the distributions of the file, what varies together included."""
     return estimated(
         study.values | {name: study.quantities[name].whole for name in varied(study)},
         lambda values: ending(study, values),

@@ -86,8 +86,8 @@ class Measured:
 
     @property
     def whole(self) -> Measured:
-        """Its distribution; a normal one that is not cut off is taken to six standard deviations,
-        beyond which lie 2e-9 of it.
+        """Distribution of the quantity; a normal one that is not cut off is taken to six standard
+        deviations, beyond which lie 2e-9 of it.
         """
         low, high = (self.value + sign * WITHIN * self.sd for sign in (-1, 1))
         return self if self.cut else replace(self, low=low, high=high)
@@ -149,7 +149,7 @@ class _OutsideError(ParameterError):
 
 
 def remedy(si: str, allowed: Range, example: str) -> str:
-    """What to write: examples that are read and allowed."""
+    """Text to write: examples that are read and allowed."""
     good = []
     for text in (example, *EXAMPLES.get(si, (f"1 {si}", f"[1, 2] {si}"))):
         with suppress(ParameterError):

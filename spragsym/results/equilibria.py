@@ -52,7 +52,7 @@ class Undecided(Result):
 
 
 class ColumnSource(Protocol):
-    """Where equilibria have their columns from, each made when it is asked for.
+    """Source of the columns of equilibria, each made when it is asked for.
 
     It must bring ``undamped``, ``marginal``, ``error``, ``eigenvalues`` and the coordinates; it
     may bring others.
@@ -197,7 +197,7 @@ class Equilibria(OfStates):
 
     @property
     def states(self) -> tuple[IntArray, ...]:
-        """Where there are equilibria: indices into the columns, in order."""
+        """Mask of the slots that hold equilibria: indices into the columns, in order."""
         return np.nonzero(np.arange(self.undamped.shape[-1]) < self.count[..., None])
 
     def reason(self, *index: int) -> str:

@@ -175,7 +175,7 @@ _NUMBERS: dict[str, tuple[Any, Callable[[Any], Any], Callable[[Any], Any]]] = {
 
 
 def _written(thing: object) -> Any:
-    """What JSON knows as it is, all else under the name of its kind."""
+    """Object for JSON: what it knows as it is, all else under the name of its kind."""
     match thing:
         case None | bool() | str():
             return thing
@@ -211,7 +211,7 @@ def _place(kind: type) -> tuple[str, str]:
 
 
 def _read(given: Model | None, held: dict[str, Any]) -> Any:
-    """What :func:`_written` wrote under the name of its kind, of which the parts are read
+    """Object that :func:`_written` wrote under the name of its kind, of which the parts are read
     before.
     """
     ((kind, value),) = held.items()

@@ -25,8 +25,8 @@ from .result import Items, Named, OfStates, Result, Rows
 
 @dataclass(frozen=True, eq=False)
 class Ended(Result):
-    """What happens at folds: columns of :class:`Points` under these names; ``after``, or what makes
-    it when asked.
+    """Event at a fold: columns of :class:`Points` under these names; ``after``, or what makes it
+    when asked.
     """
 
     schema = (Column("{p}_after", "{p}", "{p} of the state that is jumped to"),)
@@ -274,7 +274,7 @@ class Points(OfStates, Rows):
 
     @cached_property
     def _derived(self) -> dict[str, FloatArray]:
-        """What follows from where the states are."""
+        """Quantities that follow from where the states are."""
         p = self.parameters.replace(**{name: self[name] for name in self.vary})
         told = derived_of_states(p, [place[:, None] for place in self.coordinates.values()])
         return picked(told, (slice(None), 0))
@@ -291,7 +291,7 @@ class Points(OfStates, Rows):
 
     @cached_property
     def after(self) -> Mapping[str, FloatArray]:
-        """Where the state that ends jumps to, by the names of ``state_columns``."""
+        """State to which the state that ends jumps, by the names of ``state_columns``."""
         found = self._what_ends.after
         return found(self) if callable(found) else found
 
@@ -514,8 +514,8 @@ class Path(OfStates, Rows):
 
 @dataclass(frozen=True, eq=False)
 class LowestEnd(Tabular, NDArrayOperatorsMixin):
-    """Where the state that is followed ends first over a range of another parameter; a number, or
-    an array, as ``value``.
+    """First end of the state that is followed over a range of another parameter; a number, or an
+    array, as ``value``.
 
     Numbers for one point, arrays of the shape of the parameters for many; angles are radians.
 

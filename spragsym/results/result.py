@@ -37,7 +37,7 @@ WHOLE = 6
 
 
 class Units(Protocol):
-    """What says units of data: a study, or scales."""
+    """Units of data: a study, or scales."""
 
     @property
     def scales(self) -> Any:
@@ -95,7 +95,7 @@ class Result(Tabular):
 
     @property
     def columns(self) -> dict[str, Column]:
-        """What every column is, by its name: dimension, meaning and codes."""
+        """Meanings of all columns, by name: dimension, meaning and codes."""
         known = self._schema.columns
         return {name: known.get(name, Column(name)) for name in self._items}
 
@@ -274,7 +274,7 @@ class Result(Tabular):
         return self.data()
 
     def _attributes(self) -> dict[str, Any]:
-        """What else a file says."""
+        """Further attributes of a file."""
         return storage.provenance()
 
     @property

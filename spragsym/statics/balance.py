@@ -98,7 +98,7 @@ class Balance(Forces, StateSystem):
         return self.state(unknowns, parameters).slopes
 
     def vanishing(self, parameters: Intervals) -> list[bool]:
-        """Which prepared parameters are 0 in all boxes."""
+        """Prepared parameters that are 0 in all boxes."""
         there: BoolArray = np.logical_or.reduce(parameters.ends != 0, axis=(0, 2))
         return [not one for one in there.tolist()]
 
@@ -175,8 +175,8 @@ class Balance(Forces, StateSystem):
 
 
 def linear(at: Evaluation, near: FloatArray, forces: Rows) -> Linear:
-    """What contractors take: forces at points of the boxes, slopes over the boxes, the points and
-    distances from them.
+    """Linear system that contractors take: forces at points of the boxes, slopes over the boxes,
+    the points and distances from them.
 
     Directions and lengths are those of the boxes.
     """
@@ -242,7 +242,7 @@ class PreciseBalance(Digits):
         self.arguments = self.balance.arguments_of(values, balls.XP)
 
     def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """What vanishes at a state."""
+        """Residuals of the balance at a state."""
         return self.system.conditions(self.state(unknowns), unknowns)
 
     def slopes(self, unknowns: Sequence[Any]) -> Matrix:
@@ -292,7 +292,7 @@ class BalanceInUnits(Balance):
         self.codes += [*units, *(self.factors[name] for name in self.needed)]
 
     def identity(self) -> Hashable:
-        """Those of the balance, and how parameters depend on units."""
+        """Identity of the balance, and how parameters depend on units."""
         powers = ((name, *sorted(unit.powers.items())) for name, unit in self.units.items())
         return super().identity(), *powers
 

@@ -178,8 +178,8 @@ class Forces:
         return Evaluation(self, q if len(q) else [0] * self.n, values, shape, xp)
 
     def sides(self, gaps: Sequence[Intervals]) -> tuple[BoolArray, BoolArray]:
-        """Where gaps are on this side of their contacts' borders or on them, and where one is
-        beyond; all on this side where none opens.
+        """Mask of points where gaps are on this side of their contacts' borders or on them, and
+        where one is beyond; all on this side where none opens.
         """
         inside = np.ones(gaps[0].shape, dtype=np.bool_)
         beyond = ~inside
@@ -357,7 +357,7 @@ class Evaluation:
 
     @property
     def felt_frictions(self) -> list[Any]:
-        """Those of them whose contact touches."""
+        """Friction forces whose contact touches."""
         names, pushing = self.balance.contacts, self.balance.pushing
         return [
             mu

@@ -89,7 +89,7 @@ class Polar(StateSystem):
     tight: bool
 
     def identity(self) -> Hashable:
-        """Those of the balance, and the chart."""
+        """Identity of the balance, and the chart."""
         return self.balance.identity(), self.spring, self.chart, self.turns, self.tight
 
     def prepared(self, bounds: Intervals) -> Intervals:
@@ -200,8 +200,8 @@ class Polar(StateSystem):
 
 
 def end_slopes(at: Evaluation, near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
-    """How the vector of every spring changes with the coordinates: for ends that are linear in them
-    the same everywhere.
+    """Derivatives of the vector of every spring by the coordinates: for ends that are linear in
+    them the same everywhere.
     """
     n = at.balance.n
     rows = replace(at, q=jets.variables([near] * n, 1), xp=XP).geometry
@@ -249,8 +249,8 @@ def stiff_points(
 
 
 def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, found: Roots) -> Roots:
-    """What a search has left, as along circles around anchors, decided in polar coordinates where
-    that succeeds.
+    """Boxes that a search has left, as along circles around anchors, decided in polar coordinates
+    where that succeeds.
     """
     again, done = _of_any_spring(balance, given, regions, np.unique(found.left_point))
     return found.of(np.flatnonzero(done), others=True).then(again)

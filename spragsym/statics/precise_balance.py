@@ -63,7 +63,8 @@ def settled_by_digits(
     *,
     most: int = 24,
 ) -> Roots:
-    """What a search has left or knows to few digits, with many digits, one cluster after the other.
+    """Clusters that a search has left or knows to few digits, with many digits, one after the
+    other.
 
     Not of points with more clusters than ``most``, if the options do not say, nor with more boxes
     than their ``folded``, of which the hull is left.
@@ -102,7 +103,7 @@ def settled_by_digits(
 
 
 def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
-    """What many digits tell of a cluster; where they leave something, roots that are known already,
+    """Roots of a cluster by many digits; where they leave something, roots that are known already,
     to few digits.
     """
     inside = contractors.within(found.ends, hull[:, :, None])

@@ -371,7 +371,7 @@ class _Nothing:
 
 
 def _cut_off(value: Intervals) -> Intervals:
-    """What is below 0 moved to 0: 0 alone of what lies below as a whole."""
+    """Region with what is below 0 moved to 0: 0 alone of what lies below as a whole."""
     return Intervals(np.stack([np.minimum(value.ends[0], 0.0), np.maximum(value.ends[1], 0.0)]))
 
 
@@ -438,8 +438,8 @@ def _closed(at: Evaluation, contact: int) -> FloatArray:
 
 
 def _balancing(force: Intervals, apart: Intervals, along: Intervals) -> Intervals:
-    """What is left of the contact's force where it balances the others in each row that it has a
-    known direction in.
+    """Bounds of the contact's force by its balance with the others in each row that it has a known
+    direction in.
     """
     ends = force.ends
     for row in range(apart.shape[0]):

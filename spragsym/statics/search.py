@@ -304,7 +304,7 @@ KINDS = {
 
 
 def summed(kinds: Sequence[str]) -> tuple[str, ...]:
-    """How many boxes are of each kind."""
+    """Number of boxes of each kind."""
     sentences = []
     for kind, number in Counter(kinds).items():
         some = f"{number} of {len(kinds)}" if number < len(kinds) else f"{number}"

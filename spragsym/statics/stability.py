@@ -298,8 +298,8 @@ def _without_friction(balance: Balance, frictionless: BoolArray) -> BoolArray:
 def decay(
     balance: Balance, given: FloatArray, ends: FloatArray, undamped: Int8Array, growth: FloatArray
 ) -> Int8Array:
-    """What all λ of det(λ² M + λ (C + G) + K) = 0 do: 1 where it is proved that none grows, −1 that
-    one does, 0 where it is not known.
+    """Signs of the real parts of all λ of det(λ² M + λ (C + G) + K) = 0: 1 where it is proved that
+    none grows, −1 that one does, 0 where it is not known.
 
     All decay just where the coefficients of that polynomial and Hurwitz's determinants are
     positive; where one of these is negative some λ has a positive real part, since without such all
@@ -328,7 +328,7 @@ def decay(
 
 
 def _types(at: Evaluation, taken: Taken) -> Matrix:
-    """What tells the type; with G Routh's array and Sturm's chain too."""
+    """Types of states; with G by Routh's array and Sturm's chain too."""
     K, M = taken(at.stiffness()), taken(at.mass())
     if not at.balance.gyroscopic:
         return invariants(characteristic(K, M))

@@ -50,7 +50,7 @@ class StateSystem(EquationSystem):
         raise NotImplementedError
 
     def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """What vanishes at a state, of the number type of the unknowns."""
+        """Residuals at a state, of the number type of the unknowns."""
         raise NotImplementedError
 
     def prepared(self, bounds: Intervals) -> Intervals:
@@ -58,7 +58,7 @@ class StateSystem(EquationSystem):
         return self.balance.prepared(bounds)
 
     def prepared_at(self, given: FloatArray) -> Intervals:
-        """Those of points."""
+        """Prepared parameters of points."""
         return self.prepared(Intervals.point(given))
 
     def state(
@@ -70,12 +70,12 @@ class StateSystem(EquationSystem):
         return at
 
     def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
-        """What vanishes, over boxes."""
+        """Residuals over boxes."""
         return self.conditions(self.state(unknowns, parameters), unknowns)
 
     def identity(self) -> Hashable:
-        """What tells the system from others of its class and model: tapes are those of all with the
-        same, or its own without one.
+        """Identity that tells the system from others of its class and model: tapes are those of all
+        with the same, or its own without one.
         """
         return None
 
@@ -94,7 +94,7 @@ class StateSystem(EquationSystem):
         return self.tapes.evaluated(key, rows, *given, vanishing=self.balance.vanishing(parameters))
 
     def values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
-        """What vanishes, on the given sides of the rays where torsion angles jump."""
+        """Residuals on the given sides of the rays where torsion angles jump."""
 
         def rows(unknowns: Any, parameters: Any) -> Sequence[Any]:
             given = jets.variables(list(unknowns), self.order) if self.order else list(unknowns)
@@ -146,14 +146,14 @@ class StateSystem(EquationSystem):
         near: FloatArray,
         parameters: Intervals,
     ) -> Linear:
-        """What contractors take, from the entries ``rows`` of unknowns, points of their boxes and
-        parameters.
+        """Linear system that contractors take, from the entries ``rows`` of unknowns, points of
+        their boxes and parameters.
         """
         found = self.taped(key, rows, unknowns, Intervals.point(near), parameters)
         return as_linear(found, unknowns.ends[:, : self.balance.n], near)
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """What vanishes, on any side: torsion angles that jump in a box have any value there."""
+        """Residuals on any side: torsion angles that jump in a box have any value there."""
         return self.values(unknowns, parameters, self.balance.anywhere)
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:

@@ -4,6 +4,7 @@ arguments.
 
 import io
 import json
+import os
 import pickle
 import re
 import shlex
@@ -455,3 +456,26 @@ def test_remarks_are_told_in_other_units() -> None:
     )
     copied = pickle.loads(pickle.dumps(remark))  # noqa: S301  # bytes of our own
     assert copied.in_units(lambda name: (name, 2.0)).endswith("x in [0, 2], a part of its range")
+
+
+def test_a_command_is_not_slowed_by_threads_of_blas() -> None:
+    """A command sets one thread before NumPy is loaded, unless the user has set a number."""
+    code = (
+        "import os, sys\n"
+        "from spragsym.__main__ import run\n"
+        "assert 'numpy' not in sys.modules\n"
+        "sys.argv = ['spragsym', '--version']\n"
+        "try:\n    run()\n"
+        "finally:\n    print(os.environ['OPENBLAS_NUM_THREADS'])\n"
+    )
+    others = {k: v for k, v in os.environ.items() if k != "OPENBLAS_NUM_THREADS"}
+    for own, wanted in ({}, "1"), ({"OPENBLAS_NUM_THREADS": "3"}, "3"):
+        done = subprocess.run(
+            [sys.executable, "-c", code],
+            env=others | own,
+            cwd=ROOT,
+            capture_output=True,
+            text=True,
+            timeout=60,
+        )
+        assert done.stdout.split()[-1] == wanted, done.stderr

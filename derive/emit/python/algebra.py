@@ -266,8 +266,8 @@ def _wrap(line: str) -> str:
 
 
 def _docstring(function: Function, operations: int) -> str:
-    """What it is, its results, equations and operations; what its arguments are stands at the head
-    of the module.
+    """Docstring of a function: its subject, results, equations and operations; arguments are
+    described at the head of the module.
     """
     source = f" Source: {function.equations}." if function.equations else ""
     text = f'"""{function.summary} Returns {function.returns}.{source} Operations: {operations}."""'

@@ -53,7 +53,7 @@ class Variable:
 
 @dataclass(frozen=True)
 class MotionMaterial:
-    """What moves in a page's model, for languages that hand it over as a whole."""
+    """Motion of a page's model, for languages that hand it over as a whole."""
 
     time: Variable
     states: tuple[Variable, ...]  #: coordinates, then their rates
@@ -73,7 +73,7 @@ class MotionMaterial:
 
 @dataclass(frozen=True)
 class Material:
-    """What every target prints."""
+    """Material that every target prints."""
 
     modules: tuple[tuple[Definition, ...], ...]
     quantities: Mapping[str, Quantity]  #: by their names in code
@@ -132,7 +132,7 @@ def render(language: str, material: Material) -> dict[str, str]:
 
 
 def packer(language: str) -> Callable[[Mapping[str, str]], bytes] | None:
-    """What makes one file of all in a language that has it so; None for others."""
+    """Function that makes one file of all in a language that has it so; None for others."""
     return vars(importlib.import_module(f".{language}", __name__)).get("packed")
 
 

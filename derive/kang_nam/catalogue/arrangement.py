@@ -36,7 +36,7 @@ def shorthands(case: dict[sp.Symbol, int] | None = None) -> Names:
 
 
 def in_contact() -> Names:
-    """Those in contact."""
+    """Shorthands of the equilibria in contact."""
     return shorthands(equilibrium.CONTACT)
 
 

@@ -233,8 +233,8 @@ def module() -> Module:
 
 
 def _fold_events() -> tuple[Row, Row, Names, Names]:
-    """What is 0 at an event, for α > 0 and for α = 0, in the coefficients of the conic, and names
-    for these.
+    """Quantities that are 0 at an event, for α > 0 and for α = 0, in the coefficients of the conic,
+    and names for these.
 
     With v = tan(θ₀/2) the conic is a quartic, and 27 times its discriminant is 4 P³ − Q²; the
     cosine enters by its square.
@@ -272,7 +272,7 @@ def _fold_events() -> tuple[Row, Row, Names, Names]:
 
 
 def _changes() -> tuple[Row, ...]:
-    """How a, b, d and m change with each parameter, in the order of f."""
+    """Derivatives of a, b, d and m by each parameter, in the order of f."""
     rows = []
     for parameter in (theta0, *PARAMETERS):
         row = []
@@ -358,7 +358,7 @@ def _fold_cubics() -> tuple[Row, Row]:
 
 
 def _unfolding() -> tuple[Pair, ...]:
-    """How f and f′ in contact change with each parameter: what makes a cusp a versal one."""
+    """Derivatives of f and f′ in contact by each parameter: what makes a cusp a versal one."""
     pairs = []
     for row in _changes():
         change = elimination.f_form.subs(

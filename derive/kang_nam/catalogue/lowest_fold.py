@@ -9,7 +9,7 @@ from .arrangement import WITHOUT_FRICTION, in_contact
 
 
 def functions() -> tuple[Function, ...]:
-    """Those of the module ``catastrophe``."""
+    """Functions of the module ``catastrophe``."""
     first, second = sp.symbols("a_:3"), sp.symbols("c_:3")
     slope, circle = lowest_fold.quadratics_in_parts()
     names = {

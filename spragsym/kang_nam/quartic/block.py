@@ -134,8 +134,8 @@ def _some(
     rows: IntArray | slice,
     u: np.floating[Any],
 ) -> BoolArray:
-    """Which points have all of these roots settled, one array of each in ascending order; all are
-    examined in one call.
+    """Mask of the points that have all of these roots settled, one array of each in ascending
+    order; all are examined in one call.
     """
     t, alone = _stacked(roots), len(roots) == 1
     # What depends on the point alone is computed once for all of its roots; arrays of one root are

@@ -43,7 +43,7 @@ WIDE_BLOCK = 1 << 12
 
 @dataclass(frozen=True)
 class _Closed(Linearizing):
-    """What closed forms know of equilibria."""
+    """Equilibria in closed form."""
 
     p: Parameters
     contact: bool
@@ -343,5 +343,5 @@ def get_backend() -> str:
 
 
 def chosen() -> ModuleType:
-    """What solves points."""
+    """Module that solves points, by the chosen backend."""
     return compiled if _choice.name != "numpy" and compiled.available() else block

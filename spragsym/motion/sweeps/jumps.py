@@ -19,7 +19,8 @@ from .many import Sweep, rms_sweep
 
 @dataclass(frozen=True, eq=False)
 class Sensitivity(Result):
-    """Where the RMS of x jumps as θ₀ grows, for every V (first axis) with every d (second).
+    """Sensitivity to V and d: jumps of the RMS of x as θ₀ grows, for every V (first axis) with
+    every d (second).
 
     Attributes
     ----------

@@ -175,7 +175,7 @@ def rms_sweep(
 
 
 def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:
-    """How many motions are one task: what a kill loses, and what every worker gets many of. No
+    """Number of motions in one task: what a kill loses, and what every worker gets many of. No
     result depends on it.
     """
     if settings["backend"] != "heyoka":  # which alone carries many at a time
@@ -259,7 +259,7 @@ class Sweep(Named):
         return {**self.inputs, **self._words_and_measures()}
 
     def outcome(self, index: Any) -> Outcome:
-        """What one motion comes to.
+        """Outcome of one motion.
 
         Parameters
         ----------
@@ -393,7 +393,7 @@ def measured(
 
 
 def _record(statistics: MotionStatistics | Exception, problem: Problem, backend: str) -> Record:
-    """What was measured and what is told of the limit, in the order of :func:`reported`."""
+    """Measures and limit of a motion, in the order of :func:`reported`."""
     if isinstance(statistics, Exception):
         return _no_result(statistics)
     (mean, spread), (lost, _, *reversals) = statistics.moments(), statistics.events[: Event.STICK]

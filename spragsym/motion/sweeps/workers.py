@@ -131,7 +131,7 @@ def _values_of(names: Iterable[str], points: Sequence[Point]) -> str:
 
 
 def count(workers: int) -> int:
-    """How many processes."""
+    """Number of processes."""
     if isinstance(workers, bool) or not isinstance(workers, int):
         raise ParameterTypeError(f"workers = {workers!r} is neither an int nor a map-like callable")
     if workers == -1:
@@ -296,7 +296,7 @@ def _map(
 
 
 def _asked(child: subprocess.Popen[bytes], message: bytes) -> Any:
-    """What a process answers."""
+    """Answer of a process."""
     assert child.stdin is not None
     assert child.stdout is not None
     if child.stdin.closed:
@@ -343,7 +343,7 @@ def _begun() -> subprocess.Popen[bytes]:
 
 
 def _epitaph(code: int, said: str) -> str:
-    """How a process ended, and its last words."""
+    """Exit of a process in words, and its last ones."""
     lines = [line for line in said.splitlines() if line.strip()]
     words = f", and its last words were {lines[-1].strip()!r}" if lines else ""
     if code >= 0:
@@ -363,7 +363,7 @@ def _packed(message: Any) -> bytes:
 
 
 def _unpacked(line: bytes) -> Any:
-    """What our own process at the other end of the pipe has sent; files are never read this way."""
+    """Message of our own process at the other end of the pipe; files are never read this way."""
     return pickle.loads(base64.b64decode(line[1:-1]))  # noqa: S301 -- see above
 
 

@@ -38,7 +38,7 @@ def broadcasting(module: dict[str, Any]) -> list[str]:
 def everywhere(
     borders: Callable[..., Any], regime: Callable[..., Any], at: tuple[Any, ...], xp: Any
 ) -> Any:
-    """What a function of regimes gives at a place, with all exponentials felt.
+    """Value of a function of regimes at a place, with all exponentials felt.
 
     A border is contact's, and that of the belt ahead.
     """
@@ -70,8 +70,8 @@ def _shaped(function: Callable[_P, _R]) -> Callable[_P, _R]:
 
 
 def _documentation(function: Callable[..., Any]) -> str:
-    """What ``help`` shows: the function's own text, and its arguments by the table at the head of
-    its module.
+    """Text that ``help`` shows: the function's own text, and its arguments by the table at the head
+    of its module.
     """
     table = dict(
         line.split(" : ", 1)

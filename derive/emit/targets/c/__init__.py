@@ -64,9 +64,7 @@ def render(material: Material) -> dict[str, str]:
 
 
 def _words(material: Material) -> dict[str, str]:
-    """What stands in comments: where the library comes from, what it is, and the nomenclature's
-    words.
-    """
+    """Texts of comments: where the library comes from, what it is, and the nomenclature's words."""
     words = {
         "source": material.digest[:16],
         "header": textwrap.fill(material.header.replace("``", ""), WIDTH, subsequent_indent=" * "),
@@ -88,7 +86,7 @@ def _words(material: Material) -> dict[str, str]:
 
 
 def _costs(source: str, emitted: dict[str, int]) -> dict[str, str]:
-    """What every function costs, and whole numbers that the source defines."""
+    """Cost of every function, and whole numbers that the source defines."""
     words = {
         f"cost:{name}": cost.describe(value) for name, value in cost.costs(source, emitted).items()
     }

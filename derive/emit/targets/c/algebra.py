@@ -137,7 +137,7 @@ def prototype(function: Definition, library: str, angles: Angles) -> str:
 def symbols(
     functions: Iterable[Definition], quantities: Mapping[str, Quantity], angles: Angles
 ) -> str:
-    """What every argument of the public functions is, as lines of a comment."""
+    """Meanings of all arguments of the public functions, as lines of a comment."""
     known = {c_name(name): quantity for name, quantity in quantities.items()}
     names = dict.fromkeys(
         c_name(name) for function in functions for name in taken(function, angles)

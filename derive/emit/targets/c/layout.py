@@ -68,7 +68,7 @@ def definition(head: str, body: str) -> str:
 
 
 def _places(line: str) -> list[int]:
-    """Where the line may be broken."""
+    """Places at which a line may be broken."""
     depths = list(_depths(line))
     outside = "".join(
         character if depth == 0 else "_" for character, depth in zip(line, depths, strict=True)

@@ -59,7 +59,7 @@ def render(material: Material) -> dict[str, str]:
 
 
 def _words(material: Material) -> dict[str, str]:
-    """What stands for ``@name@``, or for a comment that holds nothing else."""
+    """Text for ``@name@``, or for a comment that holds nothing else."""
     functions = material.algebra
     return {
         "library": material.library,

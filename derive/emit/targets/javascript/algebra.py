@@ -40,7 +40,7 @@ def _printed(expression: str) -> str:
 
 
 def meanings(functions: Iterable[Definition], quantities: Mapping[str, Quantity]) -> str:
-    """What every argument of the algebra is, as a comment."""
+    """Meanings of all arguments of the algebra, as a comment."""
     return "".join(
         f"{comment(f'{name}: {quantities[name].meaning}')}\n" for name in symbols(functions)
     )
@@ -54,7 +54,7 @@ def comment(text: str, indent: str = "") -> str:
 
 
 def declaration(function: Definition) -> str:
-    """Its type, as a member of an object."""
+    """Type of a function, as a member of an object."""
     given = ", ".join(
         f"{name}{'?' if name in function.further else ''}: number" for name in function.accepted
     )

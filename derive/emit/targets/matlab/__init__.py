@@ -62,7 +62,7 @@ def _namespace(name: str, summary: str, functions: Iterable[str]) -> str:
 
 
 def _words(material: Material) -> dict[str, str]:
-    """What stands for ``@name@``."""
+    """Text for ``@name@``."""
     return {
         "library": material.library,
         "source": material.digest[:16],
@@ -75,7 +75,7 @@ def _words(material: Material) -> dict[str, str]:
 
 
 def _contents(material: Material, own: dict[str, str]) -> str:
-    """What ``help`` says about the package."""
+    """Text of ``help`` on the package."""
     lines = textwrap.wrap(f"{material.summary} {material.header.replace('``', '')}", algebra.WIDTH)
     lines.append("")
     for name, text in own.items():

@@ -20,7 +20,7 @@ _TAKEN = frozenset({"single", "balance"})
 
 
 def method_name(name: str) -> str:
-    """What a routine is called in the package."""
+    """Name of a routine in the package."""
     return f"{name}_" if name in _TAKEN else name
 
 
@@ -79,7 +79,7 @@ class _MatlabPrinter(Printer):
         return _joined(lines) + self.body("  ") + "end\n"
 
     def _returned(self) -> str:
-        """What stands for the result, or for each of several."""
+        """Name of the result, or names of several."""
         match self.it.body[-1]:
             case ast.Return(value=ast.Tuple(elts=results)):
                 return f"[{', '.join(f'result{place + 1}' for place in range(len(results)))}]"

@@ -18,7 +18,7 @@ import sympy as sp
 from .algebra import Pair, Symbols
 from . import pages
 from .model import Contact, Coordinate, Element, Page, Point
-from .shapes import Axis, Sheet, arrow, damper, spring, wall
+from .shapes import Axis, Drawing, arrow, damper, spring, wall
 
 #: Where the documentation has them.
 IMAGES = Path(__file__).parent.parent / "docs" / "images" / "models"
@@ -36,23 +36,23 @@ def render(page: Page, docstring: str = "") -> str:
     """The SVG file of a page: its mechanism where that is one that can be drawn, else the drawing
     in its docstring.
     """
-    sheet = Sheet()
+    drawing = Drawing()
     if not is_drawn(page):
         for row, line in enumerate(typed(docstring) or [page.summary]):
-            sheet.typed(line, row)
-        return sheet.svg(page.summary)
+            drawing.typed(line, row)
+        return drawing.svg(page.summary)
     names = list(map(str, page.places))
     if page.normal is not None or page.sliding is not None:
-        _belt(sheet, page)
+        _belt(drawing, page)
     for it in page.coordinates[:2]:
-        _tied_to_ground(sheet, page, it)
-    _between_ends(sheet, page)
-    _leaning(sheet, page)
-    _body(sheet, page)
-    _forces(sheet, page)
-    _frame(sheet, page)
-    _axes(sheet, names[: 2 if page.normal is not None and page.normal.gap is not None else 1])
-    return sheet.svg(page.summary)
+        _tied_to_ground(drawing, page, it)
+    _between_ends(drawing, page)
+    _leaning(drawing, page)
+    _body(drawing, page)
+    _forces(drawing, page)
+    _frame(drawing, page)
+    _axes(drawing, names[: 2 if page.normal is not None and page.normal.gap is not None else 1])
+    return drawing.svg(page.summary)
 
 
 def typed(docstring: str) -> list[str]:
@@ -150,10 +150,12 @@ def _along(page: Page, coordinate: Coordinate) -> list[Element]:
     return [it for it in page.elements if it.along == coordinate.symbol]
 
 
-def _draw(sheet: Sheet, part: Element, axis: Axis, beside: complex, anchor: str = "middle") -> None:
+def _draw(
+    drawing: Drawing, part: Element, axis: Axis, beside: complex, anchor: str = "middle"
+) -> None:
     """A spring or a damper, with its letter."""
-    (damper if part.what == "damper" else spring)(sheet, axis)
-    sheet.name(_letter(part.strength), beside, anchor=anchor)
+    (damper if part.what == "damper" else spring)(drawing, axis)
+    drawing.name(_letter(part.strength), beside, anchor=anchor)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -174,15 +176,15 @@ def _is_ball(page: Page) -> bool:
     return not sp.sympify(page.normal.law(depth)).is_polynomial(depth)
 
 
-def _body(sheet: Sheet, page: Page) -> None:
+def _body(drawing: Drawing, page: Page) -> None:
     half = _half(page)
     if _is_ball(page):
-        sheet.circle(0, half.real, style="ink body")
+        drawing.circle(0, half.real, style="ink body")
     else:
-        sheet.box(-half, half, style="ink body")
+        drawing.box(-half, half, style="ink body")
     rate = page.coordinates[0].rate
     mass = "m" if page.inertia is None else _letter(sp.diff(page.inertia[0], rate, 2))
-    sheet.name(mass, 7j)
+    drawing.name(mass, 7j)
 
 
 def _terms(contact: Contact) -> list[sp.Expr]:
@@ -193,29 +195,29 @@ def _terms(contact: Contact) -> list[sp.Expr]:
     return [it.subs(depth, 1) for it in sorted(terms, key=powers.__getitem__)]
 
 
-def _belt(sheet: Sheet, page: Page) -> None:
+def _belt(drawing: Drawing, page: Page) -> None:
     """Belt and rollers, with the contact between them and the mass."""
     height = _half(page).imag
     elastic = page.normal is not None and page.normal.gap is not None
     top = height + (_CONTACT if elastic else 0.0)
-    sheet.box(complex(-130, top), complex(150, top + 14), style="ink belt")
+    drawing.box(complex(-130, top), complex(150, top + 14), style="ink belt")
     if page.sliding is not None:
-        arrow(sheet, complex(60, top + 34), complex(140, top + 34))
-        sheet.name(_letter(page.sliding.belt), complex(152, top + 40), anchor="start")
+        arrow(drawing, complex(60, top + 34), complex(140, top + 34))
+        drawing.name(_letter(page.sliding.belt), complex(152, top + 40), anchor="start")
     if page.normal is None or not elastic:
         return
     for x in (-16.0, 16.0):
-        spring(sheet, Axis(complex(x, height), complex(x, top - 3)), turns=3, width=6.0)
-    sheet.line(complex(-26, top - 3), complex(26, top - 3))
+        spring(drawing, Axis(complex(x, height), complex(x, top - 3)), turns=3, width=6.0)
+    drawing.line(complex(-26, top - 3), complex(26, top - 3))
     letters = ", ".join(map(_letter, _terms(page.normal)))
-    sheet.name(letters, complex(-34, height + 0.5 * _CONTACT + 7), anchor="end")
+    drawing.name(letters, complex(-34, height + 0.5 * _CONTACT + 7), anchor="end")
 
 
 # ------------------------------------------------------------------------------------------------
 # springs and dampers
 
 
-def _tied_to_ground(sheet: Sheet, page: Page, coordinate: Coordinate) -> None:
+def _tied_to_ground(drawing: Drawing, page: Page, coordinate: Coordinate) -> None:
     """Elements along a coordinate of the mass: to the wall or to the ceiling. A trolley's is drawn
     with the trolley.
     """
@@ -226,25 +228,25 @@ def _tied_to_ground(sheet: Sheet, page: Page, coordinate: Coordinate) -> None:
         rows = _rows(len(parts), 46.0)
         for part, y in zip(parts, rows, strict=True):
             beside = complex(0.5 * (_WALL - width), y - 17)
-            _draw(sheet, part, Axis(complex(_WALL, y), complex(-width, y)), beside)
-        wall(sheet, _WALL, 18.0 + 0.5 * (rows[-1] - rows[0]), -1)
+            _draw(drawing, part, Axis(complex(_WALL, y), complex(-width, y)), beside)
+        wall(drawing, _WALL, 18.0 + 0.5 * (rows[-1] - rows[0]), -1)
         return
     rows = _rows(len(parts), 40.0)
     arm = width + 78.0 + rows[-1]
-    sheet.line(width, arm + rows[-1])
+    drawing.line(width, arm + rows[-1])
     for part, x in zip(parts, rows, strict=True):
         place, way = arm + x, -1 if x < 0 else 1
         beside = complex(place + 14 * way, 0.5 * _CEILING + 6)
         axis = Axis(place, complex(place, _CEILING))
-        _draw(sheet, part, axis, beside, "end" if x < 0 else "start")
-    wall(sheet, complex(arm, _CEILING), 18.0 + 0.5 * (rows[-1] - rows[0]), -1j)
+        _draw(drawing, part, axis, beside, "end" if x < 0 else "start")
+    wall(drawing, complex(arm, _CEILING), 18.0 + 0.5 * (rows[-1] - rows[0]), -1j)
 
 
 def _rows(count: int, apart: float) -> list[float]:
     return [apart * (place - 0.5 * (count - 1)) for place in range(count)]
 
 
-def _between_ends(sheet: Sheet, page: Page) -> None:
+def _between_ends(drawing: Drawing, page: Page) -> None:
     """Springs and dampers from the mass to an anchor; those with the same anchor side by side."""
     values, top = _values(page), -1j * _half(page).imag
 
@@ -260,65 +262,65 @@ def _between_ends(sheet: Sheet, page: Page) -> None:
         shared.setdefault(place_of(part), []).append(part)
     for count, (place, parts) in enumerate(shared.items()):
         axis = Axis(top, place)
-        _side_by_side(sheet, axis, parts)
+        _side_by_side(drawing, axis, parts)
         moving = [it for it in page.coordinates[2:] if anchor(parts[0])[0].has(it.symbol)]
         if moving:
-            _trolley(sheet, page, place, moving[0])
+            _trolley(drawing, page, place, moving[0])
         else:
-            _anchor(sheet, place)
+            _anchor(drawing, place)
         for torsion in page.torsions:
             if place_of(torsion) == place:
-                _turning(sheet, place, _letter(torsion.strength))
+                _turning(drawing, place, _letter(torsion.strength))
         if count == 0:
-            _angle(sheet, axis)
+            _angle(drawing, axis)
 
 
-def _anchor(sheet: Sheet, place: complex) -> None:
-    sheet.circle(place, 5.0)
-    wall(sheet, place - 8j, 16.0, -1j)
+def _anchor(drawing: Drawing, place: complex) -> None:
+    drawing.circle(place, 5.0)
+    wall(drawing, place - 8j, 16.0, -1j)
 
 
-def _turning(sheet: Sheet, place: complex, letter: str) -> None:
+def _turning(drawing: Drawing, place: complex, letter: str) -> None:
     """A torsion spring at an anchor: two arcs around it, and its letter."""
     for radius in (11.0, 17.0):
         arc = (place + cmath.rect(radius, math.radians(10.0 * turn)) for turn in range(17))
-        sheet.line(*arc, style="ink thin")
-    sheet.name(letter, place + 24 + 12j, anchor="start")
+        drawing.line(*arc, style="ink thin")
+    drawing.name(letter, place + 24 + 12j, anchor="start")
 
 
-def _side_by_side(sheet: Sheet, axis: Axis, parts: list[Element]) -> None:
+def _side_by_side(drawing: Drawing, axis: Axis, parts: list[Element]) -> None:
     """Parts between the same two ends, joined by bars if there are several."""
     rows = _rows(len(parts), 28.0)
     inner = axis
     if len(parts) > 1:
         inner = Axis(axis.at(0.14 * axis.length), axis.at(0.88 * axis.length))
         for outer, bar in ((axis.start, 0.0), (axis.end, inner.length)):
-            sheet.line(outer, inner.at(bar))
-            sheet.line(inner.at(bar, rows[0]), inner.at(bar, rows[-1]))
+            drawing.line(outer, inner.at(bar))
+            drawing.line(inner.at(bar, rows[0]), inner.at(bar, rows[-1]))
     for part, aside in zip(parts, rows, strict=True):
         beside = inner.at(0.6 * inner.length, aside - 18 if aside <= 0 else aside + 18) + 6j
-        _draw(sheet, part, inner.shifted(aside), beside, "end" if aside <= 0 else "start")
+        _draw(drawing, part, inner.shifted(aside), beside, "end" if aside <= 0 else "start")
 
 
-def _angle(sheet: Sheet, axis: Axis) -> None:
+def _angle(drawing: Drawing, axis: Axis) -> None:
     start, angle = axis.start, -cmath.phase(axis.end - axis.start)
-    sheet.line(start, start + 62, style="ink thin dash")
-    sheet.arc(start, 46.0, angle)
-    sheet.name("theta", start + cmath.rect(60, -0.4 * angle) + 6j)
+    drawing.line(start, start + 62, style="ink thin dash")
+    drawing.arc(start, 46.0, angle)
+    drawing.name("theta", start + cmath.rect(60, -0.4 * angle) + 6j)
 
 
-def _trolley(sheet: Sheet, page: Page, place: complex, coordinate: Coordinate) -> None:
+def _trolley(drawing: Drawing, page: Page, place: complex, coordinate: Coordinate) -> None:
     """An anchor that moves along the belt: a car on a rail, with what ties it to the ground."""
-    sheet.box(place - 24 - 12j, place + 24 + 4j, style="ink body")
+    drawing.box(place - 24 - 12j, place + 24 + 4j, style="ink body")
     for wheel in (-14, 14):
-        sheet.circle(place + wheel - 17j, 5.0)
-    sheet.line(place - 60 - 23j, place + 70 - 23j)
-    arrow(sheet, place + 34 - 4j, place + 70 - 4j)
-    sheet.name(str(coordinate.symbol), place + 76 + 2j, anchor="start")
+        drawing.circle(place + wheel - 17j, 5.0)
+    drawing.line(place - 60 - 23j, place + 70 - 23j)
+    arrow(drawing, place + 34 - 4j, place + 70 - 4j)
+    drawing.name(str(coordinate.symbol), place + 76 + 2j, anchor="start")
     for part in _along(page, coordinate):
         end = place - 150 - 4j
-        _draw(sheet, part, Axis(end, place - 24 - 4j), place - 87 + 24j)
-        wall(sheet, end, 18.0, -1)
+        _draw(drawing, part, Axis(end, place - 24 - 4j), place - 87 + 24j)
+        wall(drawing, end, 18.0, -1)
 
 
 def _slopes(page: Page, energy: sp.Expr) -> list[sp.Expr]:
@@ -348,7 +350,7 @@ def _ratio(page: Page, energy: sp.Expr) -> sp.Expr | None:
     return ratio if ratio.is_number else None
 
 
-def _leaning(sheet: Sheet, page: Page) -> None:
+def _leaning(drawing: Drawing, page: Page) -> None:
     """A potential that depends on one combination of x and y: a spring along it that keeps its
     direction.
     """
@@ -360,17 +362,17 @@ def _leaning(sheet: Sheet, page: Page) -> None:
         along += math.pi * (math.sin(along) < 0)  # upwards
         start = -1j * _half(page).imag
         axis = Axis(start, start + cmath.rect(0.7 * _LENGTH, -along))
-        spring(sheet, axis)
+        spring(drawing, axis)
         at = {symbol: index + 1 for index, symbol in enumerate(page.places[:2])}
-        sheet.name(_letter(energy.subs(at)), axis.at(0.5 * axis.length, -26.0), anchor="end")
-        _anchor(sheet, axis.end)
+        drawing.name(_letter(energy.subs(at)), axis.at(0.5 * axis.length, -26.0), anchor="end")
+        _anchor(drawing, axis.end)
 
 
 # ------------------------------------------------------------------------------------------------
 # forces and axes
 
 
-def _forces(sheet: Sheet, page: Page) -> None:
+def _forces(drawing: Drawing, page: Page) -> None:
     """Applied forces as arrows towards the mass or away from it, each with its symbols but those of
     its direction.
     """
@@ -397,12 +399,12 @@ def _forces(sheet: Sheet, page: Page) -> None:
             side, start = 1.0, complex(0.85 * half.real)
             end = start + 56 * across
             beside = end + 12 + 2j
-        arrow(sheet, start, end, style="ink force")
+        arrow(drawing, start, end, style="ink force")
         anchor = "end" if side < 0 else "start"
-        sheet.name(_letter(bare), beside, anchor=anchor, style="force-name")
+        drawing.name(_letter(bare), beside, anchor=anchor, style="force-name")
 
 
-def _frame(sheet: Sheet, page: Page) -> None:
+def _frame(drawing: Drawing, page: Page) -> None:
     """An arc around the mass where the kinetic energy has terms linear in the rates, with what they
     hold beside masses: the speed of the frame.
     """
@@ -413,17 +415,17 @@ def _frame(sheet: Sheet, page: Page) -> None:
     speeds -= sp.hessian(energy, page.rates).free_symbols
     if speeds:
         arc = [cmath.rect(72.0, -math.radians(angle)) for angle in range(20, 161, 10)]
-        sheet.line(*arc, style="ink thin")
-        arrow(sheet, arc[-2], arc[-1])
-        sheet.name(", ".join(sorted(map(str, speeds))), arc[0] + 8 - 4j, anchor="start")
+        drawing.line(*arc, style="ink thin")
+        arrow(drawing, arc[-2], arc[-1])
+        drawing.name(", ".join(sorted(map(str, speeds))), arc[0] + 8 - 4j, anchor="start")
 
 
-def _axes(sheet: Sheet, names: list[str]) -> None:
+def _axes(drawing: Drawing, names: list[str]) -> None:
     """The coordinates of the mass, beside the belt."""
     start = -188 + 108j
     for name, way in zip(names, (38 + 0j, -38j), strict=False):
-        arrow(sheet, start, start + way)
-        sheet.name(name, start + 1.25 * way + 2 + (6j if way.real else 0))
+        arrow(drawing, start, start + way)
+        drawing.name(name, start + 1.25 * way + 2 + (6j if way.real else 0))
 
 
 def every_drawing() -> dict[str, str]:

@@ -85,14 +85,14 @@ def export(
     return targets.render(written_in, replace(made, motion=moves))
 
 
-def for_the_browser(model: pages.Model, header: str) -> str:
+def for_the_browser(model: pages.PageModel, header: str) -> str:
     """The functions of a page that the explorer calls, as an ES module."""
     files = targets.render("javascript", material(model, header, EXPLORED))
     return files[f"{library(model.name)}.mjs"]
 
 
 def material(
-    model: pages.Model,
+    model: pages.PageModel,
     header: str | None = None,
     only: Collection[str] | None = None,
     in_python: bool = False,
@@ -152,7 +152,7 @@ def material(
 
 
 def _motion(
-    model: pages.Model, data: Data | None, inputs: Collection[str]
+    model: pages.PageModel, data: Data | None, inputs: Collection[str]
 ) -> targets.MotionMaterial:
     """Motion of a page's model: with data in their units and else in SI, without any in none."""
     it, page = model.mechanics, model.page
@@ -289,7 +289,7 @@ _EXAMPLES = {
 _EXAMPLES["casadi"] = _EXAMPLES["jax"]
 
 
-def _examples(model: pages.Model) -> dict[str, dict[str, str]]:
+def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
     """By language, an example: a motion at the base values."""
     it = model.mechanics
     count = len(it.coordinates)

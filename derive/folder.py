@@ -32,7 +32,7 @@ from .emit import python
 from .emit.python import algebra
 from .mechanics import Line, Mechanics, NormalForce, on
 from .model import Datum, Friction, Page, acceleration_of
-from .pages import Model
+from .pages import PageModel
 
 #: What a folder is, and the list of its files.
 MARK = "model.json"
@@ -43,7 +43,7 @@ Shared = dict[str, str]
 _EVERYWHERE = "everywhere(borders, regime_rhs, ({}), xp)"
 
 
-def render(model: Model, header: str, shared: Shared | None = None) -> dict[str, str]:
+def render(model: PageModel, header: str, shared: Shared | None = None) -> dict[str, str]:
     """The files of a model's folder, by their names.
 
     With ``shared``, functions that a model before it has are imported from its folder beside this
@@ -79,7 +79,7 @@ def modules(model: Mechanics) -> tuple[Module, ...]:
     return tuple(part.module(model) for part in (statics, linearization, motion))
 
 
-def _algebra(model: Model, header: str, shared: Shared | None) -> str:
+def _algebra(model: PageModel, header: str, shared: Shared | None) -> str:
     """The module of functions: those of the balance, of small deviations from it and of the motion,
     each under its title.
     """
@@ -183,7 +183,7 @@ def _sides(contact: NormalForce) -> str:
     return f"1 in contact, 0 in lift-off{on(contact)}"
 
 
-def description(model: Model) -> dict[str, Any]:
+def description(model: PageModel) -> dict[str, Any]:
     """``model.json`` without the digests of the files."""
     it = model.mechanics
     mirror = symmetry.mirror(it)

@@ -23,7 +23,7 @@ SHIPPED = Path(__file__).parent / "models"
 
 
 @dataclass(frozen=True)
-class Model:
+class PageModel:
     """A page and what follows from it."""
 
     name: str
@@ -44,7 +44,7 @@ def shipped() -> tuple[Path, ...]:
     return tuple(sorted(pages, key=lambda path: path.stem != "kang_nam"))
 
 
-def read(path: Path, name: str = "") -> Model:
+def read(path: Path, name: str = "") -> PageModel:
     """Read a page, once as it stands: it is run as a module of this package, wherever it is. The
     model has its name, or another.
 
@@ -74,7 +74,7 @@ def read(path: Path, name: str = "") -> Model:
 
 
 @cache
-def _model(path: Path, text: str, name: str) -> Model:
+def _model(path: Path, text: str, name: str) -> PageModel:
     page, docstring = _run(path, text)
     vocabulary.check_characters("the docstring", docstring, 1, "\n\t")
     statement_checks.check(page, docstring)
@@ -84,7 +84,7 @@ def _model(path: Path, text: str, name: str) -> Model:
     smoothness_checks.check(model)
     physical_checks.check_forces(model)
     statement_checks.check_used(page)
-    return Model(name, text, docstring, page, model)
+    return PageModel(name, text, docstring, page, model)
 
 
 def _run(path: Path, text: str) -> tuple[Page, str]:

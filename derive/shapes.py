@@ -47,7 +47,7 @@ _GREEK = {
 
 
 @dataclass
-class Sheet:
+class Drawing:
     """Elements in the order in which they are drawn, and the room that they take."""
 
     elements: list[str] = field(default_factory=list)
@@ -154,7 +154,7 @@ class Axis:
         return Axis(self.at(0.0, aside), self.at(self.length, aside))
 
 
-def spring(sheet: Sheet, axis: Axis, turns: int = 6, width: float = 8.0) -> None:
+def spring(drawing: Drawing, axis: Axis, turns: int = 6, width: float = 8.0) -> None:
     """A zigzag with straight ends."""
     lead = 0.18 * axis.length
     step = (axis.length - 2 * lead) / (2 * turns)
@@ -162,31 +162,31 @@ def spring(sheet: Sheet, axis: Axis, turns: int = 6, width: float = 8.0) -> None
         axis.at(lead + (place + 0.5) * step, width if place % 2 else -width)
         for place in range(2 * turns)
     ]
-    sheet.line(axis.start, axis.at(lead), *inner, axis.at(axis.length - lead), axis.end)
+    drawing.line(axis.start, axis.at(lead), *inner, axis.at(axis.length - lead), axis.end)
 
 
-def damper(sheet: Sheet, axis: Axis, width: float = 7.0) -> None:
+def damper(drawing: Drawing, axis: Axis, width: float = 7.0) -> None:
     """A piston in a cup."""
     middle = 0.5 * axis.length
-    sheet.line(axis.start, axis.at(middle + 5))
-    sheet.line(axis.at(middle + 5, -width + 2), axis.at(middle + 5, width - 2))
+    drawing.line(axis.start, axis.at(middle + 5))
+    drawing.line(axis.at(middle + 5, -width + 2), axis.at(middle + 5, width - 2))
     cup = ((-8, -width), (14, -width), (14, width), (-8, width))
-    sheet.line(*(axis.at(middle + along, aside) for along, aside in cup))
-    sheet.line(axis.at(middle + 14), axis.end)
+    drawing.line(*(axis.at(middle + along, aside) for along, aside in cup))
+    drawing.line(axis.at(middle + 14), axis.end)
 
 
-def wall(sheet: Sheet, centre: complex, half: float, outward: complex) -> None:
+def wall(drawing: Drawing, centre: complex, half: float, outward: complex) -> None:
     """A wall seen from the side, hatched away from what it holds."""
     along = half * 1j * outward
-    sheet.line(centre + along, centre - along)
+    drawing.line(centre + along, centre - along)
     strokes = max(2, round(half / 6))
     for place in range(strokes + 1):
         foot = centre + (1 - 2 * place / strokes) * along
-        sheet.line(foot, foot + (8 - 5j) * outward, style="ink thin")
+        drawing.line(foot, foot + (8 - 5j) * outward, style="ink thin")
 
 
-def arrow(sheet: Sheet, start: complex, end: complex, style: str = "ink") -> None:
+def arrow(drawing: Drawing, start: complex, end: complex, style: str = "ink") -> None:
     """An arrow with an open head."""
     axis = Axis(start, end)
-    sheet.line(start, end, style=style)
-    sheet.line(axis.at(axis.length - 10, 5), end, axis.at(axis.length - 10, -5), style=style)
+    drawing.line(start, end, style=style)
+    drawing.line(axis.at(axis.length - 10, 5), end, axis.at(axis.length - 10, -5), style=style)

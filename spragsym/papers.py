@@ -17,7 +17,7 @@ from .core.errors import MissingExtraError, ParameterError
 from .models.load import load, page_of
 
 if TYPE_CHECKING:
-    from .derive.pages import Model as Page
+    from .derive.pages import PageModel as Page
     from .derive.statements.verdicts import Row
 
 #: Fields of a row under titles, as a referee reads them.

@@ -33,7 +33,7 @@ SLOWEST = 2.0
 class Case:
     """A right statement of a paper, and the paper with what else its names need."""
 
-    model: pages.Model
+    model: pages.PageModel
     paper: papers.Paper
     item: Item
 
@@ -48,7 +48,7 @@ class Case:
 
 
 @cache
-def files() -> list[tuple[Path, papers.Paper, pages.Model]]:
+def files() -> list[tuple[Path, papers.Paper, pages.PageModel]]:
     """Every file with its page."""
     found = []
     for path in (*sorted(FOLDER.rglob("*.toml")), ARTICLE):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ..emit.elementary import Direction
 from ..emit.language import Flag, Real, absolute, derived, maximum, minimum, where
-from .kernel import INFINITY, Balance, Point, direction, rough, sound
+from .kernel import INFINITY, LineBalance, Point, direction, rough, sound
 
 # Generated algebra, and counts of roundings: a target gives them their meaning.
 f, f_slope, state, stiffness, invariants = derived(5)
@@ -48,7 +48,7 @@ class Root(NamedTuple):
     known: Flag
 
 
-def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
+def at_root(t: Real, point: Point, line: LineBalance, u: Real) -> Root:
     """State, error bounds and stability at a root of f that is proved to lie near θ = 2 atan t.
 
     Newton–Kantorovich on f at θ: a root lies within about |f|/|f′|. Then, with R = (β + n̄) sin θ₀

@@ -71,7 +71,7 @@ class Point(NamedTuple):
     nbar: Real
 
 
-class Balance(NamedTuple):
+class LineBalance(NamedTuple):
     """Coefficients of f, the sizes of a and d, all over ``scale``, which is the largest
     coefficient.
     """
@@ -214,7 +214,7 @@ def moderate(point: Point) -> Flag:
     return across & tame(rough(point.mu0)) & tame(rough(point.alpha)) & (rough(point.kappa) > 0.0)
 
 
-def balance(point: Point) -> Balance:
+def balance(point: Point) -> LineBalance:
     """f of the point: coefficients and sizes over the largest coefficient."""
     a, b, d, m = f_coefficients(
         point.cos0,
@@ -241,10 +241,10 @@ def balance(point: Point) -> Balance:
         maximum(absolute(rough(a)), absolute(rough(b))), maximum(absolute(rough(d)), rough(m))
     )
     over = 1.0 / scale
-    return Balance(a * over, b * over, d * over, m * over, a_size * over, d_size * over, scale)
+    return LineBalance(a * over, b * over, d * over, m * over, a_size * over, d_size * over, scale)
 
 
-def representable(line: Balance) -> Flag:
+def representable(line: LineBalance) -> Flag:
     """Whether double precision can carry the quartic of this balance."""
     return (
         (line.scale > SMALLEST_SCALE)
@@ -288,7 +288,7 @@ def quartic(a: Real, b: Real, d: Real, m: Real) -> Quartic:
     return Quartic(e0, e1, e2, e3, e4)
 
 
-def discriminant(line: Balance, it: Cubic, u: Real) -> Discriminant:
+def discriminant(line: LineBalance, it: Cubic, u: Real) -> Discriminant:
     """The sign of P³ + Q² is that of the discriminant, reversed.
 
     From bounds on the errors of P and Q: |P̃³ − P³| ≤ 3 (|P| + error)² error and |Q̃² − Q²| ≤ 2
@@ -302,7 +302,7 @@ def discriminant(line: Balance, it: Cubic, u: Real) -> Discriminant:
     return Discriminant(rough(it.P * it.P * it.P + it.Q * it.Q), u * (from_P + from_Q) + UNDERFLOW)
 
 
-def one_positive(line: Balance, e: Quartic, u: Real) -> Flag:
+def one_positive(line: LineBalance, e: Quartic, u: Real) -> Flag:
     """Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2 ≤ 0
     and e1 < 0.
     """
@@ -453,7 +453,7 @@ def root_pair(p: Real, q: Real) -> Pair:
     return Pair(large, q / large, quarter)
 
 
-def guesses(point: Point, line: Balance, u: Real) -> Guesses:
+def guesses(point: Point, line: LineBalance, u: Real) -> Guesses:
     """The roots that may be equilibria.
 
     In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The

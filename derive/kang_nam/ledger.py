@@ -94,7 +94,7 @@ class Judgement:
     remark: str = ""
 
 
-def judge(model: pages.Model) -> list[Judgement]:
+def judge(model: pages.PageModel) -> list[Judgement]:
     """Every row of the article for another page, in its order."""
     article_page = pages.read(pages.SHIPPED / "kang_nam.py")
     paper = verdicts.repaired(article.printed(), article_page)

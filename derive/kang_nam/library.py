@@ -53,9 +53,9 @@ _SHORT = ("energy", "friction_force")
 WIDELY = (
     ("balance", ("Point",)),
     ("moderate", ("Point",)),
-    ("representable", ("Balance",)),
-    ("guesses", ("Point", "Balance", "Real")),
-    ("at_root", ("Wide", "Point", "Balance", "Real")),
+    ("representable", ("LineBalance",)),
+    ("guesses", ("Point", "LineBalance", "Real")),
+    ("at_root", ("Wide", "Point", "LineBalance", "Real")),
     ("apart", ("Wide", "Real", "Wide", "Real")),
 )
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
-from ..pages import Model
+from ..pages import PageModel
 from . import samples
 from .matrices import entry_name
 from .objects import TIME, Derivation, NoObject, Object, derivation, derived
@@ -91,7 +91,7 @@ class Item:
 _FORMS: dict[tuple[str, str], dict[str, Derivation]] = {}
 
 
-def forms_of(model: Model) -> dict[str, Derivation]:
+def forms_of(model: PageModel) -> dict[str, Derivation]:
     """A page in both forms, kept for the next paper."""
     key = model.name, model.digest
     if key not in _FORMS:
@@ -100,7 +100,7 @@ def forms_of(model: Model) -> dict[str, Derivation]:
     return _FORMS[key]
 
 
-def opened(paper: Paper, model: Model) -> tuple[Book, list[Item | Verdict]]:
+def opened(paper: Paper, model: PageModel) -> tuple[Book, list[Item | Verdict]]:
     """A paper's names, and its statements in order; definitions may stand behind their use."""
     book = Book(forms_of(model), paper.renamed)
     for text, name in paper.renamed.items():

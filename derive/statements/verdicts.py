@@ -11,7 +11,7 @@ import sympy as sp
 
 from .. import units
 from ..mechanics import MU, PUSHING
-from ..pages import Model
+from ..pages import PageModel
 from . import samples
 from .comparison import Comparison, Component, Conventions, equation_of, judged_side, normal_form
 from .comparison import is_zero
@@ -87,13 +87,13 @@ class Checked:
     coordinates: tuple[str, ...] = ()
 
 
-def check(paper: Paper, model: Model, *, repair: bool = True) -> Checked:
+def check(paper: Paper, model: PageModel, *, repair: bool = True) -> Checked:
     """Verdicts on every statement of a paper, for a page; without ``repair`` what differs fails."""
     return compared(paper, model, opened(paper, model)[1], repair=repair)
 
 
 def compared(
-    paper: Paper, model: Model, found: Sequence[Item | Verdict], *, repair: bool = True
+    paper: Paper, model: PageModel, found: Sequence[Item | Verdict], *, repair: bool = True
 ) -> Checked:
     """Verdicts on the statements of a paper that were read."""
     items = [item for item in found if isinstance(item, Item)]
@@ -107,7 +107,7 @@ def compared(
     return Checked(paper.title, model.name, said, tuple(_said_once(rows)), coordinates)
 
 
-def repaired(paper: Paper, model: Model) -> Paper:
+def repaired(paper: Paper, model: PageModel) -> Paper:
     """A paper whose expected misprints are repaired, against a page."""
     _, found = opened(paper, model)
     items = [item for item in found if isinstance(item, Item)]

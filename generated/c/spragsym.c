@@ -560,7 +560,7 @@ typedef struct {
 /* Coefficients of f, the sizes of a and d, all over `scale`, which is the largest coefficient. */
 typedef struct {
     double a, b, d, m, a_size, d_size, scale;
-} Balance;
+} LineBalance;
 
 /* P and Q of z^3 + 3 P z + 2 Q, the resolvent shifted to the mean of its roots. */
 typedef struct {
@@ -636,11 +636,11 @@ typedef struct {
     Wide value0, value1, value2, value3;
 } Wides4;
 
-/* Balance in double-double arithmetic. */
+/* LineBalance in double-double arithmetic. */
 typedef struct {
     Wide a, b, d, m;
     double a_size, d_size, scale;
-} WideBalance;
+} WideLineBalance;
 
 /* 5 double-doubles. */
 typedef struct {
@@ -873,7 +873,7 @@ INLINE int sound(Point point) {
 INLINE int tame(double parameter) { return (parameter < LARGEST_WIDE) & ((parameter > SMALLEST_WIDE) | (parameter <= 0.0)); }
 
 /* f of the point: coefficients and sizes over the largest coefficient. */
-INLINE Balance balance(Point point) {
+INLINE LineBalance balance(Point point) {
     double f_coefficients_results[4];
     algebra_f_coefficients(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, point.beta, point.nbar,
         f_coefficients_results);
@@ -885,12 +885,12 @@ INLINE Balance balance(Point point) {
     /* m = mu0 sigma nbar is not negative. */
     const double scale = larger(larger(fabs(a), fabs(b)), larger(fabs(d), m));
     const double over = 1.0 / scale;
-    const Balance result = {a * over, b * over, d * over, m * over, a_size * over, d_size * over, scale};
+    const LineBalance result = {a * over, b * over, d * over, m * over, a_size * over, d_size * over, scale};
     return result;
 }
 
 /* Whether double precision can carry the quartic of this balance. */
-INLINE int representable(Balance line) {
+INLINE int representable(LineBalance line) {
     return (line.scale > SMALLEST_SCALE) & (line.scale < LARGEST_SCALE) & (line.b <= -SMALLEST_RATIO);
 }
 
@@ -933,7 +933,7 @@ INLINE Quartic quartic(double a, double b, double d, double m) {
  *
  * From bounds on the errors of P and Q: |P~^3 - P^3| <= 3 (|P| + error)^2 error and |Q~^2 - Q^2| <= 2 (|Q| + error) error;
  * cubing, squaring and adding round four times more. */
-INLINE Discriminant discriminant(Balance line, Cubic it, double u) {
+INLINE Discriminant discriminant(LineBalance line, Cubic it, double u) {
     const Depressed size = depressed_size(line.a_size, fabs(line.b), line.d_size, line.m);
     const double P_bound = fabs(it.P) + COUNT_P * u * size.P;
     const double Q_bound = fabs(it.Q) + COUNT_Q * u * size.Q;
@@ -944,7 +944,9 @@ INLINE Discriminant discriminant(Balance line, Cubic it, double u) {
 }
 
 /* Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2 <= 0 and e1 < 0. */
-INLINE int one_positive(Balance line, Quartic e, double u) { return e.e1 < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size); }
+INLINE int one_positive(LineBalance line, Quartic e, double u) {
+    return e.e1 < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size);
+}
 
 /* Number of positive roots of e0 + e1 t + e2 t^2 + e3 t^3 + e4 t^4 above c >= 0.
  *
@@ -976,7 +978,7 @@ INLINE Above above(double e1, double e2, double e3, double e4, double c, double 
  * share is that of c, which is off by sqrt (22 u) at most, near c = 1, and changes a derivative by up to 44 times as much;
  * the rest is below 480 u (1 + a_size + d_size). */
 INLINE double one_or_three(Point point, double u) {
-    const Balance line = balance(point);
+    const LineBalance line = balance(point);
     const Quartic e = quartic(line.a, line.b, line.d, line.m);
     const Discriminant D = discriminant(line, cubic(line.a, line.b, line.d, line.m), u);
     const double margin = 512.0 * sqrt(u) * (1.0 + line.a_size + line.d_size);
@@ -1081,7 +1083,7 @@ INLINE Pair root_pair(double p, double q) {
  *
  * In contact only positive ones: with sin theta < 0 < L, y = sin theta0 - L sin theta would be positive. The first factor has
  * a root of either sign; those of the second are complex, or both negative, or both positive. */
-INLINE Guesses guesses(Point point, Balance line, double u) {
+INLINE Guesses guesses(Point point, LineBalance line, double u) {
     const Quartic e = quartic(line.a, line.b, line.d, line.m);
     const Cubic resolved = cubic(line.a, line.b, line.d, line.m);
     const Discriminant D = discriminant(line, resolved, u);
@@ -1146,7 +1148,7 @@ INLINE Kind stability(Direction at, double L, double slope, double uncertainty, 
  * Where y can't be told from 0, as at theta0 under a small preload, f decides: at the border of contact, sin theta* = sin
  * theta0 - kappa/sigma, it is q (alpha sin(theta* - theta0) - kappa cos theta*), negative for acute theta* and positive for
  * obtuse ones. Where f is monotone from there to the root, y < 0 if f rises, and y > 0 if it falls. */
-INLINE Root at_root(double t, Point point, Balance line, double u) {
+INLINE Root at_root(double t, Point point, LineBalance line, double u) {
     const Direction at = direction(t);
     const double c_size = fabs(at.cosine);
     const double s_size = fabs(at.sine);
@@ -1275,7 +1277,7 @@ INLINE Wides4 wide_f_coefficients(Wide cos0, Wide sin0, Wide mu0, Wide kappa, Wi
 }
 
 /* `balance` in double-double arithmetic. */
-INLINE WideBalance wide_balance(WidePoint point) {
+INLINE WideLineBalance wide_balance(WidePoint point) {
     const Wides4 wide_f_coefficients_results = wide_f_coefficients(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha,
         point.sigma, point.beta, point.nbar);
     const Wide a = wide_f_coefficients_results.value0, b = wide_f_coefficients_results.value1, d = wide_f_coefficients_results.value2, m = wide_f_coefficients_results.value3;
@@ -1285,7 +1287,7 @@ INLINE WideBalance wide_balance(WidePoint point) {
     const double a_size = f_magnitudes_results[0], d_size = f_magnitudes_results[1];
     const double scale = larger(larger(fabs(a.high), fabs(b.high)), larger(fabs(d.high), m.high));
     const double over = 1.0 / scale;
-    const WideBalance result = {dd_multiply_double(a, over), dd_multiply_double(b, over), dd_multiply_double(d, over),
+    const WideLineBalance result = {dd_multiply_double(a, over), dd_multiply_double(b, over), dd_multiply_double(d, over),
         dd_multiply_double(m, over), a_size * over, d_size * over, scale};
     return result;
 }
@@ -1301,7 +1303,7 @@ INLINE int wide_moderate(WidePoint point) {
 }
 
 /* `representable` in double-double arithmetic. */
-INLINE int wide_representable(WideBalance line) {
+INLINE int wide_representable(WideLineBalance line) {
     return (line.scale > SMALLEST_SCALE) & (line.scale < LARGEST_SCALE) & (line.b.high <= -SMALLEST_RATIO);
 }
 
@@ -1346,7 +1348,7 @@ INLINE WideCubic wide_cubic(Wide a, Wide b, Wide d, Wide m) {
 }
 
 /* `discriminant` in double-double arithmetic. */
-INLINE Discriminant wide_discriminant(WideBalance line, WideCubic it, double u) {
+INLINE Discriminant wide_discriminant(WideLineBalance line, WideCubic it, double u) {
     const Depressed size = depressed_size(line.a_size, fabs(line.b.high), line.d_size, line.m.high);
     const double P_bound = fabs(it.P.high) + COUNT_P * u * size.P;
     const double Q_bound = fabs(it.Q.high) + COUNT_Q * u * size.Q;
@@ -1425,12 +1427,12 @@ INLINE WidePair wide_root_pair(Wide p, Wide q) {
 }
 
 /* `one_positive` in double-double arithmetic. */
-INLINE int wide_one_positive(WideBalance line, WideQuartic e, double u) {
+INLINE int wide_one_positive(WideLineBalance line, WideQuartic e, double u) {
     return e.e1.high < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size);
 }
 
 /* `guesses` in double-double arithmetic. */
-INLINE WideGuesses wide_guesses(WidePoint point, WideBalance line, double u) {
+INLINE WideGuesses wide_guesses(WidePoint point, WideLineBalance line, double u) {
     const WideQuartic e = wide_quartic(line.a, line.b, line.d, line.m);
     const WideCubic resolved = wide_cubic(line.a, line.b, line.d, line.m);
     const Discriminant D = wide_discriminant(line, resolved, u);
@@ -1541,7 +1543,7 @@ INLINE Kind wide_stability(WideDirection at, Wide L, double slope, double uncert
 }
 
 /* `at_root` in double-double arithmetic. */
-INLINE Root wide_at_root(Wide t, WidePoint point, WideBalance line, double u) {
+INLINE Root wide_at_root(Wide t, WidePoint point, WideLineBalance line, double u) {
     const WideDirection at = wide_direction(t);
     const double c_size = fabs(at.cosine.high);
     const double s_size = fabs(at.sine.high);
@@ -1677,7 +1679,7 @@ CLONED static void guess_columns(point_columns *p) {
         const Direction undeformed = cosine_and_sine(p->theta0[i]);
         const Point point = {undeformed.cosine, undeformed.sine, p->mu0[i], p->kappa[i],
             p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
-        const Balance line = balance(point);
+        const LineBalance line = balance(point);
         const Guesses all = guesses(point, line, UNIT_ROUNDOFF);
         p->cos0[i] = undeformed.cosine;
         p->sin0[i] = undeformed.sine;
@@ -1815,7 +1817,7 @@ CLONED static void guess_widely(wide_points *p) {
     for (int i = 0; i < WIDE_LANES; i++) {
         const WidePoint point =
             widened(p->undeformed[i], p->mu0[i], p->kappa[i], p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]);
-        const WideBalance line = wide_balance(point);
+        const WideLineBalance line = wide_balance(point);
         const WideGuesses all = wide_guesses(point, line, WIDE_ROUNDOFF);
         p->t_high[0][i] = all.t0.high;
         p->t_high[1][i] = all.t1.high;
@@ -1927,7 +1929,7 @@ static int settled_widely(const spragsym_model *model, double nbar, int *count,
     spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
     const WidePoint point = widened(dd_cosine_and_sine(model->theta0), model->mu0, model->kappa, model->alpha, model->sigma,
         model->beta, nbar);
-    const WideBalance line = wide_balance(point);
+    const WideLineBalance line = wide_balance(point);
     const WideGuesses all = wide_guesses(point, line, WIDE_ROUNDOFF);
     const Wide t[MAX_ROOTS] = {all.t0, all.t1, all.t2, all.t3};
     spragsym_equilibrium found[SPRAGSYM_MAX_EQUILIBRIA];
@@ -1950,7 +1952,7 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
     }
     const double nbar = (regime == SPRAGSYM_CONTACT) ? 1.0 : 0.0;
     const Point point = {model->cos0, model->sin0, model->mu0, model->kappa, model->alpha, model->sigma, model->beta, nbar};
-    const Balance line = balance(point);
+    const LineBalance line = balance(point);
     if (!representable(line)) {
         return SPRAGSYM_OUT_OF_RANGE;
     }

@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "4881a74c7e1dc7b7"
+#define SPRAGSYM_SOURCE "10783f600af042a2"
 
 /** What became of a call. */
 typedef enum {

@@ -38,7 +38,7 @@ METHODS = {
 }
 
 
-def read(folder: Path, name: str, method: str) -> pages.Model:
+def read(folder: Path, name: str, method: str) -> pages.PageModel:
     """The shipped page with a method in the place of its coordinates and statements."""
     text = (
         (pages.SHIPPED / f"{name}.py")

@@ -20,7 +20,7 @@ q = page.parameter("q", "1", "another share", "(-2, 3)", 0.3)
 x = page.coordinate("x", "m", "displacement along the belt")"""
 
 
-def read(tmp_path: Path, force: str) -> pages.Model:
+def read(tmp_path: Path, force: str) -> pages.PageModel:
     text = shipped_page(
         "coulomb_stick_slip",
         ("import Page", "import Page, cos, exp, sin"),
@@ -62,7 +62,7 @@ def test_a_force_that_pulls_somewhere_is_refused_with_the_place(force: str, tmp_
 LAW = "page.spring(k_3 * L_0**2, along=x)\npage.contact(y, lambda depth: {})"
 
 
-def read_law(tmp_path: Path, law: str) -> pages.Model:
+def read_law(tmp_path: Path, law: str) -> pages.PageModel:
     text = shipped_page(
         "cubic_contact",
         ("import Abs, Page", "import Abs, Page, log"),

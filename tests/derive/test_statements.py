@@ -26,7 +26,7 @@ COUPLING = pages.read(pages.SHIPPED / "mode_coupling.py")
 
 
 def _judged(
-    about: str, text: str, form: str = "scaled", model: pages.Model = ARTICLE
+    about: str, text: str, form: str = "scaled", model: pages.PageModel = ARTICLE
 ) -> verdicts.Row:
     statement = papers.Statement("s", about, text, is_latex=False, form=form)
     (row,) = verdicts.check(papers.Paper("", "", {}, (statement,)), model).rows

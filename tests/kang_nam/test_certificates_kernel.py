@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 import spragsym as ss
 from spragsym.generated import equilibrium as generated
 from spragsym.generated import kernel
-from spragsym.generated.kernel import Balance, Direction, Point, Root
+from spragsym.generated.kernel import Direction, LineBalance, Point, Root
 
 Array = NDArray[Any]
 U = np.float32(2.0**-24)
@@ -60,18 +60,18 @@ def _point(rows: Array, nbar: int, dtype: type = np.float32) -> Point:
     )
 
 
-def _line(rows: Array, nbar: int) -> Balance:
+def _line(rows: Array, nbar: int) -> LineBalance:
     return kernel.balance(_point(rows, nbar))
 
 
-def _true_line(rows: Array, nbar: int) -> Balance:
+def _true_line(rows: Array, nbar: int) -> LineBalance:
     """The same in float64, over the same number: what float32 rounds beside the common factor is
     all that differs.
     """
     point = _point(rows, nbar, np.float64)
     over = (np.float32(1) / _line(rows, nbar).scale).astype(float)
     values = (*kernel.f_coefficients(*point), *kernel.f_magnitudes(*point))
-    return Balance(*(value * over for value in values), 1 / over)
+    return LineBalance(*(value * over for value in values), 1 / over)
 
 
 class Sized:
@@ -120,7 +120,7 @@ def _sized(value: Any) -> Sized:
 # discriminant
 
 
-def _sizes_of_the_cubic(line: Balance) -> tuple[Sized, Sized]:
+def _sizes_of_the_cubic(line: LineBalance) -> tuple[Sized, Sized]:
     a, b, d, m = (
         Sized(line.a, line.a_size),
         Sized(line.b),
@@ -337,14 +337,14 @@ def test_what_underflow_may_touch_is_not_sound() -> None:
 # state's bounds, alone
 
 
-def _forced(theta: Any, newton: Any) -> tuple[Any, Balance]:
+def _forced(theta: Any, newton: Any) -> tuple[Any, LineBalance]:
     """t and coefficients of an f whose Newton step at θ is as given, its slope 1, and which has no
     curvature and no roundings.
     """
     t = np.tan(theta / 2)
     c, s = np.cos(theta), np.sin(theta)
     a = -(1 - newton * c / s) / (s * s)
-    return t, Balance(a, 0 * t, newton / s - a * c, 0 * t, 0 * t, 0 * t, 1.0)
+    return t, LineBalance(a, 0 * t, newton / s - a * c, 0 * t, 0 * t, 0 * t, 1.0)
 
 
 def _moved(theta: Any, radius: Any, point: Point) -> list[Any]:
@@ -597,7 +597,7 @@ def test_no_root_lies_beyond_the_upper_end_of_contact() -> None:
 
 
 def _patched(
-    monkeypatch: pytest.MonkeyPatch, line: Balance, e1: float, value: float, found: kernel.Above
+    monkeypatch: pytest.MonkeyPatch, line: LineBalance, e1: float, value: float, found: kernel.Above
 ) -> list[Any]:
     """One point whose quartic, discriminant and roots in contact are as given; what is asked of the
     last.
@@ -615,7 +615,7 @@ def test_one_or_three_by_every_certificate(monkeypatch: pytest.MonkeyPatch) -> N
     certain.
     """
     u = 2.0**-52
-    line = Balance(0.1, -0.5, 0.1, 1.0, 0.25, 0.75, 1.0)
+    line = LineBalance(0.1, -0.5, 0.1, 1.0, 0.25, 0.75, 1.0)
     margin = 2.0**-16  # 512 √u (1 + 0.25 + 0.75)
     below = -2.0 * kernel.COUNT_E1 * u
     for value, e1, every, one in itertools.product(
@@ -640,7 +640,7 @@ def test_one_or_three_by_every_certificate(monkeypatch: pytest.MonkeyPatch) -> N
 # and Kantorovich
 
 
-def _steep(rng: np.random.Generator, n: int) -> tuple[Array, Array, Balance]:
+def _steep(rng: np.random.Generator, n: int) -> tuple[Array, Array, LineBalance]:
     """θ, steps and coefficients with slope 1 and that Newton step, two of the four of any size."""
     theta = rng.choice([-1, 1], n) * rng.uniform(0.05, 3.09, n)
     c, s = np.cos(theta), np.sin(theta)
@@ -667,7 +667,7 @@ def _steep(rng: np.random.Generator, n: int) -> tuple[Array, Array, Balance]:
     ) / determinant
     line[rest[0], columns], line[rest[1], columns] = free
     a, b, d, m = line
-    return theta, newton, Balance(a, b, d, np.abs(m), np.abs(a), np.abs(d), 1.0)
+    return theta, newton, LineBalance(a, b, d, np.abs(m), np.abs(a), np.abs(d), 1.0)
 
 
 def test_a_root_is_proved_where_kantorovichs_theorem_proves_it() -> None:
@@ -715,7 +715,7 @@ def test_the_radius_has_the_roundings_of_f_and_of_its_slope(u: float) -> None:
     few = 10.0 ** rng.uniform(
         -9, 1, (2, n)
     )  # sizes may be anything: they stand for terms that cancelled
-    line = Balance(a, -np.abs(b), d, np.abs(m), few[0], few[1], 1.0)
+    line = LineBalance(a, -np.abs(b), d, np.abs(m), few[0], few[1], 1.0)
     arguments = Sized(c), Sized(s), Sized(a, few[0]), Sized(line.b), Sized(d, few[1]), Sized(line.m)
     value, slope = kernel.f(*arguments), kernel.f_slope(*arguments)
     bend = 2 * (few[0] + line.m) + np.abs(line.b) + few[1]

@@ -98,7 +98,12 @@ def _settled(
     point = kernel.Point(*[np.ones(2)] * 7, float(contact))
     times = np.repeat(np.array(t)[:, None], 2, axis=1)
     settled = block._some(
-        times, point, kernel.Balance(*[np.ones(2)] * 7), out, np.array([2, 1]), np.float64(2.0**-53)
+        times,
+        point,
+        kernel.LineBalance(*[np.ones(2)] * 7),
+        out,
+        np.array([2, 1]),
+        np.float64(2.0**-53),
     )
     assert settled[0] == settled[1]
     return bool(settled[1]), out

@@ -44,7 +44,7 @@ def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size:
     length ``size`` or 1.
     """
     point = _point(values, contact)
-    line = kernel.Balance(
+    line = kernel.LineBalance(
         *(value if value.ndim else np.full(size, value) for value in kernel.balance(point))
     )
     return _solved(point, line, np.float64(2.0**-53), out, begin, np.True_)
@@ -66,7 +66,7 @@ def solve_widely(
 
 def _solved(
     point: kernel.Point,
-    line: kernel.Balance,
+    line: kernel.LineBalance,
     u: np.floating[Any],
     out: Slots,
     begin: int,
@@ -129,7 +129,7 @@ def _columns(t: Any, root: kernel.Root) -> dict[str, Any]:
 def _some(
     roots: Sequence[Any],
     point: kernel.Point,
-    line: kernel.Balance,
+    line: kernel.LineBalance,
     out: Slots,
     rows: IntArray | slice,
     u: np.floating[Any],

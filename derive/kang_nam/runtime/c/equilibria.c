@@ -74,7 +74,7 @@ CLONED static void guess_columns(point_columns *p) {
         const Direction undeformed = cosine_and_sine(p->theta0[i]);
         const Point point = {undeformed.cosine, undeformed.sine, p->mu0[i], p->kappa[i],
             p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
-        const Balance line = balance(point);
+        const LineBalance line = balance(point);
         const Guesses all = guesses(point, line, UNIT_ROUNDOFF);
         p->cos0[i] = undeformed.cosine;
         p->sin0[i] = undeformed.sine;
@@ -212,7 +212,7 @@ CLONED static void guess_widely(wide_points *p) {
     for (int i = 0; i < WIDE_LANES; i++) {
         const WidePoint point =
             widened(p->undeformed[i], p->mu0[i], p->kappa[i], p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]);
-        const WideBalance line = wide_balance(point);
+        const WideLineBalance line = wide_balance(point);
         const WideGuesses all = wide_guesses(point, line, WIDE_ROUNDOFF);
         p->t_high[0][i] = all.t0.high;
         p->t_high[1][i] = all.t1.high;
@@ -324,7 +324,7 @@ static int settled_widely(const spragsym_model *model, double nbar, int *count,
     spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
     const WidePoint point = widened(dd_cosine_and_sine(model->theta0), model->mu0, model->kappa, model->alpha, model->sigma,
         model->beta, nbar);
-    const WideBalance line = wide_balance(point);
+    const WideLineBalance line = wide_balance(point);
     const WideGuesses all = wide_guesses(point, line, WIDE_ROUNDOFF);
     const Wide t[MAX_ROOTS] = {all.t0, all.t1, all.t2, all.t3};
     spragsym_equilibrium found[SPRAGSYM_MAX_EQUILIBRIA];
@@ -347,7 +347,7 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
     }
     const double nbar = (regime == SPRAGSYM_CONTACT) ? 1.0 : 0.0;
     const Point point = {model->cos0, model->sin0, model->mu0, model->kappa, model->alpha, model->sigma, model->beta, nbar};
-    const Balance line = balance(point);
+    const LineBalance line = balance(point);
     if (!representable(line)) {
         return SPRAGSYM_OUT_OF_RANGE;
     }

@@ -19,13 +19,13 @@ SOURCES := pyproject.toml constraints.txt Makefile
 unexport PYTHONDONTWRITEBYTECODE
 
 # Compiled code is made of these.
-COMPILED := spragsym/kang_nam/quartic/_compiled.c spragsym/motion/_carried.c spragsym/numerics/_contractors.c spragsym/numerics/_rounding.h spragsym/numerics/_tape.c generated/c/spragsym.c generated/c/spragsym.h
+COMPILED := spragsym/kang_nam/quartic/_compiled.c spragsym/motion/_carried.c spragsym/numerics/_contractors.c spragsym/numerics/_search.c spragsym/numerics/_tape.c spragsym/numerics/_arrays.h spragsym/numerics/_newton.h spragsym/numerics/_operations.h spragsym/numerics/_rounding.h generated/c/spragsym.c generated/c/spragsym.h
 
 # A source distribution comes without symbolic links.
 LINKS := spragsym/derive spragsym/generated
 
 # Generated C, as a reader finds it, and C that is written by hand; what the printer fills in is checked where it is filled.
-C_FILES := $(wildcard generated/c/*.c generated/c/*.h) spragsym/kang_nam/quartic/_compiled.c spragsym/motion/_carried.c spragsym/numerics/_contractors.c spragsym/numerics/_rounding.h spragsym/numerics/_tape.c $(wildcard derive/kang_nam/runtime/c/tests/*.c)
+C_FILES := $(wildcard generated/c/*.c generated/c/*.h) spragsym/kang_nam/quartic/_compiled.c spragsym/motion/_carried.c $(wildcard spragsym/numerics/_*.c spragsym/numerics/_*.h) $(wildcard derive/kang_nam/runtime/c/tests/*.c)
 # A function's results are a struct, of which its caller may leave one unread.
 CPPCHECK = cppcheck --quiet --suppress=toomanyconfigs --suppress=unusedStructMember --error-exitcode=1 --std=c11 --enable=warning,style,performance,portability \
 	-I generated/c -I $$($(BIN)/python -c 'import sysconfig; print(sysconfig.get_paths()["include"])')

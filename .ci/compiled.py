@@ -12,7 +12,7 @@ import sysconfig
 
 from spragsym.kang_nam.quartic import compiled
 from spragsym.motion import with_compiled
-from spragsym.numerics import contractors, tape
+from spragsym.numerics import contractors, plans, tape
 
 #: Source file, whether its module is there, and what serves without it.
 EXTENSIONS = (
@@ -24,6 +24,7 @@ EXTENSIONS = (
     ),
     ("spragsym/numerics/_tape.c", tape.available, "boxes are searched by NumPy"),
     ("spragsym/numerics/_contractors.c", contractors.available, "boxes are judged by NumPy"),
+    ("spragsym/numerics/_search.c", plans.available, "boxes are looked at by NumPy"),
 )
 
 

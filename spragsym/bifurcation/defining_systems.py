@@ -50,14 +50,16 @@ from ..numerics.interval_arrays import (
     stacked,
 )
 from ..numerics.jets import Jet, constant, gradient, variables
+from ..numerics.plans import Line
 from ..numerics.polynomials import derivative
-from ..statics.balance import ENDLESS, Balance, no_direction
+from ..numerics.tape import Tape
+from ..statics.balance import ENDLESS, Balance, direction_entries, no_direction
 from ..statics.forces import Evaluation, Values
 from ..statics.namespaces import XP
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import settled_by_digits
 from ..statics.regions import by_hand
-from ..statics.systems import Boxes, StateSystem, at_anchors
+from ..statics.systems import Boxes, Entries, StateSystem, at_anchors
 
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
@@ -72,6 +74,10 @@ MANY = 400
 ARC = np.pi / 16
 #: Their numbers: 32 are a full turn, one more covers what rounding leaves.
 ARCS = np.arange(33)
+#: Ends of cosine and sine on each of them.
+DIRECTIONS = stacked(
+    [of(Intervals.between(ARC * ARCS, ARC * (ARCS + 1))) for of in (XP.cos, XP.sin)], ARCS.shape
+).ends
 #: Boxes that are looked at in one go, as NumPy takes hardly longer for them than for one.
 FEW = 64
 
@@ -435,20 +441,38 @@ class Augmented(OfFamily):
         out = out | at_anchors(boxes, ~out, no_direction)
         if self.condition.hopeless is not None:
             out = out | self.condition.hopeless(boxes.state)
-        return (
-            out | at_anchors(boxes, ~out, _regular)
-            if self.condition.singular and not self.balance.torsions
-            else out
-        )
+        return out | at_anchors(boxes, ~out, _regular) if self.singular else out
+
+    contracts, arcs = True, DIRECTIONS
+
+    @property
+    def singular(self) -> bool:  # type: ignore[override]  # of a condition
+        """Whether det K = 0 is asked for, which is known of directions at anchors."""
+        return self.condition.singular and not self.balance.torsions
+
+    def lines_at(self, made: Callable[..., Tape]) -> list[Line]:
+        """What no direction balances, and det K for directions on an arc."""
+        lines = self.balance.springs
+        forces = [made(direction_entries(self.balance, line)) for line in range(lines)]
+        if not self.singular:
+            return [Line(tape) for tape in forces]
+        known = [made(_known_direction(line)) for line in range(lines)]
+        regular = [made(_determinant_entries(line), 2) for line in range(lines)]
+        return [Line(*tapes) for tapes in zip(forces, known, regular, strict=True)]
+
+    def hopeless_besides(self, unknowns: Intervals, parameters: Intervals) -> BoolArray | None:
+        """What the condition rules out by itself."""
+        if self.condition.hopeless is None:
+            return None
+        return self.condition.hopeless(self.state(unknowns, parameters))
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, times: float = 1.0) -> BoolArray:
         """Boxes that the balance gives up, and those that the condition gives up."""
         out, also = np.zeros(parameters.shape[1:], dtype=np.bool_), self.condition.given_up
-        if self.balance.torsions or also is not None:
-            at = self.state(unknowns, parameters)
-            out |= self.balance.at_poles(at, times * self.options.pole)
-            out |= out if also is None else also(at)
-        return out
+        if self.balance.torsions:
+            boxes = Boxes(self, unknowns, parameters)
+            out |= self.balance.at_poles(boxes, times * self.options.pole)
+        return out if also is None else out | also(self.state(unknowns, parameters))
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """The coordinates contracted by the balance over the box of parameters."""
@@ -481,14 +505,14 @@ def _regular(boxes: Boxes, spring: int) -> BoolArray:
     return out
 
 
-def _regular_along(boxes: Boxes, spring: int, numbers: IntArray) -> BoolArray:
-    """Boxes in which det K is not 0 for directions of the spring on these arcs."""
-    (count,), place = boxes.shape, 3 * spring
-    every, turns = np.tile(np.arange(count), numbers.size), np.repeat(numbers, count)
-    arc = Intervals.between(ARC * turns, ARC * (turns + 1))
-    known = boxes.taped(("direction", spring), lambda at: at.directions[place : place + 2])
-    arcs = stacked([XP.cos(arc), XP.sin(arc)], every.shape)
-    possible = np.flatnonzero(~contractors.apart(arcs.ends, known[:, every].ends))
+def _known_direction(spring: int) -> Entries:
+    """Cosine and sine of a spring over boxes."""
+    return ("direction", spring), lambda at: at.directions[3 * spring : 3 * spring + 2]
+
+
+def _determinant_entries(spring: int) -> Entries:
+    """det K times the length of a spring, for directions on arcs."""
+    place = 3 * spring
 
     def rows(at: Evaluation, arcs: Any) -> Sequence[Any]:
         def slopes(length: Any) -> list[Any]:
@@ -501,5 +525,15 @@ def _regular_along(boxes: Boxes, spring: int, numbers: IntArray) -> BoolArray:
         pushed = -sum(cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in size for j in size)
         return [pushed + determinant(K) * at.directions[place + 2]]
 
-    found = boxes.some(every[possible]).taped(("regular", spring), rows, arcs[:, possible])
+    return ("regular", spring), rows
+
+
+def _regular_along(boxes: Boxes, spring: int, numbers: IntArray) -> BoolArray:
+    """Boxes in which det K is not 0 for directions of the spring on these arcs."""
+    (count,) = boxes.shape
+    every, turns = np.tile(np.arange(count), numbers.size), np.repeat(numbers, count)
+    arcs, known = DIRECTIONS[:, :, turns], boxes.taped(*_known_direction(spring))
+    possible = np.flatnonzero(~contractors.apart(arcs, known[:, every].ends))
+    on_arcs = Intervals(arcs[:, :, possible])
+    found = boxes.some(every[possible]).taped(*_determinant_entries(spring), on_arcs)
     return np.bincount(every[possible], found[0].holds_zero(), count) == 0

@@ -42,6 +42,8 @@ from ..numerics.interval_arrays import (
     width_of,
 )
 from ..numerics.jets import Jet, constant, gradient, order_of, variables
+from ..numerics.plans import Exclusions
+from ..numerics.tape import Tape
 from ..results.points import Points
 from ..statics import stability
 from ..statics.balance import NOTHING, Balance
@@ -426,6 +428,14 @@ class _AtInfinity(OfFamily):
         gaps = map(_regular, self.state(list(unknowns), parameters).gaps() or [0])
         shape = unknowns.shape[1:]
         return self.balance.sides([as_intervals(constant(gap), shape) for gap in gaps])[1]
+
+    def exclusions(self, made: Callable[..., Tape]) -> Exclusions:
+        """None of them by tape."""
+        return Exclusions()
+
+    def hopeless_besides(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+        """All that is hopeless."""
+        return self.hopeless(unknowns, parameters)
 
     def side(self, unknowns: Intervals, parameters: Intervals) -> IntArray:
         """On which side of the value of one parameter the state is, 1 or −1; 0 where that is not

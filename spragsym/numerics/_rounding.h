@@ -1,4 +1,4 @@
-/* Ends of intervals in doubles, for _tape.c and _contractors.c, and as interval_arrays.py has them.
+/* Ends of intervals in doubles, for _operations.h and _newton.h, and as interval_arrays.py has them.
  *
  * Rounding. IEEE 754 doubles, rounded to nearest, + − × ÷ and √ without contraction: a build that promises less is refused here, and
  * NumPy serves. An end is −low or high, so that both are rounded upward: the exact value lies below the float after r, which is at

@@ -10,7 +10,7 @@ space of parameters are the leaves of a tree of boxes, so that one proof serves 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -30,7 +30,8 @@ from .interval_arrays import (
     width_of,
 )
 from .jets import gradient, variables
-from .verdicts import NARROW, BoxVerdict, Looked, Rules, judged, with_room
+from .plans import Plan
+from .verdicts import NARROW, BoxVerdict, Judged, Looked, Rules, judged, with_room
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
 CHUNK = 2048
@@ -115,6 +116,16 @@ class EquationSystem:
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes that hold nothing wanted for another reason than F, shape (N,)."""
         return np.zeros(unknowns.shape[1:], dtype=np.bool_)
+
+    def hopeless_besides(self, unknowns: Intervals, parameters: Intervals) -> BoolArray | None:
+        """Of what is hopeless that which no plan tells; None where it tells all."""
+        return None
+
+    def plan(self, parameters: Intervals) -> Plan | None:
+        """Tapes by which compiled code looks at boxes, for these parameters of all nodes, if all is
+        recorded.
+        """
+        return None
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Parameters as the methods take them, from the boxes of all nodes of the tree, shape
@@ -222,6 +233,7 @@ class _Search:
             options.margin, options.spread, options.small, self.narrow, options.shrunk, self.sharp
         )
         self.work = np.zeros(self.points.size.size, dtype=np.int64)
+        self.plan = self.system.plan(self.parameters)
 
     def run(self, start: Pairs) -> None:
         stack = [start]
@@ -242,27 +254,8 @@ class _Search:
         """One step: what is left to be looked at."""
         self.looks += len(pairs)
         np.add.at(self.work, pairs.nodes, 1)
-        given, pairs, parameters = self._contracted(pairs)
-        # Widened, so that a root on the border of a box lies well inside, or by rounding beside it.
-        room = self.rules.margin * Intervals(pairs.ends).width
-        room = room + NARROW * scale_of(pairs.ends).max(axis=0)
-        wide = np.minimum(pairs.ends + room, self.limits)
-        middle = Intervals(pairs.ends).middle
-        single = self.points.size[pairs.nodes] == 1
-        found = judged(
-            Looked(
-                given.ends,
-                pairs.ends,
-                wide,
-                middle,
-                self.system.residuals(Intervals.point(middle), parameters),
-                self.system.jacobian(Intervals(wide), parameters),
-                single,
-                self.work[pairs.nodes]
-                > np.where(single, self.budget, self.system.options.node_budget),
-            ),
-            self.rules,
-        )
+        given, pairs = self._contracted(pairs)
+        wide, found = self._decided(given.ends, pairs)
         proved = found.verdicts == BoxVerdict.PROVED
         self.unique.append(Pairs(wide, pairs.nodes)[proved])
         self.where.append(Pairs(found.step, pairs.nodes)[proved])
@@ -271,24 +264,59 @@ class _Search:
             Pairs(found.left, pairs.nodes)[left], found.verdicts[left], found.along[left]
         )
 
-    def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs, Intervals]:
-        """Pairs whose boxes may hold a root; what is left of the boxes by the system's own
-        contraction; parameters.
+    def _at(self, nodes: IntArray) -> Intervals:
+        """Parameters of nodes."""
+        if self.parameters.shape[1] > 1:
+            return self.parameters[:, nodes]
+        ends = self.parameters.ends
+        return Intervals(np.broadcast_to(ends, (*ends.shape[:2], nodes.size)))
+
+    def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs]:
+        """Pairs whose boxes may hold a root, and what is left of the boxes by the system's own
+        contraction.
         """
-        parameters = self.parameters[:, given.nodes]
-        after = self.system.contracted(Intervals(given.ends), parameters)
-        boxes = Intervals(with_room(after, given.ends, 0.0, self.rules.margin))
-        keep = np.logical_and.reduce(self.system.residuals(boxes, parameters).holds_zero())
-        keep &= ~np.logical_or.reduce(width_of(after) < 0)
+        parameters = self._at(given.nodes)
+        hopeless: Callable[[Intervals, Intervals], BoolArray | None]
+        if self.plan is None:
+            ends, keep = self._kept(given.ends, parameters)
+            hopeless = self.system.hopeless
+        else:
+            ends, keep = self.plan.kept(given.ends, parameters, self.rules.margin)
+            hopeless = self.system.hopeless_besides
         rows = np.flatnonzero(keep)
-        ends, parameters = boxes.ends[:, :, rows], parameters[:, rows]
-        left = (
-            np.flatnonzero(~self.system.hopeless(Intervals(ends), parameters))
-            if rows.size
-            else rows
-        )
-        rows = rows[left]
-        return given[rows], Pairs(ends[:, :, left], given.nodes[rows]), parameters[:, left]
+        boxes = ends[:, :, rows]
+        gone = hopeless(Intervals(boxes), parameters[:, rows]) if rows.size else None
+        if gone is not None:
+            left = np.flatnonzero(~gone)
+            rows, boxes = rows[left], boxes[:, :, left]
+        kept = given[rows]
+        return kept, Pairs(boxes, kept.nodes)
+
+    def _kept(self, given: FloatArray, parameters: Intervals) -> tuple[FloatArray, BoolArray]:
+        """What contraction leaves of boxes, and those in which all values may be 0."""
+        after = self.system.contracted(Intervals(given), parameters)
+        boxes = Intervals(with_room(after, given, 0.0, self.rules.margin))
+        keep = np.logical_and.reduce(self.system.residuals(boxes, parameters).holds_zero())
+        return boxes.ends, keep & ~np.logical_or.reduce(width_of(after) < 0)
+
+    def _decided(self, given: FloatArray, pairs: Pairs) -> tuple[FloatArray, Judged]:
+        """Boxes with room around, and what becomes of them."""
+        parameters, single = self._at(pairs.nodes), self.points.size[pairs.nodes] == 1
+        most = np.where(single, self.budget, self.system.options.node_budget)
+        spent = self.work[pairs.nodes] > most
+        if self.plan is not None:
+            return self.plan.decided(
+                given, pairs.ends, parameters, self.limits, single, spent, self.rules
+            )
+        # Widened, so that a root on the border of a box lies well inside, or by rounding beside it.
+        room = self.rules.margin * Intervals(pairs.ends).width
+        room = room + NARROW * scale_of(pairs.ends).max(axis=0)
+        wide = np.minimum(pairs.ends + room, self.limits)
+        middle = Intervals(pairs.ends).middle
+        values = self.system.residuals(Intervals.point(middle), parameters)
+        slopes = self.system.jacobian(Intervals(wide), parameters)
+        boxes = Looked(given, pairs.ends, wide, middle, values, slopes, single, spent)
+        return wide, judged(boxes, self.rules)
 
     def _divided(self, now: Pairs, verdicts: Int8Array, along: IntArray) -> Pairs:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much

@@ -246,6 +246,21 @@ class Tapes:
 
     def __init__(self) -> None:
         self.known: dict[Hashable, Tape | None] = {}
+        #: What is made of several of them.
+        self.plans: dict[Hashable, Any] = {}
+
+    def tape(
+        self, key: Hashable, rows: Rows, given: Sequence[int], vanishing: Sequence[bool] = ()
+    ) -> Tape:
+        """The tape of a function of inputs with so many rows each; NotRecorded if it has none."""
+        key = (key, *vanishing)
+        if key not in self.known:
+            inputs = (Intervals(np.zeros((2, rows, 1))) for rows in given)
+            self.known[key] = recorded(rows, *inputs, vanishing=vanishing)
+        found = self.known[key]
+        if found is None:
+            raise NotRecorded
+        return found
 
     def evaluated(
         self,

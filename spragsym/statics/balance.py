@@ -21,10 +21,12 @@ from ..numerics import balls, contractors, jets
 from ..numerics.arithmetic import Matrix, Number, is_zero
 from ..numerics.balls import ball
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
+from ..numerics.plans import Line
 from ..numerics.precise_roots import Digits
+from ..numerics.tape import Tape
 from .forces import Evaluation, Forces, Values, filled
 from .namespaces import FREE
-from .systems import Boxes, Linear, StateSystem, as_linear, at_anchors
+from .systems import Boxes, Entries, Linear, StateSystem, as_linear, at_anchors
 
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NOTHING = 1e-290
@@ -109,15 +111,21 @@ class Balance(Forces, StateSystem):
         out = super().nothing_at(boxes)
         return out | at_anchors(boxes, ~out, no_direction)
 
+    contracts = True
+
+    def lines_at(self, made: Callable[..., Tape]) -> list[Line]:
+        """What no direction balances."""
+        return [Line(made(direction_entries(self, spring))) for spring in range(self.springs)]
+
     def given_up(self, unknowns: Intervals, parameters: Intervals, times: float = 1.0) -> BoolArray:
         """Small boxes around the anchor of a spring that resists turning: its force has no bound
         there.
         """
         if not self.torsions:
             return np.zeros(parameters.shape[1:], dtype=np.bool_)
-        return self.at_poles(self.state(unknowns, parameters), times * self.options.pole)
+        return self.at_poles(Boxes(self, unknowns, parameters), times * self.options.pole)
 
-    def at_poles(self, at: Evaluation, width: float) -> BoolArray:
+    def at_poles(self, at: Evaluation | Boxes, width: float) -> BoolArray:
         """Whether boxes up to a width hold a pole."""
         out = np.zeros(at.shape, dtype=np.bool_)
         for dx, dy in at.anchors if self.torsions else ():
@@ -195,11 +203,9 @@ def _rows(at: Evaluation, near: Sequence[Any], forces: Rows, slopes: Matrix) -> 
     return [*forces(there), *(entry for row in slopes for entry in row)]
 
 
-def no_direction(boxes: Boxes, spring: int) -> BoolArray:
-    """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its
-    anchor is.
-    """
-    place, n = 3 * spring, boxes.system.balance.n
+def direction_entries(balance: Balance, spring: int) -> Entries:
+    """G and M of F = G + M (c, s) with the direction (c, s) of a spring."""
+    place = 3 * spring
 
     def rows(at: Evaluation) -> Sequence[Any]:
         def forces(*direction: Any) -> Sequence[Any]:
@@ -210,7 +216,15 @@ def no_direction(boxes: Boxes, spring: int) -> BoolArray:
         moved = forces(*jets.variables([cover, cover], 1))
         return [*forces(none, none), *(entry for row in moved for entry in jets.gradient(row, 2))]
 
-    found = boxes.taped(("no direction", spring), rows)
+    return ("no direction", spring), rows
+
+
+def no_direction(boxes: Boxes, spring: int) -> BoolArray:
+    """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its
+    anchor is.
+    """
+    n = boxes.system.balance.n
+    found = boxes.taped(*direction_entries(boxes.system.balance, spring))
     M = Intervals(found.ends[:, n:].reshape(2, n, 2, *boxes.shape))
     return contractors.no_unit_vector(found[:n], M)
 

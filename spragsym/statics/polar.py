@@ -40,8 +40,9 @@ and those that can't be told from one on the border are undecided.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -61,6 +62,8 @@ from ..numerics.interval_arrays import (
     stacked,
     width_of,
 )
+from ..numerics.plans import Exclusions
+from ..numerics.tape import Tape
 from .balance import SCALE, Balance
 from .forces import Evaluation, Values, as_intervals
 from .namespaces import XP
@@ -87,6 +90,11 @@ class Polar(StateSystem):
     chart: tuple[int, int]
     turns: bool
     tight: bool
+
+    @cached_property
+    def n(self) -> int:
+        """How many unknowns there are."""
+        return self.balance.n
 
     def identity(self) -> Hashable:
         """Identity of the balance, and the chart."""
@@ -193,6 +201,14 @@ class Polar(StateSystem):
         return at.beside_border()[1] | np.logical_or.reduce(
             width_of(self.balance.with_directions(at)) < 0
         )
+
+    def exclusions(self, made: Callable[..., Tape]) -> Exclusions:
+        """None of them by tape."""
+        return Exclusions()
+
+    def hopeless_besides(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+        """All that is hopeless."""
+        return self.hopeless(unknowns, parameters)
 
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""

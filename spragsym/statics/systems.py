@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from types import ModuleType
@@ -12,11 +12,12 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from ..numerics import contractors, jets
+from ..numerics import contractors, jets, plans
 from ..numerics.arithmetic import Matrix
 from ..numerics.boxes import EquationSystem
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape
-from ..numerics.tape import Tapes
+from ..numerics.plans import Border, Exclusions, Line, Plan
+from ..numerics.tape import NotRecorded, Tape, Tapes
 from .forces import Evaluation, Values
 from .namespaces import XP
 from .options import SearchOptions
@@ -30,6 +31,8 @@ TAPES: WeakKeyDictionary[ModuleType, dict[Hashable, Tapes]] = WeakKeyDictionary(
 
 #: Entries over boxes, from unknowns, whatever else, and parameters.
 Rows: TypeAlias = Callable[..., Sequence[Any]]
+#: Entries with the key of their tape among those of a system.
+Entries: TypeAlias = tuple[Hashable, Rows]
 Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
 
 
@@ -39,6 +42,7 @@ class StateSystem(EquationSystem):
     """
 
     balance: Balance
+    n: int  #: how many unknowns there are
 
     @property
     def options(self) -> SearchOptions:
@@ -93,7 +97,16 @@ class StateSystem(EquationSystem):
         parameters = given[-1]
         return self.tapes.evaluated(key, rows, *given, vanishing=self.balance.vanishing(parameters))
 
-    def values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
+    def of_state(self, key: Hashable, rows: Rows) -> Entries:
+        """Entries that follow from a state, and perhaps from more for each box."""
+
+        def noted(unknowns: Any, *rest: Any) -> Sequence[Any]:
+            *others, parameters = rest
+            return rows(self.state(unknowns, parameters), *others)
+
+        return key, noted
+
+    def value_entries(self, sides: Sequence[int]) -> Entries:
         """Residuals on the given sides of the rays where torsion angles jump."""
 
         def rows(unknowns: Any, parameters: Any) -> Sequence[Any]:
@@ -101,15 +114,23 @@ class StateSystem(EquationSystem):
             found = self.conditions(self.state(given, parameters, sides), given)
             return [jets.constant(value) for value in found]
 
-        return self.taped(("values", *sides), rows, unknowns, parameters)
+        return ("values", *sides), rows
 
-    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """Enclosure of ∂F/∂x, shape (equations, n, N)."""
+    def values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
+        """What vanishes over boxes, on the given sides."""
+        return self.taped(*self.value_entries(sides), unknowns, parameters)
+
+    def slope_entries(self) -> Entries:
+        """∂F/∂x, row by row."""
 
         def rows(unknowns: Any, parameters: Any) -> Sequence[Any]:
             return [entry for row in self.slopes_over(unknowns, parameters) for entry in row]
 
-        entries = self.taped("slopes", rows, unknowns, parameters)
+        return "slopes", rows
+
+    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Enclosure of ∂F/∂x, shape (equations, n, N)."""
+        entries = self.taped(*self.slope_entries(), unknowns, parameters)
         n = unknowns.shape[0]
         shape = 2, entries.shape[0] // n, n, *unknowns.shape[1:]
         return Intervals(entries.ends.reshape(shape))
@@ -120,23 +141,24 @@ class StateSystem(EquationSystem):
         rows = self.equations(given, parameters)
         return [jets.gradient(row, unknowns.shape[0]) for row in rows]
 
-    def directed(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
-        """Boxes of coordinates that balance the forces of springs with the directions over the
-        boxes.
-        """
+    def directed_entries(self) -> Entries:
+        """Forces of springs with the directions over the boxes, near them and by coordinates."""
         balance = self.balance
 
         def rows(unknowns: Any, near: Any, parameters: Any) -> Sequence[Any]:
             at = self.state(unknowns, parameters, balance.anywhere)
             return balance.linear_rows(at, list(near), Evaluation.forces, lambda at: at.slopes)
 
-        near = unknowns[: balance.n].middle
-        return np.fmin(
-            contractors.newton(
-                *self.contraction("directed", rows, unknowns, near, parameters)
-            ).ends,
-            unknowns.ends[:, : balance.n],
-        )
+        return "directed", rows
+
+    def directed(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
+        """Boxes of coordinates that balance the forces of springs with the directions over the
+        boxes.
+        """
+        n = self.balance.n
+        near = unknowns[:n].middle
+        given = self.contraction(*self.directed_entries(), unknowns, near, parameters)
+        return np.fmin(contractors.newton(*given).ends, unknowns.ends[:, :n])
 
     def contraction(
         self,
@@ -161,14 +183,11 @@ class StateSystem(EquationSystem):
         each side of the jump.
         """
         boxes = Boxes(self, unknowns, parameters)
-        out, torsions = self.nothing_at(boxes), self.balance.torsions
-        if torsions:
-            at = boxes.state
-            jumps = np.logical_or.reduce(
-                [np.isnan(phi.ends[0]) for phi in at.directions[3 * self.balance.springs :]]
-            )
-            rows = np.flatnonzero(~out & jumps)
-            for sides in itertools.product((1, -1), repeat=len(torsions)) if rows.size else ():
+        out = self.nothing_at(boxes)
+        if self.balance.torsions:
+            turnings = boxes.taped(*self.turning_entries())
+            rows = np.flatnonzero(~out & np.logical_or.reduce(np.isnan(turnings.ends[0])))
+            for sides in self.every_side if rows.size else ():
                 still = np.logical_and.reduce(
                     self.values(unknowns[:, rows], parameters[:, rows], sides).holds_zero()
                 )
@@ -176,10 +195,89 @@ class StateSystem(EquationSystem):
             out[rows] = True
         return out
 
+    def turning_entries(self) -> Entries:
+        """Angles of torsion springs."""
+        return "turnings", lambda at: at.directions[3 * self.balance.springs :]
+
+    @property
+    def every_side(self) -> Iterable[tuple[int, ...]]:
+        """Sides of the rays where torsion angles jump."""
+        return itertools.product((1, -1), repeat=len(self.balance.torsions))
+
     def nothing_at(self, boxes: Boxes) -> BoolArray:
         """Boxes beyond the contact's border."""
-        gaps = boxes.taped("gap", lambda at: at.gaps() or [0])
-        return self.balance.sides(list(gaps))[1]
+        return self.balance.sides(list(boxes.taped(*GAPS)))[1]
+
+    # ----------------------------------------------------------------------------------------------
+    # plans
+
+    #: Whether boxes are contracted by :meth:`directed`.
+    contracts = False
+    #: What of :meth:`lines_at` depends on the system beside its identity.
+    singular = False
+
+    def plan(self, parameters: Intervals) -> Plan | None:
+        """Tapes of all that is asked of boxes, where parameters that are 0 are so at all nodes."""
+        nothing = (parameters.ends == 0).all(axis=0)
+        if plans.compiled_for(self.n) is None or (nothing.any(axis=1) != nothing.all(axis=1)).any():
+            return None
+        vanishing = nothing.all(axis=1).tolist()
+        key = *vanishing, *self.borders(), self.singular
+        if key not in self.tapes.plans:
+            try:
+                self.tapes.plans[key] = self._planned(vanishing)
+            except NotRecorded:
+                self.tapes.plans[key] = None
+        return self.tapes.plans[key]
+
+    def _planned(self, vanishing: Sequence[bool]) -> Plan | None:
+        n, some, parameters = self.n, self.balance.n, len(vanishing)
+
+        def made(entries: Entries, *between: int, of_state: bool = True) -> Tape:
+            entries = self.of_state(*entries) if of_state else entries
+            return self.tapes.tape(*entries, (n, *between, parameters), vanishing)
+
+        return plans.planned(
+            n,
+            some,
+            parameters,
+            made(self.value_entries(self.balance.anywhere), of_state=False),
+            made(self.slope_entries(), of_state=False),
+            made(self.directed_entries(), some, of_state=False) if self.contracts else None,
+            self.exclusions(made),
+        )
+
+    def exclusions(self, made: Callable[..., Tape]) -> Exclusions:
+        """What :meth:`hopeless` asks for, by tapes that are ``made`` of entries."""
+        balance, borders, lines = self.balance, self.borders(), self.lines_at(made)
+        sides = self.every_side if balance.torsions else ()
+        return Exclusions(
+            made(GAPS) if borders else None,
+            borders,
+            made(ANCHORS) if lines else None,
+            lines,
+            self.arcs,
+            made(self.turning_entries()) if balance.torsions else None,
+            [made(self.value_entries(side), of_state=False) for side in sides],
+        )
+
+    #: Ends of cosine and sine of directions on arcs, of which :meth:`lines_at` may ask.
+    arcs = np.zeros((2, 2, 0))
+
+    def borders(self) -> list[Border]:
+        """Borders of the contacts that open."""
+        open_ = plans.OPEN_AND_OFF if self.balance.apart else plans.OPEN
+        kinds = [plans.TOUCHING if closed else open_ for closed in self.balance.closed]
+        return list(zip(kinds, self.balance.rooms, strict=True))
+
+    def lines_at(self, made: Callable[..., Tape]) -> list[Line]:
+        """What is asked of springs at their anchors."""
+        return []
+
+
+#: Gaps of the contacts that open, and vectors to the anchors of springs.
+GAPS: Entries = "gap", lambda at: at.gaps() or [0]
+ANCHORS: Entries = "anchors", lambda at: [part for line in at.geometry for part in line[:2]]
 
 
 @dataclass
@@ -201,11 +299,17 @@ class Boxes:
         return self.system.state(self.unknowns, self.parameters)
 
     @cached_property
+    def anchors(self) -> list[tuple[Intervals, Intervals]]:
+        """The vectors from the mass to the anchors of all springs."""
+        parts = list(self.taped(*ANCHORS))
+        return list(zip(parts[::2], parts[1::2], strict=True))
+
+    @property
     def near_anchors(self) -> list[BoolArray]:
         """Of each spring which boxes are no farther from its anchor than their size."""
-        ends = self.taped("anchors", lambda at: [part for line in at.geometry for part in line[:2]])
-        every = ((ends[2 * k], ends[2 * k + 1]) for k in range(self.system.balance.springs))
-        return [np.hypot(dx.mignitude, dy.mignitude) <= dx.width + dy.width for dx, dy in every]
+        return [
+            np.hypot(dx.mignitude, dy.mignitude) <= dx.width + dy.width for dx, dy in self.anchors
+        ]
 
     def some(self, rows: IntArray) -> Boxes:
         """Some of the boxes."""
@@ -213,12 +317,8 @@ class Boxes:
 
     def taped(self, key: Hashable, rows: Rows, *more: Intervals) -> Intervals:
         """Entries that follow from a state, and perhaps from more intervals for each box."""
-
-        def noted(unknowns: Any, *rest: Any) -> Sequence[Any]:
-            *others, parameters = rest
-            return rows(self.system.state(unknowns, parameters), *others)
-
-        return self.system.taped(key, noted, self.unknowns, *more, self.parameters)
+        entries = self.system.of_state(key, rows)
+        return self.system.taped(*entries, self.unknowns, *more, self.parameters)
 
 
 def at_anchors(

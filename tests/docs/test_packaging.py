@@ -232,6 +232,7 @@ def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_pa
             "kang_nam/quartic/_compiled",
             "motion/_carried",
             "numerics/_contractors",
+            "numerics/_search",
             "numerics/_tape",
         )
     ]

@@ -1,0 +1,450 @@
+/* Operations of a tape on blocks of boxes that stay in the cache, for _tape.c and _search.c.
+ *
+ * Each operation does what the same operation of interval_arrays.py does, in the same order, so that both give the same bits; but for
+ * exp, log, tanh, atan, sin and cos, which are those of the C library, as far off as NumPy's are allowed to be there.
+ *
+ * Rounding: see _rounding.h. */
+#ifndef SPRAGSYM_OPERATIONS_H
+#define SPRAGSYM_OPERATIONS_H
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "_rounding.h"
+
+#define BLOCK 256
+#define FUNCTION_ULPS 8.0
+#define LEAST (-1e300)
+#define TRIGONOMETRIC_ERROR 0x1p-50
+#define LARGEST_ANGLE 1e5
+#define TURN_ERROR 1e-10
+#define PI 3.141592653589793
+#define TURN 6.283185307179586
+
+static const char *const OPERATIONS[] = {"load", "constant", "store", "negative", "absolute", "sum", "product", "scaled", "quotient",
+    "square", "odd_power", "sqrt", "exp", "log", "tanh", "atan", "sign", "cos", "sin", "not_negative", "component",
+    "angle", "any_angle", "angle_above", "angle_below"};
+enum { LOAD,
+    CONSTANT,
+    STORE,
+    NEGATIVE,
+    ABSOLUTE,
+    SUM,
+    PRODUCT,
+    SCALED,
+    QUOTIENT,
+    SQUARE,
+    ODD_POWER,
+    SQRT,
+    EXP,
+    LOG,
+    TANH,
+    ATAN,
+    SIGN,
+    COS,
+    SIN,
+    NOT_NEGATIVE,
+    COMPONENT,
+    ANGLE,
+    ANY_ANGLE,
+    ANGLE_ABOVE,
+    ANGLE_BELOW,
+    COUNT };
+
+/* One interval in each place: −low, then high. */
+typedef struct {
+    double ends[2][BLOCK];
+} slot;
+
+/* A tape: int32, four to an operation: which, to, a, b; doubles that operations name by their place; how many results it has, and how
+ * many intermediate results are alive at once. */
+typedef struct {
+    const int32_t *code;
+    ptrdiff_t operations;
+    const double *numbers;
+    ptrdiff_t constants;
+    ptrdiff_t outputs;
+    ptrdiff_t slots;
+} program;
+
+/* What a tape reads: −low and high of each row of each box, by strides in bytes; `of` says which box stands in each place, if not the
+ * box of the same number. */
+typedef struct {
+    const char *ends;
+    ptrdiff_t strides[3];
+    ptrdiff_t rows;
+    const int32_t *of;
+} operand;
+
+PART double mignitude(double a, double b) {
+    return most(-least(a, b), 0.0);
+}
+
+PART void negative(const slot *restrict a, slot *restrict to, int n) {
+    for (int i = 0; i < n; i++) {
+        to->ends[0][i] = a->ends[1][i];
+        to->ends[1][i] = a->ends[0][i];
+    }
+}
+
+PART void absolute(const slot *restrict a, slot *restrict to, int n) {
+    for (int i = 0; i < n; i++) {
+        to->ends[0][i] = -mignitude(a->ends[0][i], a->ends[1][i]);
+        to->ends[1][i] = most(a->ends[0][i], a->ends[1][i]);
+    }
+}
+
+PART void sum(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
+    for (int i = 0; i < n; i++) {
+        to->ends[0][i] = raised(a->ends[0][i] + b->ends[0][i], 1.0);
+        to->ends[1][i] = raised(a->ends[1][i] + b->ends[1][i], 1.0);
+    }
+}
+
+PART void product(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
+    for (int i = 0; i < n; i++) {
+        const double same_0 = a->ends[0][i] * b->ends[0][i];
+        const double same_1 = a->ends[1][i] * b->ends[1][i];
+        const double cross_0 = a->ends[0][i] * b->ends[1][i];
+        const double cross_1 = a->ends[1][i] * b->ends[0][i];
+        to->ends[0][i] = raised(most(most(cross_0, cross_1), -least(same_0, same_1)), 1.0);
+        to->ends[1][i] = raised(most(most(same_0, same_1), -least(cross_0, cross_1)), 1.0);
+    }
+}
+
+/* Times a number: exact for 1 and −1, and for 0 unless an end bounds nothing. */
+PART void scaled(const slot *restrict a, double factor, slot *restrict to, int n) {
+    const double size = fabs(factor);
+    const int turned = !(factor >= 0.0);
+    for (int end = 0; end < 2; end++) {
+        const double *restrict from = a->ends[turned ? 1 - end : end];
+        double *restrict into = to->ends[end];
+        if (size == 0.0) {
+            for (int i = 0; i < n; i++) {
+                into[i] = from[i] * 0.0;
+            }
+        } else if (size == 1.0) {
+            for (int i = 0; i < n; i++) {
+                into[i] = from[i];
+            }
+        } else {
+            for (int i = 0; i < n; i++) {
+                into[i] = raised(from[i] * size, 1.0);
+            }
+        }
+    }
+}
+
+/* By intervals that end at 0 for divisors other than 0; unknown where 0 is inside. */
+PART void beside_zero(double a_0, double a_1, double b_0, double b_1, double to[2]) {
+    const int positive = b_0 == 0.0 && b_1 > 0.0;
+    const int turned = b_1 == 0.0 && b_0 > 0.0;
+    const double far = turned ? b_0 : b_1;
+    const double low = turned ? a_1 : a_0;
+    const double high = turned ? a_0 : a_1;
+    to[0] = !(positive || turned) ? NAN : low > 0.0 ? INFINITY :
+                                                      low / far;
+    to[1] = !(positive || turned) ? NAN : high > 0.0 ? INFINITY :
+                                                       high / far;
+}
+
+PART void quotient(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
+    int zeros = 0;
+    for (int i = 0; i < n; i++) {
+        zeros |= !(b->ends[0][i] < 0.0 || b->ends[1][i] < 0.0);
+    }
+    for (int i = 0; i < n; i++) {
+        const double same_0 = a->ends[0][i] / b->ends[0][i];
+        const double same_1 = a->ends[1][i] / b->ends[1][i];
+        const double cross_0 = a->ends[0][i] / b->ends[1][i];
+        const double cross_1 = a->ends[1][i] / b->ends[0][i];
+        to->ends[0][i] = raised(most(most(cross_0, cross_1), -least(same_0, same_1)), 1.0);
+        to->ends[1][i] = raised(most(most(same_0, same_1), -least(cross_0, cross_1)), 1.0);
+    }
+    for (int i = 0; zeros && i < n; i++) {
+        if (!(b->ends[0][i] < 0.0 || b->ends[1][i] < 0.0)) {
+            double ends[2];
+            beside_zero(a->ends[0][i], a->ends[1][i], b->ends[0][i], b->ends[1][i], ends);
+            to->ends[0][i] = raised(ends[0], 1.0);
+            to->ends[1][i] = raised(ends[1], 1.0);
+        }
+    }
+}
+
+PART void square(const slot *restrict a, slot *restrict to, int n) {
+    for (int i = 0; i < n; i++) {
+        const double low = mignitude(a->ends[0][i], a->ends[1][i]);
+        const double high = most(a->ends[0][i], a->ends[1][i]);
+        to->ends[0][i] = least(raised(-(low * low), 1.0), 0.0);
+        to->ends[1][i] = raised(high * high, 1.0);
+    }
+}
+
+/* A product of n numbers in any order is off by less than n units. */
+PART void odd_power(const slot *restrict a, int power, slot *restrict to, int n) {
+    for (int end = 0; end < 2; end++) {
+        for (int i = 0; i < n; i++) {
+            double value = a->ends[end][i];
+            for (int k = 1; k < power; k++) {
+                value *= a->ends[end][i];
+            }
+            to->ends[end][i] = raised(value, (double)power);
+        }
+    }
+}
+
+PART void square_root(const slot *restrict a, slot *restrict to, int n) {
+    for (int i = 0; i < n; i++) {
+        const double low = sqrt(-a->ends[0][i]);
+        const double high = a->ends[0][i] > 0.0 ? NAN : sqrt(a->ends[1][i]);
+        to->ends[0][i] = least(raised(-low, 1.0), 0.0);
+        to->ends[1][i] = raised(high, 1.0);
+    }
+}
+
+/* A lower end beyond the largest number is at least that; of 0 the value is 1, exactly. */
+PART void exponential(const slot *restrict a, slot *restrict to, int n) {
+    for (int i = 0; i < n; i++) {
+        const double low = most(-exp(-a->ends[0][i]), -DBL_MAX);
+        const double high = exp(a->ends[1][i]);
+        to->ends[0][i] = a->ends[0][i] == 0.0 ? low : least(raised(low, FUNCTION_ULPS), 0.0);
+        to->ends[1][i] = a->ends[1][i] == 0.0 ? high : raised(high, FUNCTION_ULPS);
+    }
+}
+
+PART void logarithm(const slot *restrict a, slot *restrict to, int n) {
+    for (int i = 0; i < n; i++) {
+        const double low = -log(-a->ends[0][i]);
+        const double high = log(a->ends[1][i]);
+        to->ends[0][i] = a->ends[0][i] == 0.0 ? most(low, LEAST) : raised(low, FUNCTION_ULPS);
+        to->ends[1][i] = a->ends[1][i] == 0.0 ? most(high, LEAST) : raised(high, FUNCTION_ULPS);
+    }
+}
+
+/* Odd functions that grow, 0 at 0, and not beyond a bound. */
+PART void growing(double (*function)(double), double bound, const slot *restrict a, slot *restrict to, int n) {
+    for (int end = 0; end < 2; end++) {
+        for (int i = 0; i < n; i++) {
+            const double at = a->ends[end][i];
+            to->ends[end][i] = at == 0.0 ? 0.0 : least(raised(function(at), FUNCTION_ULPS), bound);
+        }
+    }
+}
+
+PART void sign(const slot *restrict a, slot *restrict to, int n) {
+    for (int end = 0; end < 2; end++) {
+        for (int i = 0; i < n; i++) {
+            const double at = a->ends[end][i];
+            to->ends[end][i] = at > 0.0 ? 1.0 : at < 0.0 ? -1.0 :
+                                                           at;
+        }
+    }
+}
+
+/* A cosine that has its maxima at 2π (peak + n). */
+PART void wave(double (*function)(double), double peak, const slot *restrict a, slot *restrict to, int n) {
+    for (int i = 0; i < n; i++) {
+        const double low = -a->ends[0][i];
+        const double high = a->ends[1][i];
+        const double one = function(low);
+        const double other = function(high);
+        const double from = low / TURN - peak;
+        const double until = high / TURN - peak;
+        const int known = most(a->ends[0][i], high) <= LARGEST_ANGLE && isfinite(one) && isfinite(other);
+        const int top = floor(until + TURN_ERROR) >= ceil(from - TURN_ERROR);
+        const int bottom = floor(until + (0.5 + TURN_ERROR)) >= ceil(from + (0.5 - TURN_ERROR));
+        to->ends[0][i] = (bottom || !known) ? 1.0 : least(-least(one, other) + TRIGONOMETRIC_ERROR, 1.0);
+        to->ends[1][i] = (top || !known) ? 1.0 : least(most(one, other) + TRIGONOMETRIC_ERROR, 1.0);
+    }
+}
+
+PART void not_negative(const slot *restrict a, slot *restrict to, int n) {
+    for (int i = 0; i < n; i++) {
+        to->ends[0][i] = least(a->ends[0][i], 0.0);
+        to->ends[1][i] = a->ends[1][i];
+    }
+}
+
+/* a/√(a² + b²), which grows with a, and with |b| goes to 0; three roundings of a sum of squares, and two more. */
+PART void component(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
+    for (int i = 0; i < n; i++) {
+        const double near = mignitude(b->ends[0][i], b->ends[1][i]);
+        const double far = most(b->ends[0][i], b->ends[1][i]);
+        for (int end = 0; end < 2; end++) {
+            const double at = a->ends[end][i];
+            const double other = at > 0.0 ? near : far;
+            const double value = raised(at / sqrt(at * at + other * other), 4.0);
+            const double size = most(fabs(at), other);
+            to->ends[end][i] = (size > 1e-140 && size < 1e150 && value <= 1.0) ? value : 1.0;
+        }
+    }
+}
+
+/* No angle is larger than π. */
+PART double bounded_by_pi(double end) {
+    return least(raised(end, FUNCTION_ULPS), raised(PI, 1.0));
+}
+
+/* Of vectors that meet the ray of negative cosines: all, or those with a sine of one sign, whose angle is least in size at the
+ * greatest cosine. */
+PART void across_the_ray(int which, double cosine, double low, double high, double to[2]) {
+    if (which == ANGLE) {
+        to[0] = NAN;
+        to[1] = NAN;
+    } else if (which == ANY_ANGLE) {
+        to[0] = raised(PI, 1.0);
+        to[1] = raised(PI, 1.0);
+    } else {
+        const double far = most(which == ANGLE_ABOVE ? high : -low, 0.0) + 0.0; /* −0 is on the other side */
+        const double size = -bounded_by_pi(-least(atan2(far, cosine), atan2(0.0, cosine)));
+        to[0] = which == ANGLE_ABOVE ? -size : raised(PI, 1.0);
+        to[1] = which == ANGLE_ABOVE ? raised(PI, 1.0) : -size;
+    }
+}
+
+/* Over a rectangle off the ray least and greatest at corners. */
+PART void angle(int which, const slot *restrict sine, const slot *restrict cosine, slot *restrict to, int n) {
+    for (int i = 0; i < n; i++) {
+        const double x[2] = {-cosine->ends[0][i], cosine->ends[1][i]};
+        const double y[2] = {-sine->ends[0][i], sine->ends[1][i]};
+        if (x[0] > 0.0 || y[0] > 0.0 || y[1] < 0.0) {
+            const double low = least(least(atan2(y[0], x[0]), atan2(y[1], x[0])), least(atan2(y[0], x[1]), atan2(y[1], x[1])));
+            const double high = most(most(atan2(y[0], x[0]), atan2(y[1], x[0])), most(atan2(y[0], x[1]), atan2(y[1], x[1])));
+            to->ends[0][i] = bounded_by_pi(-low);
+            to->ends[1][i] = bounded_by_pi(high);
+        } else {
+            double ends[2];
+            across_the_ray(which, x[1], y[0], y[1], ends);
+            to->ends[0][i] = ends[0];
+            to->ends[1][i] = ends[1];
+        }
+    }
+}
+
+PART void load(const operand *from, ptrdiff_t row, ptrdiff_t begin, slot *to, int n) {
+    const ptrdiff_t next = from->strides[2];
+    for (int end = 0; end < 2; end++) {
+        const char *at = from->ends + end * from->strides[0] + row * from->strides[1];
+        for (int i = 0; i < n; i++) {
+            to->ends[end][i] = *(const double *)(at + (from->of ? from->of[begin + i] : begin + i) * next);
+        }
+    }
+}
+
+/* The tape on n boxes from number `begin` on; results are of shape (2, outputs, every). */
+WIDER static void block(const program *of, const operand *inputs, slot *slots, double *out, ptrdiff_t every, ptrdiff_t begin, int n) {
+    const int32_t *code = of->code;
+    const double *numbers = of->numbers;
+    for (ptrdiff_t k = 0; k < of->operations; k++, code += 4) {
+        slot *to = slots + code[1];
+        const slot *a = slots + code[2];
+        const slot *b = slots + code[3];
+        switch (code[0]) {
+        case LOAD:
+            load(inputs + code[2], code[3], begin, to, n);
+            break;
+        case CONSTANT:
+            for (int i = 0; i < n; i++) {
+                to->ends[0][i] = numbers[code[2]];
+                to->ends[1][i] = numbers[code[3]];
+            }
+            break;
+        case STORE:
+            for (int end = 0; end < 2; end++) {
+                memcpy(out + (end * of->outputs + code[1]) * every + begin, a->ends[end], (size_t)n * sizeof(double));
+            }
+            break;
+        case NEGATIVE:
+            negative(a, to, n);
+            break;
+        case ABSOLUTE:
+            absolute(a, to, n);
+            break;
+        case SUM:
+            sum(a, b, to, n);
+            break;
+        case PRODUCT:
+            product(a, b, to, n);
+            break;
+        case SCALED:
+            scaled(a, numbers[code[3]], to, n);
+            break;
+        case QUOTIENT:
+            quotient(a, b, to, n);
+            break;
+        case SQUARE:
+            square(a, to, n);
+            break;
+        case ODD_POWER:
+            odd_power(a, code[3], to, n);
+            break;
+        case SQRT:
+            square_root(a, to, n);
+            break;
+        case EXP:
+            exponential(a, to, n);
+            break;
+        case LOG:
+            logarithm(a, to, n);
+            break;
+        case TANH:
+            growing(tanh, 1.0, a, to, n);
+            break;
+        case ATAN:
+            growing(atan, INFINITY, a, to, n);
+            break;
+        case SIGN:
+            sign(a, to, n);
+            break;
+        case COS:
+            wave(cos, 0.0, a, to, n);
+            break;
+        case SIN:
+            wave(sin, 0.25, a, to, n);
+            break;
+        case NOT_NEGATIVE:
+            not_negative(a, to, n);
+            break;
+        case COMPONENT:
+            component(a, b, to, n);
+            break;
+        case ANGLE:
+        case ANY_ANGLE:
+        case ANGLE_ABOVE:
+        case ANGLE_BELOW:
+            angle(code[0], a, b, to, n);
+            break;
+        default:
+            break;
+        }
+    }
+}
+
+/* What an operation reads: two slots, one, or none. */
+static int reads(int32_t operation) {
+    return operation == LOAD || operation == CONSTANT ? 0 : operation == SUM || operation == PRODUCT || operation == QUOTIENT || operation >= COMPONENT ? 2 :
+                                                                                                                                                          1;
+}
+
+static int within(int32_t place, ptrdiff_t size) {
+    return place >= 0 && place < size;
+}
+
+/* Whether every operation stays within its arrays. */
+static int sound(const program *of, const operand *inputs, ptrdiff_t given) {
+    const int32_t *code = of->code;
+    for (ptrdiff_t k = 0; k < of->operations; k++, code += 4) {
+        const int32_t which = code[0];
+        const int32_t a = code[2];
+        const int32_t b = code[3];
+        const int fits = within(which, COUNT) && within(code[1], which == STORE ? of->outputs : of->slots) && (reads(which) < 1 || within(a, of->slots)) && (reads(which) < 2 || within(b, of->slots)) && (which != LOAD || (within(a, given) && within(b, inputs[a].rows))) && (which != CONSTANT || (within(a, of->constants) && within(b, of->constants))) && (which != SCALED || within(b, of->constants));
+        if (!fits) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+#endif

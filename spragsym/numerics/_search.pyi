@@ -1,0 +1,24 @@
+"""Made from ``_search.c`` on installation, if there is a C compiler."""
+
+from typing import Any as Buffer
+
+def plan(n: int, coordinates: int, parameters: int, *tapes_and_others: Buffer) -> object: ...
+def kept(
+    plan: object, given: Buffer, parameters: Buffer, margin: float, boxes: Buffer, keep: Buffer
+) -> None: ...
+def decided(
+    plan: object,
+    given: Buffer,
+    boxes: Buffer,
+    parameters: Buffer,
+    limits: Buffer,
+    single: Buffer,
+    spent: Buffer,
+    sharp: bool,
+    rules: tuple[float, float, float, float, float, float],
+    wide: Buffer,
+    step: Buffer,
+    left: Buffer,
+    verdicts: Buffer,
+    along: Buffer,
+) -> None: ...

@@ -1,0 +1,159 @@
+"""Plans by which compiled code looks at the boxes of a search: the tapes of all that is asked of a
+box.
+
+``_search.c`` does what :mod:`.boxes` does by NumPy, with the same tests in the same order, so that
+both drop, prove and cut the same boxes and give the same bits. Without the extension, and for
+systems with a step that no tape holds, NumPy serves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from types import ModuleType
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from . import contractors, tape
+from .interval_arrays import BoolArray, FloatArray, Intervals
+from .tape import Tape
+from .verdicts import NARROW, Judged, Rules
+
+try:
+    from . import _search as compiled
+except ImportError:  # there was no compiler
+    compiled = None  # type: ignore[assignment]  # a module or nothing
+
+#: A border of a contact: which side of it holds no state, and how far beyond it states count.
+Border: TypeAlias = tuple[int, float]
+#: Where the contact touches beyond the border; where it is open before it, or on it as well.
+TOUCHING, OPEN, OPEN_AND_OFF = range(3)
+#: As many lines, borders, sides and arcs as compiled code has room for.
+MOST_LINES, MOST_BORDERS, MOST_SIDES, MOST_ARCS = 8, 8, 16, 64
+
+
+def available() -> bool:
+    """Whether the extension module was built."""
+    return compiled is not None
+
+
+def compiled_for(n: int) -> ModuleType | None:
+    """The extension module for so many unknowns, if it and those of its parts were built."""
+    return compiled if tape.available() and contractors.compiled_for(n) is not None else None
+
+
+@dataclass(frozen=True)
+class Line:
+    """What is asked of a line at its anchor, where its direction is not known.
+
+    ``forces`` by the components of the direction, the ``direction`` over the box, and the
+    ``determinant`` of slopes times the length for directions on an arc.
+    """
+
+    forces: Tape | None = None
+    direction: Tape | None = None
+    determinant: Tape | None = None
+
+
+@dataclass(frozen=True)
+class Exclusions:
+    """What tells that a box holds no root beside values other than 0.
+
+    ``gaps`` lie beyond their ``borders``; of ``lines``, where ``anchors`` are near, no direction
+    balances the forces, or all of them on the ``arcs``, shape (2, 2, arcs), leave the determinant
+    regular; and where ``turnings`` jump, values on all ``sides`` are not 0.
+    """
+
+    gaps: Tape | None = None
+    borders: Sequence[Border] = ()
+    anchors: Tape | None = None
+    lines: Sequence[Line] = ()
+    arcs: FloatArray = field(default_factory=lambda: np.zeros((2, 2, 0)))
+    turnings: Tape | None = None
+    sides: Sequence[Tape] = ()
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Tapes of a system of n equations, as compiled code holds them."""
+
+    n: int
+    held: Any
+
+    def kept(
+        self, given: FloatArray, parameters: Intervals, margin: float
+    ) -> tuple[FloatArray, BoolArray]:
+        """What contraction leaves of boxes, shape (2, n, N), and which of them may hold a root."""
+        boxes, keep = np.empty(given.shape), np.empty(given.shape[2], np.bool_)
+        ends = np.ascontiguousarray(given)
+        compiled.kept(self.held, ends, parameters.ends, margin, boxes, keep)
+        return boxes, keep
+
+    def decided(
+        self,
+        given: FloatArray,
+        boxes: FloatArray,
+        parameters: Intervals,
+        limits: FloatArray,
+        single: BoolArray,
+        spent: BoolArray,
+        rules: Rules,
+    ) -> tuple[FloatArray, Judged]:
+        """Boxes with room around, and what becomes of them."""
+        count = given.shape[2]
+        wide, step, left = np.empty((3, *given.shape))
+        verdicts, along = np.empty(count, dtype=np.int8), np.empty(count, dtype=np.int64)
+        compiled.decided(
+            self.held,
+            np.ascontiguousarray(given),
+            np.ascontiguousarray(boxes),
+            parameters.ends,
+            np.array(np.broadcast_to(limits[..., 0], (2, self.n))),
+            single,
+            spent,
+            rules.sharp,
+            (rules.margin, rules.spread, rules.small, rules.narrow, rules.shrunk, NARROW),
+            wide,
+            step,
+            left,
+            verdicts,
+            along,
+        )
+        return wide, Judged(step, left, verdicts, along)
+
+
+def planned(
+    n: int,
+    coordinates: int,
+    parameters: int,
+    values: Tape,
+    slopes: Tape,
+    contraction: Tape | None,
+    besides: Exclusions,
+) -> Plan | None:
+    """The plan of a system; None where compiled code has no room for it."""
+    sizes = len(besides.lines), len(besides.borders), len(besides.sides), besides.arcs.shape[2]
+    if np.greater(sizes, (MOST_LINES, MOST_BORDERS, MOST_SIDES, MOST_ARCS)).any():
+        return None
+    tapes = values, slopes, contraction, besides.gaps, besides.anchors, besides.turnings
+    lines = tuple(
+        (_given(line.forces), _given(line.direction), _given(line.determinant))
+        for line in besides.lines
+    )
+    held = compiled.plan(
+        n,
+        coordinates,
+        parameters,
+        *map(_given, tapes),
+        tuple(besides.borders),
+        lines,
+        besides.arcs,
+        tuple(map(_given, besides.sides)),
+    )
+    return Plan(n, held)
+
+
+def _given(of: Tape | None) -> tuple[bytes, bytes, int, int] | None:
+    """A tape as compiled code takes it."""
+    return None if of is None else (of.code, of.numbers, of.outputs, of.slots)

@@ -1,7 +1,8 @@
-/* Interval Newton's steps of one box, and what becomes of it in a search: the same numbers, operation by operation, as contractors.py
- * and verdicts.py give, for _contractors.c and _search.c.
+/* Interval Newton's steps of one box, and what becomes of it in a search: the same numbers,
+ * operation by operation, as contractors.py and verdicts.py give, for _contractors.c and _search.c.
  *
- * Rounding: see _rounding.h. NaN bounds nothing, so that every comparison from which something is concluded is false with it. */
+ * Rounding: see _rounding.h. NaN bounds nothing, so that every comparison from which something is
+ * concluded is false with it. */
 #ifndef SPRAGSYM_NEWTON_H
 #define SPRAGSYM_NEWTON_H
 
@@ -29,9 +30,7 @@ typedef struct {
 } matrix;
 
 /* The other one of NaN. */
-PART double least_known(double a, double b) {
-    return (a <= b || b != b) ? a : b;
-}
+PART double least_known(double a, double b) { return (a <= b || b != b) ? a : b; }
 
 static void identity(int n, vector *Y) {
     for (int i = 0; i < n; i++) {
@@ -108,7 +107,8 @@ static void inverse(int n, vector *m, vector *Y) {
 }
 
 /* One entry of Y times a matrix of intervals: n products, each rounded, and n − 1 sums. */
-static inline void dot(int n, const double *Y, const double *low, const double *high, int stride, double *to_low, double *to_high) {
+static inline void dot(int n, const double *Y, const double *low, const double *high, int stride,
+    double *to_low, double *to_high) {
     double total[2] = {0.0, 0.0};
     double size[2] = {0.0, 0.0};
     for (int k = 0; k < n; k++) {
@@ -124,8 +124,10 @@ static inline void dot(int n, const double *Y, const double *low, const double *
     *to_high = total[1] + (size[1] * ((n + 1) * EPS) + TINY);
 }
 
-/* A step of interval Newton with a matrix and forces that are multiplied already; whether there is no root. */
-static int solved(int n, const matrix *A, const box *b, const double *middle, const double *reach, box *to, double *noise) {
+/* A step of interval Newton with a matrix and forces that are multiplied already; whether there is
+ * no root. */
+static int solved(int n, const matrix *A, const box *b, const double *middle, const double *reach,
+    box *to, double *noise) {
     int none = 0;
     for (int i = 0; i < n; i++) {
         double around = 0.0;
@@ -150,7 +152,8 @@ static int solved(int n, const matrix *A, const box *b, const double *middle, co
     return none;
 }
 
-static int newton_step(int n, const box *values, const matrix *slopes, const double *middle, const double *reach, box *to, double *noise) {
+static int newton_step(int n, const box *values, const matrix *slopes, const double *middle,
+    const double *reach, box *to, double *noise) {
     vector middles[MOST];
     vector Y[MOST];
     matrix A;
@@ -163,7 +166,8 @@ static int newton_step(int n, const box *values, const matrix *slopes, const dou
     inverse(n, middles, Y);
     for (int i = 0; i < n; i++) {
         for (int j = 0; j < n; j++) {
-            dot(n, Y[i], &slopes->ends[0][0][j], &slopes->ends[1][0][j], MOST, &A.ends[0][i][j], &A.ends[1][i][j]);
+            dot(n, Y[i], &slopes->ends[0][0][j], &slopes->ends[1][0][j], MOST, &A.ends[0][i][j],
+                &A.ends[1][i][j]);
         }
         dot(n, Y[i], values->ends[0], values->ends[1], 1, &b.ends[0][i], &b.ends[1][i]);
     }
@@ -171,7 +175,8 @@ static int newton_step(int n, const box *values, const matrix *slopes, const dou
 }
 
 /* The step with every cyclic permutation of the rows in place of an inverse. */
-static int by_each_row(int n, const box *values, const matrix *slopes, const double *middle, const double *reach, box *to) {
+static int by_each_row(int n, const box *values, const matrix *slopes, const double *middle,
+    const double *reach, box *to) {
     int none = 0;
     for (int shift = 0; shift < n; shift++) {
         matrix A;
@@ -191,7 +196,8 @@ static int by_each_row(int n, const box *values, const matrix *slopes, const dou
         none |= solved(n, &A, &b, middle, reach, &step, noise);
         for (int i = 0; i < n; i++) {
             for (int end = 0; end < 2; end++) {
-                to->ends[end][i] = least_known(shift ? to->ends[end][i] : INFINITY, step.ends[end][i]);
+                to->ends[end][i] =
+                    least_known(shift ? to->ends[end][i] : INFINITY, step.ends[end][i]);
             }
         }
     }
@@ -200,7 +206,8 @@ static int by_each_row(int n, const box *values, const matrix *slopes, const dou
 
 static int apart(int n, const box *one, const box *other) {
     for (int i = 0; i < n; i++) {
-        if (one->ends[0][i] + other->ends[1][i] < 0.0 || one->ends[1][i] + other->ends[0][i] < 0.0) {
+        if (one->ends[0][i] + other->ends[1][i] < 0.0 ||
+            one->ends[1][i] + other->ends[0][i] < 0.0) {
             return 1;
         }
     }
@@ -210,7 +217,8 @@ static int apart(int n, const box *one, const box *other) {
 /* |x − m| over a box. */
 static void distance(int n, const box *of, const double *middle, double *to) {
     for (int i = 0; i < n; i++) {
-        to[i] = most(raised(middle[i] + of->ends[0][i], 1.0), raised(-middle[i] + of->ends[1][i], 1.0));
+        to[i] =
+            most(raised(middle[i] + of->ends[0][i], 1.0), raised(-middle[i] + of->ends[1][i], 1.0));
     }
 }
 
@@ -224,7 +232,8 @@ static double scale_of(double low, double high) {
 }
 
 /* The unknown in which the residuals change most in proportion to all that they change. */
-static int most_told(int n, const rules *by, const matrix *slopes, const double *widths, const double *scales, const int *closed) {
+static int most_told(int n, const rules *by, const matrix *slopes, const double *widths,
+    const double *scales, const int *closed) {
     vector share = {0.0};
     int known = 1;
     for (int i = 0; i < n; i++) {
@@ -256,8 +265,8 @@ static int most_told(int n, const rules *by, const matrix *slopes, const double 
 }
 
 /* What is to be done with a box that is neither dropped nor proved. */
-static int divided(int n, const rules *by, const box *before, const box *now, const double *noise, const matrix *slopes, const int *closed,
-    int single, int spent, int64_t *along) {
+static int divided(int n, const rules *by, const box *before, const box *now, const double *noise,
+    const matrix *slopes, const int *closed, int single, int spent, int64_t *along) {
     vector widths;
     vector scales;
     int some_stuck = 0;
@@ -272,7 +281,9 @@ static int divided(int n, const rules *by, const box *before, const box *now, co
         all_small &= widths[i] <= by->small * scales[i];
         narrow &= widths[i] <= by->narrow * scales[i];
         still &= noise[i] < by->spread * widths[i];
-        const double ratio = widths[i] <= by->finest * scales[i] ? 1.0 : widths[i] / (before->ends[0][i] + before->ends[1][i]);
+        const double ratio = widths[i] <= by->finest * scales[i] ?
+            1.0 :
+            widths[i] / (before->ends[0][i] + before->ends[1][i]);
         left *= closed[i] ? 1.0 : ratio;
     }
     if ((single && (spent || (some_stuck && all_small))) || (narrow && (single || still))) {
@@ -288,8 +299,9 @@ static int divided(int n, const rules *by, const box *before, const box *now, co
     return HALVED;
 }
 
-static int judged_box(int n, const rules *by, int sharp, int single, int spent, const box *values, const matrix *slopes,
-    const double *middle, const box *given, const box *boxes, const box *wide, box *step, box *now, int64_t *along) {
+static int judged_box(int n, const rules *by, int sharp, int single, int spent, const box *values,
+    const matrix *slopes, const double *middle, const box *given, const box *boxes, const box *wide,
+    box *step, box *now, int64_t *along) {
     vector reach;
     vector noise;
     int closed[MOST];
@@ -322,7 +334,8 @@ static int judged_box(int n, const rules *by, int sharp, int single, int spent, 
         }
     }
     for (int i = 0; i < n; i++) {
-        const double room = by->margin * raised(boxes->ends[0][i] + boxes->ends[1][i], 1.0) + 4 * noise[i];
+        const double room =
+            by->margin * raised(boxes->ends[0][i] + boxes->ends[1][i], 1.0) + 4 * noise[i];
         for (int end = 0; end < 2; end++) {
             now->ends[end][i] = least_known(ends.ends[end][i] + room, boxes->ends[end][i]);
         }

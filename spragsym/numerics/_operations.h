@@ -1,7 +1,8 @@
 /* Operations of a tape on blocks of boxes that stay in the cache, for _tape.c and _search.c.
  *
- * Each operation does what the same operation of interval_arrays.py does, in the same order, so that both give the same bits; but for
- * exp, log, tanh, atan, sin and cos, which are those of the C library, as far off as NumPy's are allowed to be there.
+ * Each operation does what the same operation of interval_arrays.py does, in the same order, so
+ * that both give the same bits; but for exp, log, tanh, atan, sin and cos, which are those of the C
+ * library, as far off as NumPy's are allowed to be there.
  *
  * Rounding: see _rounding.h. */
 #ifndef SPRAGSYM_OPERATIONS_H
@@ -23,10 +24,12 @@
 #define PI 3.141592653589793
 #define TURN 6.283185307179586
 
-static const char *const OPERATIONS[] = {"load", "constant", "store", "negative", "absolute", "sum", "product", "scaled", "quotient",
-    "square", "odd_power", "sqrt", "exp", "log", "tanh", "atan", "sign", "cos", "sin", "not_negative", "component",
-    "angle", "any_angle", "angle_above", "angle_below"};
-enum { LOAD,
+static const char *const OPERATIONS[] = {"load", "constant", "store", "negative", "absolute", "sum",
+    "product", "scaled", "quotient", "square", "odd_power", "sqrt", "exp", "log", "tanh", "atan",
+    "sign", "cos", "sin", "not_negative", "component", "angle", "any_angle", "angle_above",
+    "angle_below"};
+enum {
+    LOAD,
     CONSTANT,
     STORE,
     NEGATIVE,
@@ -51,15 +54,16 @@ enum { LOAD,
     ANY_ANGLE,
     ANGLE_ABOVE,
     ANGLE_BELOW,
-    COUNT };
+    COUNT
+};
 
 /* One interval in each place: −low, then high. */
 typedef struct {
     double ends[2][BLOCK];
 } slot;
 
-/* A tape: int32, four to an operation: which, to, a, b; doubles that operations name by their place; how many results it has, and how
- * many intermediate results are alive at once. */
+/* A tape: int32, four to an operation: which, to, a, b; doubles that operations name by their
+ * place; how many results it has, and how many intermediate results are alive at once. */
 typedef struct {
     const int32_t *code;
     ptrdiff_t operations;
@@ -69,8 +73,8 @@ typedef struct {
     ptrdiff_t slots;
 } program;
 
-/* What a tape reads: −low and high of each row of each box, by strides in bytes; `of` says which box stands in each place, if not the
- * box of the same number. */
+/* What a tape reads: −low and high of each row of each box, by strides in bytes; `of` says which
+ * box stands in each place, if not the box of the same number. */
 typedef struct {
     const char *ends;
     ptrdiff_t strides[3];
@@ -78,9 +82,7 @@ typedef struct {
     const int32_t *of;
 } operand;
 
-PART double mignitude(double a, double b) {
-    return most(-least(a, b), 0.0);
-}
+PART double mignitude(double a, double b) { return most(-least(a, b), 0.0); }
 
 PART void negative(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
@@ -224,7 +226,8 @@ PART void logarithm(const slot *restrict a, slot *restrict to, int n) {
 }
 
 /* Odd functions that grow, 0 at 0, and not beyond a bound. */
-PART void growing(double (*function)(double), double bound, const slot *restrict a, slot *restrict to, int n) {
+PART void growing(
+    double (*function)(double), double bound, const slot *restrict a, slot *restrict to, int n) {
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < n; i++) {
             const double at = a->ends[end][i];
@@ -244,7 +247,8 @@ PART void sign(const slot *restrict a, slot *restrict to, int n) {
 }
 
 /* A cosine that has its maxima at 2π (peak + n). */
-PART void wave(double (*function)(double), double peak, const slot *restrict a, slot *restrict to, int n) {
+PART void wave(
+    double (*function)(double), double peak, const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double low = -a->ends[0][i];
         const double high = a->ends[1][i];
@@ -252,10 +256,12 @@ PART void wave(double (*function)(double), double peak, const slot *restrict a, 
         const double other = function(high);
         const double from = low / TURN - peak;
         const double until = high / TURN - peak;
-        const int known = most(a->ends[0][i], high) <= LARGEST_ANGLE && isfinite(one) && isfinite(other);
+        const int known =
+            most(a->ends[0][i], high) <= LARGEST_ANGLE && isfinite(one) && isfinite(other);
         const int top = floor(until + TURN_ERROR) >= ceil(from - TURN_ERROR);
         const int bottom = floor(until + (0.5 + TURN_ERROR)) >= ceil(from + (0.5 - TURN_ERROR));
-        to->ends[0][i] = (bottom || !known) ? 1.0 : least(-least(one, other) + TRIGONOMETRIC_ERROR, 1.0);
+        to->ends[0][i] =
+            (bottom || !known) ? 1.0 : least(-least(one, other) + TRIGONOMETRIC_ERROR, 1.0);
         to->ends[1][i] = (top || !known) ? 1.0 : least(most(one, other) + TRIGONOMETRIC_ERROR, 1.0);
     }
 }
@@ -267,7 +273,8 @@ PART void not_negative(const slot *restrict a, slot *restrict to, int n) {
     }
 }
 
-/* a/√(a² + b²), which grows with a, and with |b| goes to 0; three roundings of a sum of squares, and two more. */
+/* a/√(a² + b²), which grows with a, and with |b| goes to 0; three roundings of a sum of squares,
+ * and two more. */
 PART void component(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double near = mignitude(b->ends[0][i], b->ends[1][i]);
@@ -283,12 +290,10 @@ PART void component(const slot *restrict a, const slot *restrict b, slot *restri
 }
 
 /* No angle is larger than π. */
-PART double bounded_by_pi(double end) {
-    return least(raised(end, FUNCTION_ULPS), raised(PI, 1.0));
-}
+PART double bounded_by_pi(double end) { return least(raised(end, FUNCTION_ULPS), raised(PI, 1.0)); }
 
-/* Of vectors that meet the ray of negative cosines: all, or those with a sine of one sign, whose angle is least in size at the
- * greatest cosine. */
+/* Of vectors that meet the ray of negative cosines: all, or those with a sine of one sign, whose
+ * angle is least in size at the greatest cosine. */
 PART void across_the_ray(int which, double cosine, double low, double high, double to[2]) {
     if (which == ANGLE) {
         to[0] = NAN;
@@ -297,7 +302,8 @@ PART void across_the_ray(int which, double cosine, double low, double high, doub
         to[0] = raised(PI, 1.0);
         to[1] = raised(PI, 1.0);
     } else {
-        const double far = most(which == ANGLE_ABOVE ? high : -low, 0.0) + 0.0; /* −0 is on the other side */
+        const double far =
+            most(which == ANGLE_ABOVE ? high : -low, 0.0) + 0.0; /* −0 is on the other side */
         const double size = -bounded_by_pi(-least(atan2(far, cosine), atan2(0.0, cosine)));
         to[0] = which == ANGLE_ABOVE ? -size : raised(PI, 1.0);
         to[1] = which == ANGLE_ABOVE ? raised(PI, 1.0) : -size;
@@ -305,13 +311,16 @@ PART void across_the_ray(int which, double cosine, double low, double high, doub
 }
 
 /* Over a rectangle off the ray least and greatest at corners. */
-PART void angle(int which, const slot *restrict sine, const slot *restrict cosine, slot *restrict to, int n) {
+PART void angle(
+    int which, const slot *restrict sine, const slot *restrict cosine, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double x[2] = {-cosine->ends[0][i], cosine->ends[1][i]};
         const double y[2] = {-sine->ends[0][i], sine->ends[1][i]};
         if (x[0] > 0.0 || y[0] > 0.0 || y[1] < 0.0) {
-            const double low = least(least(atan2(y[0], x[0]), atan2(y[1], x[0])), least(atan2(y[0], x[1]), atan2(y[1], x[1])));
-            const double high = most(most(atan2(y[0], x[0]), atan2(y[1], x[0])), most(atan2(y[0], x[1]), atan2(y[1], x[1])));
+            const double low = least(least(atan2(y[0], x[0]), atan2(y[1], x[0])),
+                least(atan2(y[0], x[1]), atan2(y[1], x[1])));
+            const double high = most(most(atan2(y[0], x[0]), atan2(y[1], x[0])),
+                most(atan2(y[0], x[1]), atan2(y[1], x[1])));
             to->ends[0][i] = bounded_by_pi(-low);
             to->ends[1][i] = bounded_by_pi(high);
         } else {
@@ -328,13 +337,15 @@ PART void load(const operand *from, ptrdiff_t row, ptrdiff_t begin, slot *to, in
     for (int end = 0; end < 2; end++) {
         const char *at = from->ends + end * from->strides[0] + row * from->strides[1];
         for (int i = 0; i < n; i++) {
-            to->ends[end][i] = *(const double *)(at + (from->of ? from->of[begin + i] : begin + i) * next);
+            to->ends[end][i] =
+                *(const double *)(at + (from->of ? from->of[begin + i] : begin + i) * next);
         }
     }
 }
 
 /* The tape on n boxes from number `begin` on; results are of shape (2, outputs, every). */
-WIDER static void block(const program *of, const operand *inputs, slot *slots, double *out, ptrdiff_t every, ptrdiff_t begin, int n) {
+WIDER static void block(const program *of, const operand *inputs, slot *slots, double *out,
+    ptrdiff_t every, ptrdiff_t begin, int n) {
     const int32_t *code = of->code;
     const double *numbers = of->numbers;
     for (ptrdiff_t k = 0; k < of->operations; k++, code += 4) {
@@ -353,7 +364,8 @@ WIDER static void block(const program *of, const operand *inputs, slot *slots, d
             break;
         case STORE:
             for (int end = 0; end < 2; end++) {
-                memcpy(out + (end * of->outputs + code[1]) * every + begin, a->ends[end], (size_t)n * sizeof(double));
+                memcpy(out + (end * of->outputs + code[1]) * every + begin, a->ends[end],
+                    (size_t)n * sizeof(double));
             }
             break;
         case NEGATIVE:
@@ -424,13 +436,13 @@ WIDER static void block(const program *of, const operand *inputs, slot *slots, d
 
 /* What an operation reads: two slots, one, or none. */
 static int reads(int32_t operation) {
-    return operation == LOAD || operation == CONSTANT ? 0 : operation == SUM || operation == PRODUCT || operation == QUOTIENT || operation >= COMPONENT ? 2 :
-                                                                                                                                                          1;
+    if (operation == LOAD || operation == CONSTANT) {
+        return 0;
+    }
+    return operation == SUM || operation == PRODUCT || operation == QUOTIENT || operation >= COMPONENT ? 2 : 1;
 }
 
-static int within(int32_t place, ptrdiff_t size) {
-    return place >= 0 && place < size;
-}
+static int within(int32_t place, ptrdiff_t size) { return place >= 0 && place < size; }
 
 /* Whether every operation stays within its arrays. */
 static int sound(const program *of, const operand *inputs, ptrdiff_t given) {
@@ -439,7 +451,13 @@ static int sound(const program *of, const operand *inputs, ptrdiff_t given) {
         const int32_t which = code[0];
         const int32_t a = code[2];
         const int32_t b = code[3];
-        const int fits = within(which, COUNT) && within(code[1], which == STORE ? of->outputs : of->slots) && (reads(which) < 1 || within(a, of->slots)) && (reads(which) < 2 || within(b, of->slots)) && (which != LOAD || (within(a, given) && within(b, inputs[a].rows))) && (which != CONSTANT || (within(a, of->constants) && within(b, of->constants))) && (which != SCALED || within(b, of->constants));
+        const int fits = within(which, COUNT) &&
+            within(code[1], which == STORE ? of->outputs : of->slots) &&
+            (reads(which) < 1 || within(a, of->slots)) &&
+            (reads(which) < 2 || within(b, of->slots)) &&
+            (which != LOAD || (within(a, given) && within(b, inputs[a].rows))) &&
+            (which != CONSTANT || (within(a, of->constants) && within(b, of->constants))) &&
+            (which != SCALED || within(b, of->constants));
         if (!fits) {
             return 0;
         }

@@ -1,16 +1,19 @@
 /* A look at the boxes of a search by tapes: those that hold no root are dropped, the others judged.
  *
- * The same tests in the same order, and so the same bits, as boxes.py, systems.py and verdicts.py have by NumPy; which boxes are looked
- * at next is told there.
+ * The same tests in the same order, and so the same bits, as boxes.py, systems.py and verdicts.py
+ * have by NumPy; which boxes are looked at next is told there.
  *
- * plan(…)                                                                        a capsule, see below
- * kept(plan, given, parameters, margin, boxes, keep)                             what contraction leaves, and where a root may be
- * decided(plan, given, boxes, parameters, limits, single, spent, sharp, rules, wide, step, left, verdicts, along)
+ * plan(…)                                                                        a capsule, see
+ * below kept(plan, given, parameters, margin, boxes, keep)                             what
+ * contraction leaves, and where a root may be decided(plan, given, boxes, parameters, limits,
+ * single, spent, sharp, rules, wide, step, left, verdicts, along)
  *
- * Arrays of boxes are contiguous doubles of shape (2, n, N) with −low and high first, limits (2, n); parameters of shape (2, P, N) with
- * any strides; keep, single, spent and verdicts bytes, along int64, of shape (N,).
+ * Arrays of boxes are contiguous doubles of shape (2, n, N) with −low and high first, limits (2,
+ * n); parameters of shape (2, P, N) with any strides; keep, single, spent and verdicts bytes, along
+ * int64, of shape (N,).
  *
- * Rounding: see _rounding.h. NaN bounds nothing: every comparison by which a box is dropped is false with it. */
+ * Rounding: see _rounding.h. NaN bounds nothing: every comparison by which a box is dropped is
+ * false with it. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -28,21 +31,24 @@
 #define MOST_ARCS 64
 #define CAPSULE "spragsym search"
 
-/* On which side of a border no state is: beyond it where the contact touches, before it where it is open, or on it as well. */
+/* On which side of a border no state is: beyond it where the contact touches, before it where it is
+ * open, or on it as well. */
 enum { TOUCHING,
     OPEN,
     OPEN_AND_OFF,
     KINDS_OF_BORDERS };
 
-/* What a line, as that of a spring, is asked for at its anchor, where its direction is not known: forces by the direction, the
- * direction over the box, and the determinant of slopes times the length for directions on an arc. */
+/* What a line, as that of a spring, is asked for at its anchor, where its direction is not known:
+ * forces by the direction, the direction over the box, and the determinant of slopes times the
+ * length for directions on an arc. */
 typedef struct {
     program forces;
     program direction;
     program determinant;
 } line;
 
-/* Tapes of a system of n equations. Those without results are not asked. Contraction is in the first `coordinates` unknowns. */
+/* Tapes of a system of n equations. Those without results are not asked. Contraction is in the
+ * first `coordinates` unknowns. */
 typedef struct {
     PyObject *kept_alive;
     int n;
@@ -87,7 +93,8 @@ typedef struct {
 } some;
 
 static operand rows_of(double (*ends)[MOST][BLOCK], int rows, const int32_t *of) {
-    return (operand){(const char *)ends, {sizeof(double) * MOST * BLOCK, sizeof(double) * BLOCK, sizeof(double)}, rows, of};
+    return (operand){(const char *)ends,
+        {sizeof(double) * MOST * BLOCK, sizeof(double) * BLOCK, sizeof(double)}, rows, of};
 }
 
 static operand parameters_of(const desk *at, const int32_t *of) {
@@ -106,7 +113,8 @@ static void add(some *to, const desk *at, int i) {
     to->of[to->count++] = at->of[i];
 }
 
-static void evaluated_at(const plan *by, const program *tape, desk *at, double (*ends)[MOST][BLOCK]) {
+static void evaluated_at(
+    const plan *by, const program *tape, desk *at, double (*ends)[MOST][BLOCK]) {
     const operand inputs[2] = {rows_of(ends, by->n, NULL), parameters_of(at, at->of)};
     block(tape, inputs, at->slots, at->out, BLOCK, 0, at->count);
 }
@@ -116,7 +124,8 @@ static void evaluated(const plan *by, const program *tape, desk *at) {
 }
 
 static void evaluated_of(const plan *by, const program *tape, desk *at, const some *boxes) {
-    const operand inputs[2] = {rows_of(at->ends, by->n, boxes->place), parameters_of(at, boxes->of)};
+    const operand inputs[2] = {
+        rows_of(at->ends, by->n, boxes->place), parameters_of(at, boxes->of)};
     block(tape, inputs, at->slots, at->out, BLOCK, 0, boxes->count);
 }
 
@@ -147,10 +156,11 @@ static void dropped(const plan *by, desk *at, const uint8_t *gone) {
     at->count = left;
 }
 
-/* ------------------------------------------------------------------------------------------------------------------------------
+/* -------------------------------------------------------------------------------------------------
  * contraction */
 
-/* A step of interval Newton with directions of lines that are those over the box: in place. Of some boxes nothing is left. */
+/* A step of interval Newton with directions of lines that are those over the box: in place. Of some
+ * boxes nothing is left. */
 static void contracted(const plan *by, desk *at, uint8_t *gone) {
     const int n = by->coordinates;
     for (int k = 0; k < n; k++) {
@@ -160,7 +170,8 @@ static void contracted(const plan *by, desk *at, uint8_t *gone) {
             at->near[1][k][i] = middle;
         }
     }
-    const operand inputs[3] = {rows_of(at->ends, by->n, NULL), rows_of(at->near, n, NULL), parameters_of(at, at->of)};
+    const operand inputs[3] = {
+        rows_of(at->ends, by->n, NULL), rows_of(at->near, n, NULL), parameters_of(at, at->of)};
     block(&by->contraction, inputs, at->slots, at->out, BLOCK, 0, at->count);
     for (int i = 0; i < at->count; i++) {
         box given;
@@ -204,7 +215,7 @@ static void with_room(const plan *by, desk *at, const double *given, Py_ssize_t 
     }
 }
 
-/* ------------------------------------------------------------------------------------------------------------------------------
+/* -------------------------------------------------------------------------------------------------
  * boxes without a root */
 
 static void without_zero(const plan *by, desk *at, uint8_t *gone) {
@@ -232,8 +243,8 @@ static void beyond_borders(const plan *by, desk *at, uint8_t *gone) {
     }
 }
 
-/* Which boxes are no farther from the anchor of each line than their size: of others the direction is known so well that the equations
- * themselves tell. */
+/* Which boxes are no farther from the anchor of each line than their size: of others the direction
+ * is known so well that the equations themselves tell. */
 static void near_anchors(const plan *by, desk *at, uint8_t (*near)[BLOCK]) {
     evaluated(by, &by->anchors, at);
     for (int k = 0; k < by->lines; k++) {
@@ -251,7 +262,8 @@ static void near_anchors(const plan *by, desk *at, uint8_t (*near)[BLOCK]) {
     }
 }
 
-/* Whether G + M u = 0 for no unit vector u of two components, see no_unit_vector in contractors.py: results G and then M. */
+/* Whether G + M u = 0 for no unit vector u of two components, see no_unit_vector in contractors.py:
+ * results G and then M. */
 static int no_unit_vector(const desk *at, const program *tape, int n, int i) {
     double m[MOST][2];
     vector gram[MOST] = {{0.0}};
@@ -259,7 +271,8 @@ static int no_unit_vector(const desk *at, const program *tape, int n, int i) {
     double square[2] = {0.0, 0.0};
     for (int k = 0; k < n; k++) {
         for (int j = 0; j < 2; j++) {
-            m[k][j] = middle_of(result(at, tape, 0, n + 2 * k + j)[i], result(at, tape, 1, n + 2 * k + j)[i]);
+            m[k][j] = middle_of(
+                result(at, tape, 0, n + 2 * k + j)[i], result(at, tape, 1, n + 2 * k + j)[i]);
         }
         for (int j = 0; j < 2; j++) {
             for (int l = 0; l < 2; l++) {
@@ -304,7 +317,8 @@ static int no_unit_vector(const desk *at, const program *tape, int n, int i) {
 }
 
 /* Boxes at an anchor where no direction of the line balances the forces. */
-static void without_direction(const plan *by, desk *at, const uint8_t (*near)[BLOCK], uint8_t *gone) {
+static void without_direction(
+    const plan *by, desk *at, const uint8_t (*near)[BLOCK], uint8_t *gone) {
     for (int k = 0; k < by->lines; k++) {
         const program *tape = &by->at[k].forces;
         some boxes = {.count = 0};
@@ -322,10 +336,13 @@ static void without_direction(const plan *by, desk *at, const uint8_t (*near)[BL
     }
 }
 
-/* For pairs of boxes and arcs: a box in which the determinant may be 0 for a direction on the arc is not regular. */
-static void asked_arcs(const plan *by, const program *tape, desk *at, some *pairs, const int32_t *arcs, uint8_t *regular) {
+/* For pairs of boxes and arcs: a box in which the determinant may be 0 for a direction on the arc
+ * is not regular. */
+static void asked_arcs(const plan *by, const program *tape, desk *at, some *pairs,
+    const int32_t *arcs, uint8_t *regular) {
     const operand inputs[3] = {rows_of(at->ends, by->n, pairs->place),
-        {(const char *)by->arc, {sizeof by->arc[0], sizeof by->arc[0][0], sizeof(double)}, 2, arcs}, parameters_of(at, pairs->of)};
+        {(const char *)by->arc, {sizeof by->arc[0], sizeof by->arc[0][0], sizeof(double)}, 2, arcs},
+        parameters_of(at, pairs->of)};
     block(tape, inputs, at->slots, at->out, BLOCK, 0, pairs->count);
     for (int i = 0; i < pairs->count; i++) {
         regular[pairs->place[i]] &= (uint8_t)not_zero(at, tape, i);
@@ -333,9 +350,10 @@ static void asked_arcs(const plan *by, const program *tape, desk *at, some *pair
     pairs->count = 0;
 }
 
-/* Boxes of which no direction of a line on some arcs, every eighth or the others, makes the determinant 0. */
-static void regular_along(const plan *by, int number, desk *at, const some *boxes, const double (*known)[2][BLOCK], int eighth,
-    uint8_t *regular) {
+/* Boxes of which no direction of a line on some arcs, every eighth or the others, makes the
+ * determinant 0. */
+static void regular_along(const plan *by, int number, desk *at, const some *boxes,
+    const double (*known)[2][BLOCK], int eighth, uint8_t *regular) {
     some pairs = {.count = 0};
     int32_t arcs[BLOCK];
     for (int arc = 0; arc < by->arcs; arc++) {
@@ -361,7 +379,8 @@ static void regular_along(const plan *by, int number, desk *at, const some *boxe
 }
 
 /* Boxes at an anchor where the determinant is not 0, whatever the direction of the line is. */
-static void regular_at_anchors(const plan *by, desk *at, const uint8_t (*near)[BLOCK], uint8_t *gone) {
+static void regular_at_anchors(
+    const plan *by, desk *at, const uint8_t (*near)[BLOCK], uint8_t *gone) {
     for (int k = 0; k < by->lines; k++) {
         const program *tape = &by->at[k].direction;
         double known[2][2][BLOCK];
@@ -390,7 +409,8 @@ static void regular_at_anchors(const plan *by, desk *at, const uint8_t (*near)[B
     }
 }
 
-/* Boxes that meet the ray on which the angle of a torsion spring jumps, and hold no root on any side of it. */
+/* Boxes that meet the ray on which the angle of a torsion spring jumps, and hold no root on any
+ * side of it. */
 static void without_sides(const plan *by, desk *at, uint8_t *gone) {
     const program *tape = &by->turnings;
     some boxes = {.count = 0};
@@ -433,7 +453,8 @@ static void hopeless(const plan *by, desk *at, uint8_t *gone) {
     without_sides(by, at, gone);
 }
 
-static void kept_block(const plan *by, desk *at, const double *given, Py_ssize_t N, double margin, double *boxes, uint8_t *keep) {
+static void kept_block(const plan *by, desk *at, const double *given, Py_ssize_t N, double margin,
+    double *boxes, uint8_t *keep) {
     uint8_t gone[BLOCK] = {0};
     if (by->contraction.operations) {
         contracted(by, at, gone);
@@ -441,7 +462,8 @@ static void kept_block(const plan *by, desk *at, const double *given, Py_ssize_t
     with_room(by, at, given, N, margin);
     for (int end = 0; end < 2; end++) {
         for (int k = 0; k < by->n; k++) {
-            memcpy(boxes + (end * by->n + k) * N + at->of[0], at->ends[end][k], (size_t)at->count * sizeof(double));
+            memcpy(boxes + (end * by->n + k) * N + at->of[0], at->ends[end][k],
+                (size_t)at->count * sizeof(double));
         }
     }
     without_zero(by, at, gone);
@@ -456,7 +478,7 @@ static void kept_block(const plan *by, desk *at, const double *given, Py_ssize_t
     }
 }
 
-/* ------------------------------------------------------------------------------------------------------------------------------
+/* -------------------------------------------------------------------------------------------------
  * verdicts */
 
 typedef struct {
@@ -474,14 +496,16 @@ typedef struct {
     int64_t *along;
 } judgement;
 
-/* Boxes with room around, so that a root on the border of a box lies well inside, or by rounding beside it; and their middles. */
+/* Boxes with room around, so that a root on the border of a box lies well inside, or by rounding
+ * beside it; and their middles. */
 static void widened(const plan *by, desk *at, const judgement *of, Py_ssize_t N) {
     const int n = by->n;
     for (int k = 0; k < n; k++) {
         for (int i = 0; i < at->count; i++) {
             const Py_ssize_t place = k * N + at->of[i];
             const double ends[2] = {of->boxes[place], of->boxes[n * N + place]};
-            const double room = of->by.margin * raised(ends[0] + ends[1], 1.0) + of->by.finest * scale_of(ends[0], ends[1]);
+            const double room = of->by.margin * raised(ends[0] + ends[1], 1.0) +
+                of->by.finest * scale_of(ends[0], ends[1]);
             const double middle = middle_of(ends[0], ends[1]);
             at->near[0][k][i] = -middle;
             at->near[1][k][i] = middle;
@@ -522,8 +546,9 @@ static void decided_block(const plan *by, desk *at, const judgement *of, Py_ssiz
             }
         }
         of->along[place] = 0;
-        of->verdicts[place] = (int8_t)judged_box(n, &of->by, of->sharp, of->single[place], of->spent[place], &values, &slopes, middle, &given,
-            &boxes, &wide, &step, &now, of->along + place);
+        of->verdicts[place] =
+            (int8_t)judged_box(n, &of->by, of->sharp, of->single[place], of->spent[place], &values,
+                &slopes, middle, &given, &boxes, &wide, &step, &now, of->along + place);
         for (int k = 0; k < n; k++) {
             for (int end = 0; end < 2; end++) {
                 const Py_ssize_t entry = (end * n + k) * N + place;
@@ -535,7 +560,7 @@ static void decided_block(const plan *by, desk *at, const judgement *of, Py_ssiz
     }
 }
 
-/* ------------------------------------------------------------------------------------------------------------------------------
+/* -------------------------------------------------------------------------------------------------
  * Python */
 
 /* A tape, (code, numbers, outputs, slots); nothing of None. */
@@ -548,7 +573,9 @@ static int as_program(PyObject *from, program *to) {
     if (from == Py_None) {
         return 1;
     }
-    if (!PyTuple_Check(from) || !PyArg_ParseTuple(from, "y#y#nn", &code, &codes, &numbers, &constants, &to->outputs, &to->slots)) {
+    if (!PyTuple_Check(from) ||
+        !PyArg_ParseTuple(
+            from, "y#y#nn", &code, &codes, &numbers, &constants, &to->outputs, &to->slots)) {
         return 0;
     }
     to->code = (const int32_t *)(const void *)code;
@@ -564,20 +591,29 @@ static int good(plan *by, const program *tape, Py_ssize_t results, int inputs, P
     const operand three[3] = {{.rows = by->n}, {.rows = between}, {.rows = by->parameters}};
     by->slots = tape->slots > by->slots ? tape->slots : by->slots;
     by->results = tape->outputs > by->results ? tape->outputs : by->results;
-    return !tape->operations || (tape->outputs == results && tape->slots > 0 && sound(tape, inputs == 2 ? two : three, inputs));
+    if (!tape->operations) {
+        return !tape->outputs;
+    }
+    return tape->outputs == results && tape->slots > 0 &&
+        sound(tape, inputs == 2 ? two : three, inputs);
 }
 
 static int all_good(plan *by) {
     const int n = by->n;
     const int m = by->coordinates;
-    int whole = n >= 1 && n <= MOST && m >= 1 && m <= n && by->values.operations && by->slopes.operations;
+    int whole =
+        n >= 1 && n <= MOST && m >= 1 && m <= n && by->values.operations && by->slopes.operations;
     whole = whole && good(by, &by->values, n, 2, 0) && good(by, &by->slopes, n * n, 2, 0);
-    whole = whole && good(by, &by->contraction, m + m * m, 3, m) && good(by, &by->gaps, by->borders, 2, 0);
-    whole = whole && good(by, &by->anchors, 2 * by->lines, 2, 0) && good(by, &by->turnings, by->turnings.outputs, 2, 0);
-    whole = whole && (!by->lines || by->anchors.operations) && (!by->borders || by->gaps.operations);
+    whole = whole && good(by, &by->contraction, m + m * m, 3, m) &&
+        good(by, &by->gaps, by->borders, 2, 0);
+    whole = whole && good(by, &by->anchors, 2 * by->lines, 2, 0) &&
+        good(by, &by->turnings, by->turnings.outputs, 2, 0);
+    whole =
+        whole && (!by->lines || by->anchors.operations) && (!by->borders || by->gaps.operations);
     for (int k = 0; whole && k < by->lines; k++) {
         const line *at = by->at + k;
-        whole = good(by, &at->forces, 3 * m, 2, 0) && good(by, &at->direction, 2, 2, 0) && good(by, &at->determinant, 1, 3, 2);
+        whole = good(by, &at->forces, 3 * m, 2, 0) && good(by, &at->direction, 2, 2, 0) &&
+            good(by, &at->determinant, 1, 3, 2);
         whole = whole && (!at->determinant.operations || at->direction.operations);
     }
     for (int k = 0; whole && k < by->sides; k++) {
@@ -605,10 +641,12 @@ static int lines_of(PyObject *from, plan *to) {
         PyObject *determinant;
         line *at = to->at + k;
         PyObject *entry = PyTuple_GET_ITEM(from, k);
-        if (!PyTuple_Check(entry) || !PyArg_ParseTuple(entry, "OOO", &forces, &direction, &determinant)) {
+        if (!PyTuple_Check(entry) ||
+            !PyArg_ParseTuple(entry, "OOO", &forces, &direction, &determinant)) {
             return 0;
         }
-        if (!as_program(forces, &at->forces) || !as_program(direction, &at->direction) || !as_program(determinant, &at->determinant)) {
+        if (!as_program(forces, &at->forces) || !as_program(direction, &at->direction) ||
+            !as_program(determinant, &at->determinant)) {
             return 0;
         }
     }
@@ -624,7 +662,8 @@ static int arcs_of(PyObject *from, plan *to) {
     for (int end = 0; end < 2; end++) {
         for (int j = 0; j < 2; j++) {
             for (int i = 0; i < to->arcs; i++) {
-                to->arc[end][j][i] = *(double *)((char *)arcs.buf + end * arcs.strides[0] + j * arcs.strides[1] + i * arcs.strides[2]);
+                to->arc[end][j][i] = *(double *)((char *)arcs.buf + end * arcs.strides[0] +
+                    j * arcs.strides[1] + i * arcs.strides[2]);
             }
         }
     }
@@ -650,7 +689,8 @@ static void forgotten(PyObject *capsule) {
     }
 }
 
-/* plan(n, coordinates, parameters, values, slopes, contraction, gaps, anchors, turnings, borders, lines, arcs, sides) */
+/* plan(n, coordinates, parameters, values, slopes, contraction, gaps, anchors, turnings, borders,
+ * lines, arcs, sides) */
 static PyObject *planned(PyObject *module, PyObject *arguments) {
     (void)module;
     PyObject *of[6];
@@ -662,13 +702,16 @@ static PyObject *planned(PyObject *module, PyObject *arguments) {
     if (by == NULL) {
         return PyErr_NoMemory();
     }
-    program *const tapes[6] = {&by->values, &by->slopes, &by->contraction, &by->gaps, &by->anchors, &by->turnings};
-    int whole = PyArg_ParseTuple(arguments, "iinOOOOOOO!O!OO!", &by->n, &by->coordinates, &by->parameters, of, of + 1, of + 2, of + 3, of + 4,
-        of + 5, &PyTuple_Type, &borders, &PyTuple_Type, &lines, &arcs, &PyTuple_Type, &sides);
+    program *const tapes[6] = {
+        &by->values, &by->slopes, &by->contraction, &by->gaps, &by->anchors, &by->turnings};
+    int whole = PyArg_ParseTuple(arguments, "iinOOOOOOO!O!OO!", &by->n, &by->coordinates,
+        &by->parameters, of, of + 1, of + 2, of + 3, of + 4, of + 5, &PyTuple_Type, &borders,
+        &PyTuple_Type, &lines, &arcs, &PyTuple_Type, &sides);
     for (int k = 0; whole && k < 6; k++) {
         whole = as_program(of[k], tapes[k]);
     }
-    whole = whole && borders_of(borders, by) && lines_of(lines, by) && arcs_of(arcs, by) && sides_of(sides, by) && all_good(by);
+    whole = whole && borders_of(borders, by) && lines_of(lines, by) && arcs_of(arcs, by) &&
+        sides_of(sides, by) && all_good(by);
     PyObject *capsule = whole ? PyCapsule_New(by, CAPSULE, forgotten) : NULL;
     if (capsule == NULL) {
         PyMem_Free(by);
@@ -702,7 +745,8 @@ static desk *opened(const plan *by, PyObject *from, Py_buffer *parameters, Py_ss
         } else {
             at->slots = slots;
             at->out = out;
-            at->parameters = (operand){parameters->buf, {parameters->strides[0], parameters->strides[1], parameters->strides[2]},
+            at->parameters = (operand){parameters->buf,
+                {parameters->strides[0], parameters->strides[1], parameters->strides[2]},
                 parameters->shape[1], NULL};
         }
     }
@@ -720,14 +764,16 @@ static void cleared(desk *at, Py_buffer *parameters) {
 }
 
 /* The next boxes of N, from number `begin` on. */
-static void laid_out(const plan *by, desk *at, const double *given, Py_ssize_t N, Py_ssize_t begin) {
+static void laid_out(
+    const plan *by, desk *at, const double *given, Py_ssize_t N, Py_ssize_t begin) {
     at->count = (int)(N - begin < BLOCK ? N - begin : BLOCK);
     for (int i = 0; i < at->count; i++) {
         at->of[i] = (int32_t)(begin + i);
     }
     for (int end = 0; end < 2; end++) {
         for (int k = 0; k < by->n; k++) {
-            memcpy(at->ends[end][k], given + (end * by->n + k) * N + begin, (size_t)at->count * sizeof(double));
+            memcpy(at->ends[end][k], given + (end * by->n + k) * N + begin,
+                (size_t)at->count * sizeof(double));
         }
     }
 }
@@ -736,7 +782,8 @@ static void laid_out(const plan *by, desk *at, const double *given, Py_ssize_t N
 static int fit(const Py_buffer *given, const Py_ssize_t *sizes, int count) {
     for (int k = 0; k < count; k++) {
         if (given[k].len != sizes[k]) {
-            PyErr_SetString(PyExc_ValueError, "arrays of boxes do not have the shapes of one another");
+            PyErr_SetString(
+                PyExc_ValueError, "arrays of boxes do not have the shapes of one another");
             return 0;
         }
     }
@@ -750,7 +797,8 @@ static PyObject *kept(PyObject *module, PyObject *arguments) {
     Py_buffer of[3];
     Py_buffer parameters;
     double margin;
-    if (!PyArg_ParseTuple(arguments, "Oy*Odw*w*", &capsule, of, &given_parameters, &margin, of + 1, of + 2)) {
+    if (!PyArg_ParseTuple(
+            arguments, "Oy*Odw*w*", &capsule, of, &given_parameters, &margin, of + 1, of + 2)) {
         return NULL;
     }
     const plan *by = PyCapsule_GetPointer(capsule, CAPSULE);
@@ -783,8 +831,10 @@ static PyObject *decided(PyObject *module, PyObject *arguments) {
     Py_buffer of[10];
     Py_buffer parameters;
     judgement to;
-    if (!PyArg_ParseTuple(arguments, "Oy*y*Oy*y*y*i(dddddd)w*w*w*w*w*", &capsule, of, of + 1, &given_parameters, of + 2, of + 3, of + 4, &to.sharp,
-            &to.by.margin, &to.by.spread, &to.by.small, &to.by.narrow, &to.by.shrunk, &to.by.finest, of + 5, of + 6, of + 7, of + 8, of + 9)) {
+    if (!PyArg_ParseTuple(arguments, "Oy*y*Oy*y*y*i(dddddd)w*w*w*w*w*", &capsule, of, of + 1,
+            &given_parameters, of + 2, of + 3, of + 4, &to.sharp, &to.by.margin, &to.by.spread,
+            &to.by.small, &to.by.narrow, &to.by.shrunk, &to.by.finest, of + 5, of + 6, of + 7,
+            of + 8, of + 9)) {
         return NULL;
     }
     const plan *by = PyCapsule_GetPointer(capsule, CAPSULE);
@@ -792,7 +842,8 @@ static PyObject *decided(PyObject *module, PyObject *arguments) {
     if (by != NULL) {
         const Py_ssize_t N = of[8].len;
         const Py_ssize_t one = (Py_ssize_t)sizeof(double) * 2 * by->n;
-        const Py_ssize_t sizes[] = {one * N, one * N, one, N, N, one * N, one * N, one * N, N, N * (Py_ssize_t)sizeof(int64_t)};
+        const Py_ssize_t sizes[] = {one * N, one * N, one, N, N, one * N, one * N, one * N, N,
+            N * (Py_ssize_t)sizeof(int64_t)};
         at = fit(of, sizes, 10) ? opened(by, given_parameters, &parameters, N) : NULL;
         if (at != NULL) {
             to.given = of[0].buf;
@@ -819,13 +870,13 @@ static PyObject *decided(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
-static PyMethodDef methods[] = {{"plan", planned, METH_VARARGS, "Tapes by which a search looks at boxes."},
+static PyMethodDef methods[] = {
+    {"plan", planned, METH_VARARGS, "Tapes by which a search looks at boxes."},
     {"kept", kept, METH_VARARGS, "What is left of boxes, and which may hold a root."},
     {"decided", decided, METH_VARARGS, "What becomes of boxes that may hold a root."},
     {NULL, NULL, 0, NULL}};
 
-static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_search", NULL, -1, methods, NULL, NULL, NULL, NULL};
+static struct PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, "_search", NULL, -1, methods, NULL, NULL, NULL, NULL};
 
-PyMODINIT_FUNC PyInit__search(void) {
-    return PyModule_Create(&definition);
-}
+PyMODINIT_FUNC PyInit__search(void) { return PyModule_Create(&definition); }

@@ -337,8 +337,8 @@ PART void load(const operand *from, ptrdiff_t row, ptrdiff_t begin, slot *to, in
     for (int end = 0; end < 2; end++) {
         const char *at = from->ends + end * from->strides[0] + row * from->strides[1];
         for (int i = 0; i < n; i++) {
-            to->ends[end][i] =
-                *(const double *)(at + (from->of ? from->of[begin + i] : begin + i) * next);
+            const ptrdiff_t place = from->of ? from->of[begin + i] : begin + i;
+            to->ends[end][i] = *(const double *)(const void *)(at + place * next);
         }
     }
 }
@@ -439,7 +439,8 @@ static int reads(int32_t operation) {
     if (operation == LOAD || operation == CONSTANT) {
         return 0;
     }
-    return operation == SUM || operation == PRODUCT || operation == QUOTIENT || operation >= COMPONENT ? 2 : 1;
+    const int two = operation == SUM || operation == PRODUCT || operation == QUOTIENT;
+    return two || operation >= COMPONENT ? 2 : 1;
 }
 
 static int within(int32_t place, ptrdiff_t size) { return place >= 0 && place < size; }

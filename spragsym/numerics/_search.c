@@ -3,10 +3,13 @@
  * The same tests in the same order, and so the same bits, as boxes.py, systems.py and verdicts.py
  * have by NumPy; which boxes are looked at next is told there.
  *
- * plan(…)                                                                        a capsule, see
- * below kept(plan, given, parameters, margin, boxes, keep)                             what
- * contraction leaves, and where a root may be decided(plan, given, boxes, parameters, limits,
- * single, spent, sharp, rules, wide, step, left, verdicts, along)
+ * plan(…): a capsule, see below.
+ *
+ * kept(plan, given, parameters, margin, boxes, keep): what contraction leaves, and where a root may
+ * be.
+ *
+ * decided(plan, given, boxes, parameters, limits, single, spent, sharp, rules, wide, step, left,
+ * verdicts, along): what becomes of each box.
  *
  * Arrays of boxes are contiguous doubles of shape (2, n, N) with −low and high first, limits (2,
  * n); parameters of shape (2, P, N) with any strides; keep, single, spent and verdicts bytes, along
@@ -268,7 +271,7 @@ static int no_unit_vector(const desk *at, const program *tape, int n, int i) {
     double m[MOST][2];
     vector gram[MOST] = {{0.0}};
     vector inverted[MOST];
-    double square[2] = {0.0, 0.0};
+    double length[2] = {0.0, 0.0};
     for (int k = 0; k < n; k++) {
         for (int j = 0; j < 2; j++) {
             m[k][j] = middle_of(
@@ -310,10 +313,10 @@ static int no_unit_vector(const desk *at, const program *tape, int n, int i) {
         u[1] = raised(u[1] + slack, 1.0);
         const double near = mignitude(u[0], u[1]);
         const double far = most(u[0], u[1]);
-        square[0] += least(raised(-(near * near), 1.0), 0.0);
-        square[1] += raised(far * far, 1.0);
+        length[0] += least(raised(-(near * near), 1.0), 0.0);
+        length[1] += raised(far * far, 1.0);
     }
-    return -raised(square[0], 1.0) > 1.0 || raised(square[1], 1.0) < 1.0;
+    return -raised(length[0], 1.0) > 1.0 || raised(length[1], 1.0) < 1.0;
 }
 
 /* Boxes at an anchor where no direction of the line balances the forces. */
@@ -443,9 +446,9 @@ static void without_sides(const plan *by, desk *at, uint8_t *gone) {
 }
 
 static void hopeless(const plan *by, desk *at, uint8_t *gone) {
-    uint8_t near[MOST_LINES][BLOCK];
     beyond_borders(by, at, gone);
     if (by->lines) {
+        uint8_t near[MOST_LINES][BLOCK];
         near_anchors(by, at, near);
         without_direction(by, at, near, gone);
         regular_at_anchors(by, at, near, gone);

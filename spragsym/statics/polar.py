@@ -92,7 +92,7 @@ class Polar(StateSystem):
     tight: bool
 
     @cached_property
-    def n(self) -> int:
+    def n(self) -> int:  # type: ignore[override]  # of the balance
         """How many unknowns there are."""
         return self.balance.n
 

@@ -447,11 +447,11 @@ class Augmented(OfFamily):
 
     @property
     def singular(self) -> bool:  # type: ignore[override]  # of a condition
-        """Whether det K = 0 is asked for, which is known of directions at anchors."""
+        """True where det K = 0 is asked for, which is known of directions at anchors."""
         return self.condition.singular and not self.balance.torsions
 
     def lines_at(self, made: Callable[..., Tape]) -> list[Line]:
-        """What no direction balances, and det K for directions on an arc."""
+        """Tapes of forces by direction, and of det K for directions on an arc."""
         lines = self.balance.springs
         forces = [made(direction_entries(self.balance, line)) for line in range(lines)]
         if not self.singular:
@@ -461,7 +461,7 @@ class Augmented(OfFamily):
         return [Line(*tapes) for tapes in zip(forces, known, regular, strict=True)]
 
     def hopeless_besides(self, unknowns: Intervals, parameters: Intervals) -> BoolArray | None:
-        """What the condition rules out by itself."""
+        """Boxes that the condition rules out by itself."""
         if self.condition.hopeless is None:
             return None
         return self.condition.hopeless(self.state(unknowns, parameters))

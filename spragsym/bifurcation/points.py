@@ -430,11 +430,11 @@ class _AtInfinity(OfFamily):
         return self.balance.sides([as_intervals(constant(gap), shape) for gap in gaps])[1]
 
     def exclusions(self, made: Callable[..., Tape]) -> Exclusions:
-        """None of them by tape."""
+        """No exclusion by tape."""
         return Exclusions()
 
     def hopeless_besides(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """All that is hopeless."""
+        """Boxes that are hopeless for any reason."""
         return self.hopeless(unknowns, parameters)
 
     def side(self, unknowns: Intervals, parameters: Intervals) -> IntArray:

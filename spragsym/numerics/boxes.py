@@ -293,7 +293,7 @@ class _Search:
         return kept, Pairs(boxes, kept.nodes)
 
     def _kept(self, given: FloatArray, parameters: Intervals) -> tuple[FloatArray, BoolArray]:
-        """What contraction leaves of boxes, and those in which all values may be 0."""
+        """Contracted boxes, and those in which all values may be 0."""
         after = self.system.contracted(Intervals(given), parameters)
         boxes = Intervals(with_room(after, given, 0.0, self.rules.margin))
         keep = np.logical_and.reduce(self.system.residuals(boxes, parameters).holds_zero())

@@ -45,7 +45,7 @@ def compiled_for(n: int) -> ModuleType | None:
 
 @dataclass(frozen=True)
 class Line:
-    """What is asked of a line at its anchor, where its direction is not known.
+    """Tapes of a line for boxes at its anchor, where its direction is not known.
 
     ``forces`` by the components of the direction, the ``direction`` over the box, and the
     ``determinant`` of slopes times the length for directions on an arc.
@@ -58,7 +58,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Exclusions:
-    """What tells that a box holds no root beside values other than 0.
+    """Tests that a box holds no root, beside values other than 0.
 
     ``gaps`` lie beyond their ``borders``; of ``lines``, where ``anchors`` are near, no direction
     balances the forces, or all of them on the ``arcs``, shape (2, 2, arcs), leave the determinant
@@ -84,7 +84,7 @@ class Plan:
     def kept(
         self, given: FloatArray, parameters: Intervals, margin: float
     ) -> tuple[FloatArray, BoolArray]:
-        """What contraction leaves of boxes, shape (2, n, N), and which of them may hold a root."""
+        """Contracted boxes, shape (2, n, N), and which of them may hold a root."""
         boxes, keep = np.empty(given.shape), np.empty(given.shape[2], np.bool_)
         ends = np.ascontiguousarray(given)
         compiled.kept(self.held, ends, parameters.ends, margin, boxes, keep)

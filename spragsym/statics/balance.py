@@ -114,7 +114,7 @@ class Balance(Forces, StateSystem):
     contracts = True
 
     def lines_at(self, made: Callable[..., Tape]) -> list[Line]:
-        """What no direction balances."""
+        """Tapes of forces by the direction of each spring."""
         return [Line(made(direction_entries(self, spring))) for spring in range(self.springs)]
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, times: float = 1.0) -> BoolArray:

@@ -93,7 +93,7 @@ class Polar(StateSystem):
 
     @cached_property
     def n(self) -> int:  # type: ignore[override]  # of the balance
-        """How many unknowns there are."""
+        """Number of unknowns."""
         return self.balance.n
 
     def identity(self) -> Hashable:
@@ -203,11 +203,11 @@ class Polar(StateSystem):
         )
 
     def exclusions(self, made: Callable[..., Tape]) -> Exclusions:
-        """None of them by tape."""
+        """No exclusion by tape."""
         return Exclusions()
 
     def hopeless_besides(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """All that is hopeless."""
+        """Boxes that are hopeless for any reason."""
         return self.hopeless(unknowns, parameters)
 
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:

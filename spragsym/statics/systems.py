@@ -117,7 +117,7 @@ class StateSystem(EquationSystem):
         return ("values", *sides), rows
 
     def values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
-        """What vanishes over boxes, on the given sides."""
+        """Residuals over boxes, on the given sides."""
         return self.taped(*self.value_entries(sides), unknowns, parameters)
 
     def slope_entries(self) -> Entries:
@@ -248,7 +248,7 @@ class StateSystem(EquationSystem):
         )
 
     def exclusions(self, made: Callable[..., Tape]) -> Exclusions:
-        """What :meth:`hopeless` asks for, by tapes that are ``made`` of entries."""
+        """Exclusions of :meth:`hopeless`, by tapes that are ``made`` of entries."""
         balance, borders, lines = self.balance, self.borders(), self.lines_at(made)
         sides = self.every_side if balance.torsions else ()
         return Exclusions(
@@ -271,7 +271,7 @@ class StateSystem(EquationSystem):
         return list(zip(kinds, self.balance.rooms, strict=True))
 
     def lines_at(self, made: Callable[..., Tape]) -> list[Line]:
-        """What is asked of springs at their anchors."""
+        """Tapes of springs, for boxes at their anchors."""
         return []
 
 

@@ -50,7 +50,7 @@ from ..numerics.interval_arrays import (
     stacked,
 )
 from ..numerics.jets import Jet, constant, gradient, variables
-from ..numerics.plans import Line
+from ..numerics.plans import LineTapes
 from ..numerics.polynomials import derivative
 from ..numerics.tape import Tape
 from ..statics.balance import ENDLESS, Balance, direction_entries, no_direction
@@ -450,15 +450,15 @@ class Augmented(OfFamily):
         """True where det K = 0 is asked for, which is known of directions at anchors."""
         return self.condition.singular and not self.balance.torsions
 
-    def lines_at(self, made: Callable[..., Tape]) -> list[Line]:
+    def lines_at(self, made: Callable[..., Tape]) -> list[LineTapes]:
         """Tapes of forces by direction, and of det K for directions on an arc."""
         lines = self.balance.springs
         forces = [made(direction_entries(self.balance, line)) for line in range(lines)]
         if not self.singular:
-            return [Line(tape) for tape in forces]
+            return [LineTapes(tape) for tape in forces]
         known = [made(_known_direction(line)) for line in range(lines)]
         regular = [made(_determinant_entries(line), 2) for line in range(lines)]
-        return [Line(*tapes) for tapes in zip(forces, known, regular, strict=True)]
+        return [LineTapes(*tapes) for tapes in zip(forces, known, regular, strict=True)]
 
     def hopeless_besides(self, unknowns: Intervals, parameters: Intervals) -> BoolArray | None:
         """Boxes that the condition rules out by itself."""

@@ -44,7 +44,7 @@ def compiled_for(n: int) -> ModuleType | None:
 
 
 @dataclass(frozen=True)
-class Line:
+class LineTapes:
     """Tapes of a line for boxes at its anchor, where its direction is not known.
 
     ``forces`` by the components of the direction, the ``direction`` over the box, and the
@@ -68,7 +68,7 @@ class Exclusions:
     gaps: Tape | None = None
     borders: Sequence[Border] = ()
     anchors: Tape | None = None
-    lines: Sequence[Line] = ()
+    lines: Sequence[LineTapes] = ()
     arcs: FloatArray = field(default_factory=lambda: np.zeros((2, 2, 0)))
     turnings: Tape | None = None
     sides: Sequence[Tape] = ()

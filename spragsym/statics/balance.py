@@ -21,7 +21,7 @@ from ..numerics import balls, contractors, jets
 from ..numerics.arithmetic import Matrix, Number, is_zero
 from ..numerics.balls import ball
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
-from ..numerics.plans import Line
+from ..numerics.plans import LineTapes
 from ..numerics.precise_roots import Digits
 from ..numerics.tape import Tape
 from .forces import Evaluation, Forces, Values, filled
@@ -113,9 +113,9 @@ class Balance(Forces, StateSystem):
 
     contracts = True
 
-    def lines_at(self, made: Callable[..., Tape]) -> list[Line]:
+    def lines_at(self, made: Callable[..., Tape]) -> list[LineTapes]:
         """Tapes of forces by the direction of each spring."""
-        return [Line(made(direction_entries(self, spring))) for spring in range(self.springs)]
+        return [LineTapes(made(direction_entries(self, spring))) for spring in range(self.springs)]
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, times: float = 1.0) -> BoolArray:
         """Small boxes around the anchor of a spring that resists turning: its force has no bound

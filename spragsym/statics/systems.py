@@ -16,7 +16,7 @@ from ..numerics import contractors, jets, plans
 from ..numerics.arithmetic import Matrix
 from ..numerics.boxes import EquationSystem
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape
-from ..numerics.plans import Border, Exclusions, Line, Plan
+from ..numerics.plans import Border, Exclusions, LineTapes, Plan
 from ..numerics.tape import NotRecorded, Tape, Tapes
 from .forces import Evaluation, Values
 from .namespaces import XP
@@ -270,7 +270,7 @@ class StateSystem(EquationSystem):
         kinds = [plans.TOUCHING if closed else open_ for closed in self.balance.closed]
         return list(zip(kinds, self.balance.rooms, strict=True))
 
-    def lines_at(self, made: Callable[..., Tape]) -> list[Line]:
+    def lines_at(self, made: Callable[..., Tape]) -> list[LineTapes]:
         """Tapes of springs, for boxes at their anchors."""
         return []
 

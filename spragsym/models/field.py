@@ -39,6 +39,9 @@ JUMPED = (
 #: Numbers that say which smooth piece of the field is meant, such as (contact, side, near).
 Mode: TypeAlias = tuple[int, ...]
 
+#: State, its derivative, or values of parameters: numbers of any type in order.
+Vector: TypeAlias = Sequence[Any]
+
 #: Values of a field's parameters in order, or of what its functions take for them.
 Values: TypeAlias = tuple[float, ...]
 
@@ -217,7 +220,7 @@ class Field:
         natural = self.natural.with_lead(lead) if self.natural else None
         return replace(self, lead=lead, natural=natural)
 
-    def mode_at_rest(self, state: Any, constants: Any) -> Mode:
+    def mode_at_rest(self, state: Vector, constants: Vector) -> Mode:
         """The first mode, but for the numbers that go with the place, which are as at the state."""
         first = self.modes[0]
         if not (self.torsion_sides or self.faces):
@@ -253,9 +256,7 @@ class Field:
         """Numbers in a state."""
         return 2 * len(self.coordinates)
 
-    def matrix(
-        self, state: Sequence[float], constants: Any, mode: Mode, xp: Any = FLOATS
-    ) -> FloatArray:
+    def matrix(self, state: Vector, constants: Vector, mode: Mode, xp: Any = FLOATS) -> FloatArray:
         """The derivative of the rates of all numbers of a state by these: the linearized motion at
         an equilibrium.
         """
@@ -418,16 +419,14 @@ class _Motion:
         plain = undecorated(getattr(self.model.algebra, name))
         turn, way, rooted = self.turn, self.way, any(self.rooted)
 
-        def call(
-            state: Sequence[Any], constants: Sequence[Any], mode: Sequence[Any], xp: Any
-        ) -> Any:
+        def call(state: Vector, constants: Vector, mode: Sequence[Any], xp: Any) -> Any:
             return plain(
                 *state, *constants, *mode[:turn], *mode[way:], xp=_Rooted(xp) if rooted else xp
             )
 
         return call
 
-    def initial_mode(self, state: Sequence[Any], constants: Sequence[Any]) -> Mode:
+    def initial_mode(self, state: Vector, constants: Vector) -> Mode:
         """The mode of a state."""
         algebra, n = self.model.algebra, len(self.model.coordinates)
         levels = undecorated(algebra.borders)(*state, *constants)
@@ -448,7 +447,7 @@ class _Motion:
         still = [place for place in self.holding if abs(slips[place]) <= self.still[place]]
         return self._settled(mode, state, constants, still) if still else mode
 
-    def held(self, mode: Mode, state: Any, constants: Any, come: Sequence[int] = ()) -> Mode:
+    def held(self, mode: Mode, state: Vector, constants: Vector, come: Sequence[int] = ()) -> Mode:
         """The mode in which a motion goes on where frictions have ``come`` to a border: what sticks
         and what hardly slides may begin and end to stick with them.
         """
@@ -462,7 +461,7 @@ class _Motion:
         ]
         return self._settled(mode, state, constants, chosen)
 
-    def _settled(self, mode: Mode, state: Any, constants: Any, chosen: Sequence[int]) -> Mode:
+    def _settled(self, mode: Mode, state: Vector, constants: Vector, chosen: Sequence[int]) -> Mode:
         """The mode, over sides of the chosen frictions, that agrees with its own accelerations; of
         those that do the one in which most stick. An error where none does, or several that are no
         part of one.
@@ -488,7 +487,7 @@ class _Motion:
             f"{several} (Painlevé's paradox); change a parameter or the start by some thousandths"
         )
 
-    def _agrees(self, mode: Mode, state: Any, constants: Any, chosen: Sequence[int]) -> bool:
+    def _agrees(self, mode: Mode, state: Vector, constants: Vector, chosen: Sequence[int]) -> bool:
         """Whether each chosen friction that sticks is within its limits, and each that slips can't
         stick, or is driven the way it slips.
         """
@@ -503,7 +502,7 @@ class _Motion:
                 return False
         return True
 
-    def _slip_rate(self, place: int, mode: Mode, state: Any, constants: Any) -> float:
+    def _slip_rate(self, place: int, mode: Mode, state: Vector, constants: Vector) -> float:
         """Rate of change of a sliding speed in a mode."""
         pulls = self.in_mode("regime_rhs")(state, constants, mode, FLOATS)
         rates = undecorated(self.model.algebra.border_rates)(*state, *pulls, *constants)
@@ -525,7 +524,7 @@ class _Motion:
         """The rate of the clock."""
         return float(undecorated(self.model.algebra.clock)(*constants))
 
-    def lengths(self, state: Sequence[float], constants: Values) -> list[float]:
+    def lengths(self, state: Vector, constants: Values) -> list[float]:
         """Undeformed lengths of the springs along lines."""
         place = state[: len(self.model.coordinates)]
         geometry = undecorated(self.model.algebra.geometry)
@@ -538,9 +537,7 @@ class _Motion:
     def _gap(self, contact: int) -> int:
         return self.model.coordinates.index(self.contacts[contact]["gap"])
 
-    def _turned(
-        self, state: Sequence[float], constants: Sequence[float]
-    ) -> list[tuple[float, float]]:
+    def _turned(self, state: Vector, constants: Sequence[float]) -> list[tuple[float, float]]:
         """Sine and cosine of every turning."""
         if not self.torsions:
             return []
@@ -593,7 +590,7 @@ class _Motion:
             levels = self._generated("turning_borders", "turning_rates", k, slice(self.way, None))
             _, beyond = _side(self.way + k, 0)
 
-            def jumps(state: Any, constants: Any, k: int = k) -> bool:
+            def jumps(state: Vector, constants: Vector, k: int = k) -> bool:
                 return bool(self._turned(state, constants)[k][1] < 0)
 
             place = self.way + k
@@ -643,7 +640,7 @@ class _Motion:
             return
         row = self.holding.index(friction)
 
-        def held(mode: Mode, state: Any, constants: Any) -> Mode:
+        def held(mode: Mode, state: Vector, constants: Vector) -> Mode:
             return self.held(mode, state, constants, (friction,))
 
         yield replace(
@@ -657,11 +654,15 @@ class _Motion:
         for limit, way in enumerate(("with", "against")):
             slopes, margin = self._slips(3 * row + 1 + limit), 2 * row + limit
 
-            def level(state: Any, constants: Any, mode: Mode, margin: int = margin) -> Any:
+            def level(state: Vector, constants: Vector, mode: Mode, margin: int = margin) -> Any:
                 return self.in_mode("grip")(state, constants, mode, _namespace(state))[margin]
 
             def rate(
-                state: Any, accelerations: Any, constants: Any, mode: Mode, slopes: Any = slopes
+                state: Vector,
+                accelerations: Vector,
+                constants: Vector,
+                mode: Mode,
+                slopes: Any = slopes,
             ) -> Any:
                 changes = (*state[len(accelerations) :], *accelerations)
                 return sum(
@@ -696,11 +697,11 @@ class _Motion:
             undecorated(getattr(self.model.algebra, name)) for name in (level, rate)
         )
 
-        def level_of(state: Any, constants: Any, mode: Mode) -> Any:
+        def level_of(state: Vector, constants: Vector, mode: Mode) -> Any:
             value = of_level(*state, *constants, *mode[taken], xp=_namespace(state))[row]
             return value + shift(mode) if shift else value
 
-        def rate_of(state: Any, accelerations: Any, constants: Any, mode: Mode) -> Any:
+        def rate_of(state: Vector, accelerations: Vector, constants: Vector, mode: Mode) -> Any:
             return of_rate(*state, *accelerations, *constants, *mode[taken], xp=_namespace(state))[
                 row
             ]
@@ -759,6 +760,6 @@ class _Rooted:
         return self._xp.sqrt(value)
 
 
-def _namespace(state: Any) -> Any:
+def _namespace(state: Vector) -> Any:
     """Namespace of functions of a state's numbers: in NumPy, unless they say another namespace."""
     return getattr(state[0], "namespace", np)

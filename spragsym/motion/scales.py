@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..models.field import FLOATS, Border, Field, Mode, Values
+from ..models.field import FLOATS, Border, Field, Mode, Values, Vector
 from ..models.parameters import FloatArray
 from ..numerics.vectors import TURN
 from .lobatto import PiecewisePolynomial
@@ -289,17 +289,17 @@ def scaled(field: Field, scales: MotionScales) -> Field:
     faster = [time**2 / place for place in scales.places]
     inner = field.sized(scales.levels).with_lead(field.lead) if field.sized else field
 
-    def at(state: Sequence[Any]) -> list[Any]:
+    def at(state: Vector) -> list[Any]:
         return [value * unit for value, unit in zip(state, units, strict=True)]
 
-    def acceleration(state: Any, constants: Any, mode: Mode, xp: Any) -> list[Any]:
+    def acceleration(state: Vector, constants: Vector, mode: Mode, xp: Any) -> list[Any]:
         found = inner.acceleration(at(state), constants, mode, xp)
         return [value * factor for value, factor in zip(found, faster, strict=True)]
 
     def rows(
         function: Callable[..., Any], over: Sequence[float] | None
     ) -> Callable[..., list[list[Any]]]:
-        def found(state: Any, constants: Any, mode: Mode, xp: Any) -> list[list[Any]]:
+        def found(state: Vector, constants: Vector, mode: Mode, xp: Any) -> list[list[Any]]:
             return [
                 [
                     value * factor * unit
@@ -316,15 +316,15 @@ def scaled(field: Field, scales: MotionScales) -> Field:
         return bool(inner.airborne and inner.airborne(constants, state * scales.states))
 
     def border(that: Border, size: float) -> Border:
-        def level(state: Any, constants: Any, mode: Mode) -> Any:
+        def level(state: Vector, constants: Vector, mode: Mode) -> Any:
             return that.level(at(state), constants, mode) * (1.0 / size)
 
-        def rate(state: Any, accelerations: Any, constants: Any, mode: Mode) -> Any:
+        def rate(state: Vector, accelerations: Vector, constants: Vector, mode: Mode) -> Any:
             pulls = [a * (1.0 / f) for a, f in zip(accelerations, faster, strict=True)]
             return that.rate(at(state), pulls, constants, mode) * (time / size)
 
         def slopes_of(function: Callable[..., Any]) -> Callable[..., list[Any]]:
-            def slopes(state: Any, constants: Any, mode: Mode) -> list[Any]:
+            def slopes(state: Vector, constants: Vector, mode: Mode) -> list[Any]:
                 found = function(at(state), constants, mode)
                 factors = [*units, *(1.0,) * (len(found) - 2 * n)]
                 return [value * (unit / size) for value, unit in zip(found, factors, strict=True)]

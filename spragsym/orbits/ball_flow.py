@@ -12,7 +12,7 @@ than its Lipschitz constant times η.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import reduce
@@ -82,7 +82,7 @@ class Balls:
     fine: Accuracy
     rough: Accuracy
     point: Numbers
-    matrix: Any
+    matrix: arb_mat
     start: Numbers
 
     @property
@@ -93,7 +93,7 @@ class Balls:
     # ------------------------------------------------------------------------------------------
     # smooth steps
 
-    def carry(self, duration: Any) -> None:
+    def carry(self, duration: arb) -> None:
         """Carry all states on within the mode, which none may leave; only onward."""
         if not duration >= 0:
             raise ParameterError(
@@ -108,7 +108,7 @@ class Balls:
                     "time could not be kept exactly: the steps have become as short as its last bit"
                 )
 
-    def _step(self, left: Any) -> Any:
+    def _step(self, left: arb) -> arb:
         """Carry all states on for all of a time, or as much of it as a step may be; that is
         given.
         """
@@ -141,7 +141,7 @@ class Balls:
                 self._clear(border, passed, arb(0), step)
         return step
 
-    def _disc(self, box: Numbers) -> tuple[float, Numbers, Any]:
+    def _disc(self, box: Numbers) -> tuple[float, Numbers, arb]:
         """A radius of convergence about all states, the radii of the polydisc, and a bound on the
         field's derivative there.
         """
@@ -174,7 +174,7 @@ class Balls:
                     break
         raise NotProved("the field could not be bounded about the orbit")
 
-    def _clear(self, border: Border, piece: _Piece, begin: Any, end: Any) -> None:
+    def _clear(self, border: Border, piece: _Piece, begin: arb, end: arb) -> None:
         """Show that no state leaves the mode through a border during a part of a step."""
         state, smooth = piece.at(begin.union(end)), self.smooth
         if smooth.level(border, state) > 0:
@@ -212,7 +212,7 @@ class Balls:
             if border.kink and i != but and not self.smooth.level(border, states) > 0:
                 raise NotProved(f"{border.name} is too near to be told from what happens beside it")
 
-    def apart(self, index: int) -> Any:
+    def apart(self, index: int) -> arb:
         """Difference in time between arrivals of the states at a border, about; not rigorous."""
         border = self.smooth.field.borders[index]
         speed = arb(
@@ -220,7 +220,7 @@ class Balls:
         ).abs_lower()
         return arb(self.smooth.level(border, self.box)).rad() / speed
 
-    def cross(self, index: int, window: Any) -> None:
+    def cross(self, index: int, window: arb) -> None:
         """Carry all states over a border, which each of them crosses once within the window."""
         if not window > 0:
             raise ParameterError(
@@ -266,11 +266,11 @@ class _Piece:
 
     series: Numbers
     tails: Numbers
-    step: Any
+    step: arb
     first: Numbers
     last: Numbers
 
-    def at(self, t: Any) -> Numbers:
+    def at(self, t: arb) -> Numbers:
         """The states at a time, or over a ball of times."""
         if t.is_exact() and (t == 0 or t == self.step):
             return self.first if t == 0 else self.last
@@ -280,14 +280,14 @@ class _Piece:
         ]
 
 
-def _left_out(ratio: Any, accuracy: Accuracy) -> Any:
+def _left_out(ratio: arb, accuracy: Accuracy) -> arb:
     """Remainder of a Taylor polynomial over the bound on the field: the step is ``ratio`` times the
     radius of convergence.
     """
     return ratio ** (accuracy.order + 1) / (1 - ratio)
 
 
-def _moved(point: Numbers, off: Any) -> Numbers:
+def _moved(point: Numbers, off: arb_mat) -> Numbers:
     """A point and a column of deviations."""
     return [value + off[i, 0] for i, value in enumerate(point)]
 
@@ -297,17 +297,17 @@ class _Methods:
     tangent.
     """
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> Callable[[arb], arb]:
         return methodcaller(name)
 
-    def tanh(self, value: Any) -> Any:
+    def tanh(self, value: arb) -> arb:
         """By the exponential, of a series."""
         return 1 - 2 / ((2 * value).exp() + 1) if isinstance(value, arb_series) else value.tanh()
 
 
 class _Functions(Functions):
     @property
-    def pi(self) -> Any:
+    def pi(self) -> arb:
         """π, as accurate as balls are now."""
         return arb.pi()
 
@@ -340,7 +340,7 @@ class Smooth:
         """The piece behind a border."""
         return replace(self, mode=self.field.borders[index].beyond(self.mode))
 
-    def filled(self, value: Any) -> Any:
+    def filled(self, value: arb | int) -> arb_mat:
         """A square matrix of the size of the state, with one number in all places."""
         m = self.field.size
         return arb_mat(m, m, [value] * (m * m))
@@ -361,16 +361,16 @@ class Smooth:
         accelerations = self.field.acceleration(variables(state, 1), self.constants, self.mode, XP)
         return [gradient(acceleration, self.field.size) for acceleration in accelerations]
 
-    def level(self, border: Border, state: Numbers) -> Any:
+    def level(self, border: Border, state: Numbers) -> arb:
         """A border's level at a state, positive within the piece."""
         return border.sign(self.mode) * border.level(state, self.constants, self.mode)
 
-    def level_rate(self, border: Border, state: Numbers) -> Any:
+    def level_rate(self, border: Border, state: Numbers) -> arb:
         """The rate of that."""
         accelerations = self.field.acceleration(state, self.constants, self.mode, XP)
         return border.sign(self.mode) * border.rate(state, accelerations, self.constants, self.mode)
 
-    def steepness(self, state: Numbers) -> Any:
+    def steepness(self, state: Numbers) -> arb:
         """A bound on the field's derivative over a ball of states: the largest sum of a row, and
         1.
         """
@@ -405,7 +405,7 @@ class Smooth:
                 arb_mat(n, m, [_term(value, k) for row in slopes for value in row])
                 for k in range(count - known)
             ]
-            added: list[Any] = []
+            added: list[arb_mat] = []
             for k in range(known, count):
                 pull = arb_mat(n, 1, [_term(rate, k - 1) for rate in rates])
                 for slope, more in zip(by_state, reversed(added), strict=False):
@@ -418,7 +418,7 @@ class Smooth:
                     row.append(value)
         return [arb_series(row, prec=order + 1) for row in rows]
 
-    def fundamental(self, within: Numbers, order: int, step: Any) -> Any:
+    def fundamental(self, within: Numbers, order: int, step: arb) -> arb_mat:
         """The Taylor polynomial of the derivative of the flow at the end of a step."""
         n, m = len(self.field.coordinates), self.field.size
         with _terms(order + 1):
@@ -439,20 +439,20 @@ class Smooth:
         return reduce(lambda found, part: found * step + part, reversed(parts))
 
 
-def _term(value: Any, k: int) -> Any:
+def _term(value: arb | arb_series, k: int) -> arb | int:
     return value[k] if isinstance(value, arb_series) else (value if k == 0 else 0)
 
 
-def polynomial(series: Any, t: Any) -> Any:
+def polynomial(series: arb_series, t: arb) -> arb:
     """A Taylor polynomial at a time."""
     return arb_poly(series.coeffs())(t)
 
 
-def around(radius: Any) -> Any:
+def around(radius: arb | float) -> arb:
     """The ball about 0 that holds ±radius."""
     return arb(0, arb(radius).abs_upper())
 
 
-def most(values: Numbers) -> Any:
+def most(values: Numbers) -> arb:
     """A bound on the largest."""
     return reduce(arb.max, values).abs_upper()

@@ -139,8 +139,8 @@ def accuracy_for(digits: int) -> Accuracy:
 
 
 def _refined(
-    begun: Smooth, claim: dict[str, Any], inverse: Any, moved: list[int]
-) -> tuple[Numbers, Any, list[tuple[int, Any]]]:
+    begun: Smooth, claim: dict[str, Any], inverse: arb_mat, moved: list[int]
+) -> tuple[Numbers, arb, list[tuple[int, arb]]]:
     """State, period and crossing times to the digits of the proof, by Newton's method with a fixed
     slope.
 
@@ -178,15 +178,15 @@ def _refined(
     )
 
 
-def _size(value: Any) -> float:
+def _size(value: arb) -> float:
     """A ball's middle in size; what is no number counts as infinite."""
     size = abs(float(value.mid()))
     return size if math.isfinite(size) else math.inf
 
 
 def _traced(
-    piece: Smooth, state: Numbers, period: Any, crossings: list[Any], digits: int
-) -> tuple[Numbers, list[tuple[int, Any]]]:
+    piece: Smooth, state: Numbers, period: arb, crossings: list[Any], digits: int
+) -> tuple[Numbers, list[tuple[int, arb]]]:
     """The end of one round to many digits, and when it crosses which border; not rigorous."""
     clock, now, times, order = arb(0), state, [], accuracy_for(digits).order
     least = arb(10) ** -(1.1 * digits + 16)
@@ -243,7 +243,7 @@ def _traced(
 
 
 def _krawczyk(
-    balls: Balls, state: Numbers, period: Any, radius: float, inverse: Any, moved: list[int]
+    balls: Balls, state: Numbers, period: arb, radius: float, inverse: arb_mat, moved: list[int]
 ) -> dict[str, Any]:
     """Krawczyk's operator on the return after a period, in the moved parts of the start and the
     period.
@@ -287,7 +287,7 @@ def _krawczyk(
     }
 
 
-def _multipliers(monodromy: list[list[Any]]) -> dict[str, Any]:
+def _multipliers(monodromy: list[list[arb]]) -> dict[str, Any]:
     """Balls that hold the eigenvalues, the trivial one first, and whether all others are inside of
     the unit circle.
     """
@@ -315,7 +315,7 @@ def _multipliers(monodromy: list[list[Any]]) -> dict[str, Any]:
     }
 
 
-def spoken(value: Any, part: str = "mid") -> str:
+def spoken(value: arb, part: str = "mid") -> str:
     """The middle (or the radius) of a ball, every bit of it, as a fraction in text."""
     mantissa, exponent = (int(number) for number in getattr(value, part)().man_exp())
     return str(Fraction(mantissa) * Fraction(2) ** exponent)

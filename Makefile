@@ -30,9 +30,6 @@ C_FILES := $(wildcard generated/c/*.c generated/c/*.h) spragsym/kang_nam/quartic
 CPPCHECK = cppcheck --quiet --suppress=toomanyconfigs --suppress=unusedStructMember --error-exitcode=1 --std=c11 --enable=warning,style,performance,portability \
 	-I generated/c -I $$($(BIN)/python -c 'import sysconfig; print(sysconfig.get_paths()["include"])')
 
-# Models that come with the package, each of which has a page of the explorer in the documentation.
-MODELS := $(patsubst generated/models/%/model.json,%,$(wildcard generated/models/*/model.json))
-
 # As many workers as cores, at most four.
 WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)
 # Files go to workers in the order that tests/conftest.py gives them: the longest first.
@@ -152,7 +149,7 @@ explorer:
 
 docs: $(TEST)
 	$(BIN)/spragsym explore --no-open --force --out docs/_build/explorer.html
-	for model in $(MODELS); do $(BIN)/spragsym explore --model $$model --no-open --force --out docs/_build/explorer_$$model.html || exit 1; done
+	for model in $$($(BIN)/python -c "import runpy; print(*runpy.run_path('docs/gallery.py')['explored']())"); do $(BIN)/spragsym explore --model $$model --no-open --force --out docs/_build/explorer_$$model.html || exit 1; done
 	$(BIN)/sphinx-build -W docs docs/_build
 
 check-claims: $(TEST)

@@ -28,9 +28,22 @@ GALLERY = {
     "stick_slip": ("hopf", "V", "zeta", {"V": (0.01, 1.5), "zeta": (0.0, 2.0)}),
 }
 
-#: Models of which nothing is drawn beside their mechanism: the one equilibrium of theirs never
-#: changes.
-UNDRAWN = ("coulomb_stick_slip",)
+#: A model whose one equilibrium never changes.
+NEVER_CHANGES = "coulomb_stick_slip"
+
+
+def undrawn() -> list[str]:
+    """Models of which nothing is drawn beside their mechanism."""
+    return [
+        name
+        for name in shipped()
+        if name == NEVER_CHANGES or ss.load(name).refusal("bifurcation_set")
+    ]
+
+
+def explored() -> list[str]:
+    """Models that the explorer shows."""
+    return [name for name in shipped() if not ss.load(name).refusal("explore")]
 
 
 def page(points: bool = True) -> str:
@@ -44,7 +57,7 @@ def page(points: bool = True) -> str:
         undefined=jinja2.StrictUndefined, trim_blocks=True, keep_trailing_newline=True
     )
     return made.from_string((HERE / "models.jinja").read_text(encoding="utf-8")).render(
-        models=rows, undrawn=UNDRAWN
+        models=rows, undrawn=undrawn(), explored=explored()
     )
 
 
@@ -79,7 +92,7 @@ def drawn(model: Model) -> Sheet:
 
 if __name__ == "__main__":
     (HERE / "models.md").write_text(page(), encoding="utf-8")
-    for name in sys.argv[1:] or [name for name in shipped() if name not in UNDRAWN]:
+    for name in sys.argv[1:] or [name for name in shipped() if name not in undrawn()]:
         with house_style():
             (HERE / f"images/models/{name}_set.svg").write_bytes(
                 picture(drawn(ss.load(name)), "svg")

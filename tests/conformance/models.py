@@ -4,9 +4,12 @@ asked for.
 
 import math
 import os
+from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
+
+import pytest
 
 import spragsym as ss
 from spragsym.command_line import options_of
@@ -99,6 +102,18 @@ def words(name: str, degrees: float = 40.0) -> list[str]:
     given = without_base(name, degrees)
     options = [f"{options_of(load(name).about, one)[0]}={value!r}" for one, value in given.items()]
     return ["--model", place(name), *options]
+
+
+def answers(model: ss.Model, question: str, ask: Callable[[], object]) -> bool:
+    """Whether a model answers a question; where it says that it does not, asking is refused by the
+    question's name, with the reason.
+    """
+    why = model.refusal(question)
+    if why:
+        with pytest.raises(ss.errors.ModelError) as error:
+            ask()
+        assert str(error.value) == f"{question} is not answered yet of {model.name}, {why}"
+    return not why
 
 
 def starts(p: Any, usual: list[float]) -> list[list[float]]:

@@ -16,7 +16,7 @@ import pytest
 import spragsym as ss
 from spragsym.design.jumps import have_jumped
 from tests.conformance import models
-from tests.conformance.models import ALIKE, MODELS, a_set
+from tests.conformance.models import ALIKE, MODELS, a_set, answers
 from tests.support import few
 
 #: Belt speeds at which a motion from 0 comes to a cycle; elsewhere, on a belt so slow that friction
@@ -27,6 +27,7 @@ CYCLES = {
     "stribeck": 1.0,
     "stick_slip": 0.2,
     "coulomb_stick_slip": 0.2,
+    "two_blocks": 0.2,
 }
 SLOW = 0.1
 #: Models with one equilibrium that grows in one direction only, at these speeds.
@@ -80,6 +81,10 @@ class Asked:
             self.vary,
         )
 
+    def answers(self, question: Callable[..., Any], *given: Any, **more: Any) -> bool:
+        """Whether the model answers a question; else it is refused by its name."""
+        return answers(self.model, question.__name__, lambda: question(*given, **more))
+
     def equilibria(self) -> None:
         """Each is found again, alone, in a box around it."""
         eq = ss.equilibria(self.p)
@@ -113,15 +118,18 @@ class Asked:
         plane = (
             {"theta0": (1.1, 1.3), "mu0": (0.15, 0.3)} if self.planar else self.near(*self.plane)
         )
+        if not self.answers(ss.cusps, self.p, self.plane, between=plane):
+            return
         for cusp in ss.cusps(self.p, self.plane, between=plane):
             beside = [cusp["theta0"] + side for side in (-0.01, 0.01)]
             assert {
                 len(self.folds(cusp["mu0"] - 0.02, cusp["mu0"] + 0.02, theta0=one))
                 for one in beside
             } == {0, 2}
-        for curve in ss.bifurcation_set(
-            self.p, self.plane, 2, between=self.near(*self.plane)
-        ).curves:
+        around = self.near(*self.plane)
+        if not self.answers(ss.bifurcation_set, self.p, self.plane, 2, between=around):
+            return
+        for curve in ss.bifurcation_set(self.p, self.plane, 2, between=around).curves:
             at, value = (float(curve[name][0]) for name in self.plane)
             assert (
                 np.abs(self.folds(0.9 * value, 1.1 * value, **{self.other: at}) - value).min()
@@ -132,7 +140,9 @@ class Asked:
         """Two λ of an equilibrium there are ±iω, with all damping or without."""
         single = ss.flutter_onsets(self.p, self.vary, between=self.near(self.vary, share=0.3))
         places = [({self.vary: row[self.vary]}, row["omega"]) for row in single]
-        for curve in ss.onset_curves(self.p, self.plane, 2, between=self.near(*self.plane)).curves:
+        asked, around = (self.p, self.plane, 2), self.near(*self.plane)
+        known = self.answers(ss.onset_curves, *asked, between=around)
+        for curve in ss.onset_curves(*asked, between=around).curves if known else ():
             places.append(({name: float(curve[name][0]) for name in self.plane}, curve.omega[0]))
         for at, omega in places:
             eq = ss.equilibria(self.p.replace(**at))
@@ -161,9 +171,11 @@ class Asked:
             self.folds(self.begin, 2.5 * self.own),
             self.near(self.other, share=1e-5)[self.other],
         )
-        slope = ss.jump_gradient(self.p, self.vary, begin=self.begin, until=2.5 * self.own).slopes[
-            self.other
-        ]
+        ends = {"begin": self.begin, "until": 2.5 * self.own}
+        differs = self.answers(ss.jump_gradient, self.p, self.vary, **ends)
+        slope = np.nan
+        if differs:
+            slope = ss.jump_gradient(self.p, self.vary, **ends).slopes[self.other]
         path = ss.quasi_static_path(
             self.p, self.vary, [self.begin, np.nanmax([self.own, 1.01 * self.jump])]
         )
@@ -171,24 +183,32 @@ class Asked:
             assert (len(known), len(path.jumps)) == (0, 0)
             assert np.isnan(slope)
             return
+        assert np.abs(known - self.jump).min() < 1e-9
+        assert [end.value for end in path.jumps] == [pytest.approx(self.jump, rel=1e-9)]
+        if not differs:
+            return
         below, above = (
             self.folds(0.98 * self.jump, 1.02 * self.jump, **{self.other: end})[0]
             for end in (low, high)
         )
-        assert np.abs(known - self.jump).min() < 1e-9
         assert slope == pytest.approx((above - below) / (high - low), rel=1e-3)
-        assert [end.value for end in path.jumps] == [pytest.approx(self.jump, rel=1e-9)]
 
     def lowest(self) -> None:
         """Over θ₀ and μ₀ near the first jump: it is a fold, and below it there is none at other θ₀;
         the article's critical β.
         """
+        asked, between = (self.p, self.other), {self.other: (0.1, 0.2)}
+        known = [
+            self.answers(ss.critical_friction, self.p),
+            self.answers(ss.cusp_friction, self.p),
+            self.answers(ss.critical_value, *asked, between=between),
+        ]
+        if not all(known):
+            return None
         if not self.planar:
             words = f"{self.name} has not both an inclination and a friction"
             refused(ss.errors.ParameterError, words, ss.critical_friction, self.p)
             refused(ss.errors.ParameterError, words, ss.cusp_friction, self.p)
-            between = {self.other: (0.1, 0.2)}
-            asked = self.p, self.other
             return refused(
                 ss.errors.ParameterError, words, ss.critical_value, *asked, between=between
             )
@@ -221,7 +241,15 @@ class Asked:
         """The margin is how far the jump is; bounds of a probability hold the share of the interval
         beyond the jump.
         """
-        margin = ss.jump_margin(self.p, {self.vary: 0.1}, vary=self.vary, begin=self.begin)
+        rises: dict[str, Any] = {"vary": self.vary, "begin": self.begin}
+        ends = {self.vary: (self.begin, 1.5 * self.own)}
+        known = [
+            self.answers(ss.jump_margin, self.p, {self.vary: 0.1}, **rises),
+            self.answers(ss.jump_probability, ends, model=self.model, **rises),
+        ]
+        if not all(known):
+            return
+        margin = ss.jump_margin(self.p, {self.vary: 0.1}, **rises)
         away = np.inf if np.isnan(self.jump) else max(self.jump - self.own, 0.0) / 0.1
         assert margin.distance == pytest.approx(away, rel=1e-6)
         high, fixed = (
@@ -233,8 +261,7 @@ class Asked:
             "rng": 1,
             "sobol": False,
             "replicates": 2,
-            "begin": self.begin,
-            "vary": self.vary,
+            **rises,
         }
         found = ss.jump_probability(
             fixed | {self.vary: (self.begin, high)}, model=self.model, **how
@@ -250,6 +277,8 @@ class Asked:
         at the counterexample.
         """
         low, high = (self.p.replace(**{self.vary: share * self.own}) for share in (0.995, 1.005))
+        if not self.answers(ss.certify, low, high):
+            return
         points = self.p.replace(
             **{self.vary: self.own * np.random.default_rng(1).uniform(0.995, 1.005, 4)}
         )
@@ -284,6 +313,8 @@ class Asked:
     def designs(self) -> None:
         """A new design jumps where it should."""
         given = (self.p, self.other, {self.vary: 1.01 * self.jump})
+        if not self.answers(ss.redesign, *given, begin=self.begin):
+            return None
         if np.isnan(self.jump):
             return refused(
                 ss.errors.ParameterError,
@@ -322,6 +353,8 @@ class Asked:
             self.p.replace(theta0=[0.3, 0.4, 0.5]) if "theta0" in self.p.ranges else self.p,
             {"V": [0.1], "d": [10.0]},
         )
+        if not self.answers(ss.sensitivity, at, **axes):
+            return None
         if not {"theta0", "d"} <= {*self.model.parameters}:
             return refused(ss.errors.ModelError, "has no (d|theta0)", ss.sensitivity, at, **axes)
         found, rms = (
@@ -349,18 +382,18 @@ class Asked:
             "to nothing that is decided" if found.kind == "undecided" else "which is one attractor"
         )
         errors = (ss.errors.ParameterError, ss.errors.ConvergenceError)
-        refused(
-            errors,
-            words,
-            ss.fate_boundary,
-            self.moving,
-            vary=self.pace,
-            between={self.pace: (0.99 * self.speed, self.speed)},
-        )
+        along: dict[str, Any] = {
+            "vary": self.pace,
+            "between": {self.pace: (0.99 * self.speed, self.speed)},
+        }
+        if self.answers(ss.fate_boundary, self.moving, **along):
+            refused(errors, words, ss.fate_boundary, self.moving, **along)
 
     def boundary(self) -> None:
         """It passes by the saddle, without which there is none."""
         how: dict[str, Any] = {"points": 1, "step": 0.01}
+        if not self.answers(ss.basin_boundary, self.moving, **how):
+            return None
         if self.name not in SADDLES:
             return refused(
                 ss.errors.ParameterError,
@@ -421,6 +454,8 @@ class Asked:
     def page(self) -> None:
         """It names the model."""
         pytest.importorskip("sympy")
+        if not self.answers(ss.explore, self.p):
+            return
         assert self.name in ss.explore(self.p)._repr_html_()
 
     def article(self) -> None:

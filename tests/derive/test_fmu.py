@@ -23,9 +23,10 @@ from fmpy.validation import validate_fmu
 
 import spragsym as ss
 from spragsym.cli import main
+from spragsym.cli.export import _of_page
 from spragsym.derive.emit.targets import fmu
 from spragsym.models.load import shipped
-from tests.conformance.models import starts
+from tests.conformance.models import answers, starts
 from tests.shown import DOCS, programs, run
 from tests.support import ROOT, few
 
@@ -98,7 +99,10 @@ def test_an_fmu_moves_as_python_does(name: str, tmp_path: Path) -> None:
     """Lift-off, reversals of the slip, sticking, a torsion spring that is counted on; Model
     Exchange as FMPy's solver can.
     """
-    model, file = ss.load(name), exported(tmp_path, "--model", name)
+    model = ss.load(name)
+    if not answers(model, "export to fmu", lambda: _of_page(model, "fmu", None, ())):
+        return
+    file = exported(tmp_path, "--model", name)
     values = {one: 0.9 for one in model.parameters if one not in model.base}
     p, names = model.Parameters(**values), [*model.coordinates, *model.rates]
     options = {

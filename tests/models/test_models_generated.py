@@ -35,6 +35,14 @@ class Generated:
         self.algebra = importlib.import_module(f"spragsym.generated.models.{name}.algebra")
         self.n = len(self.about["coordinates"])
         self.parameters = [entry["name"] for entry in self.about["parameters"]]
+        #: How many contacts there are, and the names of those that rub.
+        self.contacts = len(self.about["contacts"])
+        rubs = self.about["frictions"] or self.about["contacts"][:1]
+        self.rubbing = [entry["name"] for entry in rubs]
+
+    def mode(self, pushing: int, side: int) -> list[int]:
+        """All contacts touch or none, and every belt is ahead or every mass."""
+        return [*[pushing] * self.contacts, *[side] * len(self.rubbing)]
 
     def point(self, seed: int) -> tuple[list[Any], dict[str, Any]]:
         """Coordinates in contact and parameters, all positive, with few digits."""
@@ -70,9 +78,10 @@ class Generated:
         return [*q, *directions, *turned, *taken]
 
     def forces(
-        self, q: list[Any], p: dict[str, Any], mu: Any, pushing: int, name: str = "forces"
+        self, q: list[Any], p: dict[str, Any], mus: list[Any], pushing: int, name: str = "forces"
     ) -> Any:
-        return getattr(self.algebra, name)(*self.state(q, p), mu, pushing, xp=XP)
+        pushed = [pushing] * self.contacts
+        return getattr(self.algebra, name)(*self.state(q, p), *mus, *pushed, xp=XP)
 
 
 @pytest.fixture(params=few(NAMES, "kang_nam", "trolley", "stick_slip"))
@@ -91,25 +100,31 @@ def test_derivatives_are_those_of_the_forces(model: Generated, pushing: int) -> 
     """Jacobian and derivatives by parameters, directions of the springs following."""
     with mp.workdps(50):
         q, p = model.point(1)
-        mu = mp.mpf("0.4")
-        jacobian = model.forces(q, p, mu, pushing, "forces_jacobian")
-        by_parameters = model.forces(q, p, mu, pushing, "forces_by_parameters")
+        mus = [mp.mpf("0.4") + mp.mpf(k) / 9 for k in range(len(model.rubbing))]
+        jacobian = model.forces(q, p, mus, pushing, "forces_jacobian")
+        by_parameters = model.forces(q, p, mus, pushing, "forces_by_parameters")
         for j in range(model.n):
 
             def at(value: Any, j: int = j) -> list[Any]:
                 return [*q[:j], value, *q[j + 1 :]]
 
             for i in range(model.n):
-                want = slope(lambda value, i=i: model.forces(at(value), p, mu, pushing)[i], q[j])
+                want = slope(lambda value, i=i: model.forces(at(value), p, mus, pushing)[i], q[j])
                 assert abs(jacobian[i][j] - want) < 1e-25, (i, j)
         for column, name in enumerate(model.about["by_parameters"]):
             for i in range(model.n):
-                if name == "mu":
-                    want = slope(lambda value, i=i: model.forces(q, p, value, pushing)[i], mu)
+                if name not in p:
+                    place = column - len(model.about["by_parameters"])
+                    want = slope(
+                        lambda value, i=i, place=place: model.forces(
+                            q, p, [*mus[:place], value, *mus[len(mus) + place + 1 :]], pushing
+                        )[i],
+                        mus[place],
+                    )
                 else:
                     want = slope(
                         lambda value, i=i, name=name: model.forces(
-                            q, {**p, name: value}, mu, pushing
+                            q, {**p, name: value}, mus, pushing
                         )[i],
                         p[name],
                     )
@@ -136,7 +151,7 @@ def test_derivatives_are_those_of_the_motion(model: Generated, pushing: int, sid
 
         def accelerations(z: list[Any], p: dict[str, Any], name: str = "regime_rhs") -> Any:
             return getattr(model.algebra, name)(
-                *z, *model.arguments("motion", p), pushing, side, *felt, xp=XP
+                *z, *model.arguments("motion", p), *model.mode(pushing, side), *felt, xp=XP
             )
 
         jacobian, by_parameters = (
@@ -165,10 +180,14 @@ def test_the_kinked_field_is_that_of_the_regime(model: Generated) -> None:
             if faster:
                 z[model.n] = p.get("V", 0) + 1
             taken = model.arguments("motion", p)
-            gap, slip = model.algebra.borders(*z, *taken, xp=XP)
-            pushing = 1 if gap < 0 or not model.about["contacts"][0]["border"] else 0
+            borders = model.algebra.borders(*z, *taken, xp=XP)
+            pushing = [
+                int(gap < 0 or not contact["border"])
+                for gap, contact in zip(borders, model.about["contacts"], strict=False)
+            ]
+            sides = [int(mp.sign(slip)) for slip in borders[model.contacts :]]
             felt = [1] * (model.about["layers"] + len(model.about["torsions"]))
-            regime = model.algebra.regime_rhs(*z, *taken, pushing, int(mp.sign(slip)), *felt, xp=XP)
+            regime = model.algebra.regime_rhs(*z, *taken, *pushing, *sides, *felt, xp=XP)
             for ours, theirs in zip(model.algebra.rhs(*z, *taken, xp=XP), regime, strict=True):
                 assert abs(ours - theirs) < 1e-45
 
@@ -183,16 +202,19 @@ def test_the_energy_changes_by_the_powers_only(model: Generated) -> None:
         taken, felt = model.arguments("motion", p), [1] * model.about["layers"]
         q, v = z[: model.n], z[model.n :]
         a = model.algebra.regime_rhs(
-            *z, *taken, 1, 1, *felt, *[1] * len(model.about["torsions"]), xp=XP
+            *z, *taken, *model.mode(1, 1), *felt, *[1] * len(model.about["torsions"]), xp=XP
         )
 
         def energy(time: Any) -> Any:
             state = [x + time * speed for x, speed in zip(q, v, strict=True)]
             state += [speed + time * push for speed, push in zip(v, a, strict=True)]
-            return model.algebra.energy(*state, *taken, 1, xp=XP)
+            return model.algebra.energy(*state, *taken, *[1] * model.contacts, xp=XP)
 
-        slide = -model.algebra.border_rates(*q, *[0] * model.n, *v, *taken, xp=XP)[1]
-        friction = slide * model.algebra.friction_force(*z, *taken, 1, 1, *felt, xp=XP)
+        rates = model.algebra.border_rates(*q, *[0] * model.n, *v, *taken, xp=XP)
+        friction = mp.mpf(0)
+        for slide, name in zip(rates[model.contacts :], model.rubbing, strict=True):
+            force = getattr(model.algebra, f"friction_force_{name}" if name else "friction_force")
+            friction -= slide * force(*z, *taken, *model.mode(1, 1), *felt, xp=XP)
         others = model.algebra.power_besides_friction(*z, *taken, xp=XP)
         assert abs(slope(energy, mp.mpf(0)) - friction - others) < 1e-25
         assert others <= 0  # no shipped model has an applied force without a potential

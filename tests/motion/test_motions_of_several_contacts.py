@@ -74,6 +74,39 @@ def test_random_motions_of_two_blocks_are_those_of_another_driver(page: str, see
 
 
 @pytest.mark.thorough
+def test_the_shipped_blocks_move_as_another_driver_says() -> None:
+    """From rest at the base values, over a cycle and more, and at V = 0.1, where they ride with the
+    belt until t = 8 and beyond.
+    """
+    model = ss.load("two_blocks")
+    for V, t_end in ((0.2, 30.0), (0.1, 8.0)):
+        p = model.Parameters(V=V)
+        values = {"beta": 1.0, "kappa": 1.2, "mu_s": 1.0, "mu_k": 1 / 3, "N_1": 1.0, "N_2": 1.3}
+        driver = two_blocks.Driver({**values, "V": V}, falling=True)
+        end = driver.run([0.0] * 4, t_end)
+        tr = ss.simulate(p, t_end=t_end, rtol=1e-13)
+        assert len(tr.events.t) == len(driver.events) > 1
+        np.testing.assert_allclose(tr.events.t, [t for t, *_ in driver.events], rtol=0, atol=1e-9)
+        np.testing.assert_allclose(tr.state[:, -1], end, rtol=0, atol=1e-9)
+
+
+def test_the_shipped_blocks_rest_within_the_closed_form() -> None:
+    """|x₁| ≤ μ_s (K₂₂ N₁ + κ N₂)/det K on a belt that stands still."""
+    beta, sigma, kappa = 1.4, 0.7, 0.9
+    model = ss.load("two_blocks")
+    found = ss.sticking_states(model.Parameters(V=0, beta=beta, sigma=sigma, kappa=kappa))
+    most = (beta + sigma + sigma * kappa) / (beta + sigma + beta * sigma)
+    assert found["x_1_high"] == pytest.approx([most], abs=1e-12)
+
+
+@pytest.mark.validate
+def test_the_shipped_blocks_are_periodic_or_chaotic_by_the_speed_of_the_belt() -> None:
+    """As their page says."""
+    model = ss.load("two_blocks")
+    assert [ss.fate(model.Parameters(V=V)).kind for V in (0.2, 0.1)] == ["cycle", "chaotic"]
+
+
+@pytest.mark.thorough
 def test_energy_changes_by_the_powers_of_all_frictions() -> None:
     model = model_of(FALLING_BLOCKS, "falling_blocks")
     values, start = two_blocks.drawn(1)

@@ -171,9 +171,9 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
 
     \b
     Examples:
-      spragsym onsets --vary theta0=20:60 --vary mu0=0:1 spragsym onsets --model stick_slip --vary
-      V=0:1 --vary zeta=0:2 --plot map.pdf spragsym onsets --model mode_coupling --vary sigma=0.1:2
-      --vary mu0=0:2 --undamped --plot map.pdf
+      spragsym onsets --vary theta0=20:60 --vary mu0=0:1
+      spragsym onsets --model stick_slip --vary V=0:1 --vary zeta=0:2 --plot map.pdf
+      spragsym onsets --model mode_coupling --vary sigma=0.1:2 --vary mu0=0:2 --undamped
     """
     names = case.model.two(case.names)
     plane, coordinates = f"in the plane of {' and '.join(names)}", case.model.coordinates

@@ -366,6 +366,24 @@ def test_a_text_is_wrapped_on_a_narrow_terminal(monkeypatch: pytest.MonkeyPatch)
     assert max(map(len, wrapped("word " * 20).splitlines())) <= 40
 
 
+@pytest.mark.parametrize("name", command_line.COMMANDS)
+def test_each_example_of_help_is_one_call_with_options_of_the_command(name: str) -> None:
+    command = command_line.cli.get_command(click.Context(command_line.cli), name)
+    assert command is not None
+    assert command.help is not None
+    block = command.help.split("Examples:\n")[1].split("\n\n")[0]
+    known = {option for parameter in command.params for option in parameter.opts}
+    known |= {option for parameter in command.params for option in parameter.secondary_opts}
+    for line in block.splitlines():
+        call = shlex.split(line.split("|")[0].split(">")[0])
+        if call[0] == "make":  # of what was exported
+            continue
+        assert call[:2] == ["spragsym", name], line
+        assert call.count("spragsym") == 1, line
+        options = {word.split("=")[0] for word in call if re.match(r"-{1,2}[a-zA-Z]", word)}
+        assert options <= known, line
+
+
 def test_help_tells_the_value_of_an_option_that_is_left_out(run: Run) -> None:
     assert "1e-10" in run("simulate", "--help")
 

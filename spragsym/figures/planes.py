@@ -4,13 +4,13 @@ oscillation begins.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MultipleLocator
-from scipy.ndimage import distance_transform_edt
+from scipy.ndimage import distance_transform_edt, zoom
 
 import spragsym as ss
 
@@ -18,7 +18,7 @@ from ..bifurcation.hopf_curves import OnsetCurves
 from ..core.errors import ModelError, require_kind
 from ..core.questions import model_of
 from ..models import Model
-from ..models.parameters import ParameterSet, Ranges
+from ..models.parameters import ParameterSet, Ranges, Span
 from ..numerics.interval_arrays import FloatArray
 from ..results import BifurcationSet, Equilibria, EquilibriumType
 from ..statics.stability import NEUTRAL
@@ -41,8 +41,8 @@ from .style import (
     write_along,
 )
 
-#: Colour of a part of a plane in which states are unstable.
-UNSTABLE = "#f7dfd0"
+#: Colour of a part of a plane in which states are unstable, and of one where they hardly are.
+UNSTABLE, HARDLY = "#f7dfd0", "#fcf1ea"
 
 
 def _table(found: BifurcationSet | OnsetCurves, *names: str) -> Table:
@@ -131,15 +131,14 @@ def draw_onset_curves(
     return [*artists, *_plane(ax, model, found)]
 
 
-#: Values of either parameter between which growth rates are interpolated, with closed forms.
-_CLOSED = 96
-#: The same where each state is searched.
-_SEARCHED = 16
+#: Values of either parameter at which growth rates are computed, and parts of a cell on whose
+#: corners they differ in sign.
+_VALUES, _PARTS = 48, 6
 
 
 def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ranges) -> None:
     """Shade where a state in contact oscillates with a growing amplitude, by its eigenvalues with
-    all damping, and name the shaded part.
+    all damping, lightly where it hardly grows, and name the shaded part.
 
     Parameters
     ----------
@@ -151,33 +150,67 @@ def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ran
     shown : mapping
         Their ranges; growth rates are interpolated between values within.
     """
-    model = p.model
-    n = _CLOSED if model.closed else _SEARCHED
-    ends = ([p.ranges[name].reached(end) for end in shown[name]] for name in vary)
-    across, up = (np.linspace(low, high, n) for low, high in ends)
-    inside = dict(zip(vary, (across, up[:, None]), strict=True))
-    growth = growth_of_oscillations(ss.equilibria(p.replace(**inside)))
+
+    def growth_at(across: FloatArray, up: FloatArray) -> FloatArray:
+        values = dict(zip(vary, (across, up), strict=True))
+        return growth_of_oscillations(ss.equilibria(p.replace(**values)))
+
+    (left, right), (low, high) = (map(p.ranges[name].reached, shown[name]) for name in vary)
+    across, up, growth = sampled_by_sign(growth_at, (left, right), (low, high))
     if not (growth > 0).any():
         return
-    places = [model.column(name).size * inside[name].ravel() for name in vary]
-    ax.contourf(*places, growth, levels=[0.0, np.inf], colors=[UNSTABLE], zorder=0)
+    sizes = (p.model.column(name).size for name in vary)
+    places = [size * values for size, values in zip(sizes, (across, up), strict=True)]
+    ax.contourf(*places, growth, levels=[0.0, NEUTRAL, np.inf], colors=[HARDLY, UNSTABLE], zorder=0)
     # The name stands where the shade reaches farthest around.
     depth = distance_transform_edt(np.pad(growth > 0, 1))[1:-1, 1:-1]
     row, column = np.unravel_index(np.argmax(depth), depth.shape)
     write_along(ax, "unstable", places[0][column], places[1][row], color=VERMILION, ha="center")
 
 
+def sampled_by_sign(
+    function: Callable[[FloatArray, FloatArray], FloatArray], across: Span, up: Span
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Values of a function over a rectangle, for a contour where it changes its sign: computed
+    between values of different signs, interpolated between those of one.
+
+    Parameters
+    ----------
+    function : callable
+        Of arrays that broadcast: values across, and up.
+    across, up : pair of float
+        Ends of the rectangle.
+
+    Returns
+    -------
+    tuple of array
+        Values across, values up, and those of the function, of shape (up, across).
+    """
+    coarse = [np.linspace(*ends, _VALUES) for ends in (across, up)]
+    fine = [np.linspace(*ends, (_VALUES - 1) * _PARTS + 1) for ends in (across, up)]
+    values = function(coarse[0], coarse[1][:, None])
+    corners = np.stack([values[:-1, :-1], values[1:, :-1], values[:-1, 1:], values[1:, 1:]]) > 0
+    mixed = corners.any(axis=0) & ~corners.all(axis=0)
+    near = np.pad(mixed, 1)
+    for axis in (0, 1):  # the ends of a cell belong to it, and the cells beside it may hold a tip
+        near = near | np.roll(near, 1, axis) | np.roll(near, -1, axis)
+    every = np.arange((_VALUES - 1) * _PARTS + 1)
+    cell = np.minimum(every // _PARTS, _VALUES - 2) + 1
+    rows, columns = np.nonzero(near[np.ix_(cell, cell)])
+    result = zoom(values, len(every) / _VALUES, order=1)
+    result[rows, columns] = function(fine[0][columns], fine[1][rows])
+    return fine[0], fine[1], result
+
+
 def growth_of_oscillations(eq: Equilibria) -> FloatArray:
-    """The largest growth rate over all states in contact that do not diverge without damping, less
-    that up to which a state is practically neutral, bounded to a hundredth of the largest
-    eigenvalue; that below 0 where there is no such state.
+    """The largest growth rate over the size of its eigenvalue, minus a damping ratio, of all states
+    in contact that do not diverge without damping, from −1 to 1; −1 where there is no such state.
     """
     roots = np.nan_to_num(eq.damped_eigenvalues)
-    most = 0.01 * np.abs(roots).max(initial=0.0)
+    size = np.abs(roots)
     oscillates = np.isin(eq.undamped, (EquilibriumType.STABLE, EquilibriumType.FLUTTER))
-    clear = roots.real - NEUTRAL * np.abs(roots)
-    growth = np.where(oscillates, clear.max(axis=-1), -most).max(axis=-1, initial=-most)
-    return np.clip(growth, -most, most)
+    rates = np.where(size > 0, roots.real / np.where(size > 0, size, 1.0), 0.0)
+    return np.where(oscillates, rates.max(axis=-1), -1.0).max(axis=-1, initial=-1.0)
 
 
 def _plane(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[Any]:

@@ -32,6 +32,7 @@ from ..report.facts import Facts
 from ..report.states import unit_of
 from ..report.texts import about as about_of
 from ..report.texts import sections, verdict
+from ..statics.stability import NEUTRAL
 from .curves import curves_between, draw_branches, draw_path, mark_folds
 from .motions import draw_harmonics, draw_phase, draw_spectrum
 from .planes import draw_onset_curves, draw_plane, growth_of_oscillations
@@ -216,7 +217,7 @@ def _stability_map(report: Facts) -> Rows:
         here = report.current
         what = (
             "grow: it squeals or judders"
-            if float(growth_of_oscillations(ss.equilibria(p))) > 0
+            if float(growth_of_oscillations(ss.equilibria(p))) > NEUTRAL
             else "hardly grow or die out, as next to nothing damps"
             if here is not None and here.stability == "neutral"
             else "die out"
@@ -224,7 +225,8 @@ def _stability_map(report: Facts) -> Rows:
         yield (
             picture(draw),
             f"The map of stability. The brake (dot) works where small oscillations {what}; they "
-            f"grow where it is shaded. Box: its tolerances. {_kinds_of(onsets)}",
+            f"grow in a state at least where it is shaded, hardly where lightly. Box: its "
+            f"tolerances. {_kinds_of(onsets)}",
         )
 
 

@@ -217,7 +217,7 @@ def test_the_caption_of_the_map(
     known = said_of(DAMPED, states=(state(stability=stability),))
     assert captions(pages._stability_map(known)) == [
         f"The map of stability. The brake (dot) works where small oscillations {words}; they grow "
-        "where it is shaded. Box: its tolerances. Full line: it begins with a small amplitude "
+        "in a state at least where it is shaded, hardly where lightly. Box: its tolerances. Full line: it begins with a small amplitude "
         "(supercritical); dashed: with a large one at once (subcritical); dotted: which of the two "
         "is not decided; GH: where that changes; BT: a line ends where two states meet; ZH: a line "
         "touches one on which two states meet; HH: two lines cross, and two frequencies set in."

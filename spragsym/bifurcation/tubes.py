@@ -36,6 +36,7 @@ from ..numerics.interval_arrays import (
     Intervals,
     ends_around,
     matrix,
+    pair,
     quiet,
     scale_of,
     stacked,
@@ -152,7 +153,7 @@ class Slopes:
         """
         if self.Y is not None:
             forces = Intervals(contractors.product(self.Y, forces.ends[:, :, None])[:, :, 0])
-        moved, strayed = (Intervals(np.stack([part, part])) for part in (tube.moved, apart))
+        moved, strayed = (Intervals(pair(part, part)) for part in (tube.moved, apart))
         left = []
         for i, row in enumerate(self.rows):
             total = forces[i] + self.taken(self.image(i, tube.along)) * moved
@@ -184,9 +185,10 @@ class Tubes(ByColumn):
     """Curves of states of a model in contact as ``vary`` moves, for boxes of parameters, one a
     column.
 
-    ``fixed`` are all parameters, shape (parameters, N); ``centre`` and ``half`` are middle and
-    half-width of those that are ``free`` to have a width, shape (free, N). The ``pivot`` is the
-    number of what the others follow among the coordinates and, last, what moves.
+    ``fixed`` are all parameters, shape (parameters, N), and ``prepared`` the ends of what follows
+    from them, shape (2, arguments, N); ``centre`` and ``half`` are middle and half-width of those
+    that are ``free`` to have a width, shape (free, N). The ``pivot`` is the number of what the
+    others follow among the coordinates and, last, what moves.
     """
 
     balance: Balance
@@ -194,6 +196,7 @@ class Tubes(ByColumn):
     free: tuple[str, ...]
     pivot: int
     fixed: FloatArray
+    prepared: FloatArray
     centre: FloatArray
     half: FloatArray
     options: ContinuationOptions
@@ -212,7 +215,8 @@ class Tubes(ByColumn):
         """
         centre = fixed[[balance.parameters.index(name) for name in free]]
         half, options = np.zeros_like(centre), options or ContinuationOptions()
-        return cls(balance, vary, free, balance.n, fixed, centre, half, options)
+        known = balance.prepared(Intervals.point(fixed)).ends
+        return cls(balance, vary, free, balance.n, fixed, known, centre, half, options)
 
     @property
     def n(self) -> int:
@@ -233,9 +237,8 @@ class Tubes(ByColumn):
     # evaluation
 
     def _bounds(self, v: Intervals) -> Intervals:
-        ends = Intervals.point(self.fixed).ends
-        ends[:, self.moving] = np.concatenate([self._span().ends, v.ends[:, None]], axis=1)
-        return self.balance.prepared(Intervals(ends))
+        moved = dict(zip(self.free, self._span(), strict=True)) | {self.vary: v}
+        return self.balance.prepared_beside(self.prepared, self.fixed, moved)
 
     def _span(self) -> Intervals:
         wide = np.where(self.half > 0, self.half * UP + np.spacing(np.abs(self.centre)), 0.0)

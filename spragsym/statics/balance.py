@@ -332,6 +332,15 @@ class BalanceInUnits(Balance):
         """Arguments of the generated functions, units and p/P by name, of any number type."""
         return super().with_angles(self.scaled(values, xp, self.needed), xp)
 
+    def prepared_beside(
+        self, known: FloatArray, fixed: FloatArray, moved: Mapping[str, Intervals]
+    ) -> Intervals:
+        """All prepared anew: what follows from one parameter may follow from a unit too."""
+        bounds = Intervals.point(fixed)
+        for name, part in moved.items():
+            bounds.ends[:, self.parameters.index(name)] = part.ends
+        return self.prepared(bounds)
+
     def by_parameters(self, at: Evaluation, names: Sequence[str]) -> list[list[Any]]:
         """Derivatives by P, and by u: Σ e p/u ∂/∂p over the parameters that depend on it."""
         needed = sorted({part for name in names for part in self.scaling.get(name, [name])})

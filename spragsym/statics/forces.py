@@ -145,6 +145,19 @@ class Forces:
             values = self.arguments_of(dict(zip(self.parameters, bounds, strict=True)), XP)
         return stacked([values[code] for code in self.codes], bounds.shape[1:])
 
+    def prepared_beside(
+        self, known: FloatArray, fixed: FloatArray, moved: Mapping[str, Intervals]
+    ) -> Intervals:
+        """Prepared parameters of which some have ``moved`` from ``fixed`` ones, whose prepared ends
+        are ``known``.
+        """
+        ends = known.copy()
+        with quiet():
+            for code, part in self.with_angles(moved, XP).items():
+                if code in self.codes:
+                    ends[:, self.codes.index(code)] = part.ends
+        return Intervals(ends)
+
     def with_angles(self, values: Values, xp: Any) -> dict[str, Any]:
         """Some parameters with cosine and sine of those that are angles."""
         found = dict(values)

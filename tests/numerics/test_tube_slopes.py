@@ -124,3 +124,18 @@ def test_slopes_by_units_are_those_of_the_forces() -> None:
         np.testing.assert_allclose(
             slopes[:, tubes.n + 1 + k], (sides[1] - sides[0]) / (2 * step), rtol=1e-6, atol=1e-9
         )
+
+
+@pytest.mark.parametrize(("name", "ranges", "units"), BOXES)
+def test_parameters_are_prepared_as_all_anew(
+    name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]
+) -> None:
+    """What follows from parameters that move, and from units, has the bits of all of it."""
+    _, tubes, region = region_of(name, ranges, units)
+    bounds = Intervals.point(tubes.fixed)
+    span, v = tubes._span(), region.box()[-1]
+    for place, part in zip(tubes.moving, [*span, v], strict=True):
+        bounds.ends[:, place] = part.ends
+    expected = tubes.balance.prepared(bounds).ends
+    np.testing.assert_array_equal(tubes._bounds(v).ends, expected)
+    assert (expected != tubes.prepared).any()

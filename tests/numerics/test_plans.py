@@ -68,7 +68,8 @@ def further(name: str) -> Iterator[tuple[str, StateSystem, FloatArray]]:
         yield f"contact {contact}, {apart}", balance, column
     vary = tuple(code for code in balance.parameters if code in balance.balanced)
     family = Family.of(load(name).Parameters(), vary[:1])
-    yield "no slope", Augmented(family, NO_SLOPE), family.begin
+    if len(load(name).frictions) == 1:  # of several there are more equations than unknowns
+        yield "no slope", Augmented(family, NO_SLOPE), family.begin
     if len(vary) < 2:
         return
     family = Family.of(load(name).Parameters(), vary[:2])
@@ -87,8 +88,6 @@ def test_every_system_is_searched_as_by_numpy(name: str, monkeypatch: pytest.Mon
     every = [(key, *given) for key, given in systems(name).items()]
     looks = 0
     for key, system, column in [*every, *further(name)]:
-        if key == "no slope" and not load(name).frictions:
-            continue
         region = np.full((2, system.n, 1), 1.25)
         found = compared(f"{name}, {key}", monkeypatch, system, region, column, column, budget=60)
         looks += found.looks

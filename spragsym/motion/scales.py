@@ -12,6 +12,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -35,7 +36,8 @@ COMMON = 5
 
 @dataclass(frozen=True)
 class MotionScales:
-    """Units of a motion: of each coordinate, of time, and of the level of each border.
+    """Units of a motion: of each coordinate, of time, of the level of each border, and of each
+    square root that its accelerations take, as of a spring's length, in their order.
 
     Times, states and what is made of them are given back in the model's units by what is called
     as they are, as ``scales.solution(scaled)``; :attr:`inverse` takes them the other way.
@@ -44,11 +46,12 @@ class MotionScales:
     places: tuple[float, ...]
     time: float
     levels: tuple[float, ...]
+    roots: tuple[float, ...] = ()
 
     @property
     def trivial(self) -> bool:
         """All units are 1."""
-        return self.time == 1.0 and all(unit == 1.0 for unit in self.places)
+        return {self.time, *self.places, *self.levels, *self.roots} == {1.0}
 
     @cached_property
     def states(self) -> FloatArray:
@@ -68,6 +71,7 @@ class MotionScales:
             tuple(1.0 / unit for unit in self.places),
             1.0 / self.time,
             tuple(1.0 / unit for unit in self.levels),
+            tuple(1.0 / unit for unit in self.roots),
         )
 
     def problem(self, problem: Problem) -> Problem:
@@ -207,10 +211,8 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Motion
         known = lengths if unit == "m" and lengths else alike
         places.append(1.0 if unit == "rad" else _power(max(known)))
     found = MotionScales(tuple(places), _power(time), (1.0,) * len(field.borders))
-    if found.trivial:
-        return found
     levels = (_level(border, field, constants, state, found) for border in field.borders)
-    return replace(found, levels=tuple(levels))
+    return replace(found, levels=tuple(levels), roots=_roots(field, constants, state, found))
 
 
 def _time_and_ways(field: Field, constants: Values, state: list[float]) -> tuple[float, FloatArray]:
@@ -273,6 +275,27 @@ def _level(
                 continue
             sizes.append(abs(float(rate)) * scales.time)
     return _power(max(sizes))
+
+
+def _roots(
+    field: Field, constants: Values, state: list[float], scales: MotionScales
+) -> tuple[float, ...]:
+    """Units of square roots: of the largest value of each where the state is, and a unit off."""
+    units, known = scales.states.tolist(), list[list[float]]()
+    for share in (-1.0, 0.0, 1.0):
+        at, seen = [v + share * unit for v, unit in zip(state, units, strict=True)], list[float]()
+
+        def sqrt(value: float, seen: list[float] = seen) -> float:
+            seen.append(math.sqrt(value))
+            return seen[-1]
+
+        xp = SimpleNamespace(**{**vars(FLOATS), "sqrt": sqrt})
+        try:
+            field.acceleration(at, constants, field.initial_mode(at, constants), xp)
+        except (ArithmeticError, ValueError):
+            continue
+        known.append(seen)
+    return tuple(_power(max(values)) for values in zip(*known, strict=False))
 
 
 def _power(value: float) -> float:
@@ -348,7 +371,7 @@ def scaled(field: Field, scales: MotionScales) -> Field:
 
     return replace(
         inner,
-        name=f"{field.name}:{scales.places}:{time}:{scales.levels}",
+        name=f"{field.name}:{scales.places}:{time}:{scales.levels}:{scales.roots}",
         acceleration=acceleration,
         jacobian=rows(inner.jacobian, units),
         by_parameters=rows(inner.by_parameters, None),

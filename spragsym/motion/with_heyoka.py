@@ -4,6 +4,7 @@ are terminal events.
 
 from __future__ import annotations
 
+import itertools
 import threading
 from collections import defaultdict, deque
 from collections.abc import Sequence
@@ -75,22 +76,26 @@ class Approach:
     """End of a step because of what its Taylor series does not see: ``watched`` passes zero upward
     there.
 
-    The argument of a root, ``value``, is least and small, as the squared length of a spring that
-    passes its anchor, or an exponential or a hyperbolic tangent of the place is about to be felt;
-    those of the sliding speed are borders of the field.
+    The argument of a root, ``value``, is least and small beside its unit, as the squared length of
+    a spring that passes its anchor, or an exponential or a hyperbolic tangent of the place is about
+    to be felt; those of the sliding speed are borders of the field.
     """
 
     watched: Any
     value: Any
 
     @classmethod
-    def of(cls, called: list[tuple[str, Any]], system: list[Any]) -> list[Approach]:
-        """Subexpressions of all functions that were ``called``."""
+    def of(
+        cls, called: list[tuple[str, Any]], system: list[Any], roots: Sequence[float]
+    ) -> list[Approach]:
+        """Subexpressions of all functions that were ``called``; units of the square ``roots``."""
         import heyoka as hy
 
         names, found = [name for name, _ in system], list[Approach]()
         rates = {str(name) for name in names[len(names) // 2 :]}
-        for name, z in called:
+        units = itertools.chain(roots, itertools.repeat(1.0))
+        for name, given in called:
+            z = given * next(units) ** -2 if name == "sqrt" else given
             seen = set(hy.get_variables(z))
             if name == "sqrt" and seen:
                 rate = sum((hy.diff(z, name) * each for name, each in system), hy.expression(0.0))
@@ -149,7 +154,8 @@ def equations(
             *(scale * other for other in others if measured),
         ]
         system += zip(hy.make_vars(*(f"sum.{i}" for i in range(len(sums)))), sums, strict=True)
-    return system, (state, known, mode), accelerations, Approach.of(xp.called, system[:m])
+    roots = field.scales.roots if field.scales else ()
+    return system, (state, known, mode), accelerations, Approach.of(xp.called, system[:m], roots)
 
 
 def _dot(one: Any, other: Any) -> Any:

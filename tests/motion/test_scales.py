@@ -157,6 +157,40 @@ def test_motions_in_units_drawn_at_random_are_the_same(name: str) -> None:
 
 
 @pytest.mark.thorough
+@pytest.mark.parametrize(
+    ("name", "given"),
+    [
+        ("kang_nam", {"V": 0.5, "d": 10.0, "theta0": 0.72101}),
+        ("coulomb_stick_slip", {"V": 0.1}),
+    ],
+)
+def test_a_motion_takes_as_many_steps_in_any_units(name: str, given: dict[str, float]) -> None:
+    """Of kilogram, metre and second drawn as powers of four, by which nothing rounds, or of the
+    kilogram alone, by which neither places nor times are measured. Levels of a common size keep the
+    unit 1, and others have the nearest power of four, so that some steps are of another length.
+    """
+    pytest.importorskip("heyoka")
+    pytest.importorskip("sympy")
+    from tests.oracles.dimensional_pages import dimensional, units
+
+    model, rng = dimensional(name), np.random.default_rng(75)
+    base = {key: model.base.get(key) for key in model.parameters} | given
+    start = np.resize([1.5, 0.0] if name == "coulomb_stick_slip" else [0.0], len(model.components))
+    found = list[Any]()
+    for powers in ((0, 0, 0), (15, 0, 0), rng.integers(1, 11, 3), -rng.integers(1, 11, 3)):
+        sizes = 4.0 ** np.array(powers)
+        of_parameters, of_state = units(model, sizes)
+        p = model.Parameters(**{key: value * of_parameters[key] for key, value in base.items()})
+        motion = ss.simulate(
+            p, start=start * of_state, t_end=30.0 * sizes[2], rtol=1e-12, max_steps=2000
+        )
+        found.append((len(motion.t), motion.state[:, -1] / of_state))
+    for steps, state in found[1:]:
+        assert abs(steps - found[0][0]) <= 0.1 * found[0][0]
+        np.testing.assert_allclose(state, found[0][1], rtol=0.0, atol=1e-10)
+
+
+@pytest.mark.thorough
 @pytest.mark.parametrize("size", [4.0**-10, 4.0**10])
 def test_exponents_and_fates_are_the_same_in_any_units(size: float) -> None:
     """Also where the time is left out; units of a motion are powers of four."""

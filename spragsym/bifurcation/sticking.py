@@ -106,7 +106,6 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
             )
     if len(holding) > 1:
         return region(p)
-    model.require_answered("sticking_states with one friction that holds")
     if (found := line(p)) is not None:
         return found
     own = held(p, [holding[0]["name"]])

@@ -127,6 +127,7 @@ class _Balanced:
 
 
 def _balanced(p: ParameterSet) -> _Balanced:
+    p.model.require_answered("sticking_states")
     balance = Balance(p.model)
     with quiet():
         values = balance.over(Intervals.point(columns(p, balance.parameters)))

@@ -158,6 +158,7 @@ def jump_gradient(
     >>> print("{:.4f} for each degree, {:.4f} for each 0.01 of sigma".format(*each))
     -0.0313 for each degree, 0.0186 for each 0.01 of sigma
     """
+    model_of(p).require_answered("jump_gradient")
     found = require_known(
         first_ends(p, vary, direction=direction, begin=begin, until=until, method=method)
     )
@@ -192,7 +193,6 @@ def have_jumped(
 
 def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     """dv/dp by name at the folds at which the states of points end."""
-    p.model.require_answered("jump_gradient")
     balance = Balance(p.model)
     names, shape, states = (
         list(balance.parameters),

@@ -195,13 +195,26 @@ class Model:
                 f"whose page has a clock ({self.clock}): nothing rests there; ask "
                 f"{', '.join(FORCED)}, or hold the clock still with a parameter in its place"
             )
-        if len(self.contacts) > 1 and question not in (*SEVERAL, *PARTS_OF_SEVERAL):
-            names = ", ".join(entry["name"] for entry in self.contacts)
-            return (
-                f"whose page has {len(self.contacts)} contacts ({names}); ask "
-                f"{', '.join(SEVERAL)}, or say all but one of them by springs and forces"
-            )
-        return ""
+        if len(self.contacts) == 1:
+            return ""
+        answered = [one for one in SEVERAL if one != "sticking_states" or self._rests_in_a_region]
+        if question in (*answered, *PARTS_OF_SEVERAL):
+            return ""
+        names = ", ".join(entry["name"] for entry in self.contacts)
+        return (
+            f"whose page has {len(self.contacts)} contacts ({names}); ask {', '.join(answered)}, "
+            "or say all but one of them by springs and forces"
+        )
+
+    @property
+    def _rests_in_a_region(self) -> bool:
+        """Whether sets of rest of several contacts are regions that are told: several frictions
+        hold, or none, and all other contacts touch at every state.
+        """
+        holding = [entry["name"] for entry in self.frictions if entry["holds"]]
+        return len(holding) != 1 and not any(
+            entry["border"] and entry["name"] not in holding for entry in self.contacts if holding
+        )
 
     @cached_property
     def regimes(self) -> dict[Touching, str]:

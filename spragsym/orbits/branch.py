@@ -684,8 +684,8 @@ def cycle_events(
     )
     if event.kind not in (*CRITERIA, "grazing"):
         raise ParameterError(
-            f"event = {event.kind} is not followed in two parameters; give a fold, doubling, "
-            "torus or grazing"
+            f"event = {event.kind} is not followed in two parameters; give a fold, "
+            "period_doubling, torus or grazing"
         )
     model = event.cycle.field
     if model.clock:

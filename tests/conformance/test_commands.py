@@ -257,7 +257,7 @@ def test_motions_have_the_same_keys_and_are_those_of_python(name: str, run: Run)
     assert told["rms" + "_deg" * angle] == pytest.approx(unit * tr.rms(22.5), rel=1e-9)
 
 
-@pytest.mark.by_hand("sprag_rod", "mode_coupling", "two_springs", *ALIKE)
+@pytest.mark.by_hand("sprag_rod", "mode_coupling", "two_springs", "two_blocks", *ALIKE)
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(MOVING, "stick_slip"))
 def test_maps_of_fates_of_every_model_are_those_of_python(

@@ -72,7 +72,9 @@ def test_every_language_is_run() -> None:
     assert {*RUN, "fmu"} == set(languages())
 
 
-@pytest.mark.by_hand("c-sprag_rod", *(f"{language}-{name}" for language in RUN for name in ALIKE))
+@pytest.mark.by_hand(
+    "c-sprag_rod", "c-two_blocks", *(f"{language}-{name}" for language in RUN for name in ALIKE)
+)
 @pytest.mark.parametrize("name", few(MODELS, "pressed"))
 @pytest.mark.parametrize("language", RUN)
 def test_an_export_gives_the_numbers_of_python(language: str, name: str, tmp_path: Path) -> None:

@@ -132,6 +132,26 @@ page.friction(x_1, V, slip=lambda v: mu_k * sgn(v), holds=mu_s, on=first)
 page.friction(x_2, V, slip=lambda v: mu_k * sgn(v), holds=mu_s, on=second)
 """
 
+#: A third block behind them, in a row.
+ROW = (
+    BLOCKS.replace(
+        "page.rate(x_2)**2) / 2)",
+        "page.rate(x_2)**2 + page.rate(x_3)**2) / 2)\npage.spring(k, along=x_3)\n"
+        "page.spring(kappa * k, along=x_2 - x_3)",
+    ).replace("page.kinetic", 'x_3 = page.coordinate("x_3", "m", "of the third")\npage.kinetic')
+    + """
+third = page.normal_force(N_1, name="third")
+page.friction(x_3, V, slip=lambda v: mu_k * sgn(v), holds=mu_s, on=third)
+"""
+)
+#: And a soft stop in front of the third.
+STOPPED_ROW = (
+    ROW
+    + """
+page.contact(0.4 * a - x_3, lambda depth: k * depth, name="stop")
+"""
+)
+
 #: The same with friction that falls with the sliding speed.
 FALLING_BLOCKS = (
     BLOCKS.replace("lambda v: mu_k * sgn(v)", "lambda v: mu_s / (1 + Abs(v) / mu_k) * sgn(v)")

@@ -1,0 +1,122 @@
+"""Every public question of a page with three contacts, and of one with four: it is answered, or
+refused by its name.
+"""
+
+import re
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import pytest
+
+import spragsym as ss
+from spragsym import precise
+from spragsym.bifurcation.sticking_regions import is_convex
+from tests.conformance.models import answers
+from tests.conformance.test_questions import TABLE, Asked, questions
+from tests.oracles.contact_pages import ROW, STOPPED_ROW
+from tests.oracles.user_pages import model_of
+from tests.support import needs_a_quick_integrator
+
+pytest.importorskip("sympy")
+
+PLANE = ("mu_s", "kappa")
+SPAN = {"mu_s": (0.5, 0.7)}
+
+
+def _branch(p: Any) -> Any:
+    """A piece of the branch of the cycle from rest."""
+    ends = {"V": (0.199, 0.201)}
+    return ss.cycle_branch(ss.cycle(p, patient=False), "V", between=ends, points=10)
+
+
+def _events(p: Any) -> None:
+    """Its ends, the only events there, are no curves in two parameters."""
+    for event in _branch(p).events:
+        with pytest.raises(ss.errors.ParameterError, match=f"{event.kind} is not followed"):
+            ss.cycle_events(event, ("V", "kappa"))
+
+
+def asked_of(p: Any) -> dict[str, Callable[[], object]]:
+    """Each question near the base values, as it is asked of a model of any kind."""
+    still, short = p.replace(V=0.0), {"t_end": 60.0}
+    plane = {"x_1": [0.0, 0.1], "vx_1": [0.0]}
+    return {
+        "basin": lambda: ss.basin(p, **plane, **short),
+        "basin_boundary": lambda: ss.basin_boundary(p),
+        "bifurcation_set": lambda: ss.bifurcation_set(p, PLANE, n=4),
+        "certify": lambda: ss.certify(p, p.replace(mu_s=0.61)),
+        "count": lambda: ss.count(p),
+        "critical_friction": lambda: ss.critical_friction(p),
+        "critical_value": lambda: ss.critical_value(p, "kappa", between={"kappa": (0.5, 1.0)}),
+        "cusp_friction": lambda: ss.cusp_friction(p),
+        "cusps": lambda: ss.cusps(p, PLANE),
+        "cycle": lambda: ss.cycle(p, patient=False),
+        "cycle_branch": partial(_branch, p),
+        "cycle_events": partial(_events, p),
+        "diagram": lambda: ss.diagram(p, "mu_s", between=SPAN, points=2),
+        "equilibria": lambda: ss.equilibria(p),
+        "explore": lambda: ss.explore(p),
+        "fate": lambda: ss.fate(p),
+        "fate_boundary": lambda: ss.fate_boundary(p, "mu_s", between=SPAN),
+        "fate_map": lambda: ss.fate_map(p.replace(mu_s=[0.6]), **short),
+        "flutter_onsets": lambda: ss.flutter_onsets(p, "mu_s", between=SPAN),
+        "folds": lambda: ss.folds(p, "mu_s", between=SPAN),
+        "jump_gradient": lambda: ss.jump_gradient(p, "mu_s"),
+        "jump_margin": lambda: ss.jump_margin(p, {"mu_s": 0.1}),
+        "jump_probability": lambda: ss.jump_probability(SPAN, model=p.model),
+        "jump_value": lambda: ss.jump_value(p, "mu_s", until=1.0),
+        "lyapunov": lambda: ss.lyapunov(p, t_end=20.0),
+        "onset_curves": lambda: ss.onset_curves(p, PLANE, 4),
+        "precise_equilibria": lambda: precise.equilibria(p),
+        "quasi_static_path": lambda: ss.quasi_static_path(p, "mu_s", [0.5, 0.6, 0.7]),
+        "redesign": lambda: ss.redesign(p, {"mu_s": 0.5}, {"kappa": 0.1}),
+        "rms_sweep": lambda: ss.rms_sweep(p, **short),
+        "sensitivity": lambda: ss.sensitivity(p),
+        "simulate": lambda: ss.simulate(p, **short),
+        "sticking_states": lambda: ss.sticking_states(still),
+    }
+
+
+def load(page: str) -> ss.Model:
+    """One of the pages, derived once."""
+    return model_of({"row": ROW, "stopped_row": STOPPED_ROW}[page], page)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("page", ["row", "stopped_row"])
+def test_what_is_not_answered_is_refused_by_its_name(page: str) -> None:
+    model = load(page)
+    asked = asked_of(model.Parameters())
+    of_article = TABLE[Asked.article].split()
+    assert {*questions()} - {*of_article} == {*asked} - {"precise_equilibria"}
+    refused = [name for name in asked if model.refusal(name)]
+    assert len(refused) == {"row": 16, "stopped_row": 17}[page]
+    for name in refused:
+        assert not answers(model, name, asked[name])
+    for name in of_article:
+        with pytest.raises(ss.errors.ModelError, match=f"{name} is not there yet for the model"):
+            getattr(ss.kang_nam, name)(model.Parameters(), *[0.5] * (name == "surface") * 2)
+
+
+@needs_a_quick_integrator
+@pytest.mark.validate
+@pytest.mark.parametrize("page", ["row", "stopped_row"])
+def test_every_other_question_is_answered(page: str) -> None:
+    model = load(page)
+    for name, ask in asked_of(model.Parameters()).items():
+        if not model.refusal(name):
+            ask()
+
+
+def test_a_stop_that_opens_has_no_region_of_rest() -> None:
+    """Beside the stop the states of rest are those of the row, in front of it others: no one
+    parallelepiped has both.
+    """
+    row = ss.sticking_states(model_of(ROW, "row").Parameters(V=0.0))
+    assert row["x_3_high"][0] > 0.4  # where the stop stands
+    stopped = model_of(STOPPED_ROW, "stopped_row")
+    said = re.escape("sticking_states is not answered yet of stopped_row, whose page has 4 ")
+    with pytest.raises(ss.errors.ModelError, match=said):
+        ss.sticking_states(stopped.Parameters(V=0.0))
+    assert not is_convex(stopped.Parameters(V=0.0))

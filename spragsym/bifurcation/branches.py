@@ -18,8 +18,9 @@ from numpy.typing import NDArray
 from ..core.errors import ConvergenceError
 from ..core.questions import Method, question
 from ..models.parameters import ParameterSet, Span
+from ..numerics.arithmetic import determinant
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, quiet
 from ..numerics.vectors import apart
 from ..results import Equilibria, Points
 from ..statics.balance import Balance
@@ -31,10 +32,6 @@ from .options import ContinuationOptions
 from .points import INFINITY
 from .singularities import turned as turned_by_mirror
 from .tubes import Place, Tubes
-
-#: Part of the product of its rows' lengths from which on the sign of a determinant is not one of
-#: rounding.
-ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
@@ -55,7 +52,7 @@ class Along:
 @dataclass(frozen=True)
 class _States(ByColumn):
     """Equilibria at one value, shape (n, number), the signs of det K, sides of the mirror: 0 on it,
-    or if there is none; and whether no rounding may have turned the sign, as on a fold.
+    or if there is none; and whether the sign is proved, as it is not on a fold.
     """
 
     q: FloatArray
@@ -168,6 +165,10 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
     q = np.array([eq.coordinates[name][point, slot] for name in balance.coordinates])
     given = columns(eq.parameters, balance.parameters)[:, point]
     K, sides = linearization(balance, q, given)[2], np.zeros(point.size)
+    off = eq.error[point, slot] * np.maximum(1.0, np.abs(q))
+    with quiet():
+        at = balance.state(Intervals.between(q - off, q + off), balance.prepared_at(given))
+        proved = determinant([list(row) for row in matrix(at.stiffness(), at.shape)]).signs
     if turned:
         across = q - np.array(
             np.broadcast_arrays(*balance.at(list(q), balance.floats(given)).mirrored())
@@ -175,9 +176,8 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
         known = np.abs(across[turned[0]]) > 4 * eq.error[point, slot]
         sides = np.where(known, np.sign(across[turned[0]]), 0.0)
     values = np.asarray(eq.parameters[along.vary]).tolist()
-    size = np.linalg.norm(K, axis=2).prod(axis=1)  # no determinant is larger
-    det = np.linalg.det(K)
-    found = _States(q, np.sign(det), sides, np.abs(det) > ROUNDING * size)
+    signs = np.sign(np.linalg.det(K))
+    found = _States(q, signs, sides, (signs != 0) & (proved == signs))
     return {value: found[point == number] for number, value in enumerate(values)}
 
 
@@ -217,7 +217,7 @@ def _by_tubes(
 
     def needless(there: Place) -> BoolArray:
         """Tubes of steps of which all pairs are known without them: by tubes alone where states
-        may be missing, or signs be those of rounding.
+        may be missing, or signs are not proved.
         """
         known = joined(there)
         by_tubes = {step: len(pairs) for step, pairs in known.items()}

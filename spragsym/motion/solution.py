@@ -431,7 +431,9 @@ class Events(Rows):
     Attributes
     ----------
     t : ndarray, shape (k,)
-        Time.
+        Time. Contact is told to open or close 1e-12 of the gap's scale beyond its border, and so
+        late by that over the speed of the gap, which the error of a trajectory does not hold: that
+        is of its states.
     state : ndarray, shape (k, 2 n)
         Coordinates and rates there: y = 0 or x' = V to 1e-12 of the motion's scales.
     which : ndarray of int, shape (k,)

@@ -2,6 +2,7 @@
 against closed forms.
 """
 
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,8 @@ import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
+from spragsym.bifurcation import branches
+from spragsym.statics.search import balance_of
 from tests.oracles.dimensional_pages import dimensional, units
 from tests.oracles.user_pages import model_of, replaced
 
@@ -136,3 +139,41 @@ def test_a_path_and_its_jump_are_the_same_in_any_units() -> None:
         (jump,) = path.jumps
         found.append([jump.value / of_parameters["kappa"], *path.x / of_state[0]])
     np.testing.assert_allclose(found[1:], [found[0]] * 2, rtol=1e-10)
+
+
+TWO_WELLS = """'''Two wells.'''
+from spragsym.derive.model import Page
+
+page = Page("A mass in two wells.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+l = page.unit("l", "m", "half the distance of the wells")
+P = page.parameter("P", "N", "push", "real", 0.1)
+x = page.coordinate("x", "m", "place")
+page.kinetic(m * page.rate(x) ** 2 / 2)
+page.potential(-k * x**2 / 2 + k * x**4 / (4 * l**2))
+page.force(P, along=x)
+"""
+
+
+def test_the_sign_of_a_determinant_is_sure_where_no_error_of_the_state_turns_it() -> None:
+    """K = 3 x² − 1: of states drawn with the errors that they may have, up to and beyond the folds
+    at x² = 1/3.
+    """
+    model, rng = model_of(TWO_WELLS, "two_wells"), np.random.default_rng(75)
+    P = rng.uniform(-0.38, 0.38, 30)
+    eq = ss.equilibria(model.Parameters(P=P))
+    known = np.isfinite(eq["x"])
+    away = np.abs(np.abs(eq["x"]) - 3.0**-0.5) / np.maximum(1.0, np.abs(eq["x"]))
+    share = 10.0 ** rng.uniform(-3.0, 3.0, known.shape)
+    balance = balance_of(model, eq.contact)
+    none = np.empty(0), np.empty(0, dtype=str), np.empty((1, 0))
+    along = branches.Along(balance, model.Parameters(P=P), "P", *none)
+    stated = SimpleNamespace(
+        states=eq.states, coordinates=eq.coordinates, parameters=eq.parameters, error=share * away
+    )
+    found = branches._states(along, stated)
+    sure = np.concatenate([found[value].sure for value in P.tolist()])
+    # An interval of x encloses K a little wider than it is.
+    assert not sure[share[known] > 1.0].any()
+    assert sure[share[known] < 0.3].all()

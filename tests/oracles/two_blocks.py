@@ -69,7 +69,7 @@ class Driver:
         z, t = np.array(start, dtype=float), 0.0
         side = [int(math.copysign(1, self.V - z[2 + i])) for i in (0, 1)]
         while t < t_end:
-            events = [self._leaves(i, side[i]) for i in (0, 1)]
+            events = [self._leaves(i, side[i], t) for i in (0, 1)]
             part = solve_ivp(
                 self.rates(side),
                 (t, t_end),
@@ -94,13 +94,24 @@ class Driver:
                 self.events.append((t, word, i))
         return z
 
-    def _leaves(self, i: int, side: int) -> Callable[[float, Any], float]:
+    def _leaves(self, i: int, side: int, begin: float) -> Callable[[float, Any], float]:
+        """What is 0 where block i leaves its mode, over the time since the motion entered it.
+
+        A block that has just left the speed of the belt has it at ``begin``, and may have it again
+        before the first step ends: of the two roots the quotient has the second only.
+        """
+
         def slips(_: float, z: Any) -> float:
             return float(side * (self.V - z[2 + i]))
 
         def holds(_: float, z: Any) -> float:
             return float(self.mu_s * self.normal[i] - abs(self.stiffness[i] @ z[:2]))
 
-        found: Any = slips if side else holds
-        found.terminal, found.direction = True, -1
-        return found
+        level = slips if side else holds
+
+        def found(t: float, z: Any) -> float:
+            return level(t, z) / (t - begin) if t > begin else level(t, z) or 1.0
+
+        event: Any = found
+        event.terminal, event.direction = True, -1
+        return event

@@ -391,7 +391,13 @@ class _RaySearch:
         """The border on the ray to a member, or the nearest member about there."""
         radius = np.array([norm(point)])
         ray = point[None] / radius
-        border = np.asarray(ray[0] * self._shortened(ray, radius, self.options.fine))
+        # Halvings are dear close to the border, and most often it is found from farther away: then
+        # the ray meets it no nearer.
+        far = self._shortened(ray, radius, self.options.coarse)
+        found = self.improved(ray[0] * far)
+        if found is not None and not self.member(ray * norm(found) * (1 - 1e-6))[0]:
+            return found
+        border = np.asarray(ray[0] * self._shortened(ray, far, self.options.fine))
         # Just inside of the border.
         found = self.improved(border * (1 - 1e-9))
         return border if found is None or norm(found) > norm(border) else found

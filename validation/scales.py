@@ -86,7 +86,12 @@ def _fate_and_exponents(one: Any, other: Any, start: Any, of_state: Any, time: f
         for p, begun, unit in ((one, start, 1.0), (other, start * of_state, time))
     )
     wrong = []
-    if found.kind != there.kind:
+    if {found.kind, there.kind} == {"undecided", "chaotic"}:
+        # Of irregular motions that rounding parts: their largest exponents agree within errors.
+        one, two = found.exponents[0], time * there.exponents[0]
+        if not abs(one - two) <= found.error[0] + time * there.error[0]:
+            wrong.append(f"largest exponent {one} of an irregular motion, scaled {two}")
+    elif found.kind != there.kind:
         wrong.append(f"fate {found.kind}, scaled {there.kind}: {found.why}; {there.why}")
     elif found.kind in ("rest", "cycle"):
         known = np.isfinite(found.exponents)

@@ -291,6 +291,10 @@ class Rates:
         across, error = self.exponents[1:], self.error[1:]
         if not self.moves:
             return "the motion is at rest, or all but"
+        early, late = np.array_split(np.diff(self.flow), 2)
+        if min(early.min(), late.min()) > 0 and late.sum() > 0.5 * early.sum():
+            grown = math.exp(early.sum() + late.sum())
+            return f"its speed grows all along, {grown:.3g} times: it runs away, or settles slowly"
         open_ = np.flatnonzero(np.abs(across) <= PROVED * error)
         if len(open_):
             worst = open_[np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300))]

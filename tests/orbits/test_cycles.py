@@ -663,6 +663,26 @@ def test_a_steady_drift_is_no_cycle_that_a_longer_motion_reaches() -> None:
         assert ("which a longer motion may reach" in found.undecided(0.0)) != drifts
 
 
+#: x″ = e: a block on a ramp that is too steep for its friction.
+RUNAWAY = field_of(
+    "runaway",
+    lambda x, v, e, m: e,
+    lambda x, v, e, m: (0 * x, 0 * x),
+    lambda x, v, e, m: 1 + 0 * x,
+)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
+def test_what_runs_away_nears_nothing(unit: float) -> None:
+    """Its speed grows with the time, in units of any size; that of a steady drift no more."""
+    system = System(Flow.of(RUNAWAY, None), (unit,))
+    found = exponents.rates_along(system, np.array([0.0, 40.0 * unit]), 40.0)
+    assert "it runs away, or settles slowly" in found.undecided(0.0)
+    settled = exponents.rates_along(System(Flow.of(DRIFT, None), (1.0,)), np.array([0.3, 0.0]), 16)
+    assert "runs away" not in settled.undecided(0.0)
+
+
 @pytest.mark.thorough
 def test_a_motion_that_has_lifted_off_for_good_nears_no_cycle() -> None:
     p = at(60.0, kappa=0.001)

@@ -20,7 +20,17 @@ from ..core.questions import Method, question
 from ..models.parameters import ParameterSet, Span
 from ..numerics.arithmetic import determinant
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, matrix, quiet
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    ends_around,
+    matrix,
+    quiet,
+    raised,
+    scale_of,
+)
 from ..numerics.vectors import apart
 from ..results import Equilibria, Points
 from ..statics.balance import Balance
@@ -165,9 +175,10 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
     q = np.array([eq.coordinates[name][point, slot] for name in balance.coordinates])
     given = columns(eq.parameters, balance.parameters)[:, point]
     K, sides = linearization(balance, q, given)[2], np.zeros(point.size)
-    off = eq.error[point, slot] * np.maximum(1.0, np.abs(q))
+    off = raised(eq.error[point, slot] * scale_of(q))
     with quiet():
-        at = balance.state(Intervals.between(q - off, q + off), balance.prepared_at(given))
+        around = Intervals(raised(ends_around(q, off)))
+        at = balance.state(around, balance.prepared_at(given))
         proved = determinant([list(row) for row in matrix(at.stiffness(), at.shape)]).signs
     if turned:
         across = q - np.array(

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MultipleLocator
-from scipy.ndimage import distance_transform_edt, zoom
+from scipy.ndimage import binary_dilation, distance_transform_edt, zoom
 
 import spragsym as ss
 
@@ -41,8 +41,10 @@ from .style import (
     write_along,
 )
 
-#: Colour of a part of a plane in which states are unstable, and of one where they hardly are.
-UNSTABLE, HARDLY = "#f7dfd0", "#fcf1ea"
+#: Colour of a part of a plane in which states are unstable.
+UNSTABLE = "#f7dfd0"
+#: Colour of a part in which their oscillations hardly grow.
+HARDLY = "#fcf1ea"
 
 
 def _table(found: BifurcationSet | OnsetCurves, *names: str) -> Table:
@@ -131,9 +133,10 @@ def draw_onset_curves(
     return [*artists, *_plane(ax, model, found)]
 
 
-#: Values of either parameter at which growth rates are computed, and parts of a cell on whose
-#: corners they differ in sign.
-_VALUES, _PARTS = 48, 6
+#: Values of either parameter at which growth rates are computed.
+_VALUES = 48
+#: Parts of a cell on whose corners they differ in sign.
+_PARTS = 6
 
 
 def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ranges) -> None:
@@ -191,11 +194,9 @@ def sampled_by_sign(
     values = function(coarse[0], coarse[1][:, None])
     corners = np.stack([values[:-1, :-1], values[1:, :-1], values[:-1, 1:], values[1:, 1:]]) > 0
     mixed = corners.any(axis=0) & ~corners.all(axis=0)
-    near = np.pad(mixed, 1)
-    for axis in (0, 1):  # the ends of a cell belong to it, and the cells beside it may hold a tip
-        near = near | np.roll(near, 1, axis) | np.roll(near, -1, axis)
+    near = binary_dilation(mixed, np.ones((3, 3)))  # the cells beside it may hold a tip
     every = np.arange((_VALUES - 1) * _PARTS + 1)
-    cell = np.minimum(every // _PARTS, _VALUES - 2) + 1
+    cell = np.minimum(every // _PARTS, _VALUES - 2)
     rows, columns = np.nonzero(near[np.ix_(cell, cell)])
     result = zoom(values, len(every) / _VALUES, order=1)
     result[rows, columns] = function(fine[0][columns], fine[1][rows])

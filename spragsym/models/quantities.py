@@ -221,21 +221,19 @@ def quantities(name: str) -> Quantities:
 _of = cache(Quantities)
 
 
+def _share_of(model: Model, p: ParameterSet, contact: str) -> Any:
+    full = model.friction(p, "friction_at_rest", contact)
+    works = model.friction(p, "friction_at_speed", contact)
+    return np.where(full > 0, works / np.where(full > 0, full, 1.0), 1.0)[()]
+
+
 def share(model: Model, p: ParameterSet) -> Any:
     """The share of μ₀ at which friction works at the speed of the belt, by the model's own law; of
     the shape of ``p``.
     """
-    shares = [
-        np.where(full > 0, works / np.where(full > 0, full, 1.0), 1.0)[()]
-        for entry in model.frictions
-        if entry["at_rest"] == "full"  # of the others statics takes the law as it is
-        for full, works in [
-            [
-                model.friction(p, law, entry["name"])
-                for law in ("friction_at_rest", "friction_at_speed")
-            ]
-        ]
-    ]
+    # Of other laws at rest statics takes the law as it is.
+    full = [entry["name"] for entry in model.frictions if entry["at_rest"] == "full"]
+    shares = [_share_of(model, p, contact) for contact in full]
     if any(np.any(one != shares[0]) for one in shares):
         raise ModelError(
             f"the frictions of {model.name} work at different shares of {model.coefficient}, and "

@@ -55,3 +55,16 @@ def test_a_border_that_nothing_improves_is_come_to_along_a_ray() -> None:
     assert found is not None
     assert np.linalg.norm(found) == pytest.approx(8**0.5 - 1.0, rel=3e-3)
     assert nearest(lambda z: np.zeros(z.shape[:-1], dtype=bool), LIMITS, lambda _: None) is None
+
+
+@pytest.mark.parametrize("beyond", [1e-5, 1e-4, 1e-3])
+def test_no_point_beyond_the_border_on_its_ray_is_taken(beyond: float) -> None:
+    """What is found from a coarse bracket may lie beyond where its ray meets the border."""
+    border = 1.2345
+    found = nearest(
+        lambda z: np.abs(z[..., 0]) >= border,
+        (np.array([-10.0]), np.array([10.0])),
+        lambda z: np.array([border * (1 + beyond)]) if z.any() else None,
+    )
+    assert found is not None
+    assert abs(found[0]) == pytest.approx(border, rel=1e-9)

@@ -20,6 +20,7 @@ _SECTIONS = {
     "c": ("benchmarks.bench_c", "The C target"),
     "languages": ("benchmarks.bench_languages", "JavaScript and MATLAB"),
     "models": ("benchmarks.bench_models", "Models from pages beside the closed forms"),
+    "general": ("benchmarks.bench_general", "Questions over one another"),
     "catastrophe": ("benchmarks.bench_catastrophe", "The bifurcation set"),
     "dynamics": ("benchmarks.bench_dynamics", "Motion in time"),
     "scale": ("benchmarks.bench_scale", "How cost grows"),
@@ -32,6 +33,7 @@ _QUICK = {
     "c": "10000",
     "languages": "100",
     "models": "25",
+    "general": "inclined_belt",
     "scale": "4",
 }
 _VERSIONS = ("numpy", "scipy", "mpmath", "sympy", "python-flint", "heyoka")

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
+from benchmarks.timing import timed, watched
 from spragsym.numerics import boxes, contractors, tape
 
 ROUNDS = 3
@@ -56,24 +57,16 @@ def compared(
     asked: Callable[[], Any],
 ) -> tuple[int, dict[bool, float], dict[bool, Any]]:
     """Boxes that are looked at; least processor time and the result, compiled and not."""
-    times, found, looks = {True: np.inf, False: np.inf}, {}, list[int]()
-    compiled, search = (tape.compiled, contractors.compiled), boxes.search
-
-    def counted(*given: Any, **how: Any) -> Any:
-        outcome = search(*given, **how)
-        looks.append(outcome.looks)
-        return outcome
-
-    boxes.search = counted
+    times, found, looks = {True: np.inf, False: np.inf}, {}, 0
+    compiled = tape.compiled, contractors.compiled
     for _ in range(ROUNDS):
         for way in times:
             tape.compiled, contractors.compiled = compiled if way else (None, None)
-            looks.clear()
-            begin = time.process_time()
-            found[way] = asked()
-            times[way] = min(times[way], time.process_time() - begin)
-    (tape.compiled, contractors.compiled), boxes.search = compiled, search
-    return sum(looks), times, found
+            with watched(boxes, "search") as calls:
+                spent, found[way] = timed(asked, time.process_time)
+            times[way], looks = min(times[way], spent), sum(one.result.looks for one in calls)
+    tape.compiled, contractors.compiled = compiled
+    return looks, times, found
 
 
 if __name__ == "__main__":

@@ -5,8 +5,10 @@ happens once.
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Mapping
-from typing import TypeVar
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -39,6 +41,34 @@ def best_in_turn(works: Mapping[str, Callable[[], object]], repeats: int = 7) ->
         for name, work in works.items():
             taken[name] = min(taken[name], timed(work)[0])
     return taken
+
+
+@dataclass(frozen=True)
+class Call:
+    """Call of a function that was watched, by processor time."""
+
+    begin: float
+    end: float
+    arguments: tuple[Any, ...]
+    result: Any
+
+
+@contextmanager
+def watched(owner: Any, name: str) -> Iterator[list[Call]]:
+    """Calls of a module's or a class's function, in the order in which they ended."""
+    asked, calls = getattr(owner, name), list[Call]()
+
+    def noted(*given: Any, **how: Any) -> Any:
+        begin = time.process_time()
+        found = asked(*given, **how)
+        calls.append(Call(begin, time.process_time(), given, found))
+        return found
+
+    setattr(owner, name, noted)
+    try:
+        yield calls
+    finally:
+        setattr(owner, name, asked)
 
 
 def on_backend(name: str, threads: int, work: Callable[[ss.Parameters], T], p: ss.Parameters) -> T:

@@ -14,8 +14,6 @@ from typing import Any, ClassVar
 
 #: Exit code of a command that Ctrl-C ends.
 INTERRUPTED = 130
-#: Seconds that it has then to say what is kept.
-_PATIENCE = 0.7
 
 
 def _handler() -> Any:
@@ -106,7 +104,9 @@ class _Ending:
 
     def count_down(self) -> None:
         if self.timer is None:
-            self.timer = threading.Timer(_PATIENCE, cut)
+            # Seconds that it has then to say what is kept.
+            seconds = 0.7
+            self.timer = threading.Timer(seconds, cut)
             self.timer.daemon = True
             self.timer.start()
 

@@ -42,8 +42,6 @@ Event: TypeAlias = Callable[[dict[str, Any]], FloatArray]
 
 #: Points from which on parts of the box are asked first.
 MANY = 1 << 12
-#: Number of these parts.
-PARTS = 256
 #: Points by default, of which the indices take as many again for every two variables.
 POINTS = 1 << 16
 
@@ -470,8 +468,10 @@ def _proved(model: Model, variables: dict[str, Any], vary: str, begin: float) ->
     up_to = _up_to(laws, vary, float(high[vary]))
     try:
         box = Splitting(low, high, vary, begin)
+        # Number of these parts.
+        most_parts = 256
         return proved_jumps(
-            box, partial(_open_share, box.free, _cdf_of(laws), (up_to, up_to)), PARTS
+            box, partial(_open_share, box.free, _cdf_of(laws), (up_to, up_to)), most_parts
         )
     except (ConvergenceError, ParameterError):  # of a box around points that may all be decided
         return None

@@ -28,16 +28,6 @@ _ASSETS = resources.files("spragsym.explorer") / "assets"
 
 _LINES = ("solid", "dashed", "dotted", "dash-dotted")
 
-#: How far a slider reaches, times the base value.
-_REACH = 2.0
-#: How far, where there is no base value or it is 0.
-_PLAIN = 3.0
-#: How far at least, times the largest value of a preset.
-_ROOM = 1.2
-
-#: Share of a range that a slider keeps from ends that are not allowed.
-_INWARD = 0.003
-
 
 @dataclass(frozen=True)
 class ExplorerPage:
@@ -288,10 +278,23 @@ def _slider(entry: Mapping[str, Any], values: Sequence[float]) -> dict[str, floa
     value and points.
     """
     low, high, base = entry["low"], entry["high"], entry["base"]
-    reach = max([_REACH * abs(base) if base else _PLAIN, *(_ROOM * abs(value) for value in values)])
+    # How far, where there is no base value or it is 0.
+    without_base = 3.0
+    # How far a slider reaches, times the base value.
+    times_base = 2.0
+    # How far at least, times the largest value of a preset.
+    times_preset = 1.2
+    reach = max(
+        [
+            times_base * abs(base) if base else without_base,
+            *(times_preset * abs(value) for value in values),
+        ]
+    )
     first = -reach if low is None else low
     last = reach if high is None else high
-    room = _INWARD * (last - first)
+    # Share of a range that a slider keeps from ends that are not allowed.
+    inward = 0.003
+    room = inward * (last - first)
     first, last = (
         first + room * bool(entry["low_open"]),
         last - room * (high is not None and bool(entry["high_open"])),

@@ -255,9 +255,6 @@ def _read_csv(text: str) -> tuple[dict[str, Any], dict[str, Any]]:
 # at all
 
 _LEFT = re.compile(r"\.spragsym-(\d{1,9})-[0-9a-f]{16}")
-#: Of a temporary file, with the number of its process; and seconds after which a write has ended,
-#: wherever its process runs.
-_AGE = 3600.0
 
 
 def resolved(path: FilePath) -> Path:
@@ -384,7 +381,10 @@ def _remove_left(folder: Path) -> None:
         for entry in entries:
             found = _LEFT.fullmatch(entry.name)
             if found and entry.is_file(follow_symlinks=False):
-                old = time.time() - entry.stat(follow_symlinks=False).st_mtime > _AGE
+                # Of a temporary file, with the number of its process; and seconds after which a
+                # write has ended, wherever its process runs.
+                age = 3600.0
+                old = time.time() - entry.stat(follow_symlinks=False).st_mtime > age
                 if old or not _runs(int(found[1])):
                     os.unlink(entry.path)
 

@@ -51,11 +51,6 @@ from .folds import folds
 from .kernel import FIXED, Fixed
 from .parameters import RANGES, Parameters
 
-#: Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are compared
-#: with proved folds.
-_LIGHT = 1e-4
-#: Where it is below this, float64 does lose them, and they are refused.
-_TOO_LIGHT = 1e-8
 #: What a fold on the end of a range may lie beyond it by rounding.
 _ON_BORDER = 1e-11
 #: Fewest directions.
@@ -89,7 +84,9 @@ def bifurcation_set(
     n = max(_LEAST, as_count("n", _LEAST if n is None else n, 2))
     fixed = Fixed(*p.scalars(*FIXED))
     preload = fixed.kappa / max(fixed.sigma, 1 + fixed.beta)
-    if preload < _TOO_LIGHT:
+    # Where it is below this, float64 does lose them, and they are refused.
+    refused_below = 1e-8
+    if preload < refused_below:
         raise _indistinct(fixed.kappa, "they all but coincide")
     on_them = cusps(p)
     ahead = (on_them.theta0 > 0) & (on_them.theta0 < math.pi) & (on_them.mu0 >= 0)
@@ -107,7 +104,10 @@ def bifurcation_set(
         # tells for the whole curve.
         if curve.y[len(curve) // 2] < 0:
             found.append(curve)
-    if preload < _LIGHT:
+    # Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are
+    # compared with proved folds.
+    compared_below = 1e-4
+    if preload < compared_below:
         _compare(found, p)
     on_them = on_them.select(_within(between, on_them))
     return BifurcationSet(("theta0", "mu0"), tuple(_cut(found, between)), on_them, True)
@@ -199,15 +199,6 @@ def _curve(points: FloatArray, fixed: Fixed) -> Curve:
     )
 
 
-#: A step in θ₀, radians, over which neighbours are not joined where their number changes.
-_STEP = 0.05
-#: Relative width of a cell of t that is not halved any more.
-_FINEST = 1e-10
-#: Largest residual of a root that rounding alone can leave, over the polynomial with every term
-#: made positive.
-_RESIDUAL = 1e-13
-#: Friction that is taken for 0.
-_NONE = 1e-11
 #: tan(θ₀/2) that is taken for 0.
 _NEAR = 1e-12
 
@@ -273,7 +264,10 @@ def _positive_roots(coefficients: FloatArray, number: IntArray | None) -> FloatA
     residual = np.abs(evaluate(by_power(coefficients), real)) / evaluate(
         by_power(np.abs(coefficients)), real
     )
-    return np.sort(np.where(residual < _RESIDUAL, real, np.nan), axis=-1)
+    # Largest residual of a root that rounding alone can leave, over the polynomial with every term
+    # made positive.
+    largest_residual = 1e-13
+    return np.sort(np.where(residual < largest_residual, real, np.nan), axis=-1)
 
 
 def curves(
@@ -288,14 +282,18 @@ def curves(
         columns = _Columns.at(np.unique(t), condition, fixed)
         while True:
             before, after = columns[:-1], columns[1:]
-            open_ = ~before.goes_on(after, step) & (after.t > before.t * (1 + _FINEST))
+            # Relative width of a cell of t that is not halved any more.
+            least_width = 1e-10
+            open_ = ~before.goes_on(after, step) & (after.t > before.t * (1 + least_width))
             if not open_.any():
                 break
             columns = columns.then(
                 _Columns.at(np.sqrt(before.t * after.t)[open_], condition, fixed)
             )
             columns = columns[np.argsort(columns.t)]
-        there = np.isfinite(columns.mu0) & (columns.mu0 >= -_NONE)
+        # Friction that is taken for 0.
+        no_friction = 1e-11
+        there = np.isfinite(columns.mu0) & (columns.mu0 >= -no_friction)
     number = np.where(there, np.cumsum(there).reshape(there.shape) - 1, -1)
     points = np.stack(
         [np.broadcast_to(columns.t, there.shape), columns.theta0, np.maximum(columns.mu0, 0.0)]
@@ -333,15 +331,15 @@ def _pairs(theta0: FloatArray, side: IntArray) -> Iterator[tuple[int, int]]:
     for _, far, *pair in sorted(
         (side[i] == side[j], abs(theta0[i] - theta0[j]), i, j) for i, j in every
     ):
-        if far < _STEP and free.issuperset(pair):
+        # A step in θ₀, radians, over which neighbours are not joined where their number changes.
+        joined_within = 0.05
+        if far < joined_within and free.issuperset(pair):
             free.difference_update(pair)
             yield pair[0], pair[1]
 
 
 #: Degrees in sin θ of what is 0 at an event, at most.
 _DEGREES = 15, 6, 6
-#: Bits of t at an event, at first.
-_BITS = 64
 #: How far beside an event directions are taken, over t.
 _BESIDE = 4e-14
 
@@ -396,7 +394,9 @@ def _number(t: Fraction, exact: Fixed) -> int:
 
 def _events(exact: Fixed) -> list[IsolatedRoot]:
     """All events by t = tan(θ/2) in 0 < t < 1, ascending, in intervals without a common point."""
-    conditions, bits = _conditions(exact), _BITS
+    # Bits of t at an event, at first.
+    first_bits = 64
+    conditions, bits = _conditions(exact), first_bits
     while True:
         found = sorted(
             root

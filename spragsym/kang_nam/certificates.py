@@ -304,15 +304,8 @@ CLAIMS: dict[str, tuple[Callable[[ParameterBoxes], Proved], Callable[[Parameters
 
 #: Cells of a box to begin with.
 _CELLS = 4
-#: How often one is halved in any case.
-_ALWAYS = 4
 #: How often one is halved, at most.
 _HALVINGS = 40
-#: Open cells with which a box is given up.
-_OPEN = 64
-#: A box is given up where the spread of an open quantity comes from its own sides: the direction
-#: adds less than this share.
-_SHARE = 0.25
 
 
 @dataclass(frozen=True)
@@ -443,8 +436,14 @@ def covered(
         with quiet():
             done, decisive = test(over(boxes[box], low[box], high[box], begin, end))
         parts = [np.abs(np.nan_to_num(quantity.terms[:, ~done])) for quantity in decisive]
-        useful = [part[-1] > _SHARE * part[:-1].sum(axis=0) for part in parts]
-        hopeless = (~np.logical_or.reduce(useful) & (halving >= _ALWAYS)) | (halving == _HALVINGS)
+        # A box is given up where the spread of an open quantity comes from its own sides: the
+        # direction adds less than this share.
+        least_share = 0.25
+        useful = [part[-1] > least_share * part[:-1].sum(axis=0) for part in parts]
+        # How often one is halved in any case.
+        least_halvings = 4
+        given_up = ~np.logical_or.reduce(useful) & (halving >= least_halvings)
+        hopeless = given_up | (halving == _HALVINGS)
         box, begin, end = box[~done], begin[~done], end[~done]
         for part in parts:
             sizes = part[:-1, hopeless]
@@ -452,9 +451,11 @@ def covered(
                 weight.T, box[hopeless], (sizes / np.maximum(sizes.sum(axis=0), 1e-300)).T
             )
         result[box[hopeless]] = False
+        # Open cells with which a box is given up.
+        most_open = 64
         # A box with many open cells fails on a stretch of directions, and not at one: no cut of it
         # helps.
-        result[np.bincount(box, minlength=size) > _OPEN] = False
+        result[np.bincount(box, minlength=size) > most_open] = False
         keep = result[box]
         box, begin, end = box[keep], begin[keep], end[keep]
         middle = 0.5 * (begin + end)

@@ -73,10 +73,6 @@ def _cusp(point: SurfacePoint, digits: int) -> PreciseCusp:
     )
 
 
-#: Degree in sin θ of what has to be told from 0 on a cusp, times (3 sin² θ − 2)².
-_DEGREE = 10
-
-
 def cusp_sines(
     kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction, *, bits: int
 ) -> tuple[tuple[Fraction, ...], list[polynomials.IsolatedRoot]]:
@@ -125,7 +121,9 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePoin
     L = _cusp_length(s, *values)
 
     def sign_of(value: Interval, exactly: Callable[[Fraction], Fraction], what: str) -> int:
-        return sine.sign_of(value, lambda s: exactly(s) * (3 * s * s - 2) ** 2, _DEGREE, what)
+        # Degree in sin θ of what has to be told from 0 on a cusp, times (3 sin² θ − 2)².
+        degree = 10
+        return sine.sign_of(value, lambda s: exactly(s) * (3 * s * s - 2) ** 2, degree, what)
 
     sides = (
         sign_of(L, lambda s: _cusp_length(s, *exact), "L = 0 on a cusp"),

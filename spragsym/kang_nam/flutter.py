@@ -214,10 +214,6 @@ def _rank(
         ), np.isfinite(t).sum(axis=0)
 
 
-#: Degree of the resultant in cos θ, sin θ, half of that in v.
-_DEGREE = 8
-#: The same for α = 0.
-_DEGREE_WITHOUT_ALPHA = 4
 #: Largest degree of X and Y in L = X/Y over one denominator.
 _DEGREE_OF_LENGTH = 4
 
@@ -253,7 +249,11 @@ class Elimination:
             X, Y, Z = _stability.flutter_elimination(c, s, *self.values)
             return X * X - Y * Z
 
-        degree = _DEGREE if self.alpha else _DEGREE_WITHOUT_ALPHA
+        # Degree of the resultant in cos θ, sin θ, half of that in v.
+        highest = 8
+        # The same for α = 0.
+        without_alpha = 4
+        degree = highest if self.alpha else without_alpha
         return polynomials.interpolate(in_v(remaining, degree), 2 * degree)
 
     @cached_property

@@ -186,14 +186,8 @@ def _where(which: BoolArray, *numbers: Any) -> Rounded:
 # more digits
 
 
-#: Most steps of Newton's rule for arrays, each of which squares the error.
-_STEPS = 2
-#: Most further steps, for balls.
-_FURTHER = 3
 #: Largest error of a value over max(1, |value|), proved.
 LARGEST_ERROR = 1e-12
-#: Bits of balls: enough for a value that loses half of the digits of float64, twice over.
-_BITS = 160
 
 
 def sharpened(
@@ -214,7 +208,9 @@ def sharpened(
         lambda one, other: _where(2 * other.error <= one.error, other, one),
     )
     with quiet():
-        for near in itertools.islice(steps, _STEPS):
+        # Most steps of Newton's rule for arrays, each of which squares the error.
+        most_steps = 2
+        for near in itertools.islice(steps, most_steps):
             left = np.flatnonzero(~(near[1].error <= LARGEST_ERROR * scale_of(near[1].value)))
             if not left.size:
                 break
@@ -241,12 +237,16 @@ def with_more_digits(vary: str, given: Mapping[str, float], t: Rounded, value: R
         (low, high), (begin, end) = ends(one), ends(other)
         return other if 2 * (end - begin) <= high - low else one
 
-    with balls.precision(_BITS):
+    # Bits of balls: enough for a value that loses half of the digits of float64, twice over.
+    bits = 160
+    with balls.precision(bits):
         exact = {name: balls.exact(Fraction(number)) for name, number in given.items()}
         steps = _sharpened(
             vary, exact, (around(t), around(value)), balls.cos_sin, balls.middle, narrower
         )
-        *_, (_, best) = itertools.islice(steps, _FURTHER)
+        # Most further steps, for balls.
+        most_further = 3
+        *_, (_, best) = itertools.islice(steps, most_further)
         return as_floats((best,))[0][0]
 
 

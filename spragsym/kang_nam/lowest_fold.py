@@ -20,8 +20,6 @@ from .parameters import Parameters
 
 #: Degree of sin θ₀ in sin θ.
 _DEGREE = 6
-#: Degree of f″ in sin θ, times the denominator of sin θ₀.
-_CURVATURE_DEGREE = 9
 
 
 def critical_friction(p: Parameters, vary: str | None = None, over: str | None = None) -> LowestEnd:
@@ -131,7 +129,9 @@ def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePo
         return (above - below * Fraction(_catastrophe.cusp_sine(s, *exact)[0])) * (3 * s * s - 2)
 
     curvature = kernel.f_curvature(angles.c, s, *trig)
-    if sine.sign_of(curvature, cusp, _CURVATURE_DEGREE, "f″ = 0 at a turn") < 0:
+    # Degree of f″ in sin θ, times the denominator of sin θ₀.
+    curvature_degree = 9
+    if sine.sign_of(curvature, cusp, curvature_degree, "f″ = 0 at a turn") < 0:
         for point in in_contact(angles, mu0, *values):
             if decided(mu0, "μ₀ = 0 at a turn") > 0:
                 yield point

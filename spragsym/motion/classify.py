@@ -30,22 +30,9 @@ CONTACT = [Event.CONTACT_LOST, Event.CONTACT_REGAINED, Event.FACE_LEFT, Event.FA
 #: Fewest maxima of x in a window from which a decay is read.
 FEW = 8
 
-#: Real parts up to this are 0 but for rounding.
-ROUNDING = 1e-12
-
-#: Smallest decay of the squares over half a window that can be measured.
-VISIBLE = 1e-3
-
-#: Squares that are larger than this many times what a linear decay leaves of them have not decayed.
-LEFT = 4.0
-
-#: Singular values that are less than this share of the largest are 0 where friction holds.
-HELD = 1e-10
 
 #: Newton's method has gone astray beyond this, in units of the motion.
 FAR = 1e6
-#: Its most steps.
-ROUNDS = 40
 
 
 def classify(statistics: MotionStatistics, onward: Onward, tol: float = SETTLED) -> Outcome:
@@ -112,10 +99,12 @@ def at_rest(statistics: MotionStatistics, problem: Problem, tol: float) -> Outco
     growth = -rest.rate
     late = statistics.maxima[statistics.maxima_t >= (statistics.begin + statistics.end) / 2]
     distance = magnitude(np.vstack([late, statistics.last]) - rest.state)
+    # Real parts up to this are 0 but for rounding.
+    rounding = 1e-12
     if (
         still
         and distance <= tol
-        and growth <= ROUNDING
+        and growth <= rounding
         and _stays(statistics, rest, problem.rtol, kinks)
     ):
         return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(0.0, rest.rate), distance=distance)
@@ -196,14 +185,19 @@ def equilibrium_near(
     those of the states.
     """
     q, n = np.array(place, dtype=float), len(place)
-    for _ in range(ROUNDS):
+    # Its most steps.
+    most_steps = 40
+    for _ in range(most_steps):
         state = [*q.tolist(), *[0.0] * n]
         mode = kept or field.initial_mode(state, constants)
         pull = np.array(field.acceleration(state, constants, mode, FLOATS), dtype=float)
         slopes = field.matrix(state, constants, mode)[n:, :n]
         try:  # along what holds nothing changes
+            # Singular values that are less than this share of the largest are 0 where friction
+            # holds.
+            singular_share = 1e-10
             step = (
-                np.linalg.lstsq(slopes, -pull, HELD)[0]
+                np.linalg.lstsq(slopes, -pull, singular_share)[0]
                 if field.stays(mode)
                 else np.linalg.solve(slopes, -pull)
             )
@@ -229,8 +223,13 @@ def _stays(statistics: MotionStatistics, rest: Equilibrium, rtol: float, kinks: 
         for state in (statistics.first, statistics.last)
     )
     noise = NOISE * rtol * (1e-3 + magnitude(rest.state)) * np.linalg.norm(inverse, 2)
+    # Squares that are larger than this many times what a linear decay leaves of them have not
+    # decayed.
+    times_decayed = 4.0
     left = (
-        LEFT * before * math.exp(2 * rest.values.real.max() * (statistics.end - statistics.begin))
+        times_decayed
+        * before
+        * math.exp(2 * rest.values.real.max() * (statistics.end - statistics.begin))
     )
     return bool(after <= noise**2 or (after <= left and (left < before or not kinks)))
 
@@ -254,10 +253,12 @@ def _decays(statistics: MotionStatistics, rest: Equilibrium) -> bool:
     )
     expected = first * np.exp(rest.values.real * window)  # two times half the window
     before, after, linear = first.sum(), second.sum(), expected.sum()
+    # Smallest decay of the squares over half a window that can be measured.
+    least_decay = 1e-3
     # A decay that is too slow to show in the window does not count: the first of the three
     # conditions.
     return bool(
-        linear < before * (1 - VISIBLE)
+        linear < before * (1 - least_decay)
         and after > 0
         and 0.5 < np.log(after / before) / np.log(linear / before) < 2
     )

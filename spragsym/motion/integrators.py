@@ -46,9 +46,6 @@ _INTEGRATORS: dict[str, ModuleType] = {
 #: No directions of parameters.
 NONE = np.empty((0, 0))
 
-#: Tolerance by which SciPy follows a motion to where Newton's method can begin.
-LOOSE = 1e-9
-
 
 def offered_for(model: Model) -> tuple[str, ...]:
     """Integrators that take its motion: what is compiled on installation is that of a model that
@@ -192,13 +189,15 @@ class Flow:
         """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method
         needs to begin.
         """
+        # Tolerance by which SciPy follows a motion to where Newton's method can begin.
+        loose_rtol = 1e-9
         return self._asked(
             lambda integrator: integrator.flow_map(),
             MotionScales.flow_result,
             state,
             constants,
             duration,
-            rtol=LOOSE if loose else RTOL,
+            rtol=loose_rtol if loose else RTOL,
         )
 
     def samples(self, start: FloatArray, constants: Values, t_end: float) -> PiecewisePolynomial:

@@ -18,9 +18,6 @@ from .lobatto import PiecewisePolynomial
 #: the longer it runs.
 KEPT = 5000
 
-#: Most points at equal steps that a motion is sampled at.
-MOST_POINTS = 1 << 20
-
 
 @dataclass(frozen=True)
 class MotionStatistics:
@@ -118,7 +115,9 @@ class Spectrum(Result):
 
 def spectrum_of(samples: PiecewisePolynomial, row: int, points: int) -> Spectrum:
     """The amplitude spectrum of one component, about its mean, with Hann's window."""
-    points = as_count("points", points, 16, MOST_POINTS)
+    # Most points at equal steps that a motion is sampled at.
+    most_points = 1 << 20
+    points = as_count("points", points, 16, most_points)
     t = np.linspace(samples.t[0], samples.t[-1], points, endpoint=False)
     values = samples(t)[row]
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(points) / points)

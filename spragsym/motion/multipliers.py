@@ -25,23 +25,6 @@ from ..numerics.vectors import magnitude, norm
 if TYPE_CHECKING:
     from .shooting import Orbit
 
-#: A product no larger than this is multiplied out: its smallest multiplier loses no more than these
-#: digits.
-PLAIN = 1e3
-
-#: Rounds of the periodic QR algorithm, at most.
-ROUNDS = 12
-#: What counts as triangular.
-TRIANGULAR = 1e-14
-
-#: Errors of an interval's derivative are at least this, in its own size.
-ROUNDING = 2e-15
-
-#: Trials that tell how far multipliers move by such errors.
-TRIALS = 3
-#: What the largest move is multiplied with.
-SAFETY = 3.0
-
 
 @dataclass(frozen=True)
 class Multipliers:
@@ -73,12 +56,16 @@ def multipliers_of(intervals: Sequence[FloatArray], flows: Sequence[FloatArray])
         after = (i + 1) % len(intervals)
         carried, due, size = interval @ flows[i], flows[after], float(np.linalg.norm(interval, 2))
         trivial *= float(units[after] @ carried) / norm(due)
-        errors.append(max(ROUNDING, norm(carried - due) / (size * norm(flows[i]))))
+        # Errors of an interval's derivative are at least this, in its own size.
+        rounding = 2e-15
+        errors.append(max(rounding, norm(carried - due) / (size * norm(flows[i]))))
         parts.append(bases[after].T @ interval @ bases[i])
     values = eigenvalues_of_product(parts)
     values = values[np.lexsort((-values.imag, -values.real, -np.abs(values)))]
     moved, rng = np.zeros(len(values)), np.random.default_rng(0)
-    for _ in range(TRIALS):
+    # Trials that tell how far multipliers move by such errors.
+    trials = 3
+    for _ in range(trials):
         off = [
             part + error * np.linalg.norm(interval, 2) * rng.choice([-1.0, 1.0], part.shape)
             for part, interval, error in zip(parts, intervals, errors, strict=True)
@@ -88,7 +75,9 @@ def multipliers_of(intervals: Sequence[FloatArray], flows: Sequence[FloatArray])
             nearest = int(np.argmin(np.abs(other - value)))
             moved[i] = max(moved[i], abs(other[nearest] - value))
             other = np.delete(other, nearest)
-    return Multipliers(trivial, values, SAFETY * moved)
+    # What the largest move is multiplied with.
+    safety = 3.0
+    return Multipliers(trivial, values, safety * moved)
 
 
 def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
@@ -101,16 +90,23 @@ def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
     product = parts[0]
     for part in parts[1:]:
         product = part @ product
-    if size < 2 or len(parts) < 2 or norm(product) < PLAIN:
+    # A product no larger than this is multiplied out: its smallest multiplier loses no more than
+    # these digits.
+    largest_product = 1e3
+    if size < 2 or len(parts) < 2 or norm(product) < largest_product:
         return np.linalg.eigvals(product).astype(complex)
     basis, cuts, before = np.eye(size), [0, size], -1
-    for _ in range(ROUNDS):
+    # Rounds of the periodic QR algorithm, at most.
+    most_rounds = 12
+    for _ in range(most_rounds):
         start, factors = basis, []
         for part in parts:
             basis, factor = np.linalg.qr(part @ basis)
             factors.append(factor)
         turned = start.T @ basis
-        cuts = [0, *(j for j in range(1, size) if magnitude(turned[j:, :j]) < TRIANGULAR), size]
+        # What counts as triangular.
+        triangular = 1e-14
+        cuts = [0, *(j for j in range(1, size) if magnitude(turned[j:, :j]) < triangular), size]
         if len(cuts) == size + 1 or (before == len(cuts) and before > 2):
             break
         before = len(cuts)

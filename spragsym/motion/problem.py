@@ -42,8 +42,6 @@ MAX_STEPS = 10_000_000
 
 #: An implicit method takes over where so many steps would follow …
 MOST = 1e6
-#: … and a step times the fastest decay is more than this.
-STABLE = 0.5
 
 
 class Event(IntEnum):
@@ -150,7 +148,9 @@ def check_stiffness(
         return
     values, constants, field = [float(value) for value in state], problem.constants, problem.field
     matrix = field.matrix(values, constants, field.initial_mode(values, constants))
-    if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > STABLE:
+    # … and a step times the fastest decay is more than this.
+    stable = 0.5
+    if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > stable:
         raise StiffError(
             f"the motion is stiff: steps of {problem.time(step):.2g} are bounded by stability, "
             f"with {problem.time(left):.6g} to go"

@@ -38,13 +38,6 @@ CLOSE = 0.05
 #: Fewest maxima of x in a window in which a cycle can be seen.
 FEWEST = 3
 
-#: A multiplier this close to 1 in size is told neither from a stable nor from an unstable one.
-NEUTRAL = 1e-6
-
-#: Cosine between neighbouring steps from which on they go in one direction.
-ALIGNED = 0.98
-#: Distance of the end from which on a drift goes past.
-AWAY = 0.5
 
 #: By how much the linearized map may be wrong about a return, relative to the distance at the
 #: return before.
@@ -52,9 +45,6 @@ MISSED = 0.25
 
 #: What an integrator leaves of a motion at rest, in tolerances of a step.
 NOISE = 100.0
-
-#: Cycles that are looked for, of one motion.
-CANDIDATES = 3
 
 
 #: Tolerance of flows that closed orbits are found with, where differences stand for
@@ -292,7 +282,10 @@ def on_cycle(statistics: MotionStatistics, onward: Onward, tol: float) -> Outcom
             rounds = max(1, round(k * cycle.orbit.period / period))
             off = states[::-1][::rounds] - cycle.scaled(cycle.state)  # latest first
             distance = magnitude(off[0])
-            if largest < 1 - NEUTRAL and distance <= 4 * CLOSE and _nears(cycle, off, tol):
+            # A multiplier this close to 1 in size is told neither from a stable nor from an
+            # unstable one.
+            beside_one = 1e-6
+            if largest < 1 - beside_one and distance <= 4 * CLOSE and _nears(cycle, off, tol):
                 regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
                 rate = -math.log(largest) / cycle.orbit.period if largest else math.inf
                 return _described(cycle, regime, rate, distance)
@@ -327,7 +320,9 @@ def _candidates(states: FloatArray) -> Iterator[int]:
             continue
         for number in (*(j for j in range(1, k) if k % j == 0 and apart(j) <= 4 * CLOSE), k):
             multiple = any(number % j == 0 and apart(number) > 0.5 * apart(j) for j in tried)
-            if number not in tried and not multiple and len(tried) < CANDIDATES:
+            # Cycles that are looked for, of one motion.
+            most_candidates = 3
+            if number not in tried and not multiple and len(tried) < most_candidates:
                 tried.append(number)
                 yield number
 
@@ -340,13 +335,17 @@ def _drifts_past(states: FloatArray) -> bool:
     if len(steps) < 3:
         return False
     sizes = np.linalg.norm(steps, axis=1)
+    # Cosine between neighbouring steps from which on they go in one direction.
+    least_cosine = 0.98
     if (
         not sizes.min() > 0
-        or ((steps[1:] * steps[:-1]).sum(axis=1) < ALIGNED * sizes[1:] * sizes[:-1]).any()
+        or ((steps[1:] * steps[:-1]).sum(axis=1) < least_cosine * sizes[1:] * sizes[:-1]).any()
     ):
         return False
     shrink = (sizes[0] / sizes[-1]) ** (1 / (len(sizes) - 1))
-    return bool(shrink >= 1 or sizes[0] * shrink / (1 - shrink) > AWAY)
+    # Distance of the end from which on a drift goes past.
+    farthest_end = 0.5
+    return bool(shrink >= 1 or sizes[0] * shrink / (1 - shrink) > farthest_end)
 
 
 def _nears(cycle: Closed, off: FloatArray, tol: float) -> bool:

@@ -30,8 +30,6 @@ if TYPE_CHECKING:
 
 #: Binary digits between one unit and the next.
 DIGITS = 2
-#: Binary digits beyond which a unit is not 1.
-COMMON = 5
 
 
 @dataclass(frozen=True)
@@ -300,7 +298,9 @@ def _roots(
 
 def _power(value: float) -> float:
     """The unit nearest to a number; 1 for 0."""
-    if not 0.0 < value < math.inf or abs(math.log2(value)) <= COMMON:
+    # Binary digits beyond which a unit is not 1.
+    common_digits = 5
+    if not 0.0 < value < math.inf or abs(math.log2(value)) <= common_digits:
         return 1.0
     return math.ldexp(1.0, DIGITS * round(math.log2(value) / DIGITS))
 

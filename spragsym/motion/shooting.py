@@ -32,15 +32,7 @@ LARGEST_GROWTH = 100.0
 
 #: Mesh intervals in one round, at most.
 MOST_INTERVALS = 64
-#: Mesh intervals of a first guess, at most.
-MOST_OF_GUESS = 32
 
-#: Mesh intervals begin no nearer to a jump of the field than this share of the longest time between
-#: jumps, each in its interval.
-LEAST_OFFSET = 0.1
-
-#: Where the leading coordinate changes faster, it is not largest.
-MOVES = 1e-8
 
 #: States this close are one, whatever their errors.
 ONE = 1e-10
@@ -462,7 +454,9 @@ def phase(orbit: Orbit, guess: Iterate) -> Conditions:
     there, or as it is.
     """
     m, speed = orbit.field.size, len(orbit.field.coordinates) + orbit.field.lead
-    if abs(guess.states[0, speed]) > MOVES:
+    # Where the leading coordinate changes faster, it is not largest.
+    fastest = 1e-8
+    if abs(guess.states[0, speed]) > fastest:
         return across(replace(orbit, guess=guess))
     return through(np.zeros(m), np.eye(m)[speed], guess)
 
@@ -500,9 +494,12 @@ def offset_from_jumps(orbit: Orbit) -> float:
     if not times:
         return 0.0
     width, begin = max((later - t, t) for t, later in pairwise([*times, times[0] + interval]))
+    # Mesh intervals begin no nearer to a jump of the field than this share of the longest time
+    # between jumps, each in its interval.
+    least_offset = 0.1
     return (
         (begin + width / 2) % interval
-        if min(times[0], interval - times[-1]) < LEAST_OFFSET * width
+        if min(times[0], interval - times[-1]) < least_offset * width
         else 0.0
     )
 
@@ -510,7 +507,9 @@ def offset_from_jumps(orbit: Orbit) -> float:
 def subdivided(flow: Flow, guess: Iterate) -> Orbit:
     """A guess integrated, in as many mesh intervals as its growth asks for."""
     orbit = integrated(flow, guess)
-    while cut := refined_mesh(orbit, MOST_OF_GUESS):
+    # Mesh intervals of a first guess, at most.
+    most_intervals = 32
+    while cut := refined_mesh(orbit, most_intervals):
         orbit = integrated(flow, cut)
     return orbit
 

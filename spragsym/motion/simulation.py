@@ -44,12 +44,6 @@ from .with_scipy import RTOL
 if TYPE_CHECKING:
     from ..models.model import Model
 
-#: Share of a tolerance up to which another one of the same method tells its error, rounding
-#: aside.
-CLOSER = 0.0101
-#: Share of that error which the tighter run has, at most.
-LEFT = 0.1
-
 
 @in_usual_state
 def simulate(
@@ -1005,9 +999,14 @@ def _error(found: Trajectory, problem: Problem) -> FloatArray:
         except ConvergenceError:
             continue
         alike = other.implicit == found.implicit and (found.implicit or backend == found.backend)
-        if not alike or other.rtol <= CLOSER * found.rtol:
+        # Share of a tolerance up to which another one of the same method tells its error, rounding
+        # aside.
+        closest_share = 0.0101
+        if not alike or other.rtol <= closest_share * found.rtol:
             at = other(np.minimum(found.t, other.t[-1]))
-            difference = np.abs(found.state - at).max(axis=0) / (1.0 - LEFT)
+            # Share of that error which the tighter run has, at most.
+            share_left = 0.1
+            difference = np.abs(found.state - at).max(axis=0) / (1.0 - share_left)
             return np.asarray(np.maximum.accumulate(difference))
     return np.full(found.t.shape, np.nan)
 

@@ -29,10 +29,6 @@ AT_ONCE = 1e-8
 BEHIND = 4 * GAP
 #: Newton's method leads back to a border that was passed no longer ago than this.
 LATEST = 1.0
-#: Its most steps.
-NEWTON = 5
-#: Steps in time on the way are no longer than this.
-STEP = 0.01
 
 
 class Crossing(NamedTuple):
@@ -196,7 +192,9 @@ def _back(
         return None
     late = first
     if AT_ONCE < abs(late) < LATEST:
-        for _ in range(NEWTON):
+        # Its most steps.
+        most_steps = 5
+        for _ in range(most_steps):
             there, along = carried(problem, mode, -late, state, directions, columns)
             more, rate_there = ago(there)
             if abs(more) <= AT_ONCE:
@@ -232,7 +230,9 @@ def carried(
         return change
 
     begun = state[:, None] if columns is None else np.column_stack([state, columns])
-    parts = math.ceil(abs(duration) / STEP)
+    # Steps in time on the way are no longer than this.
+    longest_step = 0.01
+    parts = math.ceil(abs(duration) / longest_step)
     step = duration / parts
     for _ in range(parts):
         first = rates(begun)

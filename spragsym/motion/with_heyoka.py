@@ -5,6 +5,7 @@ are terminal events.
 from __future__ import annotations
 
 import itertools
+import math
 import threading
 from collections import defaultdict, deque
 from collections.abc import Sequence
@@ -45,30 +46,17 @@ from .solution import (
 #: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps
 #: have collapsed: at most a second or so.
 BURST = 20_000
-#: Steps after which a flow is abandoned.
-MAX_STEPS = 2_000_000
 
 #: Tolerance of flows with derivatives.
 TOLERANCE = 1e-17
-#: Tolerance of plain ones, whose other steps make them a witness of the first.
-PLAIN = 1e-16
 
 #: Derivatives are carried in this unit, so that they stay below the state: heyoka's error is
 #: relative to the largest of all.
 UNIT = 1e-4
 
-#: A step ends where a spring passes its anchor within its speed over this. Closer than the root of
-#: the tolerance a Taylor series does not see the least length, and goes on with negative ones.
-CLOSE = 10.0
 
 #: Minus the exponent from which on an exponential of the place is felt: there it is below rounding.
 FELT = 37.0
-
-#: Largest tolerance of fields with a border that is curved. A level that is no linear function of
-#: the state has a Taylor series of its own, which agrees with that of the state to the tolerance
-#: only: where that is not far below the gap behind a border, the border just crossed would be met
-#: again.
-CURVED = 1e-3 * GAP
 
 
 @dataclass(frozen=True)
@@ -99,7 +87,11 @@ class Approach:
             seen = set(hy.get_variables(z))
             if name == "sqrt" and seen:
                 rate = sum((hy.diff(z, name) * each for name, each in system), hy.expression(0.0))
-                found.append(cls(1e-3 * (rate - CLOSE * z), hy.cfunc([z], names)))
+                # A step ends where a spring passes its anchor within its speed over this. Closer
+                # than the root of the tolerance a Taylor series does not see the least length, and
+                # goes on with negative ones.
+                steps_to_anchor = 10.0
+                found.append(cls(1e-3 * (rate - steps_to_anchor * z), hy.cfunc([z], names)))
             elif name in ("exp", "tanh") and seen and not seen & rates:
                 outside = z + FELT if name == "exp" else (FELT**2 - 4.0 * z * z) / FELT
                 found.append(cls(1e-3 * FELT * outside / (FELT**2 + z * z), None))
@@ -169,10 +161,6 @@ PASSAGE = -2
 #: other code, and may give other last bits.
 LANES = 8
 
-#: A motion that passes a border again this near to where it passed it, as a share of its state, may
-#: rest there.
-NEAR = 1e-3
-
 
 @dataclass
 class MotionState:
@@ -210,7 +198,9 @@ class MotionState:
     @property
     def most(self) -> int:
         """Steps after which it is given up."""
-        return self.problem.max_steps or MAX_STEPS
+        # Steps after which a flow is abandoned.
+        most_steps = 2_000_000
+        return self.problem.max_steps or most_steps
 
 
 class BatchIntegrator:
@@ -342,9 +332,11 @@ class BatchIntegrator:
         """
         here = state.tolist()
         before, one.crossed[row] = one.crossed.get(row), here
-        if before and max(abs(a - b) for a, b in zip(here, before, strict=True)) <= NEAR * max(
-            map(abs, here)
-        ):
+        # A motion that passes a border again this near to where it passed it, as a share of its
+        # state, may rest there.
+        near_share = 1e-3
+        moved = max(abs(a - b) for a, b in zip(here, before, strict=True)) if before else math.inf
+        if moved <= near_share * max(map(abs, here)):
             one.resting = True
 
     def _note_extremum(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
@@ -557,7 +549,9 @@ def flow_integrator(problem: Problem, directions: FloatArray | None) -> BatchInt
     """Integrator of a flow, with turns, and unless they are None its derivatives by the start and
     along ``directions``.
     """
-    tol, count = (PLAIN, None) if directions is None else (TOLERANCE, len(directions))
+    # Tolerance of plain ones, whose other steps make them a witness of the first.
+    plain_tolerance = 1e-16
+    tol, count = (plain_tolerance, None) if directions is None else (TOLERANCE, len(directions))
     return compiled(problem.field, tol, directions=count, turning=True).begun(
         problem, () if directions is None else directions
     )
@@ -569,7 +563,12 @@ def tolerance(problem: Problem) -> float:
 
 
 def _tightened(field: Field, tol: float) -> float:
-    return min(tol, CURVED) if field.nonlinear_levels else tol
+    # Largest tolerance of fields with a border that is curved. A level that is no linear function
+    # of the state has a Taylor series of its own, which agrees with that of the state to the
+    # tolerance only: where that is not far below the gap behind a border, the border just crossed
+    # would be met again.
+    largest_tolerance = 1e-3 * GAP
+    return min(tol, largest_tolerance) if field.nonlinear_levels else tol
 
 
 def integrate(problem: Problem) -> Solution:

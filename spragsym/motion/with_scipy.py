@@ -36,18 +36,11 @@ TRIAL_ARRAYS = SimpleNamespace(**{**vars(np), "exp": lambda z: np.exp(np.minimum
 
 #: As tight as DOP853 goes.
 RTOL = 2.3e-14
-#: As tight as Radau goes, whose order is five.
-IMPLICIT = 1e-12
-#: Absolute tolerance of flows, as a share of the relative one.
-ABSOLUTE = 1e-15 / 2.3e-14
 
 #: Steps after which a flow is abandoned.
 MAX_STEPS = 200_000
 #: Steps between two looks at whether they have collapsed.
 LOOK = 2000
-#: Coordinates and rates that are larger where steps have become as small as floats grow beyond all
-#: bounds in a finite time.
-LARGE = 1e12
 
 
 @dataclass(frozen=True)
@@ -137,9 +130,11 @@ class Flight:
         from scipy.integrate import DOP853, Radau
 
         rtol = tolerance(self.problem, self.stiff)
+        # Absolute tolerance of flows, as a share of the relative one.
+        absolute_share = 1e-15 / 2.3e-14
         options: dict[str, Any] = {
             "rtol": rtol,
-            "atol": rtol * (1e-3 if self.interpolated else ABSOLUTE),
+            "atol": rtol * (1e-3 if self.interpolated else absolute_share),
             "first_step": first,
         }
         return (Radau if self.stiff else DOP853)(self._rates(mode), begin, whole, bound, **options)
@@ -168,7 +163,12 @@ class Flight:
             while solver.status == "running" and found is None:
                 before, message = solver.y.copy(), solver.step()
                 failed = solver.status == "failed"
-                if not np.isfinite(solver.y).all() or (failed and magnitude(solver.y[:m]) > LARGE):
+                # Coordinates and rates that are larger where steps have become as small as floats
+                # grow beyond all bounds in a finite time.
+                unbounded = 1e12
+                if not np.isfinite(solver.y).all() or (
+                    failed and magnitude(solver.y[:m]) > unbounded
+                ):
                     raise out_of_range()
                 if failed:
                     name, t = type(solver).__name__, self.problem.time(clock + solver.t)
@@ -299,7 +299,9 @@ def tolerance(problem: Problem, stiff: bool = False) -> float:
     """Relative tolerance of a step of DOP853, or of Radau where the motion is stiff."""
     if problem.field.nonlinear_levels and problem.field.sticking_borders and not stiff:
         return RTOL  # what stays on a curved border is kept there by the equations of motion alone
-    return max(problem.rtol, IMPLICIT * stiff)
+    # As tight as Radau goes, whose order is five.
+    tightest = 1e-12
+    return max(problem.rtol, tightest * stiff)
 
 
 def integrate(problem: Problem) -> Solution:

@@ -33,16 +33,7 @@ from .options import BranchOptions
 
 #: A test function is known to so many of its errors.
 SURE = 100.0
-#: Its differences are taken over this.
-DIFFERENCE = 1e-6
 
-#: Share of the largest singular value below which another one is 0.
-ALONE = 1e-10
-#: How little what does not close may move an orbit.
-STAYS = 1e-6
-
-#: The last step of Newton's method, over 1: orbits may be as small as 1e-3 in the model's units.
-FINE = 1e-15
 
 #: A zero of a test function is located to this, in units of the arc.
 LOCATED = 1e-11
@@ -191,11 +182,15 @@ def point_of(setting: Setting, orbit: Orbit, along: FloatArray | None = None) ->
     values of the first parameter.
     """
     sizes, ways = directions(setting, orbit)
+    # Share of the largest singular value below which another one is 0.
+    least_singular = 1e-10
+    # How little what does not close may move an orbit.
+    most_moved = 1e-6
     point = BranchPoint(
         setting,
         orbit,
         ways[-1] / setting.weights(orbit),
-        bool(sizes[-1] > max(ALONE * sizes[0], orbit.largest_gap / STAYS)),
+        bool(sizes[-1] > max(least_singular * sizes[0], orbit.largest_gap / most_moved)),
     )
     ahead = turning(point) if along is None else point.way @ (along * point.weights)
     return point.oriented(-1.0 if ahead < 0 else 1.0)
@@ -220,6 +215,8 @@ def at_zero(kind: str, setting: Setting, near: Orbit, target: FloatArray) -> Con
 
     def conditions(orbit: Orbit) -> tuple[FloatArray, FloatArray]:
         off, row = phase(orbit)
+        # Its differences are taken over this.
+        difference = 1e-6
         slope = differences(
             lambda step: np.array(
                 [
@@ -229,7 +226,7 @@ def at_zero(kind: str, setting: Setting, near: Orbit, target: FloatArray) -> Con
                 ]
             ),
             np.zeros(len(weights)),
-            DIFFERENCE / weights,
+            difference / weights,
         )
         return np.append(off, criterion_of(kind, orbit) / unit), np.vstack([row, slope / unit])
 
@@ -243,6 +240,8 @@ def corrected(
     setting = point.setting
     guess = point.orbit.guess.moved(length * point.tangent)
     target, arc = guess.coordinates, (point.way * point.weights)[None]
+    # The last step of Newton's method, over 1: orbits may be as small as 1e-3 in the model's units.
+    finest = 1e-15
     orbit = solved(
         setting.flow,
         guess,
@@ -250,7 +249,7 @@ def corrected(
         lambda orbit: (arc @ (orbit.guess.coordinates - target), arc),
         reach=reach,
         iterations=iterations,
-        precision=FINE,
+        precision=finest,
     )
     return point_of(setting, orbit, point.tangent)
 

@@ -28,21 +28,9 @@ from ..numerics.jets import Functions, constant, gradient, variables
 #: Radii of convergence that are tried.
 TIMES = (3.0, 2.0, 1.4, 1.0, 0.75, 0.55, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04, 0.02, 0.005)
 
-#: Steps are this share of the radius of convergence that is proved.
-SHARE = 1 / 7
-
-#: By this factor steps stay below that share, however the product is rounded.
-SHORT = 1 - 1e-12
-
-#: Growth of small deviations, as an exponent, that is allowed over a radius of convergence: it
-#: multiplies what is left out.
-STEEPEST = 20
 
 #: A window within which something happens, in units of how long it takes by itself.
 APART = 2
-
-#: Share of a step below which it is not halved any more where a border might be met in it.
-SHORTEST = 2.0**-39.5
 
 
 #: Balls, or power series, such as one for each number of a state.
@@ -114,7 +102,11 @@ class Balls:
         """
         box, piece = self.box, self.smooth
         radius, bounds, slope = self._disc(box)
-        step = arb(radius * SHARE * SHORT)
+        # Steps are this share of the radius of convergence that is proved.
+        share_of_radius = 1 / 7
+        # By this factor steps stay below that share, however the product is rounded.
+        below_share = 1 - 1e-12
+        step = arb(radius * share_of_radius * below_share)
         step = left if left < 1.2 * step else step
         ratio = (step / radius).abs_upper()
         middle = [value.mid() for value in self.point]
@@ -169,7 +161,10 @@ class Balls:
                     break
                 if all(length * size <= radius for size, radius in zip(found, radii, strict=True)):
                     slope = self.smooth.steepness(disc(radii))
-                    if length * slope < STEEPEST:
+                    # Growth of small deviations, as an exponent, that is allowed over a radius of
+                    # convergence: it multiplies what is left out.
+                    largest_growth = 20
+                    if length * slope < largest_growth:
                         return length, radii, slope
                     break
         raise NotProved("the field could not be bounded about the orbit")
@@ -193,7 +188,9 @@ class Balls:
                     "could not be shown"
                 )
             return
-        if end - begin < piece.step * SHORTEST:
+        # Share of a step below which it is not halved any more where a border might be met in it.
+        shortest_share = 2.0**-39.5
+        if end - begin < piece.step * shortest_share:
             raise NotProved(
                 f"whether the orbit meets {border.name} could not be decided near one place: "
                 "it touches it there, or all "

@@ -30,30 +30,13 @@ from .ball_flow import (
     polynomial,
 )
 
-#: Rounds of Newton's method with the slopes of double precision.
-ROUNDS = 14
-#: Digits that each gains at least.
-GAINED = 6
-
 #: Digits beyond those that are known, with which the next round works: what it gains.
 AHEAD = 12
 
-#: The derivative of the flow is carried as accurately as for so many digits, however many the orbit
-#: has.
-ROUGH = 60
-
-#: Half of the window in which a border is crossed, before the states tell, in units of the
-#: radius of the starts.
-WINDOW = 1e5
-#: Half of it at most.
-WIDEST = 1e-6
 
 #: Digits up to which more of them are tried than were asked for.
 ENOUGH = 25
 
-#: A derivative of the return that is as nearly singular as this is that of a fold: Newton's method
-#: has nothing to stand on.
-SINGULAR = 1e-14
 
 #: A border that is crossed at less than this speed is touched.
 SLOWEST = 1e-7
@@ -81,10 +64,18 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     :func:`accuracy_for`.
     """
     digits = claim["digits"]
-    radius, fine, rough = 10.0**-digits, accuracy_for(digits), accuracy_for(min(digits, ROUGH))
+    # The derivative of the flow is carried as accurately as for so many digits, however many the
+    # orbit has.
+    slope_digits = 60
+    radius, fine = 10.0**-digits, accuracy_for(digits)
+    rough = accuracy_for(min(digits, slope_digits))
     slopes, n = np.array(claim["slopes"]), len(field.coordinates)
     moved = [i for i in range(field.size) if i != n]
-    if not np.linalg.svd(slopes, compute_uv=False)[-1] > SINGULAR * np.linalg.norm(slopes, 2):
+    # A derivative of the return that is as nearly singular as this is that of a fold: Newton's
+    # method has nothing to stand on.
+    nearly_singular = 1e-14
+    sizes = np.linalg.svd(slopes, compute_uv=False)
+    if not sizes[-1] > nearly_singular * sizes[0]:
         raise NotProved(
             "a second multiplier is 1 or nearly so: at a fold, or where branches meet, no "
             "cycle is alone"
@@ -100,7 +91,12 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     balls = Balls(begun, fine, rough, [value.mid() for value in state], begun.filled(0) + 1, start)
     clock = arb(0)
     for index, time in times:
-        half = arb(min(radius * WINDOW, WIDEST))
+        # Half of the window in which a border is crossed, before the states tell, in units of the
+        # radius of the starts.
+        window_radii = 1e5
+        # Half of it at most.
+        widest = 1e-6
+        half = arb(min(radius * window_radii, widest))
         for _ in range(2):  # the states tell how wide the window need be once they are near
             before = (time - half).mid()
             if before > clock:
@@ -155,7 +151,11 @@ def _refined(
         0
     )  # exactly: the section is where the first coordinate is largest
     missed, slow, now = 1.0, 0, min(digits, 2 * AHEAD)
-    for _ in range(ROUNDS + digits // GAINED):
+    # Rounds of Newton's method with the slopes of double precision.
+    first_rounds = 14
+    # Digits that each gains at least.
+    gained_digits = 6
+    for _ in range(first_rounds + digits // gained_digits):
         with bits(accuracy_for(now).bits):
             end, times = _traced(begun, state, period, claim["crossings"], now)
         gaps = [(a - b).mid() for a, b in zip(end, state, strict=True)]

@@ -67,8 +67,6 @@ OF_EVENTS = BranchOptions(first_step=0.01, longest_step=0.1, shortest_step=1e-6,
 
 #: Error of an end by rounding, where a size vanishes, in ranges of the parameter.
 ROUNDED = 1e-12
-#: Error of an end at an orbit that rests for long, in ranges of the parameter.
-RESTED = 1e-6
 
 #: Kind of an end at which an arrival becomes tangent.
 CATASTROPHIC = "catastrophic-sliding"
@@ -92,17 +90,6 @@ TANGENT = (
     "its arrival at {} becomes tangent: beyond, the orbit does not come there, and no cycle was "
     "found"
 )
-
-#: Sizes of points by which it is told where a size vanishes are so far apart, as a factor.
-SPACED = 0.7
-
-#: How near to such an end the last point is, in shares of the range.
-NEAR = 1e-4
-
-#: Span of a parameter whose range is not given, over its value.
-SPAN = 0.25
-#: That span at least.
-NARROWEST = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -463,7 +450,9 @@ def _vanishing(
 
     known = [(np.inf, np.nan)]
     for point in points:
-        if (now := size(point)) < SPACED * known[-1][0]:
+        # Sizes of points by which it is told where a size vanishes are so far apart, as a factor.
+        spacing = 0.7
+        if (now := size(point)) < spacing * known[-1][0]:
             known.append((now, point.value))
     ends = [
         float(KroghInterpolator(*zip(*known[i - 2 : i + 1], strict=True))(0.0))
@@ -502,10 +491,12 @@ def _at_border(followed: Sequence[BranchPoint]) -> DetectedEvent | None:
         _vanishing(followed, off, TOUCHES),
         _vanishing(followed, slowest, TANGENT.format(name), CATASTROPHIC),
     )
+    # How near to such an end the last point is, in shares of the range.
+    near_share = 1e-4
     near = [
         end
         for end in ends
-        if max(end.error, abs(end.value - last.value)) <= NEAR * last.setting.spans[0]
+        if max(end.error, abs(end.value - last.value)) <= near_share * last.setting.spans[0]
     ]
     return min(near, key=lambda end: end.error, default=None)
 
@@ -559,7 +550,9 @@ def _lost(
     point = followed[-1]
     orbit = point.orbit
     if orbit.period > 2 * point.setting.period and (rest := _rests(orbit, options.still)):
-        return DetectedEvent("homoclinic", orbit, RESTED * point.setting.spans[0], how=rest)
+        # Error of an end at an orbit that rests for long, in ranges of the parameter.
+        error_at_rest = 1e-6
+        return DetectedEvent("homoclinic", orbit, error_at_rest * point.setting.spans[0], how=rest)
     before = followed[-2] if len(followed) > 1 else point
     lost = DetectedEvent(
         "end",
@@ -697,10 +690,14 @@ def cycle_events(
     allowed = {name: ANGLE if model.column(name).is_angle else FINITE for name in vary}
     given = as_ranges("between", between, allowed)
     bounds = [given.get(name, (-np.inf, np.inf)) for name in vary]
+    # That span at least.
+    least_span = 0.02
+    # Span of a parameter whose range is not given, over its value.
+    share_of_value = 0.25
     spans = [
         (high - low) / 2
         if 0 < high - low < np.inf
-        else max(SPAN * abs(orbit.values[index]), NARROWEST)
+        else max(share_of_value * abs(orbit.values[index]), least_span)
         for index, (low, high) in zip(free, bounds, strict=True)
     ]
     holds = (

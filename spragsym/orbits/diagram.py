@@ -43,27 +43,10 @@ from .options import BranchOptions
 from .orbit import same_cycle
 from .system import FixedPoints, System
 
-#: Values of the parameter at which the statics say where equilibria are.
-SEEDS = 13
-
 #: Options of branches of equilibria, whose steps are in units of the motion and halves of the
 #: range.
 OF_EQUILIBRIA = BranchOptions(first_step=0.0025, longest_step=0.02, shortest_step=1e-7, kink=0.0)
-#: Most steps each way.
-STEPS = 2000
 
-#: Equilibria closer than this, in units of the motion, are one.
-ONE = 1e-7
-
-#: A Hopf point is located to this, in ranges of the parameter.
-LOCATED = 1e-6
-
-#: Real parts below this are not growth.
-NEUTRAL = 1e-10
-
-#: A test function below this has lost its sign: without dampers every pair is on the imaginary
-#: axis.
-LOST = 1e-11
 
 #: A label for each kind of event: as AUTO and MatCont have them.
 LABELS = {
@@ -291,7 +274,9 @@ def diagram(
                 )
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*(label for _, own in rests for label in own), *_of_cycles(branches)]
-    remarks += _left_alone(vary, labels, born_at, LOCATED * (high - low))
+    # A Hopf point is located to this, in ranges of the parameter.
+    located = 1e-6
+    remarks += _left_alone(vary, labels, born_at, located * (high - low))
     spans = [undecided_points(known, vary, (low, high)) for _, known in seeds]
     undecided = joined(np.concatenate([undecided_parts(onsets, (low, high)), *spans]))
     remarks += [
@@ -345,7 +330,9 @@ def _followed(rest: FixedPoints, point: BranchPoint, to: Span) -> Iterator[Branc
         return found
 
     with suppress(ConvergenceError):
-        for found in islice(steps(point, ahead, OF_EQUILIBRIA), STEPS):
+        # Most steps each way.
+        most_steps = 2000
+        for found in islice(steps(point, ahead, OF_EQUILIBRIA), most_steps):
             if (
                 found.coordinates != point.coordinates
             ).any():  # as it is where the range ends at the first point
@@ -359,7 +346,10 @@ def _located(
 ) -> BranchPoint | None:
     """The point between two where a test function changes its sign; None if it does not."""
     first, last = test(one), test(other)
-    if (first < 0) == (last < 0) or min(abs(first), abs(last)) < LOST:
+    # A test function below this has lost its sign: without dampers every pair is on the imaginary
+    # axis.
+    lost_sign = 1e-11
+    if (first < 0) == (last < 0) or min(abs(first), abs(last)) < lost_sign:
         return None
     with suppress(ConvergenceError, ValueError):
         return zero_of(test, one, other, between(one, other), xtol=1e-15)
@@ -402,7 +392,9 @@ def _passes(line: Sequence[BranchPoint], point: BranchPoint) -> bool:
         ):
             with suppress(ConvergenceError):
                 met = placed(one, point.value, other.coordinates - one.coordinates).orbit.state
-                if magnitude(apart(place, met, periodic)) < ONE:
+                # Equilibria closer than this, in units of the motion, are one.
+                one_within = 1e-7
+                if magnitude(apart(place, met, periodic)) < one_within:
                     return True
     return False
 
@@ -411,7 +403,9 @@ def _seeds(p: ParameterSet, vary: str, to: Span) -> list[tuple[Touching, Equilib
     """The equilibria at some values of the parameter, of every combination of contacts that
     touch.
     """
-    grid = p.replace(**{vary: np.linspace(*to, SEEDS)})
+    # Values of the parameter at which the statics say where equilibria are.
+    seed_values = 13
+    grid = p.replace(**{vary: np.linspace(*to, seed_values)})
     return [
         (contact, equilibria(grid, contact=contact, method="search")) for contact in p.model.regimes
     ]
@@ -454,8 +448,10 @@ def _equilibria(
             back, forth = (list(_followed(rest, point.oriented(sign), to)) for sign in (-1.0, 1.0))
             line = [*(each.oriented(-1.0) for each in reversed(back)), point, *forth]
             states = np.array([each.orbit.state[: len(model.coordinates)] for each in line])
+            # Real parts below this are not growth.
+            no_growth = 1e-10
             stable = np.array(
-                [max(value.real for value in rest.eigenvalues(each)) < NEUTRAL for each in line]
+                [max(value.real for value in rest.eigenvalues(each)) < no_growth for each in line]
             )
             values = np.array([each.value for each in line])
             branch = EquilibriumBranch(

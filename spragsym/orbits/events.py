@@ -38,18 +38,7 @@ KINDS = (*CRITERIA, "crossing")
 #: Sliding bifurcations of cycles: M. di Bernardo, C. Budd, A. Champneys, P. Kowalczyk 2008.
 SLIDING = ("grazing-sliding", "crossing-sliding", "switching-sliding", "adding-sliding")
 
-#: Halvings of a step that looks as if something were hidden in it.
-DEEPEST = 9
 
-#: Where the parameter changes less than this along the arc, a multiplier that passes 1 belongs to a
-#: fold.
-FLAT = 1e-6
-
-
-#: Slope of a branch, in shares of the range over the arc, below which it is upright.
-UPRIGHT = 1e-8
-#: How near 1 a double multiplier is found there.
-DOUBLE = 1e-4
 #: Test functions that tell something there.
 APART_FROM_ONES = CRITERIA[1:]
 
@@ -62,24 +51,12 @@ MERGES = "it meets the cycle of half its period, which doubles there"
 #: Said of an event that is none of a multiplier that is continuous.
 JUMPED = "a multiplier jumps past its value there, as it does at a grazing"
 
-#: Where a sign changes, a test function is a zero if it is smaller than this share of what it is at
-#: the ends of the step.
-JUMPS = 1e-2
 
 #: Few orbits scatter less than rounding may: their scatter counts so many times.
 SCATTER = 10.0
 
 #: A step longer than this is made shorter where an event in it is not located.
 FINEST = 1e-5
-
-#: Level at which an orbit is found that would slide if it touched the border.
-BESIDE = 1e-11
-#: Share of the level by which it is neared at a time.
-CLOSER = 0.03
-
-#: Turns of two neighbouring points are one where they are as close as this, in shares of a period
-#: and in states.
-ALIKE = 0.6
 
 
 def criterion(kind: str, point: BranchPoint) -> float:
@@ -160,7 +137,9 @@ def detected_events(
         )
         or len(changed) + len(touched) + len(switched) > 1
     )
-    if hidden and depth < DEEPEST:
+    # Halvings of a step that looks as if something were hidden in it.
+    most_halvings = 9
+    if hidden and depth < most_halvings:
         try:
             middle = corrected(one, length / 2)
         except ConvergenceError:
@@ -191,12 +170,17 @@ def vertical(one: BranchPoint, other: BranchPoint, length: float) -> bool:
     There a second multiplier is 1 all along, other than next to a homoclinic orbit, and what a sign
     of the tangent says is rounding.
     """
-    ends, still = (one, other), UPRIGHT * one.setting.spans[0]
+    # Slope of a branch, in shares of the range over the arc, below which it is upright.
+    upright = 1e-8
+    ends, still = (one, other), upright * one.setting.spans[0]
+    # How near 1 a double multiplier is found there.
+    double_within = 1e-4
     return (
         length > FINEST
         and abs(one.value - other.value) < still * length
         and all(
-            abs(turning(end)) < still and np.abs(end.orbit.multipliers.others - 1).min() < DOUBLE
+            abs(turning(end)) < still
+            and np.abs(end.orbit.multipliers.others - 1).min() < double_within
             for end in ends
         )
     )
@@ -222,7 +206,10 @@ def _grazing(
     turns = sorted(turns, key=lambda pair: abs(pair[1].level))
     nearest, first = turns[0]
     kind, border = _kind(nearest.orbit, first), first.way[0]
-    name, beside = nearest.orbit.field.borders[border].name, 0.0 if kind == "grazing" else BESIDE
+    # Level at which an orbit is found that would slide if it touched the border.
+    sliding_level = 1e-11
+    name = nearest.orbit.field.borders[border].name
+    beside = 0.0 if kind == "grazing" else sliding_level
     for near, touch in turns:
         try:
             orbit = grazing(near, touch, beside)
@@ -343,10 +330,16 @@ def _located(
         return
     if kind == "torus" and not is_complex_pair(point.orbit):
         return
-    if kind == "crossing" and abs(turning(point)) * point.setting.spans[0] < FLAT:
+    # Where the parameter changes less than this along the arc, a multiplier that passes 1 belongs
+    # to a fold.
+    fold_within = 1e-6
+    if kind == "crossing" and abs(turning(point)) * point.setting.spans[0] < fold_within:
         return  # the fold itself, by rounding
     off = _error(kind, one, other, length, point)
-    if abs(test(point)) > JUMPS * max(abs(test(one)), abs(test(other))):
+    # Where a sign changes, a test function is a zero if it is smaller than this share of what it is
+    # at the ends of the step.
+    zero_share = 1e-2
+    if abs(test(point)) > zero_share * max(abs(test(one)), abs(test(other))):
         # Multipliers jump at a grazing, and another arrival may become the nearest one: the sign
         # changes with no zero.
         if length > FINEST:
@@ -413,7 +406,10 @@ def paired(one: list[Touch], other: list[Touch]) -> list[tuple[Touch, Touch]]:
                 )
                 off.append((apart, i, k))
     for apart, i, k in sorted(off):
-        if apart < ALIKE and i not in found and k not in found.values():
+        # Turns of two neighbouring points are one where they are as close as this, in shares of a
+        # period and in states.
+        alike_within = 0.6
+        if apart < alike_within and i not in found and k not in found.values():
             found[i] = k
     return [(one[i], other[k]) for i, k in sorted(found.items())]
 
@@ -458,7 +454,9 @@ def grazing(near: BranchPoint, touch: Touch, beside: float = 0.0) -> Orbit:
     orbit, level = near.orbit, touch.level
     guess = remeshed(orbit, len(orbit.states), touch.share * orbit.period)
     while True:
-        level = math.copysign(max(beside, CLOSER * abs(level)), level) if beside else 0.0
+        # Share of the level by which it is neared at a time.
+        nearing_share = 0.03
+        level = math.copysign(max(beside, nearing_share * abs(level)), level) if beside else 0.0
         conditions = touching(touch.way[0], near.setting, near.orbit, touch.state, level)
         orbit = solved(near.setting.flow, guess, conditions, reach=0.5)
         if abs(orbit.period / near.orbit.period - 1) > 0.2:

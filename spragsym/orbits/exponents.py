@@ -29,18 +29,10 @@ from ..results.result import Result
 from .attractors import settled
 from .system import System, judged
 
-#: Time between two orthonormalizations, in the motion's unit of time.
-INTERVAL = 5.0
-
-#: How long a motion is followed where nobody says, in its unit of time.
-FOLLOWED = 4000.0
-
 #: Deviations of which one is smaller than another by more than this in an interval are lost in
 #: rounding: it is halved.
 LOST = 1e-10
 
-#: Most often.
-HALVINGS = 12
 
 #: Numbers of equal parts by whose scatter the error is judged: the largest counts, as parts that
 #: are too short are correlated.
@@ -50,8 +42,6 @@ PARTS = (6, 12, 24)
 #: errors.
 PROVED = 2.0
 
-#: A motion has settled once the slowest decay has made deviations smaller by exp of this.
-SETTLED = 5.0
 
 #: What errors of integration may add to a rate, in one over the motion's unit of time: an exponent
 #: below is not told from 0, however little it scatters.
@@ -59,9 +49,6 @@ FLOOR = 1e-10
 
 #: Slower than this, in the motion's units, the flow is no direction: the motion is at rest.
 STILL = 1e-9
-
-#: A velocity that changes no more than this, relatively, while deviations decay by e: it drifts.
-STEADY = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,7 +157,9 @@ def lyapunov(
     model_of(p).require_answered("lyapunov")
     system, state = System.of(p, backend, V=V, d=d), state_of(p.model, start)
     unit = system.scales(state).time
-    t_end = as_number("t_end", FOLLOWED * unit if t_end is None else t_end, POSITIVE)
+    # How long a motion is followed where nobody says, in its unit of time.
+    default_length = 4000.0
+    t_end = as_number("t_end", default_length * unit if t_end is None else t_end, POSITIVE)
     whole = rates_along(system, state, t_end)
     late = whole.after(len(whole.logs) // 2)
     times = late.interval * np.arange(1, len(late.logs) + 1)
@@ -310,7 +299,10 @@ class Rates:
             )
         if across.max() < 0:
             attracts = "all exponents but the trivial one are negative: what it nears attracts, "
-            if self.change <= STEADY * -across.max():
+            # A velocity that changes no more than this, relatively, while deviations decay by e: it
+            # drifts.
+            steady_change = 1e-6
+            if self.change <= steady_change * -across.max():
                 return f"{attracts}a steady drift: at constant rates a coordinate grows for ever"
             return f"{attracts}a cycle or a drift, which a longer motion may reach"
         if len(across) == 1:
@@ -319,7 +311,9 @@ class Rates:
                 "motion tells what it comes to"
             )
         slowest = -across[across < 0].max(initial=-np.inf)
-        if before * slowest < SETTLED:
+        # A motion has settled once the slowest decay has made deviations smaller by exp of this.
+        settled_decays = 5.0
+        if before * slowest < settled_decays:
             return (
                 f"it may not have settled: deviations decay as exp(−{slowest:.2g} τ), followed "
                 f"for {before:g} before"
@@ -379,7 +373,9 @@ def rates_along(
 def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
     """:func:`rates_along` of a system whose motion has units of order 1."""
     field, constants = system.field, system.constants
-    m, count = field.size, max(16, math.ceil(span / INTERVAL))
+    # Time between two orthonormalizations, in the motion's unit of time.
+    interval_units = 5.0
+    m, count = field.size, max(16, math.ceil(span / interval_units))
     interval = span / count
     logs, volumes, states = np.empty((count, m)), np.empty(count), [state]
     flow = rate(field, state, constants)
@@ -409,7 +405,9 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
             sizes[lost] = 0.0  # where it sticks deviations of the sliding speed end
             volume = -math.inf if lost.any() else float(np.linalg.slogdet(flow_result.by_state)[1])
             return flow_result.state, turned[:, back], np.log(sizes[back]), volume
-        if span < interval / 2**HALVINGS:
+        # Halvings of an interval, at most.
+        most_halvings = 12
+        if span < interval / 2**most_halvings:
             natural = span * (field.scales.time if field.scales else 1.0)
             raise ConvergenceError(
                 f"small deviations shrink by more than {1 / LOST:g} in {natural:g} time units: "

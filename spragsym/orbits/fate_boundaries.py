@@ -62,9 +62,6 @@ NARROW = 1e-13
 #: No answer is given if it could not be narrowed to that.
 TOO_WIDE = 1e-8
 
-#: How far the place may lie that is found from a start which is moved, as a share of the values:
-#: the error says how far.
-FARTHEST = 1e-5
 
 #: So many shares of the values to either side of what was found it is looked whether fates
 #: alternate.
@@ -74,11 +71,6 @@ ASIDE = (1e-8, 1e-6)
 #: was found.
 RESOLVED = (3, 6, 12)
 
-#: Periods whose ratio is this close to 2 may be those of a cycle and of what it becomes by a
-#: doubling.
-DOUBLE = 0.05
-#: Points of a branch that are followed to tell.
-FOLLOWED = 40
 
 #: A motion that comes as close as this to a saddle, in its own units, hovers at it; of a cycle,
 #: relative to its extent.
@@ -86,11 +78,6 @@ CLOSE = 0.05
 
 #: Units of time that the motions of a call are followed in all; what is open by then stays open.
 LONGEST = 5e6
-
-#: Cycles whose periods are less apart, as a logarithm, may be one that is followed.
-UNLIKE = 0.5
-#: Failures after which no cycle is followed.
-LOST = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -334,7 +321,15 @@ class _FateSamples:
             )
 
         likeliest = min(nearest.values(), key=unlike, default=None)
-        if likeliest is not None and unlike(likeliest)[0] < UNLIKE and len(self.lost) < LOST:
+        # Failures after which no cycle is followed.
+        most_failures = 8
+        # Cycles whose periods are less apart, as a logarithm, may be one that is followed.
+        least_difference = 0.5
+        if (
+            likeliest is not None
+            and unlike(likeliest)[0] < least_difference
+            and len(self.lost) < most_failures
+        ):
             try:
                 if same(self.followed(likeliest, value), attractor(self.at(value), verdict)):
                     return likeliest.label
@@ -551,7 +546,10 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
     # The middle by a finer tolerance; how much that, and a start moved by it, change it, with a
     # margin, is its error.
     fine = bracket.rebracketed(bracket.middle, FINE, TOO_WIDE)
-    moved, value = bracket.rebracketed(fine.middle, MOVED, FARTHEST), fine.middle
+    # How far the place may lie that is found from a start which is moved, as a share of the values:
+    # the error says how far.
+    farthest_place = 1e-5
+    moved, value = bracket.rebracketed(fine.middle, MOVED, farthest_place), fine.middle
     error = max(fine.width, moved.width) + 2 * (
         abs(value - bracket.middle) + abs(moved.middle - value)
     )
@@ -586,7 +584,10 @@ def _doubles(samples: _FateSamples, low: _Fate, high: _Fate) -> bool:
     a single attractor.
     """
     short, long = sorted((low, high), key=lambda each: each.verdict.outcome.period)
-    if not abs(long.verdict.outcome.period / short.verdict.outcome.period / 2 - 1) <= DOUBLE:
+    # Periods whose ratio is this close to 2 may be those of a cycle and of what it becomes by a
+    # doubling.
+    double_within = 0.05
+    if not abs(long.verdict.outcome.period / short.verdict.outcome.period / 2 - 1) <= double_within:
         return False  # or one of them is no cycle, and has no period
     try:
         single, double = samples.attractor(short), samples.attractor(long)
@@ -598,8 +599,10 @@ def _doubles(samples: _FateSamples, low: _Fate, high: _Fate) -> bool:
         )
         assert single.orbit
         assert double.orbit
+        # Points of a branch that are followed to tell.
+        most_points = 40
         branch = cycle_branch(
-            double.orbit, samples.vary, between={samples.vary: bounds}, points=FOLLOWED
+            double.orbit, samples.vary, between={samples.vary: bounds}, points=most_points
         )
         between = (branch.values >= low.value) & (branch.values <= high.value)
         for end in branch.of("end"):

@@ -45,41 +45,15 @@ from .system import JUDGED, System, judged
 #: turned by then.
 LOOKED_AT = (400.0, 3000.0, 20000.0)
 
-#: Rounds after which a state may return, at most.
-ROUNDS = 60
-#: Most pairs that are tried.
-TRIES = 8
-
-#: A return that misses by more than this share of the motion's extent is not tried.
-FAR = 0.3
-
-
-#: A closed orbit of a smaller extent is rest.
-LEAST = 1e-9
-#: So is one whose extent is not so many of its errors.
-SURE = 100.0
-
-#: So long a motion tells whether anything moves.
-LOOK = 200.0
-
-#: Parameters beyond this are named where a motion can't be followed.
-STEEP = 1e8
-
 
 #: Least half-width of the box that is taken around the Hopf point of the motion, over its numbers,
 #: which are no less than 1 in units of the motion and of the parameter.
 AROUND = 1e-13
 
-#: Turns of a clock after which a motion is near a cycle.
-SETTLING = 100
 
 #: Share of the amplitude at which a motion first comes to a border of the field.
 SHARE = 0.1
-#: Amplitude where it comes to none, in units of the motion.
-FREE = 0.01
 
-#: How closely an amplitude is met, relatively.
-MET = 1e-3
 #: Most steps to it, and to the Hopf point.
 TRIALS = 20
 #: The longest of these steps, as a factor.
@@ -191,7 +165,9 @@ def _after_turns(system: System, near: Any, turns: int) -> Cycle:
     else:
         start = _state(system, near)
     if near is None:
-        start = system.motion(start, SETTLING * turn).state[:, -1]
+        # Turns of a clock after which a motion is near a cycle.
+        settling_turns = 100
+        start = system.motion(start, settling_turns * turn).state[:, -1]
     found = cycle_at(system, start, turns * turn)
     own = round(found.period / turn)
     if own != turns:
@@ -249,9 +225,11 @@ def _steep(system: System) -> str:
         (abs(value), name)
         for name, value in zip(system.field.parameters, system.values, strict=True)
     )
+    # Parameters beyond this are named where a motion can't be followed.
+    very_steep = 1e8
     return (
         f"; {name} = {value:g} is larger than it can carry: give a smaller one"
-        if value > STEEP
+        if value > very_steep
         else ""
     )
 
@@ -284,7 +262,11 @@ def _rests(orbit: Orbit) -> bool:
     it nearly does.
     """
     orbit = in_scales(orbit)
-    return extent(orbit) <= max(LEAST, SURE * error_of(orbit))
+    # A closed orbit of a smaller extent is rest.
+    least_extent = 1e-9
+    # So is one whose extent is not so many of its errors.
+    sure_errors = 100.0
+    return extent(orbit) <= max(least_extent, sure_errors * error_of(orbit))
 
 
 def _state(system: System, near: Any) -> FloatArray:
@@ -326,19 +308,26 @@ def returns(
     that are the nearest, times their rounds. States are in units of the motion.
     """
     extrema = [extremum for extremum in extrema if extremum.border == -1]
-    highest, found, best = [extremum for extremum in extrema if extremum.direction < 0], [], 2 * FAR
+    # A return that misses by more than this share of the motion's extent is not tried.
+    largest_miss = 0.3
+    highest = [extremum for extremum in extrema if extremum.direction < 0]
+    found, best = [], 2 * largest_miss
     states, scale = (
         np.array([extremum.state for extremum in highest]),
         np.ptp([extremum.state for extremum in extrema] or np.zeros((1, 1)), axis=0),
     )
     scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
-    for rounds in range(1, min(len(highest), ROUNDS)):
+    # Rounds after which a state may return, at most.
+    most_rounds = 60
+    for rounds in range(1, min(len(highest), most_rounds)):
         off = np.abs(apart(states[rounds:], states[:-rounds], periodic) / scale).max(axis=1)
         i = int(off.argmin()) if row is None else row % len(off)
         if off[i] < best / 2:
             best = float(off[i])
             found.append((rounds * best, i, i + rounds))
-    return [(highest[i], highest[j]) for _, i, j in sorted(found)[:TRIES]]
+    # Most pairs that are tried.
+    most_tries = 8
+    return [(highest[i], highest[j]) for _, i, j in sorted(found)[:most_tries]]
 
 
 def _from_guess(flow: Flow, guess: Iterate) -> Orbit:
@@ -355,7 +344,9 @@ def stands_still(system: System, state: FloatArray) -> str:
     n = len(system.field.coordinates)
     try:
         scales = system.scales(state)
-        states = system.motion(state, LOOK * scales.time).state[:n]
+        # So long a motion tells whether anything moves.
+        look_for = 200.0
+        states = system.motion(state, look_for * scales.time).state[:n]
         moved = np.ptp(states, axis=1) / scales.places
     except ConvergenceError:
         return ""
@@ -406,7 +397,9 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
     border, reach = _first_border(system, rest, form)
     if amplitude is None:
         unit = 1 / norm(form.q / scales.states)
-        free = SHARE * reach if border else FREE * unit
+        # Amplitude where it comes to none, in units of the motion.
+        free_amplitude = 0.01
+        free = SHARE * reach if border else free_amplitude * unit
         z = min(free, unit, _within(model, given, place, form))
         asked = 2 * z * size
     else:
@@ -422,7 +415,9 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
                 f"no cycle of the amplitude {asked:.3g} was found: {error}; {remedy}"
             ) from error
         reached = float(np.ptp(found.samples.states[most])) / 2
-        if amplitude is None or abs(reached / asked - 1) < MET:
+        # How closely an amplitude is met, relatively.
+        met_within = 1e-3
+        if amplitude is None or abs(reached / asked - 1) < met_within:
             return found
         z *= min(max(asked / reached, 1 / FARTHEST), FARTHEST)
     raise ConvergenceError(

@@ -47,29 +47,12 @@ from ..results.result import Result
 #: A multiplier this close to 1 in size decides nothing about stability.
 NEUTRAL = 1e-7
 
-#: A closed orbit that is begun elsewhere moves by less: where Newton's method goes farther, as at a
-#: fold, its shortest steps do.
-STAYS = 1e-9
-
-#: An orbit on which Newton's method fails as it is begun anew is told as it is if it is no more
-#: open than this.
-OPEN = 1e-10
 
 #: A trivial multiplier that differs from 1 by more belongs to no orbit that is told.
 UNRESOLVED = 1e-4
 
 #: Periods, and averages as shares of the extent, that differ by less are of one cycle …
 ALIKE = 1e-6
-#: … if the state of one is as near the other's samples as this share of its extent.
-ON = 0.05
-
-#: How far from a jump of the field it is looked how far from all of them an orbit may begin, in
-#: mesh intervals.
-ASIDE = 0.3
-
-#: Maxima of x that differ by less than this count as equal; of these the state highest above the
-#: belt is taken.
-SAME = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -323,9 +306,12 @@ def _cycle_of(orbit: Orbit) -> Cycle:
     orbit = least_period(orbit.bound().with_lead())
     orbit = refined(orbit, _top(orbit))
     if orbit.field.sticking_borders and not _carries_its_flow(orbit):
+        # How far from a jump of the field it is looked how far from all of them an orbit may begin,
+        # in mesh intervals.
+        looked_within = 0.3
         # It may begin as it passes a jump of the field, which derivatives then lack.
         aside = integrated(
-            orbit.flow, remeshed(orbit, len(orbit.states), ASIDE * orbit.guess.interval)
+            orbit.flow, remeshed(orbit, len(orbit.states), looked_within * orbit.guess.interval)
         )
         orbit = refined(aside, offset_from_jumps(aside))
     found = orbit.multipliers
@@ -364,7 +350,9 @@ def same_cycle(one: Cycle, other: Cycle) -> bool:
     averages = np.abs([one.rms - other.rms, one.mean - other.mean]) / units[0]
     if abs(one.period / other.period - 1) >= ALIKE or averages.max() >= ALIKE * size:
         return False
-    return distance(one, other.state) < ON * size
+    # … if the state of one is as near the other's samples as this share of its extent.
+    near_share = 0.05
+    return distance(one, other.state) < near_share * size
 
 
 def units_of(cycle: Cycle) -> FloatArray:
@@ -481,12 +469,18 @@ def refined(orbit: Orbit, begin: float) -> Orbit:
     cut: Iterate | None = remeshed(orbit, len(orbit.states), begin)
     while cut:
         try:
+            # A closed orbit that is begun elsewhere moves by less: where Newton's method goes
+            # farther, as at a fold, its shortest steps do.
+            most_moved = 1e-9
             found = solved(
-                orbit.flow, cut, phase(orbit, cut), iterations=7, precision=1e-15, reach=STAYS
+                orbit.flow, cut, phase(orbit, cut), iterations=7, precision=1e-15, reach=most_moved
             )
         except ConvergenceError:  # as at a fold, where Newton's matrix is singular
             found = integrated(orbit.flow, cut)
-            if found.largest_gap > OPEN:
+            # An orbit on which Newton's method fails as it is begun anew is told as it is if it is
+            # no more open than this.
+            most_open = 1e-10
+            if found.largest_gap > most_open:
                 raise
         cut = refined_mesh(found)
     return found
@@ -498,7 +492,10 @@ def _top(orbit: Orbit) -> float:
     """
     maxima, lead = orbit.maxima(), orbit.field.lead
     most = max((float(top.state[lead]) for top in maxima), default=0.0)
-    highest = [top for top in maxima if top.state[lead] >= most - SAME * (1 + abs(most))]
+    # Maxima of x that differ by less than this count as equal; of these the state highest above the
+    # belt is taken.
+    equal_within = 1e-9
+    highest = [top for top in maxima if top.state[lead] >= most - equal_within * (1 + abs(most))]
     return max(highest, key=lambda top: float(top.state[lead + 1])).t if highest else 0.0
 
 

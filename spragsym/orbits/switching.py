@@ -35,8 +35,6 @@ STEPS = (0.02, 0.005, 0.05, 0.0015, 0.12, 4e-4, 1e-4, 2e-5)
 
 #: Halves that come closer than this share of the orbit's extent are one.
 NEAREST = 1e-3
-#: Halves this close from the beginning are an orbit twice round.
-ONE = 1e-9
 
 
 def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
@@ -138,7 +136,9 @@ def meets(one: BranchPoint, other: BranchPoint) -> float | None:
         return None
     before, after = parted(one), parted(other)
     was, now = norm(before), norm(after)
-    if not was > ONE:
+    # Halves this close from the beginning are an orbit twice round.
+    one_within = 1e-9
+    if not was > one_within:
         return None
     if now < min(was, NEAREST * extent(other.orbit)):
         return 1.0

@@ -29,9 +29,6 @@ from ..numerics.vectors import magnitude, norm
 from .arclength import BranchPoint, Setting, started
 from .orbit import Cycle
 
-#: Of a matrix of the motion about an equilibrium: relative error, with a margin.
-ROUNDING = 1e-13
-
 #: A motion is judged at the first of these times, in its unit of time, and again at the next as
 #: long as it is undecided.
 JUDGED = (2000.0, 10_000.0, 40_000.0)
@@ -41,8 +38,6 @@ TOLERANCES = (1e-12, 1e-13)
 
 #: Motions have parted beyond this, in their units.
 PARTED = 1e-3
-#: So many that begin within rounding are followed as well, where they have.
-BESIDE = 4
 
 #: What a motion comes to, where that is told, and its word.
 KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}
@@ -195,7 +190,9 @@ def verified(
     one, other = (system.motion(start, verdict.t, rtol=rtol)(times) for rtol in TOLERANCES)
     if not magnitude((one - other) / scales.states[:, None]) > PARTED:
         return verdict
-    for i in range(BESIDE + 1):
+    # So many that begin within rounding are followed as well, where they have.
+    most_beside = 4
+    for i in range(most_beside + 1):
         beside = judged(
             system,
             start + i * TOLERANCES[0] * scales.states,
@@ -228,7 +225,9 @@ def rounding_of(matrix: FloatArray) -> float:
     """Largest rounding error of a real part of an eigenvalue of a matrix of well separated
     eigenvalues.
     """
-    return ROUNDING * max(1.0, magnitude(matrix))
+    # Of a matrix of the motion about an equilibrium: relative error, with a margin.
+    rounding = 1e-13
+    return rounding * max(1.0, magnitude(matrix))
 
 
 def saddle_near(system: System, state: FloatArray) -> Saddle:

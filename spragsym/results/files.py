@@ -54,8 +54,6 @@ FORMER_FIELDS: Mapping[str, str] = {
     "flow_results": "passages",
     "extrema": "turns",
 }
-#: Bytes of a file that is read back, at most.
-LARGEST = 1 << 30
 #: What a file raises that is not as :func:`save` writes it now.
 _WRONG = (
     ValueError,
@@ -104,7 +102,9 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     """
     name = path_text(path)
     remedy = ", or give a *.json that save() wrote"
-    text = text_of(path, LARGEST, "a *.json that save() wrote", remedy)
+    # Bytes of a file that is read back, at most.
+    largest = 1 << 30
+    text = text_of(path, largest, "a *.json that save() wrote", remedy)
     try:
         held = printed(name, json.loads(text))
         version, body = held["spragsym"], _text(held["result"])

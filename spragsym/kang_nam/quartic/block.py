@@ -19,15 +19,6 @@ from ...generated import kernel
 from ...numerics.double_double import DoubleDouble, cosine_and_sine
 from ...numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray, quiet
 
-#: Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
-TOLERANCE = 1e-12
-
-
-#: Roundings of a double that θ, L, x and y in double-double arithmetic are off by when they are
-#: stored: the arc tangent is within one unit in the last place, and its argument is rounded.
-_STORED = 4 * 2.0**-53
-
-
 #: Points that are worth a thread of their own.
 A_THREAD = 1 << 16
 #: Points that are, where they are only counted.
@@ -112,9 +103,12 @@ def rows_of(record: Any, rows: IntArray) -> Any:
 
 def _columns(t: Any, root: kernel.Root) -> dict[str, Any]:
     wide = isinstance(t, DoubleDouble)
+    # Roundings of a double that θ, L, x and y in double-double arithmetic are off by when they are
+    # stored: the arc tangent is within one unit in the last place, and its argument is rounded.
+    stored_error = 4 * 2.0**-53
     theta, error = (
         2.0 * (kernel.arctangent(t.high) if wide else np.arctan(t)),
-        root.error + _STORED if wide else root.error,
+        root.error + stored_error if wide else root.error,
     )
     return {
         "theta": theta,
@@ -143,8 +137,10 @@ def _some(
     root = kernel.at_root(roots[0] if alone else t, point, line, u)
     root = kernel.Root(*(value[None] for value in root)) if alone else root
     candidates = _columns(t, root)
+    # Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
+    tolerance = 1e-12
     # An equilibrium that has its digits, or certainly none.
-    sure = root.member & root.known & (candidates["error"] <= TOLERANCE) | root.outsider
+    sure = root.member & root.known & (candidates["error"] <= tolerance) | root.outsider
     # Two proved roots are different when the intervals that hold them are.
     settled: BoolArray = sure.all(axis=0) & kernel.apart(
         t[:-1], root.radius[:-1], t[1:], root.radius[1:]

@@ -46,13 +46,6 @@ from .workers import Workers, made_or_loaded
 if TYPE_CHECKING:
     from ...models.model import Model
 
-#: Motions of one task, at most; a few points are one task each.
-TOGETHER = 1024
-#: Their time in all, at most.
-TOGETHER_FOR = 2e5
-
-#: Tasks that every worker gets at least, where there are points enough.
-PARTS = 16
 
 #: Version of what a record holds, raised by hand where a change of code changes a number in one:
 #: the points of an older store are then of another sweep.
@@ -180,8 +173,14 @@ def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:
     """
     if settings["backend"] != "heyoka":  # which alone carries many at a time
         return 1
-    lasting = max(LANES, int(TOGETHER_FOR / settings["t_end"]))
-    return max(1, min(TOGETHER, lasting, count // (PARTS * workers)))
+    # Their time in all, at most.
+    longest_in_all = 2e5
+    lasting = max(LANES, int(longest_in_all / settings["t_end"]))
+    # Tasks that every worker gets at least, where there are points enough.
+    tasks_each = 16
+    # Motions of one task, at most; a few points are one task each.
+    most_together = 1024
+    return max(1, min(most_together, lasting, count // (tasks_each * workers)))
 
 
 #: Columns of sweeps: those after the transient first.

@@ -151,17 +151,20 @@ def test_a_stated_error_is_no_less_than_the_true_one() -> None:
     are few; true is what a run of another method gives, rounding aside.
     """
     pytest.importorskip("heyoka")
-    rng, model = np.random.default_rng(75), ss.load("sprag_rod")
-    for _ in range(6):
+    model = ss.load("sprag_rod")
+    # In the first the finest run has a tenth of the error, between its steps.
+    for seed in ([11, 130], *([75, i] for i in range(6))):
+        rng = np.random.default_rng(seed)
         p = model.Parameters(theta0=rng.uniform(0.5, 1.2), V=rng.uniform(0.1, 1.0))
-        given = {"start": 0.02 * rng.standard_normal(2), "t_end": rng.uniform(2.0, 8.0)}
+        start = 0.02 * rng.standard_normal(2)
+        rtol = float(10 ** rng.uniform(-12.0, -4.0))
+        given = {"start": start, "t_end": rng.uniform(5.0, 40.0)}
         exact = ss.simulate(p, **given, rtol=1e-13, backend="heyoka")
-        rtol = 10 ** rng.uniform(-10.0, -4.0)
         with patch.object(integrators, "is_there", lambda name: name != "heyoka"):
             tr = ss.simulate(p, **given, rtol=rtol, backend="scipy", estimate_error=True)
         assert tr.error is not None
         true = np.abs(tr.state - exact(np.minimum(tr.t, exact.t[-1]))).max(axis=0)
-        assert (true <= tr.error + 1e-13).all(), (p, given, rtol)
+        assert (true <= tr.error + 1e-14 * np.abs(tr.state).max()).all(), (p, given, rtol)
 
 
 def test_an_error_that_rounding_makes_is_told() -> None:

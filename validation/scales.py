@@ -28,6 +28,9 @@ PARTED, GROWN = 1e4, 1e2
 #: Of one motion in so many the fate is asked, followed so long in the page's own unit of time.
 ASKED, FOLLOWED = 5, 2000.0
 
+#: A motion has settled once its slowest deviations are smaller by exp of this.
+SETTLED = 5.0
+
 #: Share of an exponent by which those in other units may part, and a rate that none is told from.
 SHARE, SLOWEST = 1e-6, 1e-9
 
@@ -91,6 +94,8 @@ def _fate_and_exponents(one: Any, other: Any, start: Any, of_state: Any, time: f
         one, two = found.exponents[0], time * there.exponents[0]
         if not abs(one - two) <= found.error[0] + time * there.error[0]:
             wrong.append(f"largest exponent {one} of an irregular motion, scaled {two}")
+    elif "undecided" in (found.kind, there.kind) and _settling(found, 1.0, there, time):
+        pass
     elif found.kind != there.kind:
         wrong.append(f"fate {found.kind}, scaled {there.kind}: {found.why}; {there.why}")
     elif found.kind in ("rest", "cycle"):
@@ -102,3 +107,14 @@ def _fate_and_exponents(one: Any, other: Any, start: Any, of_state: Any, time: f
         if not np.isclose(found.time_scale, there.time_scale / time, rtol=SHARE):
             wrong.append(f"decay in {found.time_scale}, scaled {there.time_scale / time}")
     return wrong
+
+
+def _settling(one: Any, one_unit: float, other: Any, other_unit: float) -> bool:
+    """Whether what attracts, by the one of two fates that is decided, does so too slowly for a
+    motion of this length to have settled.
+    """
+    found, unit = (one, one_unit) if other.kind == "undecided" else (other, other_unit)
+    if found.kind not in ("rest", "cycle"):
+        return False
+    rates = unit * np.delete(found.exponents, found.trivial if found.trivial >= 0 else [])
+    return bool(-FOLLOWED * rates.max() < SETTLED)

@@ -227,13 +227,13 @@ def on_lines(
                 condition,
             )
         whole &= bool(found.whole.all())
-        decided[across] = np.delete(values, found.roots.left_point)
+        decided[across] = np.delete(values, found.roots.undecided_point)
         rows.append(
             np.insert(found.roots.middle, balance.n + across, values[found.roots.point], axis=0)
         )
-        line = values[found.roots.left_point]
+        line = values[found.roots.undecided_point]
         left.append(
-            np.insert(found.roots.left, balance.n + across, Intervals.point(line).ends, axis=1)
+            np.insert(found.roots.undecided, balance.n + across, Intervals.point(line).ends, axis=1)
         )
     states = np.concatenate([*rows, more], axis=1)
     undecided, remarks = listed(family, np.concatenate(left, axis=2))
@@ -265,12 +265,12 @@ def _on_each(lines: Family, condition: Condition) -> Found:
     budget = lines.balance.options.budget or 20_000
     found = search(lines, condition, budget)
     roots, undecided = found.roots, 0
-    for line in np.unique(roots.left_point)[:, None]:
+    for line in np.unique(roots.undecided_point)[:, None]:
         if undecided == 4:  # of lines one after the other
             break
         alone = search(replace(lines, given=lines.given[:, line]), condition, budget).roots
-        undecided = undecided + 1 if alone.left_point.size else 0
-        roots = roots.of(line, others=True).then(alone.numbered(line))
+        undecided = undecided + 1 if alone.undecided_point.size else 0
+        roots = roots.of(line, others=True).concatenated(alone.numbered(line))
     return replace(found, roots=roots)
 
 

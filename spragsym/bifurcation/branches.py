@@ -28,7 +28,7 @@ from ..numerics.interval_arrays import (
     ends_around,
     matrix,
     quiet,
-    raised,
+    rounded_outward,
     scale_of,
 )
 from ..numerics.vectors import apart
@@ -141,14 +141,14 @@ def linked(
         more, complete = _by_tubes(along, open_, states, options)
         known |= more
         failed = [step for step in open_ if step not in complete]
-        hopeless = len(failed) > options.open_steps or halvings == last
-        if failed and hopeless and most is None:
+        abandoned = len(failed) > options.open_steps or halvings == last
+        if failed and abandoned and most is None:
             why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
             one, two = open_[0]
             raise ConvergenceError(
                 f"branches between {vary} = {one:.17g} and {two:.17g} can't be told apart{why}"
             )
-        if not failed or hopeless:
+        if not failed or abandoned:
             break
         # Not in the middle, where the fold is.
         middles = [one + 0.47 * (two - one) for one, two in failed]
@@ -175,9 +175,9 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
     q = np.array([eq.coordinates[name][point, slot] for name in balance.coordinates])
     given = columns(eq.parameters, balance.parameters)[:, point]
     K, sides = linearization(balance, q, given)[2], np.zeros(point.size)
-    off = raised(eq.error[point, slot] * scale_of(q))
+    off = rounded_outward(eq.error[point, slot] * scale_of(q))
     with quiet():
-        around = Intervals(raised(ends_around(q, off)))
+        around = Intervals(rounded_outward(ends_around(q, off)))
         at = balance.state(around, balance.prepared_at(given))
         proved = determinant([list(row) for row in matrix(at.stiffness(), at.shape)]).signs
     if turned:

@@ -15,11 +15,11 @@ from ..core.progress import doing
 from ..core.questions import Method, question
 from ..core.remarks import At, Remark
 from ..models.parameters import FloatArray, ParameterSet, Ranges, as_ranges, varied_range
-from ..numerics.columns import picked
+from ..numerics.columns import selected_rows
 from ..results import LowestEnd, Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.reference_state import nearest_state, taken_up
+from ..statics.reference_state import nearest_state, reference_coordinates
 from ..statics.search import of_ranges
 from .bifurcation_sets import extrema
 from .defining_systems import TOUCH, TOUCH_TURN, Family, given_column
@@ -185,7 +185,7 @@ def cusp_friction(
     used = [name for name in p.ranges if name not in (vary, over) and p[name] is not None]
     shape = np.broadcast_shapes(*(p[name].shape for name in used))
     columns = {name: np.broadcast_to(p[name], shape) for name in used}
-    points = (p.replace(**picked(columns, index)) for index in np.ndindex(shape))
+    points = (p.replace(**selected_rows(columns, index)) for index in np.ndindex(shape))
     found = [_lowest_cusp(point, vary, over, between) for point in points]
     return np.reshape(found, shape) if shape else found[0]
 
@@ -445,7 +445,9 @@ class _CandidateSearch:
         where = (
             f"at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
         )
-        first = taken_up(here.replace(**{self.over: places[0]}), self.p.followed, where)
+        first = reference_coordinates(
+            here.replace(**{self.over: places[0]}), self.p.followed, where
+        )
         way = carried(self.balance, here, self.over, np.array(places), first)
         self.beginning = dict(zip(places, way.T, strict=True))
 

@@ -57,8 +57,8 @@ from ..statics.balance import ENDLESS, Balance, direction_entries, no_direction
 from ..statics.forces import Evaluation, Values
 from ..statics.namespaces import XP
 from ..statics.options import SearchOptions
-from ..statics.precise_balance import settled_by_digits
-from ..statics.regions import by_hand
+from ..statics.precise_balance import refined_in_digits
+from ..statics.regions import requested_region
 from ..statics.systems import Boxes, Entries, StateSystem, at_anchors
 
 if TYPE_CHECKING:
@@ -119,7 +119,7 @@ class Family:
         """
         balance = Balance(p.model, contact, room=room, beyond=beyond, options=options)
         between = between or {}
-        spans, asked = ranges(p.model, vary, between), by_hand(p.model, within)
+        spans, asked = ranges(p.model, vary, between), requested_region(p.model, within)
         given = given_column(p, balance.parameters, vary) if given is None else given
         # Of these nobody has said how far they are searched.
         endless = tuple(
@@ -200,16 +200,16 @@ class Condition:
 
     ``equations`` are the values that must vanish, one for each unknown parameter; jets carry
     ``order`` more derivatives. ``singular`` and ``touching``: one of them is det K = 0, or that the
-    gap of the contact of that number is 0. ``hopeless`` are boxes in which an inequality that is
-    asked for can't hold, ``given_up`` those that halving would never decide.
+    gap of the contact of that number is 0. ``excluded`` are boxes in which an inequality that is
+    asked for can't hold, ``abandoned`` those that halving would never decide.
     """
 
     equations: Callable[[Evaluation], Sequence[Any]]
     order: int = 0
     singular: bool = False
     touching: int | None = None
-    hopeless: Callable[[Evaluation], BoolArray] | None = None
-    given_up: Callable[[Evaluation], BoolArray] | None = None
+    excluded: Callable[[Evaluation], BoolArray] | None = None
+    abandoned: Callable[[Evaluation], BoolArray] | None = None
 
 
 #: det K = 0.
@@ -340,7 +340,7 @@ def no_damping(along: int, on_fold: bool = False) -> Condition:
 
 #: The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there.
 #: A slope with a sign, however small it is, has no root.
-NO_SLOPE = Condition(lambda at: at.slopes_of_friction(), hopeless=lambda at: at.slope_has_a_sign())
+NO_SLOPE = Condition(lambda at: at.slopes_of_friction(), excluded=lambda at: at.slope_has_a_sign())
 #: Kinds of points in the plane, as MatCont calls them, with what vanishes there of the
 #: coefficients, the lowest first. BT: two roots λ are 0. ZH: one is, and two others have the sum 0.
 #: HH: all four of two coordinates come in pairs with the sum 0.
@@ -439,8 +439,8 @@ class Augmented(OfFamily):
         """Boxes where no state is, or without what the condition asks for."""
         out = super().nothing_at(boxes)
         out = out | at_anchors(boxes, ~out, no_direction)
-        if self.condition.hopeless is not None:
-            out = out | self.condition.hopeless(boxes.state)
+        if self.condition.excluded is not None:
+            out = out | self.condition.excluded(boxes.state)
         return out | at_anchors(boxes, ~out, _regular) if self.singular else out
 
     contracts, arcs = True, DIRECTIONS
@@ -460,15 +460,17 @@ class Augmented(OfFamily):
         regular = [made(_determinant_entries(line), 2) for line in range(lines)]
         return [LineTapes(*tapes) for tapes in zip(forces, known, regular, strict=True)]
 
-    def hopeless_besides(self, unknowns: Intervals, parameters: Intervals) -> BoolArray | None:
+    def excluded_without_plan(self, unknowns: Intervals, parameters: Intervals) -> BoolArray | None:
         """Boxes that the condition rules out by itself."""
-        if self.condition.hopeless is None:
+        if self.condition.excluded is None:
             return None
-        return self.condition.hopeless(self.state(unknowns, parameters))
+        return self.condition.excluded(self.state(unknowns, parameters))
 
-    def given_up(self, unknowns: Intervals, parameters: Intervals, times: float = 1.0) -> BoolArray:
+    def abandoned(
+        self, unknowns: Intervals, parameters: Intervals, times: float = 1.0
+    ) -> BoolArray:
         """Boxes that the balance gives up, and those that the condition gives up."""
-        out, also = np.zeros(parameters.shape[1:], dtype=np.bool_), self.condition.given_up
+        out, also = np.zeros(parameters.shape[1:], dtype=np.bool_), self.condition.abandoned
         if self.balance.torsions:
             boxes = Boxes(self, unknowns, parameters)
             out |= self.balance.at_poles(boxes, times * self.options.pole)
@@ -484,12 +486,14 @@ def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     """Roots that a search along one parameter in a region has left open, or knows to few digits
     only, again with many digits.
     """
-    if system.condition.order or found.left.shape[2] > MANY:
+    if system.condition.order or found.undecided.shape[2] > MANY:
         return found
     with quiet():
-        if system.given_up(Intervals(found.left), system.fixed(found.left.shape[2])).any():
+        if system.abandoned(
+            Intervals(found.undecided), system.fixed(found.undecided.shape[2])
+        ).any():
             return found  # no number of digits tells what is there
-    return settled_by_digits(system, system.family.begin, region, found, most=12)
+    return refined_in_digits(system, system.family.begin, region, found, most=12)
 
 
 def _regular(boxes: Boxes, spring: int) -> BoolArray:

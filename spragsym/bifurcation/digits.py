@@ -24,7 +24,7 @@ from ..numerics.precise_roots import narrowed
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Evaluation
-from ..statics.precise_balance import once_around
+from ..statics.precise_balance import reduced_by_turns
 from ..statics.regions import region
 from ..statics.search import balance_of, solved
 from ..statics.stability import type_at
@@ -52,14 +52,14 @@ def precise_equilibria(
     """
     balance = balance_of(p.model, contact)
     found, around, whole = _isolated(balance, exact)
-    if found.left_point.size:
+    if found.undecided_point.size:
         closer = (
             ""
             if _held(_ends(exact))
             else ", or give only numbers that floats hold, as 0.5: these are searched more closely"
         )
         raise ConvergenceError(
-            f"equilibria: {found.left_point.size} boxes are not decided; change a parameter a "
+            f"equilibria: {found.undecided_point.size} boxes are not decided; change a parameter a "
             f"little{closer}"
         )
 
@@ -116,7 +116,7 @@ def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatA
         return solved(balance, high)
     around, whole = region(balance, Intervals.between(low, high))
     return (
-        once_around(balance.periodic, certified_roots.search(balance, around, low, high)),
+        reduced_by_turns(balance.periodic, certified_roots.search(balance, around, low, high)),
         around,
         whole,
     )
@@ -128,7 +128,7 @@ def _state(
     """The equilibrium in a box; None where it lies beyond the border of the contact."""
     q = _narrowed(system, box, alone)
     at = system.state(q)
-    if not _on_its_side(at):
+    if not _on_contact_side(at):
         return None
     numbers, error, _ = as_numbers((*_columns(at), *q), digits)
     named = dict(zip(columns_of(system.balance.model), numbers, strict=True))
@@ -186,7 +186,7 @@ def precise_cusps(
     complete = (
         _held(ends)
         and bool(found.whole.all())
-        and not found.roots.left_point.size
+        and not found.roots.undecided_point.size
         and not family.endless
     )
     ordered = sorted(cusps, key=lambda one: [one.numbers[name] for name in reversed(vary)])
@@ -231,7 +231,7 @@ def _cusp(
     column = [XP.taken(cofactor(at.slopes, number, i)) for i in range(n)]
     if not any(map(balls.sign, column)):
         raise UndecidedSign("a direction that may be 0")
-    if not _on_its_side(at):
+    if not _on_contact_side(at):
         return None
     numbers, _, radius = as_numbers((*root[n:], *_columns(at), *root[:n]), digits)
     return PreciseCusp(dict(zip(names, numbers, strict=True)), as_mpf(radius), versal=True)
@@ -249,7 +249,7 @@ def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> lis
     return root
 
 
-def _on_its_side(at: Evaluation) -> bool:
+def _on_contact_side(at: Evaluation) -> bool:
     """Whether a state is on the side of the contact's border that is asked for."""
     return all(
         (balls.decided(gap, "a gap that is zero") < 0) == touches

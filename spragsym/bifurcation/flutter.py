@@ -31,7 +31,7 @@ from ..results import Points
 from ..statics import stability
 from ..statics.balance import NOTHING
 from ..statics.options import SearchOptions
-from ..statics.precise_balance import clusters, on_its_side, refined
+from ..statics.precise_balance import clusters, on_contact_side, refined
 from ..statics.search import balances_of, seen
 from ..statics.stability import (
     comes_in_pairs,
@@ -193,7 +193,7 @@ def _in_combination(family: Family, damping: bool | None) -> Points:
     parts = list[_Part]()
     for condition, frequencies in sought:
         out = nothing(family) if condition is None else search(family, condition)
-        if out.roots.left.shape[2]:
+        if out.roots.undecided.shape[2]:
             out, more, omega = with_seen(Augmented(family, condition), out)
             alone = replace(out, roots=more)
             followed = (alone, ["detected"] * omega.size, omega.tolist())
@@ -217,7 +217,7 @@ def _part(family: Family, found: Found, kind: str, frequencies: Frequencies) -> 
         omega += some
         rows += [row] * len(some)
     return (
-        replace(found, roots=found.roots.kept(np.array(rows, dtype=np.int64))),
+        replace(found, roots=found.roots.select(np.array(rows, dtype=np.int64))),
         [kind] * len(rows),
         omega,
     )
@@ -284,7 +284,7 @@ def _joined(family: Family, parts: list[_Part], flat: bool, said: tuple[str, ...
     each, kinds, frequencies = zip(*parts, strict=True)
     kind, omega = np.array([*chain(*kinds)], dtype=np.str_), np.array([*chain(*frequencies)])
     first, *others = (one.roots for one in each)
-    roots = first.then(*others)
+    roots = first.concatenated(*others)
     region, whole = (
         np.minimum.reduce([one.region for one in each]),
         np.logical_and.reduce([one.whole for one in each]),
@@ -301,7 +301,7 @@ def _joined(family: Family, parts: list[_Part], flat: bool, said: tuple[str, ...
 
     remarks = (
         *said,
-        *(_undamped(family, each[-1].roots.left) if flat else ()),
+        *(_undamped(family, each[-1].roots.undecided) if flat else ()),
         *of_ends(family, found, symmetric),
     )
     samples = family.balance.options.samples
@@ -310,7 +310,7 @@ def _joined(family: Family, parts: list[_Part], flat: bool, said: tuple[str, ...
             f"{detected} onsets are numerically detected between two of {samples} values, and "
             "not proved",
         )
-    elif roots.left.shape[2] and not flat:
+    elif roots.undecided.shape[2] and not flat:
         remarks += (
             f"floats see no other onset between two of {samples} values of {family.vary[0]}",
         )
@@ -344,14 +344,14 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     tried = refined(system, fixed, Roots.at(ends_around(candidates, room)))
     sure = tried.error <= system.options.tolerance
     proved, open_ = (
-        on_its_side(system, fixed, Roots.at(tried.ends[:, :, some])) for some in (sure, ~sure)
+        on_contact_side(system, fixed, Roots.at(tried.ends[:, :, some])) for some in (sure, ~sure)
     )
     apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)
     omega = sightings[-1, ~sure][
         linear_sum_assignment(apart.T)[1]
     ]  # of several pairs that cross at one place each has its own
     return (
-        replace(found, roots=distinct(found.roots.then(proved.kept(left=slice(0))))),
+        replace(found, roots=distinct(found.roots.concatenated(proved.select(undecided=slice(0))))),
         open_,
         omega,
     )

@@ -308,10 +308,10 @@ class _Plane(Family):
             # The pair with the sum 0 is imaginary, both of them at a double Hopf point.
             imaginary = (np.abs(roots.real) < 1e-5 * np.abs(roots.imag)).sum(axis=1)
             kept = (imaginary >= (4 if kind == "HH" else 2)) | (kind == "BT")
-            parts.append(replace(found, roots=found.roots.kept(kept)))
+            parts.append(replace(found, roots=found.roots.select(kept)))
             kinds += [kind] * int(kept.sum())
         first, *others = (part.roots for part in parts)
-        found = replace(parts[0], roots=first.then(*others))
+        found = replace(parts[0], roots=first.concatenated(*others))
         return arranged(self, found, np.array(kinds, dtype=np.str_))
 
     def roots(self, states: FloatArray) -> ComplexArray:

@@ -28,7 +28,7 @@ from ..display import own_name
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import Number, determinant
 from ..numerics.certified_roots import Roots, distinct, stepped
-from ..numerics.columns import picked
+from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
@@ -49,7 +49,7 @@ from ..statics import stability
 from ..statics.balance import NOTHING, Balance
 from ..statics.forces import TURN, Evaluation, Values, as_intervals
 from ..statics.namespaces import SCALED, XP, NoChart, Scaled
-from ..statics.precise_balance import on_its_side, once_around
+from ..statics.precise_balance import on_contact_side, reduced_by_turns
 from ..statics.reference_state import in_order
 from ..statics.regions import region
 from ..statics.search import kinds_of, of_ranges, of_region, summed
@@ -111,9 +111,9 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
         around = _between(around, LEAST, around[1, -1, 0])
     if alone:
         roots = settled(system, around, roots)
-    roots = once_around(balance.periodic, on_its_side(system, fixed, roots))
+    roots = reduced_by_turns(balance.periodic, on_contact_side(system, fixed, roots))
     if alone:
-        roots = roots.kept(left=~shared(system, roots.left))
+        roots = roots.select(undecided=~shared(system, roots.undecided))
     return Found(roots, around, whole)
 
 
@@ -150,7 +150,7 @@ def _of_affine_forces(family: Family) -> Found:
         return Found(roots, with_sides(np.full((2, n, count), np.inf), family.spans), whole)
     around, whole = _region(family, family.balance)
     near = np.broadcast_to(around, (*around.shape[:2], count))[:, :n, point]
-    left = roots.besides(np.concatenate([near, values], axis=1), point)
+    left = roots.with_undecided(np.concatenate([near, values], axis=1), point)
     return Found(left, around, whole, LINES_OF_STATES)
 
 
@@ -173,10 +173,10 @@ def arranged(
     vary.
     """
     balance, vary = family.balance, family.vary
-    n, middle, left = balance.n, found.roots.middle, found.roots.left
+    n, middle, left = balance.n, found.roots.middle, found.roots.undecided
     order = in_order(np.concatenate([middle[n:], middle[:n]]), found.roots.error, found.roots.point)
     more = which(balance, order.size) | dict(more or {})
-    values = family.named(middle[:, order]) | picked(more, order)
+    values = family.named(middle[:, order]) | selected_rows(more, order)
     box = spans_of(found.region[:, :, 0])
     boxes_left, kinds = listed(family, left, found.why)
     remarks += (*kinds, *of_region(balance, found.region[:, :n], found.whole))
@@ -236,7 +236,7 @@ def of_ends(
     """Remarks on undecided boxes at an end of the range of one parameter: what is ``known`` of
     them, none if that is None.
     """
-    left, remarks = found.roots.left, []
+    left, remarks = found.roots.undecided, []
     for end in (-float(found.region[0, -1, 0]), float(found.region[1, -1, 0])):
         here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
         if here.shape[2] and (why := known(end, here)) is not None:
@@ -331,7 +331,10 @@ def _by_logarithm(system: Augmented, around: FloatArray) -> Roots:
     ends = _between(around, np.log(LEAST), np.log(HIGH))
     found = certified_roots.search(by_logarithm, ends, given, given, budget=100_000)
     return replace(
-        found, ends=_raised(found.ends), alone=_raised(found.alone), left=_raised(found.left)
+        found,
+        ends=_raised(found.ends),
+        alone=_raised(found.alone),
+        undecided=_raised(found.undecided),
     )
 
 
@@ -341,7 +344,9 @@ def _joined(one: Roots, other: Roots) -> Roots:
     What the one leaves in the range of the other is decided there.
     """
     return distinct(
-        one.kept(left=-one.left[0, -1] <= LOW).then(other.kept(left=other.left[1, -1] >= HIGH))
+        one.select(undecided=-one.undecided[0, -1] <= LOW).concatenated(
+            other.select(undecided=other.undecided[1, -1] >= HIGH)
+        )
     )
 
 
@@ -423,7 +428,7 @@ class _AtInfinity(OfFamily):
             return rows
         return [*rows, determinant([[slope(row, k) for k in range(self.n - 1)] for row in rows])]
 
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+    def excluded(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes of directions in which the contact opens."""
         gaps = map(_regular, self.state(list(unknowns), parameters).gaps() or [0])
         shape = unknowns.shape[1:]
@@ -433,9 +438,9 @@ class _AtInfinity(OfFamily):
         """No exclusion by tape."""
         return Exclusions()
 
-    def hopeless_besides(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes that are hopeless for any reason."""
-        return self.hopeless(unknowns, parameters)
+    def excluded_without_plan(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+        """Boxes that are excluded for any reason."""
+        return self.excluded(unknowns, parameters)
 
     def side(self, unknowns: Intervals, parameters: Intervals) -> IntArray:
         """On which side of the value of one parameter the state is, 1 or −1; 0 where that is not

@@ -146,8 +146,10 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
     Also their number.
     """
     number, system = 0, Augmented(family, FOLD)
-    for mirror in _mirrors(family) if found.roots.left.shape[2] <= MANY and not found.why else ():
-        left = found.roots.left
+    for mirror in (
+        _mirrors(family) if found.roots.undecided.shape[2] <= MANY and not found.why else ()
+    ):
+        left = found.roots.undecided
         if not left.shape[2]:
             break
         known = certified_roots.search(
@@ -155,15 +157,18 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
         )
         inside, beyond = on_side(system, system.fixed(known.point.size), known.ends)
         open_boxes, decided = np.ones(left.shape[2], dtype=np.bool_), []
-        for hull in np.moveaxis(clusters(left, found.roots.left_point)[0], 2, 0):
+        for hull in np.moveaxis(clusters(left, found.roots.undecided_point)[0], 2, 0):
             here = np.flatnonzero(contractors.within(known.ends, hull[:, :, None]))
-            alone = contractors.apart(known.left, hull[:, :, None]).all()
+            alone = contractors.apart(known.undecided, hull[:, :, None]).all()
             sure = alone and here.size == 1 and (inside | beyond)[here[0]]
             if sure and only_fold(family, hull, mirror):
                 decided += [int(here[0])] if inside[here[0]] else []
                 open_boxes &= ~contractors.within(left, hull[:, :, None])
         found = replace(
-            found, roots=found.roots.kept(left=open_boxes).then(known.kept(decided, slice(0)))
+            found,
+            roots=found.roots.select(undecided=open_boxes).concatenated(
+                known.select(decided, slice(0))
+            ),
         )
         number += len(decided)
     return found, number
@@ -279,17 +284,17 @@ def isolated(family: Family) -> Found:
         # A cusp at which a column of the adjugate is 0, as on a mirror, is a double root with it,
         # and regular with another one.
         hulls = (
-            clusters(roots.left, roots.left_point)[0]
-            if roots.left_point.size <= MANY
-            else roots.left[:, :, :0]
+            clusters(roots.undecided, roots.undecided_point)[0]
+            if roots.undecided_point.size <= MANY
+            else roots.undecided[:, :, :0]
         )
         for hull in np.moveaxis(hulls, 2, 0):
             spans = spans_of(hull)[balance.n :]
             near = replace(family, spans=spans, asked=hull[:, : balance.n])
             more = told_apart(near, search(near, cusp_off_mirrors(near, column)), column)
-            if not more.left_point.size:
-                open_ = ~contractors.within(roots.left, hull[:, :, None])
-                roots = different(roots.kept(left=open_).then(more), found.region)
+            if not more.undecided_point.size:
+                open_ = ~contractors.within(roots.undecided, hull[:, :, None])
+                roots = different(roots.select(undecided=open_).concatenated(more), found.region)
     return replace(found, roots=roots)
 
 
@@ -312,7 +317,7 @@ def told_apart(family: Family, found: Found, column: int) -> Roots:
         ~np.logical_and.reduce(stacked([constant(part) for part in some], shape).holds_zero())
         for some in asked
     )
-    return found.roots.opened(nonzero & ~none, ~nonzero & ~none)
+    return found.roots.reopened(nonzero & ~none, ~nonzero & ~none)
 
 
 def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
@@ -328,7 +333,7 @@ def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
         K = replace(at, q=variables(list(q), order)).slopes
         return [change(K, number) for number in range(n)]
 
-    def hopeless(at: Evaluation) -> BoolArray:
+    def excluded(at: Evaluation) -> BoolArray:
         q, along = at.box.ends, [constant(value) for value in changes(at, at.q, 1)]
         for mirror, image in zip(mirrors, images(at), strict=True):
             (odd,) = mirror.odd
@@ -337,14 +342,16 @@ def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
             )
         return ~np.logical_and.reduce(stacked(along, at.shape).holds_zero())
 
-    def given_up(at: Evaluation) -> BoolArray:
+    def abandoned(at: Evaluation) -> BoolArray:
         q = at.box
         on = [~contractors.apart(q.ends, image.ends) for image in images(at)]
         # Halving decides what is beside a degenerate pitchfork too slowly.
         small = np.logical_and.reduce(q.width <= 2.0**-12 * scale_of(q.magnitude))
         return small & np.logical_or.reduce(on)
 
-    return replace(cusp(column), hopeless=hopeless, given_up=given_up) if mirrors else cusp(column)
+    return (
+        replace(cusp(column), excluded=excluded, abandoned=abandoned) if mirrors else cusp(column)
+    )
 
 
 def ended(points: Points) -> Ended:

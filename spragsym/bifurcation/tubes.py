@@ -539,6 +539,6 @@ class Tubes(ByColumn):
             z, rest = at.z.copy(), goal[rows] - at.v
             z[-1] = np.where(np.abs(step[rows]) >= np.abs(rest), goal[rows], at.v + step[rows])
             good, end, _ = self[rows].segment(at, z)
-            here.put(rows[good], end[good])
+            here.scatter(rows[good], end[good])
             step[rows] = np.where(good, 2 * step[rows], 0.25 * (z[-1] - at.v))
         return here

@@ -43,7 +43,7 @@ def turned(tubes: Tubes, start: Place, forward: int) -> Turned:
         towards = forward * moving
         z, met = secants(some, here.z, towards)
         met &= (z - here.z)[some.pivot] * towards > 0
-        out.put(rows[met], _proved(some[met], here[met], z[:, met], moving[met], forward))
+        out.scatter(rows[met], _proved(some[met], here[met], z[:, met], moving[met], forward))
     return out
 
 
@@ -67,7 +67,7 @@ def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
             good = _moved_on(some, here, by_s, on, forward * moving * step, moving)
             step[on] *= np.where(good, 1.5, 0.25)
         here.sure[:] = open_ & (here.v != begin)
-        out.put(rows, here)
+        out.scatter(rows, here)
     return out
 
 
@@ -140,7 +140,7 @@ def _passed(
         rows, end, some, tube = rows[good], end[good], some[good], tube[good]
         if not rows.size:
             continue
-        here.put(rows, end)
+        here.scatter(rows, end)
         by_s[:, rows], by_p = some.tangents(end.z)
         moves[:, rows] = np.abs(by_p[-1])
         ends = end.box()[-1]
@@ -227,7 +227,7 @@ def _moved_on(
     good, end, tube = some.segment(here[rows], here.z[:, rows] + slope * step[rows])
     then = some.tangents(end.z)[0]
     good[good] = some[good].rises(tube[good], 0.5 * (slope + then)[:, good]) == moving[rows[good]]
-    here.put(rows[good], end[good])
+    here.scatter(rows[good], end[good])
     by_s[:, rows[good]] = then[:, good]
     return good
 

@@ -33,7 +33,7 @@ from ..numerics.interval_arrays import (
     IntArray,
     Intervals,
     quiet,
-    raised,
+    rounded_outward,
     scale_of,
     width_of,
 )
@@ -41,7 +41,7 @@ from ..results import Equilibria, EquilibriumType, Result
 from ..statics import stability
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.precise_balance import on_side, once_around
+from ..statics.precise_balance import on_side, reduced_by_turns
 from ..statics.regions import region
 
 #: Outcome of a part: not decided.
@@ -135,7 +135,7 @@ class BoxParts(ByColumn, ABC):
         side, high, low = halves(self.low, self.high, weight)
         weight = weight.copy()
         weight[side, np.arange(side.size)] *= 0.5
-        return replace(self, high=high).then(replace(self, low=low)), np.concatenate(
+        return replace(self, high=high).concatenated(replace(self, low=low)), np.concatenate(
             [weight, weight], axis=1
         )
 
@@ -212,7 +212,7 @@ class Claim(ABC):
             yield some, last, int(taken.size)
             pending = pending[order[taken.size :]]
             if not last.all():
-                pending = pending.then(some[~last].divided(weight[:, ~last], most - seen))
+                pending = pending.concatenated(some[~last].divided(weight[:, ~last], most - seen))
         if len(pending):
             yield pending, np.ones(len(pending), dtype=np.bool_), 0
 
@@ -283,7 +283,8 @@ Test: TypeAlias = Callable[[Balance, Intervals, Roots], BoolArray]
 def _one(balance: Balance, bounds: Intervals, roots: Roots) -> BoolArray:
     """Parts with one state at each point."""
     proved, left = (
-        np.bincount(point, minlength=bounds.shape[-1]) for point in (roots.point, roots.left_point)
+        np.bincount(point, minlength=bounds.shape[-1])
+        for point in (roots.point, roots.undecided_point)
     )
     return np.asarray((proved == 1) & (left == 0))
 
@@ -350,7 +351,7 @@ class ClaimOfStates(Claim):
         if new.size:
             around = around.copy()
             around[:, :, new], whole[new] = region(balance, bounds[:, new])
-        found = once_around(
+        found = reduced_by_turns(
             balance.periodic,
             certified_roots.search(
                 balance, around, parts.low, parts.high, budget=600, narrow=2.0**-20
@@ -362,13 +363,13 @@ class ClaimOfStates(Claim):
             np.arange(point.size) < found.point.size
         )  # of which the root is proved
         left = ~(beyond | kept)
-        states = Roots.at(ends, point=point).opened(kept, left)
+        states = Roots.at(ends, point=point).reopened(kept, left)
         where = np.full(around.shape, -np.inf)
         np.maximum.at(
             np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0)
         )
         room = 1e-6 + self.balance.options.margin * np.maximum(width_of(where), 0.0)
-        where = np.where(whole, np.fmin(raised(where + room), around), np.inf)
+        where = np.where(whole, np.fmin(rounded_outward(where + room), around), np.inf)
         with quiet():
             holds = whole & self.true(balance, bounds, states)
         return replace(parts, holds=holds, around=where), self._weights(parts, states)

@@ -77,4 +77,4 @@ def proved_jumps(box: Splitting, share: Callable[[Any], FloatArray], most: int) 
         return ProvedJumps(box.vary, box.begin, (), box.whole)
     box.sharp = True
     first, *others = [pieces[last] for pieces, last, _ in box.run(share, most)]
-    return ProvedJumps(box.vary, box.begin, box.free, first.then(*others))
+    return ProvedJumps(box.vary, box.begin, box.free, first.concatenated(*others))

@@ -19,7 +19,7 @@ from ..models.parameters import ParameterSet, as_count
 from ..models.quantities import Unit, checked_units
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ..statics.balance import BalanceInUnits
-from ..statics.reference_state import taken_up
+from ..statics.reference_state import reference_coordinates
 from .certificates import (
     ENDS,
     OPEN,
@@ -119,7 +119,7 @@ class Splitting(Claim):
         """
         at = np.append(free, self.begin)
         where = f"in the middle of the box is known to be stable at {self.vary} = {self.begin:g}"
-        z = np.append(taken_up(self.point(at), self.near, where), self.begin)
+        z = np.append(reference_coordinates(self.point(at), self.near, where), self.begin)
         return self._over(at[:, None], at[:, None]).place(z[:, None])
 
     def begins_alike(self, one: FloatArray, other: FloatArray) -> bool:
@@ -170,7 +170,7 @@ class Splitting(Claim):
             )
             weight[:, rows] = width[:, rows] * moves
         base = pieces.base[np.arange(len(pieces))]
-        base.put(start.sure, start[start.sure])
+        base.scatter(start.sure, start[start.sure])
         of = np.where(start.sure, np.stack([pieces.low[:-1], pieces.high[:-1]]), pieces.of)
         # What holds of a piece holds of its halves.
         safe, top = np.maximum(pieces.safe, safe), np.minimum(pieces.top, top)

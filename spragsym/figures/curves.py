@@ -24,7 +24,7 @@ from ..core.questions import model_of
 from ..models import Model
 from ..models.forces import columns_of
 from ..models.parameters import FINITE, FloatArray, ParameterSet, Ranges, Span, varied_range
-from ..numerics.columns import picked
+from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import ComplexArray, IntArray
 from ..results import Equilibria, EquilibriumType, Named, Path, Points
 from ..statics.stability import NEUTRAL, REAL
@@ -199,7 +199,7 @@ def _by_stability(
             }
             kinds = np.insert(kinds, place, kinds[side])
     for part in runs(kinds):
-        states = picked(columns, part)
+        states = selected_rows(columns, part)
         yield Branch(p.model, vary, states.pop(vary), states, EquilibriumType(kinds[part][0]))
 
 

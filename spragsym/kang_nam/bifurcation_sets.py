@@ -31,7 +31,7 @@ from ..models.parameters import FloatArray, Ranges, as_count
 from ..numerics import polynomials
 from ..numerics.arithmetic import Number
 from ..numerics.chains import link, walked
-from ..numerics.columns import ByColumn, picked
+from ..numerics.columns import ByColumn, selected_rows
 from ..numerics.interval_arrays import BoolArray, IntArray, quiet
 from ..numerics.polynomials import (
     IsolatedRoot,
@@ -137,7 +137,7 @@ def _cut(curves: Sequence[Curve], between: Ranges) -> Iterator[Curve]:
         for begin, end in np.flatnonzero(np.diff(inside, prepend=False, append=False)).reshape(
             -1, 2
         ):
-            part = picked(curve.values, slice(begin, end))
+            part = selected_rows(curve.values, slice(begin, end))
             yield Curve(part | {name: np.clip(part[name], *ends) for name, ends in between.items()})
 
 
@@ -287,7 +287,7 @@ def curves(
             open_ = ~before.goes_on(after, step) & (after.t > before.t * (1 + least_width))
             if not open_.any():
                 break
-            columns = columns.then(
+            columns = columns.concatenated(
                 _Columns.at(np.sqrt(before.t * after.t)[open_], condition, fixed)
             )
             columns = columns[np.argsort(columns.t)]

@@ -442,15 +442,15 @@ def covered(
         useful = [part[-1] > least_share * part[:-1].sum(axis=0) for part in parts]
         # How often one is halved in any case.
         least_halvings = 4
-        given_up = ~np.logical_or.reduce(useful) & (halving >= least_halvings)
-        hopeless = given_up | (halving == _HALVINGS)
+        useless = ~np.logical_or.reduce(useful) & (halving >= least_halvings)
+        abandoned = useless | (halving == _HALVINGS)
         box, begin, end = box[~done], begin[~done], end[~done]
         for part in parts:
-            sizes = part[:-1, hopeless]
+            sizes = part[:-1, abandoned]
             np.maximum.at(
-                weight.T, box[hopeless], (sizes / np.maximum(sizes.sum(axis=0), 1e-300)).T
+                weight.T, box[abandoned], (sizes / np.maximum(sizes.sum(axis=0), 1e-300)).T
             )
-        result[box[hopeless]] = False
+        result[box[abandoned]] = False
         # Open cells with which a box is given up.
         most_open = 64
         # A box with many open cells fails on a stretch of directions, and not at one: no cut of it

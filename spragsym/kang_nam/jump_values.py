@@ -26,7 +26,7 @@ from ..models.parameters import FloatArray
 from ..numerics import bernstein
 from ..numerics.affine import UNIT
 from ..numerics.balls import UndecidedSign
-from ..numerics.columns import picked
+from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import BoolArray, IndexArray
 from ..results.equilibria import Equilibria, EquilibriumType
 from . import fold_arrays, kernel
@@ -87,18 +87,18 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool 
     # Points that differ in ``vary`` alone share one jump, to be told from the values of all: it is
     # sharpened anyway.
     apart_from = np.broadcast_to(own, shape).reshape(-1) if sides and shape == whole else None
-    value, state, hopeless = np.empty(size), np.empty((2, size)), dict[int, str]()
+    value, state, failures = np.empty(size), np.empty((2, size)), dict[int, str]()
     for here, given in _blocks(p):
         marks = None if apart_from is None else apart_from[here]
         value[here], theta, reasons = _block(given, vary, forward, marks)
-        hopeless |= {here.start + i: reason for i, reason in reasons.items()}
+        failures |= {here.start + i: reason for i, reason in reasons.items()}
         at = given | {vary: value[here]}
         with np.errstate(invalid="ignore"):
             angles = *kernel.cos_sin(theta), *kernel.cos_sin(at["theta0"])
             state[:, here] = kernel.state_of(*angles, *(at[name] for name in kernel.FIXED))[1:]
     end = RANGES[vary].high if forward > 0 else RANGES[vary].low
     errors, until = np.full(shape, fold_arrays.LARGEST_ERROR), np.full(shape, end)
-    return Ends(value.reshape(shape), errors, state.reshape(2, *shape), hopeless, until)
+    return Ends(value.reshape(shape), errors, state.reshape(2, *shape), failures, until)
 
 
 def _blocks(p: Parameters) -> Iterator[tuple[slice, dict[str, FloatArray]]]:
@@ -113,7 +113,7 @@ def _blocks(p: Parameters) -> Iterator[tuple[slice, dict[str, FloatArray]]]:
     }
     for begin in range(0, math.prod(p.shape), BLOCK):
         here = slice(begin, begin + BLOCK)
-        yield here, picked(given, here)
+        yield here, selected_rows(given, here)
 
 
 def _block(
@@ -256,7 +256,7 @@ def have_jumped(
         yes = out[here]
         yes[:], left = _decided(given)
         if left.size:
-            yes[left] = _at_or_below(Parameters(**picked(given, left)), vary)
+            yes[left] = _at_or_below(Parameters(**selected_rows(given, left)), vary)
     return out.reshape(p.shape)
 
 

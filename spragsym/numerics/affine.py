@@ -21,7 +21,7 @@ import numpy as np
 
 from . import interval_arrays
 from .arithmetic import Arithmetic, Number, repeated_product
-from .interval_arrays import FUNCTION_ULPS, FloatArray, Int8Array, Intervals, quiet, raised
+from .interval_arrays import FUNCTION_ULPS, FloatArray, Int8Array, Intervals, quiet, rounded_outward
 from .jets import Functions, Jet
 
 #: Half a unit in the last place, relative.
@@ -177,7 +177,7 @@ class Affine(Rounded):
     def interval(self) -> Intervals:
         """The interval in which the numbers lie."""
         radius = self.radius()
-        return Intervals(raised(np.stack([radius - self.value, radius + self.value])))
+        return Intervals(rounded_outward(np.stack([radius - self.value, radius + self.value])))
 
     @staticmethod
     def linear(x: Affine, middle: Affine, slopes: Intervals) -> Affine:

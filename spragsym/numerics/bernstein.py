@@ -75,7 +75,7 @@ def positive_roots(coefficients: Sequence[Any], size: int) -> PolynomialRoots:
         undecided[
             pending.row[:half][np.abs(pending.value[-1, :half]) <= pending.error[-1, :half]]
         ] = True
-    return _refined(found[0].then(*found[1:]), undecided)
+    return _refined(found[0].concatenated(*found[1:]), undecided)
 
 
 @dataclass(frozen=True)
@@ -184,7 +184,7 @@ def _halved(parts: Parts) -> Parts:
     low_error, high_error = _cut(spread)
     half = 0.5 * parts.width
     lower = Parts(parts.row, parts.low, half, low_value, low_error)
-    return lower.then(Parts(parts.row, parts.low + half, half, high_value, high_error))
+    return lower.concatenated(Parts(parts.row, parts.low + half, half, high_value, high_error))
 
 
 def _at(value: FloatArray, place: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -113,12 +113,12 @@ class EquationSystem:
         rows = self.equations(variables(list(unknowns), self.order + 1), parameters)
         return matrix([gradient(row, unknowns.shape[0]) for row in rows], unknowns.shape[1:])
 
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+    def excluded(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes that hold nothing wanted for another reason than F, shape (N,)."""
         return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
-    def hopeless_besides(self, unknowns: Intervals, parameters: Intervals) -> BoolArray | None:
-        """Of what is hopeless that which no plan tells; None where it tells all."""
+    def excluded_without_plan(self, unknowns: Intervals, parameters: Intervals) -> BoolArray | None:
+        """Of what is excluded that which no plan tells; None where it tells all."""
         return None
 
     def plan(self, parameters: Intervals) -> Plan | None:
@@ -137,7 +137,9 @@ class EquationSystem:
         """Ends of boxes that lie in the given ones and hold the same roots, shape (2, n, N)."""
         return unknowns.ends
 
-    def given_up(self, unknowns: Intervals, parameters: Intervals, times: float = 1.0) -> BoolArray:
+    def abandoned(
+        self, unknowns: Intervals, parameters: Intervals, times: float = 1.0
+    ) -> BoolArray:
         """Boxes, up to so many times the width of the options, that halving would never decide, as
         around a pole of F, shape (N,).
         """
@@ -203,7 +205,7 @@ def search(
         # A look at one box costs as much as at a few.
         here.run(_parted(first, options.pieces) if low.shape[1] <= 4 else first)
     unique, where, undecided = (
-        first.then(*others) for first, *others in (here.unique, here.where, here.undecided)
+        first.concatenated(*others) for first, *others in (here.unique, here.where, here.undecided)
     )
     return SearchOutcome(unique, where, undecided, points, here.looks)
 
@@ -242,7 +244,7 @@ class _Search:
             while stack and total < CHUNK:
                 taken.append(stack.pop())
                 total += len(taken[-1])
-            pairs = taken[0].then(*taken[1:])
+            pairs = taken[0].concatenated(*taken[1:])
             if len(pairs) > 2 * CHUNK:
                 stack.append(pairs[:-CHUNK])
                 pairs = pairs[-CHUNK:]
@@ -276,16 +278,16 @@ class _Search:
         contraction.
         """
         parameters = self._at(given.nodes)
-        hopeless: Callable[[Intervals, Intervals], BoolArray | None]
+        excluded: Callable[[Intervals, Intervals], BoolArray | None]
         if self.plan is None:
             ends, keep = self._kept(given.ends, parameters)
-            hopeless = self.system.hopeless
+            excluded = self.system.excluded
         else:
             ends, keep = self.plan.kept(given.ends, parameters, self.rules.margin)
-            hopeless = self.system.hopeless_besides
+            excluded = self.system.excluded_without_plan
         rows = np.flatnonzero(keep)
         boxes = ends[:, :, rows]
-        gone = hopeless(Intervals(boxes), parameters[:, rows]) if rows.size else None
+        gone = excluded(Intervals(boxes), parameters[:, rows]) if rows.size else None
         if gone is not None:
             left = np.flatnonzero(~gone)
             rows, boxes = rows[left], boxes[:, :, left]
@@ -322,19 +324,21 @@ class _Search:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much
         narrower.
         """
-        hard = self.system.given_up(Intervals(now.ends), self.parameters[:, now.nodes])
+        hard = self.system.abandoned(Intervals(now.ends), self.parameters[:, now.nodes])
         verdicts[hard] = BoxVerdict.UNDECIDED
         self.undecided.append(now[verdicts == BoxVerdict.UNDECIDED])
         better, halve = (
             now[verdicts == BoxVerdict.AGAIN],
             np.flatnonzero(verdicts == BoxVerdict.HALVED),
         )
-        left = better.then(_cut(now[halve], along[halve]))
+        left = better.concatenated(_cut(now[halve], along[halve]))
         parted = np.flatnonzero(verdicts == BoxVerdict.PARTED)
         if not parted.size:
             return left
         places, children = self.points.children(now.nodes[parted])
-        return self._in_their_regions(Pairs(now.ends[:, :, parted[places]], children)).then(left)
+        return self._in_their_regions(Pairs(now.ends[:, :, parted[places]], children)).concatenated(
+            left
+        )
 
     def _in_their_regions(self, pairs: Pairs) -> Pairs:
         """Intersections of boxes with the regions of their nodes: that of one point may be wide,

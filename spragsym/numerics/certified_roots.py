@@ -18,7 +18,7 @@ from .interval_arrays import (
     IntArray,
     Intervals,
     quiet,
-    raised,
+    rounded_outward,
     scale_of,
     width_of,
 )
@@ -31,14 +31,14 @@ class Roots:
     ends: FloatArray  #: a box that holds exactly one root
     alone: FloatArray  #: the larger box in which it is the only one
     point: IntArray  #: the point of each
-    left: FloatArray  #: boxes of which it is not known what they hold
-    left_point: IntArray
+    undecided: FloatArray  #: boxes of which it is not known what they hold
+    undecided_point: IntArray
 
     @classmethod
     def at(
         cls, ends: FloatArray, alone: FloatArray | None = None, point: IntArray | None = None
     ) -> Roots:
-        """Roots and nothing left: each alone in its box and of point 0, if nothing else is said."""
+        """Roots, and nothing undecided: each alone in its box and of point 0, where not said."""
         point = np.zeros(ends.shape[2], dtype=np.int64) if point is None else point
         return cls(ends, ends if alone is None else alone, point, ends[:, :, :0], point[:0])
 
@@ -47,45 +47,48 @@ class Roots:
         """No roots, of n unknowns."""
         return cls.at(np.empty((2, n, 0)))
 
-    def kept(self, roots: Any = slice(None), left: Any = slice(None)) -> Roots:
-        """Some of the roots and some of the boxes that are left."""
+    def select(self, roots: Any = slice(None), undecided: Any = slice(None)) -> Roots:
+        """Some of the roots and some of the undecided boxes."""
         return Roots(
             self.ends[:, :, roots],
             self.alone[:, :, roots],
             self.point[roots],
-            self.left[:, :, left],
-            self.left_point[left],
+            self.undecided[:, :, undecided],
+            self.undecided_point[undecided],
         )
 
     def of(self, points: IntArray, others: bool = False) -> Roots:
         """Roots and boxes of some points, or of all others."""
-        return self.kept(
-            *(np.isin(part, points, invert=others) for part in (self.point, self.left_point))
+        return self.select(
+            *(np.isin(part, points, invert=others) for part in (self.point, self.undecided_point))
         )
 
     def numbered(self, points: IntArray) -> Roots:
         """Roots of some points, by the numbers of all points."""
-        return replace(self, point=points[self.point], left_point=points[self.left_point])
+        return replace(self, point=points[self.point], undecided_point=points[self.undecided_point])
 
-    def besides(self, left: FloatArray, point: IntArray) -> Roots:
+    def with_undecided(self, boxes: FloatArray, point: IntArray) -> Roots:
         """The roots with further undecided boxes."""
-        more = np.concatenate([self.left, left], axis=2)
-        return replace(self, left=more, left_point=np.concatenate([self.left_point, point]))
+        return replace(
+            self,
+            undecided=np.concatenate([self.undecided, boxes], axis=2),
+            undecided_point=np.concatenate([self.undecided_point, point]),
+        )
 
-    def opened(self, roots: Any, open_: Any) -> Roots:
-        """Some of the roots, and others of them among the boxes that are left."""
-        return self.kept(roots).besides(self.ends[:, :, open_], self.point[open_])
+    def reopened(self, roots: Any, open_: Any) -> Roots:
+        """Some of the roots, and others of them among the undecided boxes."""
+        return self.select(roots).with_undecided(self.ends[:, :, open_], self.point[open_])
 
-    def then(self, *others: Roots) -> Roots:
+    def concatenated(self, *others: Roots) -> Roots:
         """These, and roots and boxes of other searches."""
         columns = zip(*(vars(part).values() for part in (self, *others)), strict=True)
         return Roots(*(np.concatenate(column, axis=-1) for column in columns))
 
     @property
     def every(self) -> tuple[FloatArray, IntArray]:
-        """Boxes of roots and then those that are left, and the points of both."""
-        return np.concatenate([self.ends, self.left], axis=2), np.concatenate(
-            [self.point, self.left_point]
+        """Boxes of roots and then the undecided ones, and the points of both."""
+        return np.concatenate([self.ends, self.undecided], axis=2), np.concatenate(
+            [self.point, self.undecided_point]
         )
 
     @property
@@ -103,7 +106,7 @@ def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
     """Bound on |x − middle| / max(1, |middle|) over the boxes, shape (2, n, N), the largest of the
     components.
     """
-    return raised((contractors.distance(ends, middle) / scale_of(middle)).max(axis=0))
+    return rounded_outward((contractors.distance(ends, middle) / scale_of(middle)).max(axis=0))
 
 
 def search(
@@ -115,19 +118,19 @@ def search(
     """
     outcome = boxes.search(system, region, low, high, **how)
     place, point = outcome.points.below(outcome.unique.nodes)
-    open_, left_point = outcome.points.below(outcome.undecided.nodes)
+    open_, undecided_point = outcome.points.below(outcome.undecided.nodes)
     alone = outcome.unique.ends[:, :, place]
     with quiet():
         ends = np.minimum(outcome.where.ends[:, :, place], alone)
         ends, gone = _refined(system, ends, Intervals.between(low, high), point)
         # Each holds a root; where a law ends at the root itself, as a contact's at the touch,
         # refinement may lose it: undecided.
-        found = Roots(ends, alone, point, outcome.undecided.ends[:, :, open_], left_point).kept(
-            ~gone
-        )
-        return different(found, np.broadcast_to(region, (*region.shape[:2], low.shape[1]))).besides(
-            alone[:, :, gone], point[gone]
-        )
+        found = Roots(
+            ends, alone, point, outcome.undecided.ends[:, :, open_], undecided_point
+        ).select(~gone)
+        return different(
+            found, np.broadcast_to(region, (*region.shape[:2], low.shape[1]))
+        ).with_undecided(alone[:, :, gone], point[gone])
 
 
 def different(found: Roots, regions: FloatArray) -> Roots:
@@ -139,13 +142,13 @@ def different(found: Roots, regions: FloatArray) -> Roots:
     found = distinct(found)
     around = regions[:, :, found.point]
     border = ~contractors.within(found.ends, around)
-    return found.opened(~border, border & ~contractors.apart(found.ends, around))
+    return found.reopened(~border, border & ~contractors.apart(found.ends, around))
 
 
 def distinct(found: Roots) -> Roots:
     """Roots, each once, by point and lower end; what can't be told from another is left."""
-    found = found.kept(np.lexsort((-found.alone[0, 0], found.point)))
-    return found.opened(*once(found.ends, found.alone, found.point))
+    found = found.select(np.lexsort((-found.alone[0, 0], found.point)))
+    return found.reopened(*once(found.ends, found.alone, found.point))
 
 
 def _refined(

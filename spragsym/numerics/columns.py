@@ -9,7 +9,7 @@ from typing import Any, Self
 import numpy as np
 
 
-def picked(columns: Mapping[str, Any], rows: Any) -> dict[str, Any]:
+def selected_rows(columns: Mapping[str, Any], rows: Any) -> dict[str, Any]:
     """Some rows of each of several columns by name."""
     return {name: column[rows] for name, column in columns.items()}
 
@@ -34,17 +34,17 @@ class ByColumn:
             lambda part: part[rows] if isinstance(part, ByColumn) else part[..., rows]
         )
 
-    def put(self, rows: Any, other: Self) -> None:
+    def scatter(self, rows: Any, other: Self) -> None:
         """Overwrite some columns by those of another."""
         for field in fields(self):
             getattr(self, field.name)[..., rows] = getattr(other, field.name)
 
-    def then(self, *others: Self) -> Self:
+    def concatenated(self, *others: Self) -> Self:
         """These, and others."""
 
         def joined(one: object, *more: Any) -> Any:
             return (
-                one.then(*more)
+                one.concatenated(*more)
                 if isinstance(one, ByColumn)
                 else np.concatenate([one, *more], axis=-1)
             )

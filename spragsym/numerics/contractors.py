@@ -25,7 +25,7 @@ from .interval_arrays import (
     Intervals,
     ends_around,
     quiet,
-    raised,
+    rounded_outward,
     scaled,
     width_of,
 )
@@ -58,7 +58,7 @@ class Newton:
 
 def distance(ends: FloatArray, middle: FloatArray) -> FloatArray:
     """|x − m| over boxes of shape (2, n, N)."""
-    return np.maximum(*raised(ends_around(-middle, ends)))
+    return np.maximum(*rounded_outward(ends_around(-middle, ends)))
 
 
 def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> Newton:
@@ -138,11 +138,11 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
     # one; twice as much is added.
     around = (magnitude * reach).sum(axis=1) * (1 + 2 * (n + 1) * EPS) + TINY
     least, most = -A[0, diagonal, diagonal], A[1, diagonal, diagonal]
-    ends = raised(b[::-1] + around)
-    ends = raised(np.where(ends >= 0, ends / least, ends / most))
-    ends = raised(ends_around(middle, ends))
+    ends = rounded_outward(b[::-1] + around)
+    ends = rounded_outward(np.where(ends >= 0, ends / least, ends / most))
+    ends = rounded_outward(ends_around(middle, ends))
     noise = 0.5 * width_of(b)
-    none = np.logical_or.reduce(-np.minimum(b[0], b[1]) > raised(around + own, 2))
+    none = np.logical_or.reduce(-np.minimum(b[0], b[1]) > rounded_outward(around + own, 2))
     return Newton(np.where(least > 0, ends, np.inf), noise, none)
 
 
@@ -157,9 +157,11 @@ def no_unit_vector(rest: Intervals, factors: Intervals) -> BoolArray:
     gram = (m[:, :, None] * m[:, None]).sum(axis=0)
     P = (inverse(gram)[:, None] * m[None]).sum(axis=2)
     off = product(P, factors.ends)
-    off[:, [0, 1], [0, 1]] = raised(off[:, [0, 1], [0, 1]] + np.array([1.0, -1.0])[:, None, None])
+    off[:, [0, 1], [0, 1]] = rounded_outward(
+        off[:, [0, 1], [0, 1]] + np.array([1.0, -1.0])[:, None, None]
+    )
     slack = np.maximum(off[0], off[1]).sum(axis=1) * (1 + 4 * EPS)
-    u = Intervals(raised(product(P, rest.ends[:, :, None])[:, :, 0] + slack))
+    u = Intervals(rounded_outward(product(P, rest.ends[:, :, None])[:, :, 0] + slack))
     square = u[0].squared() + u[1].squared()
     return (square.low > 1) | (square.high < 1)
 

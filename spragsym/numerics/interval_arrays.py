@@ -55,7 +55,7 @@ FUNCTION_ULPS = 8
 _LEAST = -1e300
 
 
-def raised(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
+def rounded_outward(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
     """Upper bounds of the numbers from which ``ends`` differ by at most ``ulps`` units of 2⁻⁵²
     relative, or by one rounding.
     """
@@ -161,7 +161,7 @@ class Intervals(Arithmetic):
     @property
     def width(self) -> FloatArray:
         """Not less than high − low."""
-        return raised(self.ends[0] + self.ends[1])
+        return rounded_outward(self.ends[0] + self.ends[1])
 
     @property
     def middle(self) -> FloatArray:
@@ -203,19 +203,19 @@ class Intervals(Arithmetic):
             if (other := _point(other)) is None:
                 return NotImplemented
         one, two = _aligned(self.ends, other.ends)
-        return Intervals(raised(one + two))
+        return Intervals(rounded_outward(one + two))
 
     def __mul__(self, other: Number) -> Intervals:
         if isinstance(other, Intervals):
             return (
                 self.squared()
                 if other is self
-                else Intervals(raised(_extremes(np.multiply, self.ends, other.ends)))
+                else Intervals(rounded_outward(_extremes(np.multiply, self.ends, other.ends)))
             )
         if isinstance(other, int | float):
             return self._times(exactly(other))
         return (
-            Intervals(raised(scaled(self.ends, other)))
+            Intervals(rounded_outward(scaled(self.ends, other)))
             if isinstance(other, np.ndarray)
             else NotImplemented
         )
@@ -224,7 +224,7 @@ class Intervals(Arithmetic):
         ends = self.ends if factor >= 0 else self.ends[::-1]
         if factor == 0:  # exactly, unless an end bounds nothing
             return Intervals(ends * 0.0)
-        return Intervals(ends if abs(factor) == 1 else raised(ends * abs(factor)))
+        return Intervals(ends if abs(factor) == 1 else rounded_outward(ends * abs(factor)))
 
     def __truediv__(self, other: Number) -> Intervals:
         if not isinstance(other, Intervals):
@@ -233,7 +233,7 @@ class Intervals(Arithmetic):
         quotient, zero = _extremes(np.divide, one, two), Intervals(two).holds_zero()
         if zero.any():
             quotient = np.where(zero, _beside_zero(one, two), quotient)
-        return Intervals(raised(quotient))
+        return Intervals(rounded_outward(quotient))
 
     def __rtruediv__(self, other: Number) -> Intervals:
         return NotImplemented if (point := _point(other)) is None else point / self
@@ -241,7 +241,7 @@ class Intervals(Arithmetic):
     def squared(self) -> Intervals:
         """x²."""
         low, high = self.mignitude, self.magnitude
-        return Intervals(_not_negative(raised(pair(-(low * low), high * high))))
+        return Intervals(_not_negative(rounded_outward(pair(-(low * low), high * high))))
 
     def __pow__(self, power: Number) -> Intervals:
         if not isinstance(power, int):
@@ -256,14 +256,14 @@ class Intervals(Arithmetic):
             return self.squared() ** (power // 2)
         # Monotone. A product of n numbers in any order is off by less than n units, and by less
         # than TINY where one underflows.
-        return Intervals(raised(reduce(np.multiply, [self.ends] * power), power))
+        return Intervals(rounded_outward(reduce(np.multiply, [self.ends] * power), power))
 
     def sqrt(self) -> Intervals:
         """Square root; NaN where the interval holds negative numbers."""
         root = np.sqrt(pair(-self.ends[0], self.ends[1]))
         root[1] = np.where(self.ends[0] > 0, np.nan, root[1])
         root[0] *= -1
-        return Intervals(_not_negative(raised(root)))
+        return Intervals(_not_negative(rounded_outward(root)))
 
     def exp(self) -> Intervals:
         """Exponential, off by no more than :data:`FUNCTION_ULPS`."""
@@ -273,7 +273,7 @@ class Intervals(Arithmetic):
         values[0] = np.maximum(values[0], -np.finfo(np.float64).max)
         # Of 0 it is 1, exactly: laws of friction vanish there.
         return Intervals(
-            np.where(self.ends == 0, values, _not_negative(raised(values, FUNCTION_ULPS)))
+            np.where(self.ends == 0, values, _not_negative(rounded_outward(values, FUNCTION_ULPS)))
         )
 
     def log(self) -> Intervals:
@@ -282,20 +282,22 @@ class Intervals(Arithmetic):
         """
         values = self._at_ends(np.log)
         return Intervals(
-            np.where(self.ends == 0, np.maximum(values, _LEAST), raised(values, FUNCTION_ULPS))
+            np.where(
+                self.ends == 0, np.maximum(values, _LEAST), rounded_outward(values, FUNCTION_ULPS)
+            )
         )
 
     def tanh(self) -> Intervals:
         """Hyperbolic tangent, between −1 and 1."""
         values = self._at_ends(np.tanh)
         return Intervals(
-            np.where(self.ends == 0, 0.0, np.minimum(raised(values, FUNCTION_ULPS), 1.0))
+            np.where(self.ends == 0, 0.0, np.minimum(rounded_outward(values, FUNCTION_ULPS), 1.0))
         )
 
     def atan(self) -> Intervals:
         """Arc tangent."""
         return Intervals(
-            np.where(self.ends == 0, 0.0, raised(self._at_ends(np.atan), FUNCTION_ULPS))
+            np.where(self.ends == 0, 0.0, rounded_outward(self._at_ends(np.atan), FUNCTION_ULPS))
         )
 
     def cos(self) -> Intervals:
@@ -475,7 +477,7 @@ def _component(along: Intervals, across: Intervals) -> Intervals:
     other = np.where(ends > 0, near, far)
     # Three roundings, of a sum of squares, and two more: less than 4 units, where nothing
     # underflows or overflows.
-    values = raised(ends / np.sqrt(ends * ends + other * other), 4)
+    values = rounded_outward(ends / np.sqrt(ends * ends + other * other), 4)
     size = np.maximum(np.abs(ends), other)
     known = (size > 1e-140) & (size < 1e150) & (values <= 1)
     return Intervals(np.where(known, values, 1.0))
@@ -508,7 +510,7 @@ def _across(x: FloatArray, y: FloatArray, side: int | None) -> FloatArray:
     """
     if side is None:
         return np.full(x.shape, np.nan)
-    most = np.full(x.shape[1:], raised(np.array(np.pi)))
+    most = np.full(x.shape[1:], rounded_outward(np.array(np.pi)))
     if side == 0:
         return np.stack([most, most])
     # Of vectors with a sine of this sign the angle is least in size at the greatest cosine. A sine
@@ -520,4 +522,4 @@ def _across(x: FloatArray, y: FloatArray, side: int | None) -> FloatArray:
 
 def _bounded_by_pi(ends: FloatArray) -> FloatArray:
     """Upper bounds of angles that NumPy gives, none of which is larger than π."""
-    return np.minimum(raised(ends, FUNCTION_ULPS), raised(np.array(np.pi)))
+    return np.minimum(rounded_outward(ends, FUNCTION_ULPS), rounded_outward(np.array(np.pi)))

@@ -187,7 +187,7 @@ class Reduced:
 
     roots: list[Box]
     alone: list[Box]
-    left: list[Box]
+    undecided: list[Box]
 
 
 def reduced_roots(
@@ -328,7 +328,7 @@ class _Task:
             if self._settled(part, found):
                 continue
             if not depth:
-                found.left.append(part)
+                found.undecided.append(part)
                 continue
             low, high = part[self.along]
             cut = low + (high - low) * Fraction(61, 128)
@@ -339,7 +339,7 @@ class _Task:
                         depth - 1,
                     )
                 )
-        found.left.extend(part for part, _ in waiting)
+        found.undecided.extend(part for part, _ in waiting)
 
     def _settled(self, box: Box, found: Reduced) -> bool:
         """Whether the roots of a box could be isolated; those found are kept."""

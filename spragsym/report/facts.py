@@ -16,7 +16,7 @@ from ..core.remarks import Remark
 from ..design.certificates import Certificate
 from ..design.jumps import jump_value
 from ..design.probability import JumpProbability
-from ..numerics.columns import picked
+from ..numerics.columns import selected_rows
 from ..results.points import LowestEnd, Points
 from ..statics.equilibria import equilibria
 from .brake import Brake
@@ -443,7 +443,7 @@ def _rows(study: Brake, found: dict[str, Points]) -> tuple[FoldRow, ...]:
             told = None if angle is not None else study.told(value)
             friction, other = (told, None) if study.of_friction else (None, told)
             places = (points.coordinates, points.after)
-            before, after = (in_units(study, picked(place, i)) for place in places)
+            before, after = (in_units(study, selected_rows(place, i)) for place in places)
             words = (points.kind, points.ends, points.when)
             kind, ends, when = (str(word[i]) for word in words)
             rows.append(FoldRow(kind, friction, angle, other, ends, when, before, after))

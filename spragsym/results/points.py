@@ -17,7 +17,7 @@ from ..display import Column, Table, Tabular, counted, following, in_rows, not_a
 from ..models.forces import derived_of_states
 from ..models.model import Model
 from ..models.parameters import FloatArray
-from ..numerics.columns import picked
+from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import BoolArray, Int8Array, Shape
 from .equilibria import Equilibria, EquilibriumType
 from .result import Items, Named, OfStates, Result, Rows
@@ -208,7 +208,7 @@ class Points(OfStates, Rows):
             for name, (low, high) in zip(self.vary, ends, strict=True)
         )
         caption = f"{counted(len(self), 'point', 'points')} along {', '.join(spans)}{not_all(self)}"
-        return in_rows(caption, said, len(self), lambda some: picked(columns, some))
+        return in_rows(caption, said, len(self), lambda some: selected_rows(columns, some))
 
     def select(self, which: BoolArray) -> Self:
         """The points that ``which`` marks.
@@ -230,10 +230,10 @@ class Points(OfStates, Rows):
         >>> len(found), len(found.select(found.theta0 < 1.0))
         (2, 1)
         """
-        values = picked(self._values, which)
+        values = selected_rows(self._values, which)
         ended = self._ended
         if isinstance(ended, Ended) and not callable(ended.after):
-            ended = Ended(ended.ends[which], ended.when[which], picked(ended.after, which))
+            ended = Ended(ended.ends[which], ended.when[which], selected_rows(ended.after, which))
         return replace(
             self, kind=self.kind[which], error=self.error[which], _values=values, _ended=ended
         )
@@ -277,7 +277,7 @@ class Points(OfStates, Rows):
         """Quantities that follow from where the states are."""
         p = self.parameters.replace(**{name: self[name] for name in self.vary})
         told = derived_of_states(p, [place[:, None] for place in self.coordinates.values()])
-        return picked(told, (slice(None), 0))
+        return selected_rows(told, (slice(None), 0))
 
     @property
     def ends(self) -> NDArray[np.str_]:

@@ -117,7 +117,9 @@ class Balance(Forces, StateSystem):
         """Tapes of forces by the direction of each spring."""
         return [LineTapes(made(direction_entries(self, spring))) for spring in range(self.springs)]
 
-    def given_up(self, unknowns: Intervals, parameters: Intervals, times: float = 1.0) -> BoolArray:
+    def abandoned(
+        self, unknowns: Intervals, parameters: Intervals, times: float = 1.0
+    ) -> BoolArray:
         """Small boxes around the anchor of a spring that resists turning: its force has no bound
         there.
         """

@@ -58,7 +58,7 @@ from ..numerics.interval_arrays import (
     Intervals,
     Shape,
     quiet,
-    raised,
+    rounded_outward,
     stacked,
     width_of,
 )
@@ -67,7 +67,7 @@ from ..numerics.tape import Tape
 from .balance import SCALE, Balance
 from .forces import Evaluation, Values, as_intervals
 from .namespaces import XP
-from .precise_balance import once_around, refined, settled_by_digits
+from .precise_balance import reduced_by_turns, refined, refined_in_digits
 from .systems import StateSystem
 
 #: What is searched beyond φ = ±π, more than where a turn is cut, and beyond l = 0 in parts of the
@@ -193,7 +193,7 @@ class Polar(StateSystem):
             parameters.shape[1:],
         )
 
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+    def excluded(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes beyond the contact's border, and boxes with no coordinates that balance the forces
         of their directions.
         """
@@ -206,9 +206,9 @@ class Polar(StateSystem):
         """No exclusion by tape."""
         return Exclusions()
 
-    def hopeless_besides(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes that are hopeless for any reason."""
-        return self.hopeless(unknowns, parameters)
+    def excluded_without_plan(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+        """Boxes that are excluded for any reason."""
+        return self.excluded(unknowns, parameters)
 
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""
@@ -268,8 +268,8 @@ def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, fou
     """Boxes that a search has left, as along circles around anchors, decided in polar coordinates
     where that succeeds.
     """
-    again, done = _of_any_spring(balance, given, regions, np.unique(found.left_point))
-    return found.of(np.flatnonzero(done), others=True).then(again)
+    again, done = _of_any_spring(balance, given, regions, np.unique(found.undecided_point))
+    return found.of(np.flatnonzero(done), others=True).concatenated(again)
 
 
 def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses") -> Intervals:
@@ -296,8 +296,8 @@ def _of_any_spring(
         system = _system(balance, given, spring, False) if points.size else None
         if system is not None:
             found = _of_points(system, given, around, points)
-            decided = np.setdiff1d(points, found.left_point)
-            roots = roots.then(found.of(decided))
+            decided = np.setdiff1d(points, found.undecided_point)
+            roots = roots.concatenated(found.of(decided))
             done[decided] = True
     return roots, done
 
@@ -323,7 +323,7 @@ def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: Int
                 found = _searched(
                     replace(system, tight=tight), columns, sides[:, :, some], around[:, :, some]
                 )
-                roots = roots.then(found.numbered(points[some]))
+                roots = roots.concatenated(found.numbered(points[some]))
     return roots
 
 
@@ -339,29 +339,29 @@ def _sides(
     q = [0 if i in system.chart else Intervals(around[:, i]) for i in range(balance.n)]
     *anchor, rest = stacked(replace(nowhere, q=q).geometry[system.spring], shape)
     reach = [
-        np.maximum(*raised(around[:, i] + end.ends[::-1]))
+        np.maximum(*rounded_outward(around[:, i] + end.ends[::-1]))
         for i, end in zip(system.chart, anchor, strict=True)
     ]
-    length = raised(np.hypot(*reach), 4)
+    length = rounded_outward(np.hypot(*reach), 4)
     # Along the line the tension balances all else.
     whole = replace(nowhere, q=list(Intervals(around)))
     directions = system.turned(whole.directions[: 3 * balance.springs], 0)
     forces = stacked(system.other_forces(replace(whole, fixed=directions)), shape)
     # More than it can be, so that no tension lies on the border of the region.
-    most = (1.0 + 2.0**-10) * raised(
+    most = (1.0 + 2.0**-10) * rounded_outward(
         np.hypot(*(forces.magnitude[i] for i in system.chart)) / k.low, 8
     )
     most = np.where(np.isfinite(most) & (k.low > 0), most, np.inf)
     tight = most < 0.5 * rest.low
-    longest = np.fmin(length, raised(rest.high + most))
-    shortest = np.maximum(-BEYOND * longest, -raised(most - rest.low))
+    longest = np.fmin(length, rounded_outward(rest.high + most))
+    shortest = np.maximum(-BEYOND * longest, -rounded_outward(most - rest.low))
     scale = np.where(tight, most, longest)
     scale = np.where(scale > 0, scale, 1.0)
     turn = np.full(shape, HALF_TURN + BEYOND)
     ends = np.where(tight, 1.0, -shortest / scale), np.ones(shape)
     others = [around[:, i] for i in range(balance.n) if i not in system.chart]
     return (
-        np.stack([np.stack([turn, turn]), raised(np.stack(ends), 2), *others], axis=1),
+        np.stack([np.stack([turn, turn]), rounded_outward(np.stack(ends), 2), *others], axis=1),
         scale,
         tight,
     )
@@ -371,18 +371,20 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
     """All roots of points, as boxes of coordinates."""
     found = certified_roots.search(system, sides, given, given)
     found = refined(system, given, found)
-    found = settled_by_digits(system, given, sides, found)
-    found = found if system.turns else once_around([0], found)
+    found = refined_in_digits(system, given, sides, found)
+    found = found if system.turns else reduced_by_turns([0], found)
     prepared = system.prepared_at(given)
     possible, sure = _are_equilibria(system, found.ends)
-    found = found.kept(left=_are_equilibria(system, found.left)[0]).opened(sure, possible & ~sure)
-    balance, point, left_point = system.balance, found.point, found.left_point
+    found = found.select(undecided=_are_equilibria(system, found.undecided)[0]).reopened(
+        sure, possible & ~sure
+    )
+    balance, point, undecided_point = system.balance, found.point, found.undecided_point
     roots = Roots.at(system.cartesian(found.ends, prepared[:, point]), point=point)
     # On which side of the border a root lies that floats can't tell from it, digits do.
     on_border = ~contractors.within(roots.ends, around[:, :, point])
     roots = refined(balance, given[:-1], roots, on_border)
-    left = system.cartesian(found.left, prepared[:, left_point])
-    return _apart(roots.besides(left, left_point), around)
+    left = system.cartesian(found.undecided, prepared[:, undecided_point])
+    return _apart(roots.with_undecided(left, undecided_point), around)
 
 
 def _are_equilibria(system: Polar, ends: FloatArray) -> tuple[BoolArray, BoolArray]:
@@ -402,12 +404,14 @@ def _apart(found: Roots, around: FloatArray) -> Roots:
     """Roots of the region, each in a box of its own; those in boxes that meet are among what is
     left.
     """
-    found = found.kept(np.lexsort((-found.ends[0, 0], found.point)))
-    found = found.kept(~contractors.apart(found.ends, around[:, :, found.point]))
+    found = found.select(np.lexsort((-found.ends[0, 0], found.point)))
+    found = found.select(~contractors.apart(found.ends, around[:, :, found.point]))
     roots, point = found.ends, found.point
     clear = contractors.within(roots, around[:, :, point])
     for first, second in certified_roots.neighbours(roots, point):
         meet = ~contractors.apart(roots[:, :, first], roots[:, :, second])
         clear[first[meet]] = clear[second[meet]] = False
-    found = found.opened(clear, ~clear)
-    return found.kept(left=~contractors.apart(found.left, around[:, :, found.left_point]))
+    found = found.reopened(clear, ~clear)
+    return found.select(
+        undecided=~contractors.apart(found.undecided, around[:, :, found.undecided_point])
+    )

@@ -55,7 +55,7 @@ def refined(
     return replace(found, ends=ends)
 
 
-def settled_by_digits(
+def refined_in_digits(
     system: StateSystem,
     given: FloatArray,
     around: FloatArray,
@@ -71,14 +71,18 @@ def settled_by_digits(
     """
     options = system.options
     most = most if options.clusters is None else options.clusters
-    many = np.flatnonzero(np.bincount(found.left_point) > options.folded)
+    many = np.flatnonzero(np.bincount(found.undecided_point) > options.folded)
     if many.size:
-        whole = [found.left[:, :, found.left_point == point].max(axis=2) for point in many]
-        told = settled_by_digits(system, given, around, found.of(many, others=True), most=most)
-        return told.then(found.of(many).kept(left=slice(0)).besides(np.stack(whole, axis=2), many))
+        whole = [
+            found.undecided[:, :, found.undecided_point == point].max(axis=2) for point in many
+        ]
+        told = refined_in_digits(system, given, around, found.of(many, others=True), most=most)
+        return told.concatenated(
+            found.of(many).select(undecided=slice(0)).with_undecided(np.stack(whole, axis=2), many)
+        )
     poor = ~(found.error <= options.tolerance)
-    boxes = np.concatenate([found.left, found.ends[:, :, poor] + 2.0**-13], axis=2)
-    hulls, owner = clusters(boxes, np.concatenate([found.left_point, found.point[poor]]))
+    boxes = np.concatenate([found.undecided, found.ends[:, :, poor] + 2.0**-13], axis=2)
+    hulls, owner = clusters(boxes, np.concatenate([found.undecided_point, found.point[poor]]))
     points, which, count = np.unique(owner, return_inverse=True, return_counts=True)
     few = count <= most
     parts, lost = list[Roots](), Counter[int]()
@@ -88,18 +92,20 @@ def settled_by_digits(
             if lost[point] < options.open_clusters:
                 part = _or_known(own, hull, reduced(system, given[:, point], hull, point))
             else:
-                part = own.kept(contractors.within(own.ends, hull[:, :, None]), slice(0)).besides(
-                    hull[:, :, None], np.array([point])
-                )
-            lost[point] += part.left_point.size > options.open_parts
+                part = own.select(
+                    contractors.within(own.ends, hull[:, :, None]), slice(0)
+                ).with_undecided(hull[:, :, None], np.array([point]))
+            lost[point] += part.undecided_point.size > options.open_parts
             parts.append(part)
     if not parts:
         return found
     mine = found.of(points[few])
-    again = different(mine.kept(mine.error <= options.tolerance, slice(0)).then(*parts), around)
+    again = different(
+        mine.select(mine.error <= options.tolerance, slice(0)).concatenated(*parts), around
+    )
     # Clusters are looked at in boxes that are wider than they are.
-    inside = ~contractors.apart(again.left, around[:, :, again.left_point])
-    return found.of(points[few], others=True).then(again.kept(left=inside))
+    inside = ~contractors.apart(again.undecided, around[:, :, again.undecided_point])
+    return found.of(points[few], others=True).concatenated(again.select(undecided=inside))
 
 
 def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
@@ -108,12 +114,12 @@ def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
     """
     inside = contractors.within(found.ends, hull[:, :, None])
     if (
-        not part.left.shape[2]
+        not part.undecided.shape[2]
         or not inside.any()
-        or not contractors.apart(found.left, hull[:, :, None]).all()
+        or not contractors.apart(found.undecided, hull[:, :, None]).all()
     ):
         return part
-    return found.kept(inside, slice(0))
+    return found.select(inside, slice(0))
 
 
 def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: int = 0) -> Roots:
@@ -125,7 +131,7 @@ def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: 
     with quiet():
         parameters = system.prepared_at(given[:, None])
         slopes = system.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
-        pole = bool(system.given_up(Intervals(cluster[:, :, None]), parameters, 4)[0])
+        pole = bool(system.abandoned(Intervals(cluster[:, :, None]), parameters, 4)[0])
     box = exact_ends(cluster)
     found = Reduced([], [], [box])
     options = system.options
@@ -133,11 +139,11 @@ def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: 
         with suppress(UndecidedSign):
             precise = PreciseBalance(system, given, bits)
             found = reduced_roots(precise.values, box, slopes, bits, options)
-            if not found.left or len(found.left) > options.open_parts:
+            if not found.undecided or len(found.undecided) > options.open_parts:
                 break
     ends, alone, left = (
         np.concatenate([np.empty((2, len(box), 0)), *(outward(one).ends for one in boxes)], axis=2)
-        for boxes in (found.roots, found.alone, found.left)
+        for boxes in (found.roots, found.alone, found.undecided)
     )
     return Roots(ends, alone, np.full(ends.shape[2], point), left, np.full(left.shape[2], point))
 
@@ -171,7 +177,7 @@ def _around(boxes: FloatArray) -> FloatArray:
     return boxes + (0.5 * width_of(boxes) + 1e-8)
 
 
-def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
+def on_contact_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
     """Roots on the side of the border that was asked for; those that may lie on it among the boxes
     that are left.
 
@@ -191,8 +197,8 @@ def on_its_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
                 inside[row : row + 1], beyond[row : row + 1] = digits.balance.sides(
                     list(as_intervals(gaps))
                 )
-    found = found.opened(inside, ~(inside | beyond))
-    return found.kept(left=~beside_border(found.left, found.left_point)[1])
+    found = found.reopened(inside, ~(inside | beyond))
+    return found.select(undecided=~beside_border(found.undecided, found.undecided_point)[1])
 
 
 def on_side(
@@ -205,7 +211,7 @@ def on_side(
         return system.state(Intervals(ends), parameters).beside_border()
 
 
-def once_around(around: Sequence[int], found: Roots) -> Roots:
+def reduced_by_turns(around: Sequence[int], found: Roots) -> Roots:
     """Roots and boxes that are left, without those whose image after a turn is there too.
 
     What meets an end of the turn itself, of which this can't be said, is among the boxes that are
@@ -214,8 +220,8 @@ def once_around(around: Sequence[int], found: Roots) -> Roots:
     if not around:
         return found
     beyond, across = _parted(found.ends, around)
-    hidden, _ = _parted(found.left, around)
-    return found.kept(left=~hidden).opened(~beyond & ~across, across & ~beyond)
+    hidden, _ = _parted(found.undecided, around)
+    return found.select(undecided=~hidden).reopened(~beyond & ~across, across & ~beyond)
 
 
 def _parted(ends: FloatArray, around: Sequence[int]) -> tuple[BoolArray, BoolArray]:

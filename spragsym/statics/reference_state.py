@@ -50,7 +50,9 @@ def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> 
     return chosen_state(eq.parameters, q, eq.error, among, near)
 
 
-def taken_up(p: ParameterSet, near: Mapping[str, float] | None, where: str) -> FloatArray:
+def reference_coordinates(
+    p: ParameterSet, near: Mapping[str, float] | None, where: str
+) -> FloatArray:
     """Coordinates of the reference state of one point; an error, which says ``where``, if none is
     known to be stable.
     """

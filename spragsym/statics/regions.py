@@ -36,7 +36,7 @@ from ..numerics.interval_arrays import (
     IntArray,
     Intervals,
     quiet,
-    raised,
+    rounded_outward,
     stacked,
     width_of,
 )
@@ -64,7 +64,7 @@ def region(
     """A box for each point, as −low and high, shape (2, n, N), and whether each is proved to hold
     all equilibria of its point.
 
-    ``bounds`` are parameters, shape (P, N), ``asked`` is the box from :func:`by_hand`.
+    ``bounds`` are parameters, shape (P, N), ``asked`` is the box from :func:`requested_region`.
     """
     ends, proved = _by_forces(balance, bounds)
     for step in (_by_cells, _in_pieces):
@@ -73,7 +73,7 @@ def region(
             break
         ends[:, :, open_], proved[open_] = step(balance, bounds[:, open_], ends[:, :, open_])
     wider = np.minimum(
-        np.where(np.isfinite(ends), raised(ends + 1e-6), ends), balance.border[:, :, None]
+        np.where(np.isfinite(ends), rounded_outward(ends + 1e-6), ends), balance.border[:, :, None]
     )
     if asked is None:
         return wider, proved
@@ -91,7 +91,7 @@ def region(
     return np.where(given & apart, box, both), whole
 
 
-def by_hand(model: Model, within: Ranges | None) -> FloatArray | None:
+def requested_region(model: Model, within: Ranges | None) -> FloatArray | None:
     """``within={"x": (-5, 5)}`` as −low and high, shape (2, n), infinite where nothing is asked."""
     if within is None:
         return None
@@ -334,7 +334,7 @@ def _near_anchors(at: Evaluation, ends: FloatArray) -> FloatArray:
         q: list[Any] = [0] * balance.n
         anchor = replace(at, q=q).anchors[spring]
         for place, end in zip(places, anchor, strict=True):
-            hull[:, place] = np.maximum(hull[:, place], raised(end.ends + LENGTH))
+            hull[:, place] = np.maximum(hull[:, place], rounded_outward(end.ends + LENGTH))
     return np.minimum(hull, balance.border[:, :, None])
 
 

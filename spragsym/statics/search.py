@@ -39,9 +39,9 @@ from .forces import as_intervals
 from .namespaces import XP
 from .options import SearchOptions
 from .polar import around_anchors, stiff_points, turned_points
-from .precise_balance import on_its_side, once_around, refined, settled_by_digits
+from .precise_balance import on_contact_side, reduced_by_turns, refined, refined_in_digits
 from .reference_state import in_order
-from .regions import by_hand, region
+from .regions import region, requested_region
 from .states import Held
 
 #: What is asked of contacts: a combination of those that touch, all of them that touch somewhere
@@ -55,7 +55,10 @@ def searched(
     """The equilibria of :func:`spragsym.equilibria`, by a search for each combination of contacts
     that touch.
     """
-    balances, asked = balances_of(p.model, contact, within, options), by_hand(p.model, within)
+    balances, asked = (
+        balances_of(p.model, contact, within, options),
+        requested_region(p.model, within),
+    )
     given = columns(p, balances[0].parameters)
     parts = [(balance, *solved(balance, given, asked)) for balance in balances]
     return _arranged(p, parts)
@@ -80,7 +83,7 @@ def balances_of(
     balances = [Balance(model, key, law, options=options) for key in combinations]
     for balance in balances:
         balance.apart = len(balances) > 1
-    asked = by_hand(model, within)
+    asked = requested_region(model, within)
     if asked is None:
         return balances
     inside = [one for one in balances if (width_of(np.minimum(asked, one.border)) >= 0).all()]
@@ -145,9 +148,9 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     given = np.array([np.broadcast_to(p[name], rows.shape)[rows] for name in balance.parameters])
     given = given.reshape(len(balance.parameters), states.shape[1])
     found, *others = (solved(one, given)[0] for one in balances)
-    found = found.then(*others)
+    found = found.concatenated(*others)
     order, slot = _in_slots(found)
-    found = found.kept(order)
+    found = found.select(order)
     point = found.point
     off = apart(found.middle.T, states[:, point].T, balance.periodic)
     away = np.linalg.norm(off, axis=1) / (1 + np.linalg.norm(states[:, point], axis=0))
@@ -185,8 +188,8 @@ def solved(
     stiff, done = stiff_points(balance, given, around)
     rest = np.flatnonzero(~(turning | done))
     others = _by_boxes(balance, given[:, rest], around[:, :, rest]).numbered(rest)
-    found = refined(balance, given, turned.then(stiff, others))
-    return once_around(balance.periodic, on_its_side(balance, given, found)), around, whole
+    found = refined(balance, given, turned.concatenated(stiff, others))
+    return reduced_by_turns(balance.periodic, on_contact_side(balance, given, found)), around, whole
 
 
 def _in_slots(found: Roots) -> tuple[IndexArray, IntArray]:
@@ -205,7 +208,7 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     # What is left is looked at with many digits.
     narrow = balance.options.narrow or 2.0**-19
     found = certified_roots.search(balance, around, given, given, narrow=narrow)
-    told = settled_by_digits(balance, given, around, found)
+    told = refined_in_digits(balance, given, around, found)
     return around_anchors(balance, given, around, told)
 
 
@@ -222,11 +225,11 @@ def _arranged(
     for own, roots, _, _ in parts:
         ends, at = roots.ends, given[:, roots.point]
         every.append(stability.classified(own, roots.middle, at, ends))
-        reasons += kinds_of(own, given[:, roots.left_point], roots.left)
+        reasons += kinds_of(own, given[:, roots.undecided_point], roots.undecided)
         touching += [own.touching] * roots.point.size
-    found = parts[0][1].then(*(roots for _, roots, *_ in parts[1:]))
+    found = parts[0][1].concatenated(*(roots for _, roots, *_ in parts[1:]))
     order, slot = _in_slots(found)
-    found = found.kept(order)
+    found = found.select(order)
     codes, proved, eigenvalues = (np.concatenate(part)[order] for part in zip(*every, strict=True))
     point, states = found.point, found.middle
     count = np.bincount(point, minlength=size)
@@ -238,13 +241,13 @@ def _arranged(
         return out.reshape(*shape, slots, *values.shape[1:])
 
     decided = np.ones(size, dtype=np.bool_)
-    decided[found.left_point] = False
+    decided[found.undecided_point] = False
     undecided = tuple(
         Undecided(tuple(map(int, np.unravel_index(number, shape))), tuple(low), tuple(high), reason)
         for number, low, high, reason in zip(
-            found.left_point,
-            (-found.left[0].T).tolist(),
-            found.left[1].T.tolist(),
+            found.undecided_point,
+            (-found.undecided[0].T).tolist(),
+            found.undecided[1].T.tolist(),
             reasons,
             strict=True,
         )

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..display import own_name
 from ..models.model import Touching
 from ..models.parameters import FloatArray
-from ..numerics.columns import picked
+from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import Int8Array, IntArray
 from ..results import Equilibria
 
@@ -79,7 +79,7 @@ def one_each(
         own_name(p.model, "marginal"): ~known,
     }
     contact = None if p.model.has_regimes else True
-    return Equilibria(p, contact, ones, known, (), (), Held(picked(columns, (..., None))))
+    return Equilibria(p, contact, ones, known, (), (), Held(selected_rows(columns, (..., None))))
 
 
 def combination_of(

@@ -178,7 +178,7 @@ class StateSystem(EquationSystem):
         """Residuals on any side: torsion angles that jump in a box have any value there."""
         return self.values(unknowns, parameters, self.balance.anywhere)
 
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+    def excluded(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes where no state is; where a torsion angle jumps in a box, what vanishes is asked on
         each side of the jump.
         """
@@ -248,7 +248,7 @@ class StateSystem(EquationSystem):
         )
 
     def exclusions(self, made: Callable[..., Tape]) -> Exclusions:
-        """Exclusions of :meth:`hopeless`, by tapes that are ``made`` of entries."""
+        """Exclusions of :meth:`excluded`, by tapes that are ``made`` of entries."""
         balance, borders, lines = self.balance, self.borders(), self.lines_at(made)
         sides = self.every_side if balance.torsions else ()
         return Exclusions(

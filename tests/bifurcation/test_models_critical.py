@@ -140,7 +140,7 @@ def test_signs_stand_for_tubes_only_where_they_are_sure(monkeypatch: pytest.Monk
     def watched(tubes: Tubes, start: Any, goal: Any, needless: Any) -> Any:
         end = followed(tubes, start, goal)
         one = start[np.arange(3)]
-        one.put(np.array([2]), end[np.array([2])])
+        one.scatter(np.array([2]), end[np.array([2])])
         asked.append(bool(needless(one).any()))
         return end
 

@@ -27,7 +27,7 @@ def solved(problem, region=None, low=NONE, high=None, budget=20_000):
 def test_all_roots_of_known_problems(problem):
     found = solved(problem)
     assert found.point.size == problem.roots
-    assert found.left_point.size == 0
+    assert found.undecided_point.size == 0
     assert found.error.max() < 1e-13
     values = problem.residuals(Intervals(found.ends), Intervals(np.zeros((2, 0, 1))))
     assert values.holds_zero().all()
@@ -67,7 +67,7 @@ def test_many_points_at_once():
     found = solved(Quadratic(), WIDE, np.stack([p, q]))
     square = p**2 - 4 * q
     counts = np.bincount(found.point, minlength=3000)
-    left = np.unique(found.left_point)
+    left = np.unique(found.undecided_point)
     decided = np.ones(3000, dtype=bool)
     decided[left] = False
     assert (counts == np.where(square > 0, 2, 0))[decided].all()
@@ -104,8 +104,8 @@ def test_each_point_is_searched_in_its_own_region():
 def test_exact_double_root_stays_undecided_with_a_small_box():
     found = solved(Quadratic(), WIDE, np.array([[-2.0], [1.0]]))
     assert found.point.size == 0
-    assert found.left_point.size
-    assert (np.abs(Intervals(found.left).middle[0] - 1) < 1e-5).all()
+    assert found.undecided_point.size
+    assert (np.abs(Intervals(found.undecided).middle[0] - 1) < 1e-5).all()
 
 
 def test_a_line_of_roots_costs_no_more_than_the_budget():
@@ -134,7 +134,7 @@ def test_roots_on_borders_are_found_once(corner):
     )
     found = solved(product)
     assert found.point.size == 4
-    assert found.left_point.size == 0
+    assert found.undecided_point.size == 0
 
 
 def test_roots_outside_of_the_region_are_none_of_its_roots():
@@ -143,7 +143,7 @@ def test_roots_outside_of_the_region_are_none_of_its_roots():
     on_border = Problem("grid", lambda x: ((x[0] - 1) * x[0], x[1]), ((-1, 1), (-1, 1)), 1)
     found = solved(on_border)
     assert found.point.size == 1
-    assert found.left_point.size == 1
+    assert found.undecided_point.size == 1
 
 
 def test_boxes_of_parameters_are_proved_for_all_of_their_points():

@@ -245,7 +245,8 @@ def test_no_look_loses_a_root(steps):
     for _ in range(steps):
         left = search.look(left)
     unique, where, undecided = (
-        first.then(*more) for first, *more in (search.unique, search.where, search.undecided)
+        first.concatenated(*more)
+        for first, *more in (search.unique, search.where, search.undecided)
     )
     for k in range(len(pairs)):
         node, (x, y) = pairs.nodes[k], roots[:, k]
@@ -373,13 +374,13 @@ def test_roots_inside_on_and_outside_of_the_border(monkeypatch):
         alone = ends_of(middle - 0.05, middle + 0.05)
         given = outcome(alone, ends_of(middle - 0.02, middle + 0.02), none, values, [0, 0], [])
         found = refined(monkeypatch, given, 1.0, values)
-        assert (found.point.size, found.left_point.size) == counts
+        assert (found.point.size, found.undecided_point.size) == counts
         assert found.middle[0].tolist() == sorted(found.middle[0].tolist())
         assert found.error.max() < 1e-14
         for x in [-0.25, *([b] if counts[0] == 2 else [])]:
             assert holds(found.ends, np.array([x, 0.5 * x])).sum() == 1
         if counts[1]:
-            assert holds(found.left, np.array([b, 0.5 * b])).all()
+            assert holds(found.undecided, np.array([b, 0.5 * b])).all()
 
 
 def test_what_was_undecided_is_left_with_its_point(monkeypatch):
@@ -396,8 +397,8 @@ def test_what_was_undecided_is_left_with_its_point(monkeypatch):
     found = refined(monkeypatch, given, 4.0, values)
     assert found.point.tolist() == [2]
     assert holds(found.ends, np.array([0.3, 0.15])).all()
-    assert sorted(found.left_point.tolist()) == [0, 1, 2]
-    assert (found.left == open_one).all()
+    assert sorted(found.undecided_point.tolist()) == [0, 1, 2]
+    assert (found.undecided == open_one).all()
 
 
 def test_a_box_without_its_root_is_told(monkeypatch):
@@ -406,8 +407,8 @@ def test_a_box_without_its_root_is_told(monkeypatch):
     wrong = ends_of([[1.0], [0.5]], [[1.1], [0.6]])
     given = outcome(wrong, wrong, np.empty((2, 2, 0)), values, [0], [])
     found = refined(monkeypatch, given, 4.0, values)
-    assert (found.point.size, found.left_point.tolist()) == (0, [0])
-    assert (found.left[:, :, 0] == wrong[:, :, 0]).all()
+    assert (found.point.size, found.undecided_point.tolist()) == (0, [0])
+    assert (found.undecided[:, :, 0] == wrong[:, :, 0]).all()
 
 
 def test_relative_errors():

@@ -40,7 +40,7 @@ def test_three_close_roots(gap):
     roots = [0.1 - gap, 0.1, 0.1 + gap]
     exact = [Fraction(root) for root in roots]
     found = reduced_roots(bent(roots), [(0.098, 0.1021), (-0.1, -0.08)], SINGULAR, 200)
-    assert not found.left
+    assert not found.undecided
     assert len(found.roots) == 3
     for box, root in zip(sorted(found.roots), sorted(exact), strict=True):
         assert box[0][0] <= root <= box[0][1]
@@ -53,7 +53,7 @@ def test_one_unknown_is_all_there_is(gap):
     found = reduced_roots(
         lambda q: [q[0] ** 2 - float(gap**2)], [(-2 * float(gap), 1.0)], np.array([[0.0]]), 200
     )
-    assert not found.left
+    assert not found.undecided
     for (side,), root in zip(sorted(found.roots), (-gap, gap), strict=True):
         assert side[0] <= root <= side[1]
         assert side[1] - side[0] < Fraction(1, 10**16)
@@ -67,7 +67,7 @@ def test_two_complex_roots_are_none():
     found = reduced_roots(
         evaluate, [(-1e-3, 1.1e-3), (-1e-5, 1e-5)], np.array([[0.0, 1.0], [0.0, 1.0]]), 200
     )
-    assert not found.left
+    assert not found.undecided
     assert not found.roots
 
 
@@ -81,7 +81,7 @@ def test_a_double_root_is_left():
         evaluate, [(-1e-3, 1.1e-3), (-1e-5, 1e-5)], np.array([[0.0, 1.0], [0.0, 1.0]]), 200
     )
     assert not found.roots
-    assert any(box[0][0] <= 0 <= box[0][1] for box in found.left)
+    assert any(box[0][0] <= 0 <= box[0][1] for box in found.undecided)
 
 
 def test_an_unknown_that_is_exactly_0_needs_no_more_digits_than_the_others():

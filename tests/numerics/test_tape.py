@@ -152,7 +152,7 @@ def asked(system: StateSystem, unknowns: Intervals, parameters: Intervals) -> li
         system.residuals(unknowns, parameters).ends,
         system.jacobian(unknowns, parameters).ends,
         system.contracted(unknowns, parameters),
-        system.hopeless(unknowns, parameters),
+        system.excluded(unknowns, parameters),
     ]
 
 

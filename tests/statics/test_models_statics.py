@@ -202,7 +202,7 @@ def test_a_root_where_the_column_in_use_vanishes_is_no_cusp():
     cusps = singularities.told_apart(family, found, column=1)
     assert np.allclose(cusps.middle[-1], 0.200931781805090, atol=1e-12)
     assert cusps.point.size
-    assert not cusps.left_point.size
+    assert not cusps.undecided_point.size
 
 
 def test_hopf_points_with_dampers_are_where_a_pair_crosses():

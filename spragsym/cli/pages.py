@@ -8,7 +8,6 @@ import math
 import os
 import shlex
 import sys
-import webbrowser
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -238,6 +237,8 @@ def explore(
         or os.environ.get("DISPLAY")
         or os.environ.get("WAYLAND_DISPLAY")
     ):
+        import webbrowser  # a report needs none of what it loads
+
         webbrowser.open(out.resolve().as_uri())
     else:
         click.echo(f"there is no display; open {out} in a browser", err=True)

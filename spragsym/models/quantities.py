@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import inspect
 import math
+import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
@@ -143,10 +144,8 @@ class Quantities:
         taken, found = set(inspect.signature(self.model.algebra.forces).parameters), set[str]()
         for quantity, name in self.parameters.items():
             if taken & {name, *self.about["angles"].get(name, ())}:
-                found |= {
-                    quantity,
-                    *(base for base, power in self.powers(self.units[quantity]).items() if power),
-                }
+                scale = re.findall(r"\w+", self.model.unit(self.units[quantity]))
+                found |= {quantity, *self.bases.keys() & set(scale)}
         return self._ordered(found)
 
     @cached_property

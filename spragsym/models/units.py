@@ -149,25 +149,17 @@ def factor(unit: str, si: str) -> float:
     if all(wanted.get(axis, 0) == power for axis, power in _TORQUE.items()):
         off.discard("[angle]")
     if off:
-        spelled = re.sub(r"\s*([*/])\s*", r" \1 ", _spelled(unit))
-        raise ParameterError(f"the unit {unit!r} ({spelled}) does not measure what {si} does")
+        long = re.sub(r"\s*([*/])\s*", r" \1 ", spelled(unit))
+        raise ParameterError(f"the unit {unit!r} ({long}) does not measure what {si} does")
     return float(_size(unit) / _size(si))
 
 
 @lru_cache(maxsize=256)
 def parsed(unit: str) -> pint.Unit:
     """A unit from its text: SI with prefixes and engineers' units, each word with one meaning."""
-    # A power of a power may be larger than any number.
-    powers = re.search(r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", unit)
-    if (
-        not _LETTERS.fullmatch(unit)
-        or powers
-        or any(len(digits) > 2 for digits in re.findall(r"\d+", unit))
-    ):
-        raise ParameterError(f"the unit {unit!r} can't be read")
-    named = _spelled(unit).replace("·", "*").replace("⋅", "*")
+    named, registry = spelled(unit).replace("·", "*").replace("⋅", "*"), _registry()
     try:
-        return _registry().parse_units(named)
+        return registry.parse_units(named)
     except Exception as error:  # pint raises many kinds, of the tokenizer too
         raise ParameterError(f"the unit {unit!r} is not known") from error
 
@@ -184,8 +176,19 @@ def dimension(unit: str) -> Mapping[str, Any]:
     return parsed(unit).dimensionality
 
 
-def _spelled(unit: str) -> str:
-    """A unit with the long names of its words."""
+def spelled(unit: str) -> str:
+    """A unit with the long names of its words; an error for one that is not known.
+
+    pint is not loaded, which takes longer than all else that a mistake costs.
+    """
+    # A power of a power may be larger than any number.
+    powers = re.search(r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", unit)
+    if (
+        not _LETTERS.fullmatch(unit)
+        or powers
+        or any(len(digits) > 2 for digits in re.findall(r"\d+", unit))
+    ):
+        raise ParameterError(f"the unit {unit!r} can't be read")
     return _WORD.sub(lambda found: _named(found[0], unit), unit)
 
 

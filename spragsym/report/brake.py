@@ -59,6 +59,17 @@ class LoadParameter:
 _NOTHING = LoadParameter("", "", math.nan, False)
 
 
+def check_load(kind: Quantities, vary: Any) -> None:
+    """Refuse a loading parameter, if one is named, on which no state depends."""
+    if not isinstance(vary, str | None):
+        raise ParameterError(f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
+    if vary is not None and vary not in kind.may_rise:
+        cure = hint(vary, kind.may_rise) or f"; choose one of {', '.join(kind.may_rise)}"
+        raise ParameterError(
+            f"vary = {vary!r} does not move the states of {kind.model.where}, or is a unit{cure}"
+        )
+
+
 def load_parameter_of(
     kind: Quantities, vary: str | None, begin: float | None, values: Numbers
 ) -> LoadParameter | None:
@@ -74,11 +85,7 @@ def load_parameter_of(
             )
         quantity, name = kind.friction, kind.model.coefficient
         return LoadParameter(quantity, name, 0.0, kind.has_friction) if quantity and name else None
-    if vary not in kind.may_rise:
-        cure = hint(vary, kind.may_rise) or f"; choose one of {', '.join(kind.may_rise)}"
-        raise ParameterError(
-            f"vary = {vary!r} does not move the states of {kind.model.where}, or is a unit{cure}"
-        )
+    check_load(kind, vary)
     allowed = kind.ranges(values)[vary]
     if begin is None and not allowed.contains(allowed.low):
         raise ParameterError(

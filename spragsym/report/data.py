@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping, Set
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from ..core.errors import ParameterError, SpragsymError, hint
 from ..design.sampling import Correlation, dependence
@@ -18,13 +18,15 @@ from ..files.text import FilePath, brake_text, path_text, printed
 from ..models.load import USUAL, WITH_DAMPERS
 from ..models.parameters import FINITE, Range, Ranges
 from ..models.quantities import Quantities, quantities
-from .brake import Brake, LoadParameter, load_parameter_of, spanned
+from .brake import Brake, LoadParameter, check_load, load_parameter_of, spanned
 from .damping import RATIO, modal_dampers
 from .example import OWN_EXAMPLES, example_of
 from .friction_curve import read_friction
 from .friction_fit import FrictionFit, fit_friction
 from .trust import trusted_model
-from .units import ENDS, WITHIN, Measured, Numbers, read, remedy, shown_in
+from .units import ENDS, WITHIN, Measured, Numbers, check_words, read, remedy, shown_in
+
+_R = TypeVar("_R")
 
 #: What begins a tolerance.
 _TOLERANCE = re.compile(r"±|\+/?-|\bsd\b")
@@ -91,13 +93,14 @@ class _FileReader:
         table = self._table()
         for key, value in table.items():
             printed(self.of(key), {key: value})
-        with self.at("model", "model = "):
-            model = trusted_model(table.pop("model", USUAL), trust)
-        damped = quantities(WITH_DAMPERS.get(model, model))
-        if table.keys() & {"damping_ratio", *damped.dampers}:
-            model = damped.model.where
-        kind = quantities(model)
         own = {key: table.pop(key, None) for key in _KEYS}
+        with self.at("model", "model = "):
+            model = trusted_model(USUAL if own["model"] is None else own["model"], trust)
+        kind, damped = quantities(model), quantities(WITH_DAMPERS.get(model, model))
+        dampers = damped.units.keys() - kind.units.keys()
+        if own["damping_ratio"] is not None or table.keys() & dampers:
+            kind = damped
+        # What is told without the sizes of units comes first: these need pint.
         ranges, found = kind.ranges(), dict[str, Measured]()
         for key, value in table.items():
             with self.at(key):
@@ -107,18 +110,20 @@ class _FileReader:
                     raise ParameterError(
                         f"{key} = {value!r} is not a quantity of the model {model}{remark}"
                     )
+                unit = kind.units[key]
+                _looked_at(read if unit == "1" else check_words, key, value, unit, ranges[key])
+        with self.at("damping_ratio"):
+            given = own["damping_ratio"]
+            ratio = None if given is None else _exact("damping_ratio", given, "1", RATIO)
+        with self.at("vary"):
+            check_load(kind, own["vary"])
+        self._check_missing(table.keys(), own, kind, dampers)
+        for key, value in table.items():
+            with self.at(key):
                 found[key] = _quantity(key, value, kind.units[key], ranges[key])
         with self.at("friction", f"friction = {own['friction']!r}: "):
             fit = None if own["friction"] is None else self._friction(own["friction"], found, kind)
-        told = kind.of_the_law + (() if own["damping_ratio"] is None else kind.dampers)
-        missing = [key for key in kind.units if key not in found and key not in told]
-        if missing:
-            wanted = ", ".join(f'{key} = "{example_of(key, kind.units[key])}"' for key in missing)
-            raise ParameterError(
-                f"{self.table('brake')}: [brake] is without {', '.join(missing)}; add lines "
-                f"such as {wanted}"
-            )
-        data: dict[str, Any] = {"model": model, "source": Path(self.path).name, "fit": fit}
+        data: dict[str, Any] = {"model": kind.model.where, "damping_ratio": ratio, "fit": fit}
         data |= {key: str(own[key] or "") for key in ("title", "date")}
         with self.at("correlation"):
             data["correlation"] = _correlation(own["correlation"], found, fit, kind.friction)
@@ -129,10 +134,25 @@ class _FileReader:
         with self.at("vary" if own["begin"] is None else "begin"):
             data["load"] = _rise(own["vary"], own["begin"], kind, found)
         with self.at("damping_ratio"):
-            if own["damping_ratio"] is not None:
-                data["damping_ratio"] = _exact("damping_ratio", own["damping_ratio"], "1", RATIO)
-                found |= modal_dampers(kind, found, data["damping_ratio"])
-        return Brake.of(**data, quantities={key: found[key] for key in kind.units if key in found})
+            if ratio is not None:
+                found |= modal_dampers(kind, found, ratio)
+        measured = {key: found[key] for key in kind.units if key in found}
+        return Brake.of(**data, source=Path(self.path).name, quantities=measured)
+
+    def _check_missing(
+        self, given: Set[str], own: Mapping[str, Any], kind: Quantities, dampers: Set[str]
+    ) -> None:
+        """Refuse a file that lacks a quantity; ``dampers`` are those that a damping ratio adds."""
+        told = {*kind.of_the_law} if own["friction"] is None else {*kind.of_the_law, kind.friction}
+        missing = [key for key in kind.units if key not in given | told]
+        if missing and own["damping_ratio"] is not None:
+            missing = [key for key in missing if key not in (dampers or kind.dampers)]
+        if missing:
+            wanted = ", ".join(f'{key} = "{example_of(key, kind.units[key])}"' for key in missing)
+            raise ParameterError(
+                f"{self.table('brake')}: [brake] is without {', '.join(missing)}; add lines "
+                f"such as {wanted}"
+            )
 
     def _table(self) -> dict[str, Any]:
         try:
@@ -189,6 +209,11 @@ class _FileReader:
 
 
 def _quantity(key: str, given: object, unit: str, allowed: Range) -> Measured:
+    return _looked_at(read, key, given, unit, allowed)
+
+
+def _looked_at(how: Callable[..., _R], key: str, given: object, unit: str, allowed: Range) -> _R:
+    """What is found in the text of a quantity where it is read, or checked for its words."""
     example = OWN_EXAMPLES.get(key, "")
     if (
         unit == "1"
@@ -203,7 +228,7 @@ def _quantity(key: str, given: object, unit: str, allowed: Range) -> Measured:
             f"{remedy(unit, allowed, example)}"
         )
     try:
-        return read(given if isinstance(given, str) else repr(given), unit, allowed, example)
+        return how(given if isinstance(given, str) else repr(given), unit, allowed, example)
     except ParameterError as error:
         raise ParameterError(f"{key} = {error}") from error
 
@@ -281,8 +306,6 @@ def _rise(
     vary: Any, begin: Any, kind: Quantities, found: dict[str, Measured]
 ) -> LoadParameter | None:
     units = kind.units
-    if not isinstance(vary, str | None):
-        raise ParameterError(f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
     if begin is not None and vary in units:
         begin = _exact("begin", begin, units[vary])
     return load_parameter_of(kind, vary, begin, {name: one.value for name, one in found.items()})

@@ -6,8 +6,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
@@ -16,6 +16,7 @@ import numpy as np
 from ..core.errors import ParameterError
 from ..models.parameters import FINITE, Range
 from ..models.quantities import factor
+from ..models.units import spelled
 from ..numerics.arithmetic import Number
 
 #: Numbers by name: quantities in SI, or coordinates.
@@ -136,8 +137,15 @@ def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Meas
     >>> round(read("0.45 sd 0.05", "1").high, 9)
     0.6
     """
-    try:
+    with _told(text, si, allowed, example):
         return _read(text, si, allowed)
+
+
+@contextmanager
+def _told(text: str, si: str, allowed: Range, example: str) -> Iterator[None]:
+    """A mistake is told with the text and, where that is the remedy, how to write one."""
+    try:
+        yield
     except ParameterError as error:
         brief = repr(text) if len(text) <= 200 else f"{text[:20]!r}…"
         write = "" if isinstance(error, _OutsideError) else remedy(si, allowed, example)
@@ -148,30 +156,64 @@ class _OutsideError(ParameterError):
     """A number that is read and not allowed: how to write one is no remedy."""
 
 
+def check_words(text: str, si: str, allowed: Range = FINITE, example: str = "") -> None:
+    """Refuse what :func:`read` refuses whatever the size of its units, without pint, which takes
+    longer than all else that a mistake costs.
+    """
+    with _told(text, si, allowed, example):
+        _matched(text, si)
+
+
 def remedy(si: str, allowed: Range, example: str) -> str:
     """Text to write: examples that are read and allowed."""
+    by_sign = {allowed.low, allowed.high} <= {0.0, math.inf, -math.inf}
     good = []
     for text in (example, *EXAMPLES.get(si, (f"1 {si}", f"[1, 2] {si}"))):
         with suppress(ParameterError):
-            _read(text, si, allowed)
+            # What its sign decides does not wait for the size of its unit.
+            if not by_sign:
+                _read(text, si, allowed)
+            elif not allowed.contains(float(_matched(text, si)[0][1])):
+                continue
             good.append(f'"{text}"')
     return " or ".join(good[:2]) if good else f"a number in {allowed} of the unit {si}"
 
 
-def _read(text: str, si: str, allowed: Range) -> Measured:
+def _matched(text: str, si: str) -> tuple[re.Match[str], re.Match[str] | None]:
+    """Parts of the text of a quantity, whose units are words that are known, and of the ends at
+    which it is cut off.
+    """
     if len(text) > 200:
         raise ParameterError(f"{len(text)} characters are too many for a quantity")
     plain = text.replace("\N{MINUS SIGN}", "-").strip()
     cut = re.fullmatch(r"(.*\bsd\b.*)\bin\s*(\[.*)", plain)
     body, ends = (cut[1].strip(), _RANGE.fullmatch(cut[2])) if cut else (plain, None)
-    if found := _RANGE.fullmatch(plain):
-        one = _between(found, si)
-    elif (found := _BRACKETED.fullmatch(body) or _PLAIN.fullmatch(body)) and bool(cut) == bool(
-        ends
-    ):
-        one = _about(found, si, None if ends is None else _between(ends, si))
-    else:
+    found = _RANGE.fullmatch(plain) or _BRACKETED.fullmatch(body) or _PLAIN.fullmatch(body)
+    if found is None or bool(cut) != bool(ends):
         raise ParameterError("not a number with a point and its unit, alone or with a tolerance")
+    for part in (found, ends):
+        if part is None or si == "1":
+            continue
+        unit, of = _units(part)
+        if not unit and of in ("", "%"):
+            raise ParameterError("there is no unit")
+        for word in {unit, of.removeprefix("%")} - {""}:
+            spelled(word)
+    return found, ends
+
+
+def _units(found: re.Match[str]) -> tuple[str, str]:
+    """Unit of a number and that of its tolerance, as written; the same where there is one."""
+    words = [(found[name] or "").strip() for name in found.re.groupindex if name in ("unit", "of")]
+    return _PERCENT.get(words[0], words[0]), _PERCENT.get(words[-1], words[-1])
+
+
+def _read(text: str, si: str, allowed: Range) -> Measured:
+    found, ends = _matched(text, si)
+    if found.re is _RANGE:
+        one = _between(found, si)
+    else:
+        one = _about(found, si, None if ends is None else _between(ends, si))
     for end in (one.value, one.whole.low, one.whole.high):
         if not allowed.contains(end):
             reached = "" if end == one.value else "the tolerance reaches what is not allowed: "
@@ -197,8 +239,7 @@ def _ends(allowed: Range, unit: str, si: str) -> str:
 
 
 def _between(found: re.Match[str], si: str) -> Measured:
-    unit = (found["unit"] or "").strip()
-    unit = _PERCENT.get(unit, unit)
+    unit, _ = _units(found)
     low, high = (_in_si(found[name], unit, si) for name in ("low", "high"))
     if low > high:
         raise ParameterError("the range begins above its end")
@@ -209,8 +250,7 @@ def _between(found: re.Match[str], si: str) -> Measured:
 
 def _about(found: re.Match[str], si: str, ends: Measured | None) -> Measured:
     parts = {name: (part or "").strip() for name, part in found.groupdict().items()}
-    unit, off = parts["unit"], parts["off"]
-    unit, of = (_PERCENT.get(name, name) for name in (unit, parts.get("of", unit)))
+    off, (unit, of) = parts["off"], _units(found)
     if not unit and si != "1" and of not in ("", "%"):
         unit = of  # 180 ± 15 N/mm
     value = _in_si(parts["value"], unit, si)
@@ -242,8 +282,6 @@ def _about(found: re.Match[str], si: str, ends: Measured | None) -> Measured:
 
 
 def _in_si(number: str, unit: str, si: str) -> float:
-    if not unit and si != "1":
-        raise ParameterError("there is no unit")
     scale = factor(unit, si)
     # 52 deg is the float nearest to it, which two roundings may miss.
     value = math.radians(float(number)) if scale == math.pi / 180 else float(number) * scale

@@ -46,7 +46,7 @@ def test_the_report_is_the_same_but_for_the_names(page: Any, tmp_path: Path) -> 
     texts = []
     for name, data in (("kang_nam", str), ("lean", renamed)):
         file = tmp_path / f"{name}.toml"
-        said = data(example(ss.load("kang_nam")))
+        said = re.sub("damping_ratio.*\n", "", data(example(ss.load("kang_nam"))))
         where = "kang_nam" if name == "kang_nam" else str(page)
         file.write_text(re.sub(r'model = ".*"', f"model = '{where}'", said), encoding="utf-8")
         study = ss.Study.from_file(file, trust=True)

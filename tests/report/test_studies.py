@@ -608,10 +608,10 @@ def test_a_place_and_a_beginning_take_no_tolerance(given: str, tmp_path: Path) -
     text = file.read_text(encoding="utf-8")
     for line, name in (
         (f'state = {{ x = "{given}" }}\n', "x"),
-        (f'vary = "L_0"\nbegin = "{given}"\n', "begin"),
+        (f'vary = "F_L"\nbegin = "{given.replace("mm", "N")}"\n', "begin"),
     ):
         file.write_text(f"{text}{line}", encoding="utf-8")
-        refused = f'{name} = .* takes no tolerance here; write "50 mm"'
+        refused = f'{name} = .* takes no tolerance here; write "50 m?[mN]"'
         with pytest.raises(ss.errors.ParameterError, match=refused):
             ss.Study.from_file(file)
 

@@ -18,7 +18,6 @@ import json
 import signal
 import sys
 import time
-from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -121,38 +120,37 @@ def cases(
         yield done[number]
 
 
+def summed(found: list[dict[str, Any]]) -> str:
+    """How many of cases are contradicted, the sums of their integers and the largest of floats."""
+    numbers: dict[str, list[Any]] = {}
+    for case in found:
+        for key, value in case.items():
+            if isinstance(value, int | float) and key != "number":
+                numbers.setdefault(key, []).append(value)
+    told = [
+        f"{key} {sum(some)}" if isinstance(some[0], int) else f"{key} {np.max(some):.3g}"
+        for key, some in numbers.items()
+    ]
+    bad = sum(bool(case["wrong"]) for case in found)
+    return ", ".join([f"{len(found)} cases", f"{bad} contradicted", *told])
+
+
 def run(name: str, numbers: range, seed: int, folder: Path | None, seconds: float) -> bool:
-    """Run a campaign, print each contradiction and what became of all cases; whether nothing
-    contradicts.
+    """Run a campaign, print each contradiction, a line for each kind and one for all cases; whether
+    nothing contradicts.
     """
     module = importlib.import_module(f"validation.{name}")
-    kinds: Counter[str] = Counter()
-    sums: dict[str, float] = {}
-    bad = count = 0
+    kinds: dict[str, list[dict[str, Any]]] = {}
     path = None if folder is None else store_of(folder, name, seed)
     for found in cases(module.judge, numbers, seed, path, seconds):
-        count += 1
-        kinds[found["kind"]] += 1
-        bad += bool(found["wrong"])
+        kinds.setdefault(found["kind"], []).append(found)
         for text in found["wrong"]:
             print(f"  {name} {found['number']}: {text}", flush=True)
-        for key, value in found.items():
-            if isinstance(value, int | float) and key != "number":
-                sums[key] = (
-                    sums.get(key, 0) + value
-                    if isinstance(value, int)
-                    else max(sums.get(key, -np.inf), value)
-                )
-    told = ", ".join(
-        f"{key} {value:.3g}" if isinstance(value, float) else f"{key} {value}"
-        for key, value in sums.items()
-    )
-    print(
-        f"{name}: {count} of {len(numbers)} cases, {bad} contradicted; "
-        f"{dict(sorted(kinds.items()))}; {told}",
-        flush=True,
-    )
-    return not bad
+    for kind in sorted(kinds):
+        print(f"  {kind}: {summed(kinds[kind])}")
+    every = [found for some in kinds.values() for found in some]
+    print(f"{name}, of {len(numbers)}: {summed(every)}", flush=True)
+    return not any(found["wrong"] for found in every)
 
 
 def main() -> int:

@@ -11,7 +11,7 @@ from spragsym.cli.export import _of_page
 from spragsym.core.errors import ModelError, ParameterError
 from spragsym.derive.model import PageError
 from spragsym.motion.problem import Event
-from tests.oracles.clocks import DUFFING, FRICTION, MOVED
+from tests.oracles.clocks import DUFFING, FRICTION, MOVED, duffing_fold, stopping_amplitude
 from tests.oracles.user_pages import model_of, replaced
 
 
@@ -44,27 +44,11 @@ def test_what_slides_under_a_harmonic_force_has_the_closed_form_of_den_hartog() 
 
 @pytest.mark.thorough
 def test_what_sticks_at_both_turns_is_put_together_from_its_pieces() -> None:
-    from scipy.optimize import fsolve
-
     model = model_of(FRICTION, "forced")
     for omega in (0.3, 0.35):
-        force, size = 0.2, 1 / (1 - omega**2)
-
-        def pieces(
-            unknown: np.ndarray, omega: float = omega, force: float = force, size: float = size
-        ) -> list[float]:
-            """It slips at x = A, where A − cos φ = f, and stops at −A."""
-            largest, time = unknown
-            begun = np.arccos(largest - force)
-            cosine, sine = largest - force - size * np.cos(begun), omega * size * np.sin(begun)
-            end = begun + omega * time
-            x = force + size * np.cos(end) + cosine * np.cos(time) + sine * np.sin(time)
-            v = -omega * size * np.sin(end) - cosine * np.sin(time) + sine * np.cos(time)
-            return [x + largest, v]
-
         found = ss.cycle(model.Parameters(omega=omega), turns=1)
-        exact = fsolve(pieces, [0.98 * found.amplitude, 0.3 * found.period], xtol=1e-13)
-        assert found.amplitude == pytest.approx(exact[0], rel=1e-9)
+        exact = stopping_amplitude(omega, 0.2, (0.98 * found.amplitude, 0.3 * found.period))
+        assert found.amplitude == pytest.approx(exact, rel=1e-9)
         assert found.stable
         begin = {"x0": found.state[0] + 1e-5, "phase0": found.state[1]}
         later = ss.simulate(
@@ -83,38 +67,14 @@ def test_what_the_force_does_not_move_sticks() -> None:
 
 @pytest.mark.thorough
 def test_folds_of_the_resonance_of_duffing_are_those_of_the_stroboscopic_map() -> None:
-    from scipy.integrate import solve_ivp
-    from scipy.optimize import fsolve
-
     p = model_of(DUFFING, "duffing").Parameters(omega=0.9)
     branch = ss.cycle_branch(ss.cycle(p, turns=1), "omega", between={"omega": (0.8, 2.0)})
     folds = [event for event in branch.events if event.kind == "fold"]
     assert len(folds) == 2
 
-    def returned(unknown: np.ndarray) -> list[float]:
-        """The map less the state, and det(its derivative − 1)."""
-        x, v, omega = unknown
-
-        def field(t: float, u: np.ndarray) -> list[float]:
-            slope = -1 - 0.15 * u[0] ** 2
-            force = np.cos(omega * t) - 0.1 * u[1] - u[0] - 0.05 * u[0] ** 3
-            return [u[1], force, u[3], slope * u[2] - 0.1 * u[3], u[5], slope * u[4] - 0.1 * u[5]]
-
-        end = solve_ivp(
-            field, (0, 2 * np.pi / omega), [x, v, 1, 0, 0, 1], "DOP853", rtol=1e-12, atol=1e-12
-        ).y[:, -1]
-        determinant = (end[2] - 1) * (end[5] - 1) - end[3] * end[4]
-        return [end[0] - x, end[1] - v, determinant]
-
     for event in folds:
-        cycle = event.cycle
-        at_zero = ss.simulate(
-            p.replace(omega=event.value),
-            start=[*cycle.state[:3], event.value],
-            t_end=(-cycle.state[1] % (2 * np.pi)) / event.value,
-        ).state[:, -1]
-        exact = fsolve(returned, [at_zero[0], at_zero[2], event.value], xtol=1e-12)
-        assert event.value == pytest.approx(exact[2], rel=1e-8)
+        exact = duffing_fold(0.1, 0.05, event.cycle, event.value)
+        assert event.value == pytest.approx(exact, rel=1e-9)
 
 
 @pytest.mark.thorough

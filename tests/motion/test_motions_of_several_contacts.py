@@ -15,18 +15,6 @@ from tests.oracles.user_pages import model_of
 pytest.importorskip("sympy")
 
 
-def alike(model: Any, seed: int) -> tuple[Any, float]:
-    """Two identical blocks, and the period with which both stick and slip as one."""
-    rng = np.random.default_rng(seed)
-    mu_k, more, V, N, kappa = (
-        float(rng.uniform(*ends))
-        for ends in ((0.1, 0.5), (0.05, 0.5), (0.05, 0.5), (0.5, 2.0), (0.0, 2.0))
-    )
-    p = model.Parameters(beta=1.0, kappa=kappa, mu_s=mu_k + more, mu_k=mu_k, N_1=N, N_2=N, V=V)
-    ratio = more * N / V
-    return p, 2 * ratio + 2 * math.pi - 2 * math.atan(ratio)
-
-
 @pytest.mark.thorough
 @pytest.mark.parametrize("backend", ["scipy", "heyoka"])
 def test_identical_blocks_started_alike_move_as_one(backend: str) -> None:
@@ -35,13 +23,13 @@ def test_identical_blocks_started_alike_move_as_one(backend: str) -> None:
         pytest.importorskip("heyoka")
     model = model_of(BLOCKS, "blocks")
     for seed in range(20 if backend == "heyoka" else 3):
-        p, period = alike(model, seed)
-        V = float(p.V)
-        tr = ss.simulate(p, vx_10=V, vx_20=V, t_end=3.5 * period, rtol=1e-12, backend=backend)
-        both = [tr.events.of("stick").on(name).t for name in ("first", "second")]
-        assert len(both[0]) == 3
-        np.testing.assert_allclose(both[0], both[1], rtol=0, atol=1e-12)
-        np.testing.assert_allclose(np.diff(both[0]), period, rtol=0, atol=1e-9)
+        values, slips, sticks = two_blocks.alike(np.random.default_rng(seed))
+        p, V = model.Parameters(**values), values["V"]
+        tr = ss.simulate(p, vx_10=V, vx_20=V, t_end=slips[-1], rtol=1e-12, backend=backend)
+        for name in ("first", "second"):
+            np.testing.assert_allclose(tr.events.of("stick").on(name).t, sticks, rtol=1e-9)
+        first, second = (tr.events.of("slip").on(name).t for name in ("first", "second"))
+        np.testing.assert_allclose(first, second, rtol=0, atol=1e-12)
         assert np.abs(tr.x_1 - tr.x_2).max() < 1e-11
 
 

@@ -206,6 +206,18 @@ page.friction(y + a * sin(alpha), V, lambda v: nu * tanh(20 * v / V), at_rest=nu
 )
 
 
+#: Ranges of the parameters of a pad that are drawn: no combination of touches is rare.
+RANGES = {
+    "mu0": (0.0, 3.0),
+    "F": (0.01, 0.1),
+    "k_x": (0.2, 1.0),
+    "k_t": (0.05, 1.0),
+    "h": (0.2, 1.5),
+    "s": (0.0, 0.05),
+    "g": (0.0, 0.2),
+}
+
+
 @dataclass(frozen=True)
 class Leg:
     """A contact: gap g·q + c, force k times the depth, friction μ along s·q."""

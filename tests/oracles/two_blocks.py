@@ -28,6 +28,21 @@ def drawn(seed: int) -> tuple[dict[str, float], list[float]]:
     return values, [*rng.uniform(-0.8, 0.8, 2).tolist(), *rng.uniform(-0.5, 0.5, 2).tolist()]
 
 
+def alike(rng: np.random.Generator) -> tuple[dict[str, float], Any, Any]:
+    """Two identical blocks that start at 0 with the belt, and the times at which both slip and both
+    stick again: of μ_s N/V on they slip every 2 Δ/V + 2 π − 2 atan(Δ/V), Δ = (μ_s − μ_k) N.
+    """
+    mu_k, more, V, N, kappa = (
+        float(rng.uniform(*ends))
+        for ends in ((0.1, 0.5), (0.05, 0.5), (0.05, 0.5), (0.5, 2.0), (0.0, 2.0))
+    )
+    values = {"beta": 1.0, "kappa": kappa, "mu_s": mu_k + more, "mu_k": mu_k, "V": V}
+    ratio = more * N / V
+    slide = 2 * math.pi - 2 * math.atan(ratio)
+    slips = values["mu_s"] * N / V + (2 * ratio + slide) * np.arange(4)
+    return values | {"N_1": N, "N_2": N}, slips, slips[:-1] + slide
+
+
 class Driver:
     """Two blocks with friction μ N, where ``falling`` μ_s/(1 + v/μ_k), else μ_k, on the belt."""
 

@@ -13,21 +13,10 @@ from spragsym import precise
 from spragsym.cli.article import _check_model
 from spragsym.cli.export import _of_page
 from spragsym.core.questions import SEVERAL
-from tests.oracles.contact_pages import FOUR, LADDER, PAD, SHOES, THREE, balanced, pad
+from tests.oracles.contact_pages import FOUR, LADDER, PAD, RANGES, SHOES, THREE, balanced, pad
 from tests.oracles.user_pages import model_of, replaced
 
 pytest.importorskip("sympy")
-
-#: Ranges of the parameters of a pad that are drawn: no combination of touches is rare.
-RANGES = {
-    "mu0": (0.0, 3.0),
-    "F": (0.01, 0.1),
-    "k_x": (0.2, 1.0),
-    "k_t": (0.05, 1.0),
-    "h": (0.2, 1.5),
-    "s": (0.0, 0.05),
-    "g": (0.0, 0.2),
-}
 
 
 def drawn(model: Any, number: int, seed: int) -> tuple[Any, list[dict[str, float]]]:

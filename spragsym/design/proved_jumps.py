@@ -2,8 +2,9 @@
 which that is proved: thousands of points at once.
 
 Tubes hold the state that is taken up in the middle of the box, and what it becomes over the box. In
-a room about it there is no other, so that the reference state of a point, which is looked for at
-each, is that state if it lies there. Where nothing but the loading varies one jump value tells all.
+a room about it there is no other, so that the reference state of a point is that state if it lies
+there; where that is not proved of all points of a part, it is looked for at each. Where nothing but
+the loading varies one jump value tells all.
 """
 
 from __future__ import annotations
@@ -15,9 +16,12 @@ from typing import Any
 import numpy as np
 
 from ..models.parameters import ParameterSet
-from ..numerics.interval_arrays import FloatArray, scale_of
+from ..numerics.columns import selected_rows
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, scale_of
+from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.reference_state import reference_state
+from ..statics.reference_state import is_reference, reference_state
+from ..statics.regions import region
 from .jumps import first_ends
 from .tube_certificates import Pieces, Splitting
 
@@ -26,12 +30,15 @@ from .tube_certificates import Pieces, Splitting
 class ProvedJumps:
     """Parts of a box, and the parameters that vary in it beside the loading ``vary``, which rises
     from ``begin``: up to ``safe`` the state of each part goes on, and above ``top`` it has ended.
+
+    Of parts that are ``known`` it is the reference state of all their points.
     """
 
     vary: str
     begin: float
     free: tuple[str, ...]
     pieces: Pieces
+    known: BoolArray
 
     def ended(self, p: ParameterSet) -> FloatArray:
         """1 where the state of a point has ended, 0 where it has not, NaN where no part tells it;
@@ -39,21 +46,25 @@ class ProvedJumps:
         """
         pieces, (count,) = self.pieces, p.shape
         loading, *free = (np.broadcast_to(p[name], count) for name in (self.vary, *self.free))
-        states, error = self._reference_states(p) if free else (np.zeros((0, count)),) * 2
-        found = np.full(count, np.nan)
+        part = np.full(count, -1)
         for k in range(len(pieces)):
             rows = np.arange(count)
             for one, low, high in zip(free, pieces.low[:, k], pieces.high[:, k], strict=False):
                 rows = rows[(low <= one[rows]) & (one[rows] <= high)]
-            if free:
-                base, middle = pieces.base[[k]], 0.5 * pieces.of.sum(axis=0)[:, [k]]
-                off = np.stack([one[rows] for one in free]) - middle
-                there = base.z[:-1] + np.einsum("ik,kM->iM", base.by_p[:-1, :, 0], off)
-                away = np.abs(states[:, rows] - there) + error[:, rows]
-                rows = rows[base.sure & (away <= base.room[:-1]).all(axis=0)]
-            found[rows[loading[rows] <= pieces.safe[k]]] = 0.0
-            found[rows[loading[rows] > pieces.top[k]]] = 1.0
-        return found
+            part[rows] = k
+        asked = np.flatnonzero((part >= 0) & ~(self.known & (p.followed is None))[part])
+        if asked.size:
+            off = np.stack(free)[:, asked] - 0.5 * pieces.of.sum(axis=0)[:, part[asked]]
+            base = pieces.base[part[asked]]
+            there = base.z[:-1] + np.einsum("ikM,kM->iM", base.by_p[:-1], off)
+            given = {
+                name: np.broadcast_to(p[name], count) for name in p.ranges if p[name] is not None
+            }
+            states, error = self._reference_states(p.replace(**selected_rows(given, asked)))
+            there = (np.abs(states - there) + error <= base.room[:-1]).all(axis=0)
+            part[asked[~(base.sure & there)]] = -1
+        below, above = loading <= pieces.safe[part], loading > pieces.top[part]
+        return np.where(part < 0, np.nan, np.where(above, 1.0, np.where(below, 0.0, np.nan)))
 
     def _reference_states(self, p: ParameterSet) -> tuple[FloatArray, FloatArray]:
         """Coordinates of the states that are followed, where the loading begins, with bounds on
@@ -74,7 +85,23 @@ def proved_jumps(box: Splitting, share: Callable[[Any], FloatArray], most: int) 
         ends = bool(np.isfinite(found.value))
         box.whole.safe[:] = found.value - found.error if ends else found.until
         box.whole.top[:] = found.value + found.error if ends else np.inf
-        return ProvedJumps(box.vary, box.begin, (), box.whole)
+        return ProvedJumps(box.vary, box.begin, (), box.whole, np.ones(1, dtype=np.bool_))
     box.sharp = True
     first, *others = [pieces[last] for pieces, last, _ in box.run(share, most)]
-    return ProvedJumps(box.vary, box.begin, box.free, first.concatenated(*others))
+    pieces = first.concatenated(*others)
+    return ProvedJumps(box.vary, box.begin, box.free, pieces, _known(box, pieces))
+
+
+def _known(box: Splitting, pieces: Pieces) -> BoolArray:
+    """Parts at all points of which the reference state is proved to be that of their tubes."""
+    if box.near is not None:
+        return np.zeros(len(pieces), dtype=np.bool_)
+    balance, low = Balance(box.model), np.repeat(box.tubes.fixed, len(pieces), axis=1)
+    high = low.copy()
+    low[box.rows[:-1]], high[box.rows[:-1]] = pieces.low[:-1], pieces.high[:-1]
+    low[box.rows[-1]] = high[box.rows[-1]] = box.begin
+    bounds = Intervals.between(low, high)
+    around, whole = region(balance, bounds)
+    held = pieces.base.box().ends[:, :-1]
+    found = is_reference(balance, balance.prepared(bounds), held, around)
+    return found & whole & pieces.base.sure

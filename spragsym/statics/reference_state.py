@@ -5,7 +5,8 @@ Which is "the smallest" or "the nearest" state, and which the first, does not de
 where two are alike to within their errors.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from operator import mul
 from typing import Any
 
 import numpy as np
@@ -15,12 +16,14 @@ from ..models.field import undecorated
 from ..models.forces import named
 from ..models.model import Model
 from ..models.parameters import ParameterSet
+from ..numerics import contractors
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
     IndexArray,
     IntArray,
     Intervals,
+    Shape,
     matrix,
     quiet,
     scale_of,
@@ -28,8 +31,16 @@ from ..numerics.interval_arrays import (
 )
 from ..numerics.jets import gradient, variables
 from ..results import Equilibria, EquilibriumType
+from . import stability
+from .balance import Balance
 from .equilibria import equilibria
 from .namespaces import XP
+
+#: Least eigenvalue of the stiffness at the origin over the largest, from which on a strain energy
+#: is convex there.
+CONVEX = 1e-6
+#: Difference of strain energies that are alike, over the largest.
+ALIKE = 1e-9
 
 
 def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> IndexArray:
@@ -110,28 +121,85 @@ def chosen_state(
         name: point[name] for name in model.parameters if p[name] is None
     }  # of the motion: not felt here
     given = [value[..., None] for value in model.arguments(p.replace(**missing), "motion")]
-    energy, every, shape = undecorated(model.algebra.strain_energy), range(len(q)), (*p.shape, 1)
+    energy, shape = undecorated(model.algebra.strain_energy), (*p.shape, 1)
     with quiet():  # beyond ``count`` there are no numbers
         strain = energy(*q, *given, *_pushing(model, p, q), xp=np)
         place = np.array(q)
-        origin = variables([Intervals.point(np.zeros(shape))] * len(q), 2)
-        series = energy(*origin, *map(Intervals.point, given), *[1] * len(model.contacts), xp=XP)
-        at_origin = np.nan_to_num(np.abs(stacked([series.value], shape).middle[0]))
-        slope = stacked(gradient(series, len(q)), shape).middle
-        stiffness = matrix([[series.derivative(i, j) for j in every] for i in every], shape).middle
+        here = [*map(Intervals.point, given), *[1] * len(model.contacts)]
+        at_origin, slope, stiffness = (
+            part.middle for part in _at_origin(lambda q: energy(*q, *here, xp=XP), len(q), shape)
+        )
+        at_origin = np.nan_to_num(np.abs(at_origin))
         second = (slope * place).sum(axis=0) + 0.5 * (place[:, None] * stiffness * place).sum(
             axis=(0, 1)
         )
-    convex = np.isfinite(stiffness).all(axis=(0, 1))
-    roots = np.linalg.eigvalsh(np.moveaxis(np.where(convex, stiffness, 0.0), (0, 1), (-2, -1)))
-    convex &= roots[..., 0] > 1e-6 * np.abs(roots).max(axis=-1)
+    convex = np.asarray(np.isfinite(stiffness).all(axis=(0, 1)))
+    low, most = _stiffest(stiffness, convex)
+    convex &= low > CONVEX * most
     strain = np.where(convex, second, strain)
     strain = np.where(among & np.isfinite(strain), strain, np.inf)
     sizes = np.abs(strain).max(axis=-1, keepdims=True, initial=0.0, where=np.isfinite(strain))
     largest = np.maximum(sizes, at_origin)  # two states may both be relaxed, but for rounding
     # Strain energies of mirror images differ by rounding.
-    least = strain <= strain.min(axis=-1, keepdims=True, initial=np.inf) + 1e-9 * largest
+    least = strain <= strain.min(axis=-1, keepdims=True, initial=np.inf) + ALIKE * largest
     return least_slot(np.where(least & among, np.abs(q[0]), np.inf), np.array(q), error)
+
+
+def _at_origin(energy: Callable[[Any], Any], n: int, shape: Shape) -> tuple[Intervals, ...]:
+    """Strain energy where all coordinates are 0, its slopes and its stiffness, enclosed."""
+    series, every = energy(variables([Intervals.point(np.zeros(shape))] * n, 2)), range(n)
+    rows = [[series.derivative(i, j) for j in every] for i in every]
+    value, slope = stacked([series.value], shape)[0], stacked(gradient(series, n), shape)
+    return value, slope, matrix(rows, shape)
+
+
+def _stiffest(stiffness: FloatArray, among: BoolArray) -> tuple[FloatArray, FloatArray]:
+    """Least eigenvalue, and largest by size, of matrices (n, n, …); 0 where not ``among``."""
+    roots = np.linalg.eigvalsh(np.moveaxis(np.where(among, stiffness, 0.0), (0, 1), (-2, -1)))
+    return roots[..., 0], np.abs(roots).max(axis=-1)
+
+
+def is_reference(
+    balance: Balance, parameters: Intervals, ends: FloatArray, around: FloatArray
+) -> BoolArray:
+    """Boxes, each with one stable state for all of its prepared parameters, in which that is proved
+    to be the reference state; ``around`` are boxes that hold all states.
+
+    Source: a state of no more strain energy to second order, ½ qᵀ S q + s · q, lies in an ellipsoid
+    about the origin. Two states in a box around that would be a and b with K (a − b) = 0, K within
+    its bounds over the box.
+    """
+    n, shape, values = balance.n, parameters.shape[1:], balance.arguments(parameters)
+
+    def energy(q: Any) -> Any:
+        return balance.at(q, values, shape).call("strain_energy", q, *balance.pushing)
+
+    with quiet():
+        codes, proved = stability.types_over(balance, parameters, ends)
+        value, slope, stiffness = _at_origin(energy, n, shape)
+
+        def strain(q: Intervals) -> FloatArray:
+            rows = [
+                sum(map(mul, row, q), 2 * one) for one, row in zip(slope, stiffness, strict=True)
+            ]
+            return (sum(map(mul, rows, q), 0 * value) * 0.5).magnitude
+
+        off = 0.5 * n * stiffness.width.max(axis=(0, 1))
+        low, most = _stiffest(stiffness.middle, np.asarray(np.isfinite(off)))
+        convex = low - off > CONVEX * (most + off)
+        S = np.where(convex, stiffness.middle - off * np.eye(n)[:, :, None], np.eye(n)[:, :, None])
+        along = np.sqrt(np.diagonal(np.linalg.inv(np.moveaxis(S, 2, 0)), axis1=1, axis2=2)).T
+        # What counts as alike is a share of the largest energy of all states.
+        largest = np.maximum(strain(Intervals(around)), value.magnitude)
+        least = (slope.magnitude * along).sum(axis=0)
+        t = least + np.sqrt(least**2 + 2 * (strain(Intervals(ends)) + 2 * ALIKE * largest))
+        # S is no worse conditioned than 1/CONVEX: far more than the roundings of floats.
+        reach = np.minimum(1.001 * t * along, balance.border[:, :, None])
+        K = balance.jacobian(Intervals(reach), parameters)
+        Y = contractors.inverse(K.middle)
+        left = Intervals(contractors.product(Y, K.ends)) + Intervals.point(-np.eye(n)[:, :, None])
+        alone = left.magnitude.sum(axis=1).max(axis=0) < 1 - ALIKE
+    return np.asarray(proved & (codes == EquilibriumType.STABLE) & convex & alone)
 
 
 def _pushing(model: Model, p: ParameterSet, q: Sequence[FloatArray]) -> list[Any]:

@@ -255,6 +255,15 @@ def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray
     return np.asarray(real | (even & (minors > 0).all(axis=0)))
 
 
+def types_over(
+    balance: Balance, parameters: Intervals, ends: FloatArray
+) -> tuple[Int8Array, BoolArray]:
+    """Codes of :class:`spragsym.EquilibriumType` of all states in boxes of coordinates and prepared
+    parameters, and whether each is proved.
+    """
+    return _types_by_signs(*_over(balance, parameters, ends))
+
+
 def _over(
     balance: Balance, parameters: Intervals, ends: FloatArray
 ) -> tuple[list[Int8Array], BoolArray, BoolArray]:

@@ -1,5 +1,7 @@
 """Whether states have ended by proved parts of a box, against the answers point by point."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -34,6 +36,21 @@ def test_parts_tell_what_each_of_their_points_does() -> None:
     farthest = np.argmax(middle["x"][: int(middle.count)])
     other = p.following(x=float(middle["x"][farthest]), y=float(middle["y"][farthest]))
     assert np.isnan(proved.ended(other)).all()
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", ["cubic_contact", "inclined_belt", "two_springs"])
+def test_parts_that_are_known_hold_the_reference_state_of_each_point(name: str) -> None:
+    low, high = corners(name)
+    box = Splitting(low, high.replace(sigma=low.sigma * 1.1), "mu0", 0.0)
+    proved = proved_jumps(box, lambda pieces: pieces.volume * (pieces.top > pieces.safe), 16)
+    assert proved.known.all()
+    rng = np.random.default_rng(80)
+    ends = {"theta0": (0.7, 0.73), "mu0": (0.5, 0.7), "sigma": (0.1, 0.11)}
+    p = low.replace(**{name: rng.uniform(*span, 100) for name, span in ends.items()})
+    each = replace(proved, known=np.zeros_like(proved.known)).ended(p)
+    assert 0.1 < np.isfinite(each).mean()
+    np.testing.assert_array_equal(proved.ended(p), each)
 
 
 @pytest.mark.thorough

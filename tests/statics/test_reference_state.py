@@ -7,7 +7,10 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.statics.reference_state import reference_state
+from spragsym.numerics.interval_arrays import Intervals, ends_around
+from spragsym.statics.balance import Balance
+from spragsym.statics.reference_state import is_reference, reference_state
+from spragsym.statics.search import columns
 
 
 def strained(angle: float, phi: float, p: object) -> float:
@@ -79,3 +82,22 @@ def test_another_state_is_followed_where_it_is_chosen() -> None:
     )
     assert pickle.loads(pickle.dumps(far)) == far  # noqa: S301  # written here
     assert far != article
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", ["kang_nam", "two_springs"])
+def test_what_is_proved_to_be_the_reference_state_is_the_one_chosen_of_all(name: str) -> None:
+    rng, count, model = np.random.default_rng(80), 3000, ss.load(name).search
+    theta0, mu0 = rng.uniform(0.1, 3.0, count), rng.uniform(0.0, 4.0, count)
+    theta0[::5], mu0[::2] = np.pi / 2, 0.0  # of mirror images none is
+    ends = {"kappa": (-3, 0), "sigma": (-2, 0), "alpha": (-3, 0)}
+    others = {key: 10 ** rng.uniform(*span, count) for key, span in ends.items()}
+    p = model.Parameters(theta0=theta0, mu0=mu0, **others)
+    eq, balance = ss.equilibria(p), Balance(model)
+    point, slot = eq.states
+    q = np.array([eq[key][point, slot] for key in balance.coordinates])
+    parameters = balance.prepared(Intervals.point(columns(p, balance.parameters)[:, point]))
+    region = (eq["region"][point] * np.array([-1.0, 1.0])).T
+    found = is_reference(balance, parameters, ends_around(q, np.full(q.shape, 1e-9)), region)
+    assert 0.4 < found.sum() / count
+    assert not (found & (reference_state(eq)[point] != slot)).any()

@@ -117,7 +117,8 @@ def motion(model: Any, drawn: Drawn, values: Values, rng: np.random.Generator) -
     if "depth_e" in values:
         start[1] = max(start[1], -5 * values["depth_e"])  # no number holds the force much deeper
     rhs = by_hand.field(drawn, values)
-    t_end = float(min(20.0, 30.0 / _fastest(rhs, start)) * 10 ** rng.uniform(-1, 0))
+    rate = _fastest(rhs, start)
+    t_end = float(min(20.0, 30.0 / rate) * 10 ** rng.uniform(-1, 0))
     outcome = {
         "wrong": [],
         "seconds": 0.0,
@@ -147,7 +148,8 @@ def motion(model: Any, drawn: Drawn, values: Values, rng: np.random.Generator) -
                 break
             outcome["seconds"] = max(outcome["seconds"], time.process_time() - begin)
             wrong = [
-                f"{backend}: {text}" for text in _off_motion(drawn, values, tr, reference, sure)
+                f"{backend}: {text}"
+                for text in _off_motion(drawn, values, tr, reference, sure, rate)
             ]
             if not wrong:
                 break
@@ -155,13 +157,19 @@ def motion(model: Any, drawn: Drawn, values: Values, rng: np.random.Generator) -
     return outcome
 
 
-def _off_motion(drawn: Drawn, values: Values, tr: Any, reference: Any, sure: float) -> list[str]:
-    """Whether a motion ends elsewhere than the reference, or its energy does not balance."""
+def _off_motion(
+    drawn: Drawn, values: Values, tr: Any, reference: Any, sure: float, rate: float
+) -> list[str]:
+    """Whether a motion ends elsewhere than the reference, or its energy does not balance; ``rate``,
+    with the length 1, is what absolute tolerances of rates are taken over.
+    """
     if not np.isfinite(tr.state).all():
         return ["a number that is none"]
     wrong, n = [], len(drawn.masses)
-    away = np.abs(tr.state[:, -1] - reference).max()
-    if away > 1e-6 * max(1e-3, float(np.abs(tr.state).max())) + 30 * sure:
+    off_end = np.abs(tr.state[:, -1] - reference)
+    least = 1e-3 * np.repeat([1.0, max(1.0, rate)], n)
+    away = off_end.max()
+    if (off_end > 1e-6 * np.maximum(least, np.abs(tr.state).max()) + 30 * sure).any():
         wrong.append(f"the end is {away:.2g} from the reference's, sure to {sure:.1g}")
     energy, power = tr.energy(), tr.power()
     kinetic = np.abs(

@@ -184,9 +184,15 @@ class Reference:
             ]
         if self.page.friction:
             total = [
-                force + mu * push * slope for force, slope in zip(total, self.slide(q), strict=True)
+                force + mu * self.pressed(push) * slope
+                for force, slope in zip(total, self.slide(q), strict=True)
             ]
         return total
+
+    def pressed(self, push: Any) -> Any:
+        """What rubs: what never lifts presses on the one face or on the other."""
+        lifts = self.page.contact and self.page.contact[2]
+        return push if lifts else self._abs(push)
 
     def slide(self, q: Sequence[Any]) -> list[Any]:
         return (
@@ -285,7 +291,8 @@ class Reference:
             )
             s, push = self.slide(q), self.normal(q, touching)
             C = [
-                [C[i][j] + push * slope * s[i] * s[j] for j in range(self.n)] for i in range(self.n)
+                [C[i][j] + self.pressed(push) * slope * s[i] * s[j] for j in range(self.n)]
+                for i in range(self.n)
             ]
         M = mp.matrix(self.mass(q))
         n = self.n

@@ -639,7 +639,11 @@ class Trajectory(Named):
         presses = rubs[[names.index(one) for one in rubbing]]
         own, last = (
             getattr(self.model.algebra, forces.named("friction_force", name))(
-                *self.state, *self._arguments(), *pushing, *np.where(presses, side, 1), *felt
+                *self.state,
+                *self._arguments(),
+                *pushing,
+                *np.where(presses | (side != 0), side, 1),
+                *felt,
             )
             for side in (sides, before)
         )

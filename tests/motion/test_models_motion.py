@@ -167,6 +167,15 @@ def test_a_stated_error_is_no_less_than_the_true_one() -> None:
         assert (true <= tr.error + 1e-14 * np.abs(tr.state).max()).all(), (p, given, rtol)
 
 
+def test_in_lift_off_friction_is_zero_however_fast_the_mass_overtakes_the_belt() -> None:
+    """On the other side of the sliding speed the law would be exp(d |w|), beyond all floats."""
+    p = ss.load("cubic_contact").Parameters(theta0=0.9, mu0=0.3, d=2000.0, V=0.1)
+    tr = ss.simulate(p, start=(0.0, 0.5, 3.0, 0.0), t_end=0.1, backend="scipy")
+    assert tr.state[1].min() > 0
+    assert not tr.friction_force().any()
+    assert not tr.power().any()
+
+
 def test_an_error_that_rounding_makes_is_told() -> None:
     """On a belt as slow as 1e-10 what rounds in x, 1e-16, moves the slip by 1e-6; and no error is
     told of a run that none is much tighter than.

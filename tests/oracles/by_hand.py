@@ -60,7 +60,8 @@ def equilibria(
 ) -> dict[str, Any]:
     """What is wrong with the equilibria of one set: nothing, in the best case."""
     begin = time.process_time()
-    found = ss.equilibria(model.Parameters(**values), contact)
+    # What never lifts may press on either of its faces.
+    found = ss.equilibria(model.Parameters(**values), contact if drawn.lifts else None)
     spent = time.process_time() - begin
     states = np.array([found.coordinates[name] for name in model.coordinates])[
         :, : int(found.count)

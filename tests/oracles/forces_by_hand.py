@@ -57,7 +57,8 @@ class Drawn:
         """All forces, with the contact's law where it touches and the friction mu."""
         total = list(self.pull(q, v, p, xp))
         n = 1 if self.normal is None else self.normal(-q[1], p, xp) if touching else 0
-        total[0] = total[0] + mu * n
+        # What never lifts rubs on whichever face it presses: |N|, which complex steps differentiate.
+        total[0] = total[0] + mu * (n if self.lifts or self.normal is None else xp.sqrt(n * n))
         if self.normal is not None:
             total[1] = total[1] + n
         return total

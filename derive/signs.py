@@ -13,8 +13,6 @@ from .mechanics import DEPTH, Angle, Mechanics, number
 
 #: A pair of bounds.
 _Ends = tuple[sp.Expr, sp.Expr]
-#: More bounded quantities than these are not taken at all their ends.
-_MOST_BOUNDED = 10
 #: Places at which floats look for a witness.
 _TRIALS = 2000
 #: Sizes of what has no bounds.
@@ -34,7 +32,9 @@ def is_nonnegative(model: Mechanics, expression: sp.Expr) -> bool:
         for atom, ends in _bounded(model, expression).items()
         if sp.expand(sp.diff(expression.xreplace({atom: _FREE}), _FREE, 2)) == 0
     }
-    if not bounded or len(bounded) > _MOST_BOUNDED:
+    # More bounded quantities than these are not taken at all their ends.
+    most_bounded = 10
+    if not bounded or len(bounded) > most_bounded:
         return False
     return all(
         _is_nonnegative(expression.xreplace(dict(zip(bounded, corner, strict=True))))

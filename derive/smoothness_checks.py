@@ -17,8 +17,6 @@ from .statement_checks import statements
 
 #: Functions with a kink or a step, of which a sum of smooth forces has none.
 _KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside, sp.floor, sp.ceiling)
-#: Largest denominator of an exponent.
-LARGEST_ROOT = 1000
 
 
 def check(model: Mechanics) -> None:
@@ -59,8 +57,10 @@ def _unknown(value: sp.Expr) -> Iterator[str]:
     if value.has(sp.I, sp.oo, sp.nan, sp.zoo):
         yield f"is {value}, which is no real number; write one that is"
     for node in sp.preorder_traversal(value):
+        # Largest denominator of an exponent.
+        largest_root = 1000
         if isinstance(node, sp.Pow) and not (
-            isinstance(node.exp, sp.Rational) and node.exp.q <= LARGEST_ROOT
+            isinstance(node.exp, sp.Rational) and node.exp.q <= largest_root
         ):
             yield (
                 f"holds {node}: an exponent is a fraction of two integers, as in "

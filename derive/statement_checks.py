@@ -26,8 +26,6 @@ PARAMETER = "this parameter"
 #: So many letters has a name: MATLAB tells names apart by their first 63, of which generated code
 #: needs some.
 LONGEST = 40
-#: So many exponentials of the sliding speed can a friction law have.
-NEAR = 9
 #: Places at which the sign of a coefficient is looked at, and where a range without an end is ended
 #: for it.
 MOST_PLACES, FAR = 2000, 1000.0
@@ -121,7 +119,9 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
     several = len(page.contacts) > 1
     for contact in page.contacts if several else [None]:
         end, line = ("", 0) if contact is None else (f"_on_{contact.name}", contact.line)
-        for count in range(1, NEAR + 1):
+        # So many exponentials of the sliding speed can a friction law have.
+        most_exponentials = 9
+        for count in range(1, most_exponentials + 1):
             yield f"near{count}{end}", "a switch of the friction law", line
     for contact in page.contacts if several else ():
         for part in ("pushing_", "mu_on_", "side_on_"):

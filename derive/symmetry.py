@@ -17,9 +17,6 @@ import sympy as sp
 from .algebra import Symbols
 from .mechanics import Line, Mechanics, number
 
-#: Most parameters that have to be 0.
-MOST = 4
-
 
 def comes_around(model: Mechanics, place: int) -> bool:
     """Whether a coordinate is an angle after a turn of which all forces, lines and the gap are as
@@ -162,7 +159,9 @@ def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...],
         for symbol in (*map(number, model.parameters), *model.coefficients)
         if not symbol.is_positive and used & set(model.parts(symbol))
     ]
-    for size in range(min(MOST, len(allowed)) + 1):
+    # Most parameters that have to be 0.
+    most_zero = 4
+    for size in range(min(most_zero, len(allowed)) + 1):
         found = [
             tuple(map(str, chosen))
             for chosen in itertools.combinations(allowed, size)

@@ -23,14 +23,6 @@ from ..emit.language import Source
 from ..emit.definitions import flat
 from ..emit.statements import straight_line
 
-#: Roundings that θ = 2 atan t may be off by: an arc tangent within four units in the last place, of
-#: an angle below π.
-_IN_ARCTANGENT = 16
-#: Units that cos θ₀ and sin θ₀ are off by: one in the last place.
-_IN_DIRECTION = 2
-#: Where ``uncertainty`` ω of the stability stands for u: it is at least 8 u.
-_ROUNDINGS_IN_UNCERTAINTY = 8
-
 
 @dataclass(frozen=True)
 class Counted:
@@ -148,7 +140,9 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
     # our own file, as every import is
     exec(compile(source.text, "the kernel", "exec"), kernel)  # noqa: S102
     exact = {symbol: Counted(sp.Symbol(f"{symbol}_size")) for symbol in (*nm.PARAMETERS, nm.nbar)}
-    angle0 = tuple(Counted(sp.Symbol(f"{name}0_size"), _IN_DIRECTION) for name in ("cos", "sin"))
+    # Units that cos θ₀ and sin θ₀ are off by: one in the last place.
+    in_direction = 2
+    angle0 = tuple(Counted(sp.Symbol(f"{name}0_size"), in_direction) for name in ("cos", "sin"))
     # t is exact, so that 1 − t and 1 + t are rounded once, relative to themselves: the counts of
     # cos θ and sin θ are relative.
     at = kernel["direction"](Counted(sp.Symbol("t")))
@@ -173,9 +167,11 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
         (c, s, *angle0, exact[nm.kappa], exact[nm.sigma], exact[nm.beta], exact[nm.nbar]),
     )
 
+    # Where ``uncertainty`` ω of the stability stands for u: it is at least 8 u.
+    roundings = 8
     # In units of the uncertainty ω: one for each of cos θ, sin θ and L, and an eighth for a
     # rounding.
-    omega = sp.Rational(_ROUNDINGS_IN_UNCERTAINTY)
+    omega = sp.Rational(roundings)
     vague = [Counted(sp.Symbol(name), omega) for name in ("c", "s", "L")]
     stiffness = follow(
         known["stiffness"],
@@ -194,7 +190,10 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
         "COUNT_K": max(trace.count, flutter.count) / omega,
     }
     rounded = {name: float(math.ceil(number) + 1) for name, number in found.items()}
-    return {**rounded, "COUNT_THETA": float(_IN_ARCTANGENT)}
+    # Roundings that θ = 2 atan t may be off by: an arc tangent within four units in the last place,
+    # of an angle below π.
+    in_arctangent = 16
+    return {**rounded, "COUNT_THETA": float(in_arctangent)}
 
 
 def _covers(size: sp.Expr, wanted: sp.Expr) -> None:

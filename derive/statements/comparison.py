@@ -20,9 +20,6 @@ from .repair import Values, evaluated, same
 from .samples import numeric
 from .tree import Equation, Node, printed, to_sympy
 
-#: Terms of either side of a residual, by whose ratios its factor is found.
-MOST_TERMS = 40
-
 
 @dataclass(frozen=True)
 class Convention:
@@ -148,7 +145,9 @@ class Comparison:
 
         def apart(expression: sp.Expr) -> list[Pair]:
             """Factors of parameters, and what else stands in each term."""
-            terms = sp.Add.make_args(sp.expand(expression))[:MOST_TERMS]
+            # Terms of either side of a residual, by whose ratios its factor is found.
+            most_terms = 40
+            terms = sp.Add.make_args(sp.expand(expression))[:most_terms]
             return [term.as_independent(*states, as_Add=False) for term in terms]
 
         ours = apart(it.expanded(entry))

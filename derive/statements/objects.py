@@ -23,8 +23,6 @@ NORMAL, LAMBDA, TIME = sp.Symbol("N", real=True), sp.Symbol("lam"), sp.Symbol("t
 CONTACT, LIFT_OFF, BOTH = "contact", "lift-off", "both"
 
 T = TypeVar("T")
-#: Applied forces that may be counted in an energy one by one; of more all are, or none.
-MOST_FORCES = 3
 
 
 class NoObject(LookupError):
@@ -298,7 +296,9 @@ def _energy(it: Derivation, name: str, side: str) -> Object:
     works = _potentials_of_forces(it)
     readings = []
     ways = [(True,) * len(works), (False,) * len(works)]
-    if len(works) <= MOST_FORCES:
+    # Applied forces that may be counted in an energy one by one; of more all are, or none.
+    most_forces = 3
+    if len(works) <= most_forces:
         ways = list(itertools.product((True, False), repeat=len(works)))
     for counted in ways:
         said = (

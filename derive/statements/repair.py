@@ -64,8 +64,6 @@ SCREEN = slice(0, 8, 2)
 FEW_NUMBERS, POWERS = ("1", "2", "3", "4"), (*map(Fraction, ("2", "3", "-1", "1/2")),)
 #: Of a product: distance of a power from a half, its size, and how many factors there may be.
 NEAR_HALF, LARGEST_POWER, MOST_ATOMS = 1e-6, 4, 7
-#: Symbols in a bracket that may be a factor.
-LARGEST_BRACKET = 3
 #: Least share of its squares that is new in a row of logarithms; samples that are no factors.
 DEPENDENT, SPARE = 1e-12, 4
 #: Functions that are no factors of a product.
@@ -363,7 +361,9 @@ class _Products:
         angles = [(Node("symbol", value=name),) for name in pool.angles if name in pool.values]
         atoms += [Node("call", angle, way) for angle in angles for way in ("cos", "sin")]
         atoms += [it for it in inside if it.kind == "call" and it.value not in _NOT_FACTORS]
-        atoms += [it for it in inside if it.kind == "add" and len(symbols(it)) <= LARGEST_BRACKET]
+        # Symbols in a bracket that may be a factor.
+        largest_bracket = 3
+        atoms += [it for it in inside if it.kind == "add" and len(symbols(it)) <= largest_bracket]
         self.atoms: list[tuple[Node, Values]] = []
         rows = [np.ones(numbers.size)]
         for atom in dict.fromkeys(atoms):

@@ -15,7 +15,6 @@ from .repair import Values
 
 #: Pairs of samples with the same parameters.
 PAIRS = 24
-_TRIES = 200
 
 
 def drawn(it: Derivation, held: Object, is_base: bool = False) -> dict[str, Values]:
@@ -44,7 +43,8 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
     if gap is not None:
         if held.side != CONTACT and it.model.contact.unilateral:
             pushing = np.repeat(np.arange(PAIRS) % 2 if held.side == BOTH else [0] * PAIRS, 2)
-        for _ in range(_TRIES):
+        most_tries = 200
+        for _ in range(most_tries):
             level = numeric(gap, {**found, **states})
             wrong = np.where(pushing == 0, level <= 0, level >= 0)
             if not wrong.any():

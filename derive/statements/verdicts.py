@@ -25,16 +25,6 @@ from .samples import numeric
 from .tree import Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols
 from .tree import to_latex, to_sympy
 
-#: Repairs of one statement that are tried for a proof.
-MOST_PROOFS = 12
-#: Factors of a residual that are tried with two edits.
-MOST_FACTORS = 4
-#: Operations in a difference that is shown.
-LARGEST_SHOWN = 3000
-#: Cost of a residual that is the derived one times a factor of parameters.
-OTHER_FACTOR = 0.005
-#: Single repairs that cost more are compared with pairs.
-CHEAPEST_PAIR = 2.0
 #: Symbols of a term with brackets that may be lost, and terms that it may have without them.
 LONGEST_TERM = 8
 _SMALL, _LINEAR = sp.Dummy("small", positive=True), "linear in "
@@ -230,7 +220,9 @@ def _as_meant(row: Row, item: Item, exact: sp.Expr) -> tuple[Row, str]:
 
 def _with_difference(row: Row, item: Item, gap: sp.Expr) -> Row:
     """A row with the difference between print and derivation."""
-    if sp.count_ops(gap) > LARGEST_SHOWN:
+    # Operations in a difference that is shown.
+    largest_shown = 3000
+    if sp.count_ops(gap) > largest_shown:
         return row
     shown = sp.factor_terms(normal_form(gap))
     return replace(row, difference=str(shown), difference_latex=item.latex(shown))
@@ -302,12 +294,18 @@ def _repaired(it: Comparison, part: Component) -> Right | None:
     search = Search(part.tree, _pool(it, part))
     good: list[tuple[Repair, sp.Expr]] = []
     for pairs in (False, True):
-        if good and good[0][0].cost <= CHEAPEST_PAIR:
+        # Single repairs that cost more are compared with pairs.
+        cheapest_pair = 2.0
+        if good and good[0][0].cost <= cheapest_pair:
             break
-        tried = targets[:MOST_FACTORS] if pairs else targets
+        # Factors of a residual that are tried with two edits.
+        most_factors = 4
+        tried = targets[:most_factors] if pairs else targets
         found = search.repairs(np.array([target for target, _ in tried]), pairs)
         for repair, way in found:
-            further = OTHER_FACTOR if way > 1 else 0.0
+            # Cost of a residual that is the derived one times a factor of parameters.
+            other_factor = 0.005
+            further = other_factor if way > 1 else 0.0
             good.append((replace(repair, further=further), tried[way][1]))
         good = _proved_first(it, good)
     if good:
@@ -340,7 +338,9 @@ def _proved_first(
     good: list[tuple[Repair, sp.Expr]] = []
     forms: set[sp.Expr] = set()
     for repair, exact in sorted(found, key=lambda one: (one[0].cost, len(printed(one[0].tree)))):
-        if (good and repair.cost > good[0][0].cost + 0.01) or len(good) > MOST_PROOFS:
+        # Repairs of one statement that are tried for a proof.
+        most_proofs = 12
+        if (good and repair.cost > good[0][0].cost + 0.01) or len(good) > most_proofs:
             break
         form = to_sympy(repair.tree, {name: sp.Symbol(name) for name in symbols(repair.tree)})
         if form not in forms and it.proved(repair.tree, exact):

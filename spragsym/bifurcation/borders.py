@@ -51,12 +51,6 @@ PASSES = "passes"
 BORDER_FOLD = "border_fold"
 #: Neither is known.
 BORDER = "border"
-#: Places with rational numbers at which a determinant that is 0 everywhere is 0.
-PLACES = 12
-#: Largest numerator and denominator of these numbers.
-LARGEST = 1 << 30
-#: Rates at which two states go apart that are no more apart than this, relatively, are alike.
-ALIKE = 1e-9
 
 
 def borders(
@@ -173,13 +167,17 @@ def _is_singular(balance: Balance, family: Family) -> bool:
     zero = {name for name, value in still if value == 0 and name not in balance.angles}
 
     def drawn() -> Fraction:
-        return Fraction(*map(int, rng.integers(1, LARGEST, 2)))
+        # Largest numerator and denominator of these numbers.
+        largest_part = 1 << 30
+        return Fraction(*map(int, rng.integers(1, largest_part, 2)))
 
     def circle() -> list[Fraction]:
         t = drawn()
         return [(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)]
 
-    for _ in range(PLACES):
+    # Places with rational numbers at which a determinant that is 0 everywhere is 0.
+    tried_places = 12
+    for _ in range(tried_places):
         values: dict[str, Any] = {name: 0 if name in zero else drawn() for name in balance.codes}
         for pair in balance.angles.values():
             values |= dict(zip(pair, circle(), strict=True))
@@ -240,6 +238,8 @@ def _at_border(points: Points, row: int) -> tuple[str, str]:
     if not any(stable):
         return "", when
     first, second = moved if stable[0] else moved[::-1]
-    if abs(first - second) <= ALIKE * max(abs(first), abs(second)):
+    # Rates at which two states go apart that are no more apart than this, relatively, are alike.
+    alike_within = 1e-9
+    if abs(first - second) <= alike_within * max(abs(first), abs(second)):
         raise ConvergenceError("which state is the lower one is not known")
     return "lower" if first < second else "upper", when

@@ -30,10 +30,6 @@ from .tubes import Tubes
 
 #: How far beside a cusp its folds are looked for, over the range.
 ASIDE = (1e-3, 1e-4, 1e-5)
-#: How far beyond its value, over that if it is larger than 1.
-BEYOND = 0.05
-#: Of two values that differ by less than that times their bounds none is the lower one.
-SAME = 4.0
 
 
 @dataclass(frozen=True)
@@ -44,7 +40,9 @@ class _Candidate:
     error: float
 
     def ties(self, other: _Candidate) -> bool:
-        return abs(self.value - other.value) <= SAME * (self.error + other.error) * max(
+        # Of two values that differ by less than that times their bounds none is the lower one.
+        times_bounds = 4.0
+        return abs(self.value - other.value) <= times_bounds * (self.error + other.error) * max(
             1.0, abs(self.value)
         )
 
@@ -467,7 +465,9 @@ class _CandidateSearch:
         Beside a cusp, where its two folds are: no other piece begins between it and the next
         candidate.
         """
-        limit = min(one.value + BEYOND * max(1.0, abs(one.value)), self.high)
+        # How far beyond its value, over that if it is larger than 1.
+        share_beyond = 0.05
+        limit = min(one.value + share_beyond * max(1.0, abs(one.value)), self.high)
         try:
             if one.kind != "cusp":
                 end = self.end_at(one.where, limit)

@@ -64,12 +64,8 @@ from ..statics.systems import Boxes, Entries, StateSystem, at_anchors
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
 
-#: End of the range of a parameter that has none, over its base value if that is larger than 1.
-FAR = 10.0
 #: A slope of the friction law that is as good as 0.
 FLAT = 1e-100
-#: Boxes beyond which they lie around no points.
-MANY = 400
 #: Width of the arcs of directions looked at one by one.
 ARC = np.pi / 16
 #: Their numbers: 32 are a full turn, one more covers what rounding leaves.
@@ -78,8 +74,6 @@ ARCS = np.arange(33)
 DIRECTIONS = stacked(
     [of(Intervals.between(ARC * ARCS, ARC * (ARCS + 1))) for of in (XP.cos, XP.sin)], ARCS.shape
 ).ends
-#: Boxes that are looked at in one go, as NumPy takes hardly longer for them than for one.
-FEW = 64
 
 
 @dataclass(frozen=True)
@@ -160,7 +154,10 @@ def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:
         model.require_parameter(name)
     given, rows = as_ranges("between", between, {name: model.any_of(name) for name in vary}), []
     for name in vary:
-        own, far = _ends(model, name), FAR * max(1.0, abs(model.base.get(name, 0.0)))
+        # End of the range of a parameter that has none, over its base value if that is larger than
+        # 1.
+        times_base = 10.0
+        own, far = _ends(model, name), times_base * max(1.0, abs(model.base.get(name, 0.0)))
         ends = given.get(
             name, [end if math.isfinite(end) else math.copysign(far, end) for end in own]
         )
@@ -486,7 +483,9 @@ def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     """Roots that a search along one parameter in a region has left open, or knows to few digits
     only, again with many digits.
     """
-    if system.condition.order or found.undecided.shape[2] > MANY:
+    # Boxes beyond which they lie around no points.
+    most_boxes = 400
+    if system.condition.order or found.undecided.shape[2] > most_boxes:
         return found
     with quiet():
         if system.abandoned(
@@ -503,7 +502,9 @@ def _regular(boxes: Boxes, spring: int) -> BoolArray:
     turn apart.
     """
     out = np.ones(boxes.shape, dtype=np.bool_)
-    for arcs in (ARCS,) if out.size < FEW else (ARCS[::8], ARCS):
+    # Boxes that are looked at in one go, as NumPy takes hardly longer for them than for one.
+    one_go = 64
+    for arcs in (ARCS,) if out.size < one_go else (ARCS[::8], ARCS):
         rows = np.flatnonzero(out)
         out[rows] = _regular_along(boxes.some(rows), spring, arcs)
     return out

@@ -32,8 +32,6 @@ from .defining_systems import Augmented, Family, cusp
 from .singularities import isolated
 
 T = TypeVar("T")
-#: Bits that may be lost where forces are summed.
-ROOM = 96
 
 
 @question
@@ -241,8 +239,10 @@ def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> lis
     """The root in a box of floats. The box gets narrower as bits are added: an angle may be known
     worse than the coordinates.
     """
+    # Bits that may be lost where forces are summed.
+    lost_bits = 96
     root = narrowed(
-        system, box, alone, Fraction(1, 2 ** max(2 * system.bits // 3, system.bits - ROOM))
+        system, box, alone, Fraction(1, 2 ** max(2 * system.bits // 3, system.bits - lost_bits))
     )
     if root is None:
         raise UndecidedSign("a root that is nearly a double one")

@@ -37,10 +37,6 @@ from ..statics.balance import PreciseBalance
 from ..statics.forces import Evaluation
 from .defining_systems import FOLD, Augmented, Family
 
-#: Halvings of each range.
-HALVINGS = 32
-#: Boxes of a point that are kept, or else their hull.
-BOXES = 100
 #: Bits at an end.
 BITS = 192
 #: What is left where states may form lines.
@@ -73,10 +69,14 @@ def lines_of_states(family: Family) -> tuple[FloatArray, IntArray]:
     sides = np.stack([-family.spans[:, 0], family.spans[:, 1]])[:, :, None]
     count, number = family.given.shape[1], len(family.vary)
     ends, point = np.repeat(sides, count, axis=2), np.arange(count)
-    for halving in range(HALVINGS * number):
+    # Halvings of each range.
+    halvings_each = 32
+    for halving in range(halvings_each * number):
         some = np.flatnonzero(_may_hold_a_line(family, ends, point))
         ends, point = ends[:, :, some], point[some]
-        if np.bincount(point, minlength=1).max() > BOXES:
+        # Boxes of a point that are kept, or else their hull.
+        most_boxes = 100
+        if np.bincount(point, minlength=1).max() > most_boxes:
             hulls = [ends[:, :, point == one].max(axis=2) for one in np.unique(point)]
             return np.stack(hulls, axis=2), np.unique(point)
         row = halving % number

@@ -56,8 +56,6 @@ from ..statics.search import kinds_of, of_ranges, of_region, summed
 from .defining_systems import Augmented, Condition, Family, OfFamily, settled, slope
 from .lines_of_states import LINES_OF_STATES, is_affine, lines_of_states
 
-#: Boxes left that are listed one by one.
-MANY = 200
 #: How far beyond the border of the contact states on it are looked for.
 OVER_BORDER = 1e-3
 #: Where the range of a parameter begins that is larger than 0.
@@ -213,7 +211,9 @@ def listed(
     varied = dict(zip(vary, Intervals(left[:, balance.n :]), strict=True))
     given = np.repeat(family.given, left.shape[2], axis=1)
     kinds = summed([why] * left.shape[2] if why else kinds_of(balance, given, left, varied))
-    left = _merged(left) if len(vary) == 1 and (why or left.shape[2] > MANY) else left
+    # Boxes left that are listed one by one.
+    most_listed = 200
+    left = _merged(left) if len(vary) == 1 and (why or left.shape[2] > most_listed) else left
     return np.moveaxis(spans_of(left), 1, 0), kinds
 
 

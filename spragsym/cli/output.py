@@ -26,15 +26,6 @@ from ..numerics.decimals import upward
 if TYPE_CHECKING:
     from ..figures.style import Shown
 
-#: Width that a table of numbers fits into, unless the terminal is wider.
-WIDTH = 80
-#: Least width of a text beside others.
-LEAST_WIDTH = 20
-#: Digits of a number in a table, where the line has room for them.
-MOST_DIGITS = 12
-#: Digits in any case.
-LEAST_DIGITS = 5
-
 
 def line_width() -> int:
     """Width of the terminal; 0 in a pipe, where no line is broken."""
@@ -47,7 +38,9 @@ def wrapped(text: str, indent: int = 0) -> str:
     """A text for a line of the terminal, of which the first characters are taken; further lines
     begin below its first word.
     """
-    room = max(line_width() - indent, LEAST_WIDTH)
+    # Least width of a text beside others.
+    least_width = 20
+    room = max(line_width() - indent, least_width)
     return f"\n{' ' * indent}".join(textwrap.wrap(text, room)) if line_width() else text
 
 
@@ -72,14 +65,22 @@ def _fitted(
 ) -> list[list[str]]:
     """Each column as its name and its cells, together no wider than the line if that can be."""
     written: list[list[str]] = []
+    # Digits in any case.
+    least_digits = 5
+    # Digits of a number in a table, where the line has room for them.
+    most_digits = 12
     for left_out, digits in itertools.product(
-        range(len(optional) + 1), range(MOST_DIGITS, LEAST_DIGITS - 1, -1)
+        range(len(optional) + 1), range(most_digits, least_digits - 1, -1)
     ):
         used = ((name, cells) for name, cells in columns if name not in optional[:left_out])
         written = [
             [name, *(_written(name, cell, digits) for cell in cells)] for name, cells in used
         ]
-        if sum(max(map(len, column)) + 2 for column in written) - 2 <= max(WIDTH, line_width()):
+        # Width that a table of numbers fits into, unless the terminal is wider.
+        table_width = 80
+        if sum(max(map(len, column)) + 2 for column in written) - 2 <= max(
+            table_width, line_width()
+        ):
             break
     return written
 

@@ -176,10 +176,6 @@ _ELEVATION = 24.0
 _AZIMUTH = -118.0
 #: Columns of points.
 POINT = ("theta0_deg", "mu0", "x")
-#: How far lines stand before the surface, in the units of the proportions.
-_LIFT = 0.08
-#: Half of their width.
-_HALF = 0.0036
 
 
 def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, Int8Array]:
@@ -280,8 +276,12 @@ def draw_surface(
     for points, color in (*lines, *((fold, VERMILION) for fold in folds)):
         ax.plot(*points.T, color=color, linewidth=0.6, linestyle=(0, (3.0, 2.2)), zorder=2)
         across = np.cross(np.diff(points, axis=0) / size, towards)
-        across *= size * _HALF / np.maximum(np.linalg.norm(across, axis=1), 1e-300)[:, None]
-        begin, end = (part + _LIFT * towards * size for part in (points[:-1], points[1:]))
+        # Half of their width.
+        half_width = 0.0036
+        across *= size * half_width / np.maximum(np.linalg.norm(across, axis=1), 1e-300)[:, None]
+        # How far lines stand before the surface, in the units of the proportions.
+        lift = 0.08
+        begin, end = (part + lift * towards * size for part in (points[:-1], points[1:]))
         ribbon = np.stack([begin - across, end - across, end + across, begin + across], axis=1)
         ribbon = ribbon[np.isfinite(ribbon).all(axis=(1, 2))]
         polygons.append(ribbon)

@@ -61,14 +61,6 @@ from .style import (
 #: they come from.
 COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
 
-#: Unstable cycles beyond this are left to the table.
-HIGHEST = 2.15
-
-#: A label stands this far above its curve.
-LIFTED = 0.035
-
-#: Doubled cycles are labelled if they are stable over more degrees than this.
-WIDE = 10.0
 
 #: Of events of cycles.
 MARKERS = {"period_doubling": "o", "fold": "s", "torus": "^"}
@@ -107,9 +99,13 @@ def figure_cycles() -> Sheet:
         angles, stable = np.degrees(theta0), is_stable == 1
         draw_stretches(ax, angles, heights, stable, colour, 0.9 if doubled else 1.4)
         value, period, *_ = line["at"]
-        if not doubled or np.ptp(angles[stable]) > WIDE:
+        # Doubled cycles are labelled if they are stable over more degrees than this.
+        labelled_beyond = 10.0
+        if not doubled or np.ptp(angles[stable]) > labelled_beyond:
             nearest = np.argmin(np.abs(theta0 - value) + np.abs(periods - period))
-            place = np.degrees(value), heights[nearest] + LIFTED
+            # A label stands this far above its curve.
+            lifted = 0.035
+            place = np.degrees(value), heights[nearest] + lifted
             write_along(ax, f"{period:.0f}", *place, color=colour, ha="center", fontsize=7)
         for kind, at, length, rms, how in line["events"]:
             events.append((line["name"], kind, np.degrees(at), length, rms, how))
@@ -140,7 +136,9 @@ def figure_cycles() -> Sheet:
         places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True
     ):
         line_at(ax, line_place, colour, 0.8, style=style, zorder=0.5)
-    angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, HIGHEST))
+    # Unstable cycles beyond this are left to the table.
+    highest = 2.15
+    angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, highest))
     return figure.describe(
         f"""Dynamic bifurcation diagram that Figure 7b samples, μ₀ = 0.5, {BASE_TEXT}, belt speed V
         = {V}, steepness d = {D:g} (our assumption). Black: equilibria at the friction μ(V), |x|;
@@ -395,9 +393,6 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
 #: Of labels; those that are not here are left to the table.
 LABEL_MARKERS = {"LP": "s", "H": "D", "LPC": "s", "PD": "o", "NS": "^", "BPC": "x", "HC": "*"}
 
-#: Two labels of one kind nearer than this share of the frame are written once.
-CLOSE = 0.04
-
 
 def diagram_figure(found: Diagram) -> Sheet:
     """First coordinate over the parameter: equilibria black, lift-off grey; of cycles, in colours,
@@ -470,8 +465,11 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
             *at, LABEL_MARKERS[name], color=BLACK, markersize=4, markerfacecolor="white", zorder=4
         )
         x, y = inside.transform(at)
+        # Two labels of one kind nearer than this share of the frame are written once.
+        written_once = 0.04
         if not any(
-            name == other and abs(x - left) + abs(y - low) < CLOSE for other, left, low in named
+            name == other and abs(x - left) + abs(y - low) < written_once
+            for other, left, low in named
         ):
             named.append((name, x, y))
             ax.annotate(

@@ -221,8 +221,6 @@ def draw_spectrum(
 
 #: Samples of one period.
 _SAMPLES = 1024
-#: Least amplitude of a harmonic that is drawn, as a share of the largest.
-_SEEN = 0.005
 
 
 def draw_harmonics(
@@ -241,7 +239,9 @@ def draw_harmonics(
     ax, model = own_axes(ax), cycle.field.model
     row = cycle.samples(np.arange(_SAMPLES) * cycle.period / _SAMPLES)[model.components.index(of)]
     amplitude = 2 * length * np.abs(np.fft.rfft(row))[1:] / _SAMPLES
-    last = int(np.flatnonzero(amplitude >= _SEEN * amplitude.max())[-1]) + 1
+    # Least amplitude of a harmonic that is drawn, as a share of the largest.
+    least_share = 0.005
+    last = int(np.flatnonzero(amplitude >= least_share * amplitude.max())[-1]) + 1
     n = np.arange(1, last + 1)
     places = frequency * n / cycle.period
     stems = ax.vlines(places, 0.0, amplitude[:last], color=BLUE, linewidth=1.4)
@@ -306,10 +306,6 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
         after the time {after}: its rate over it, with the speed of the belt dotted, and its
         spectrum."""
     )
-
-
-#: Neighbouring cells whose RMS differ by more than this are divided.
-_STEP_OF_RMS = 0.3
 
 
 @styled
@@ -393,7 +389,9 @@ def _beside_a_step(rms: FloatArray) -> BoolArray:
         ndimage.maximum_filter(rms, footprint=cross) - rms,
         rms - ndimage.minimum_filter(rms, footprint=cross),
     )
-    return np.maximum(above, below) > _STEP_OF_RMS
+    # Neighbouring cells whose RMS differ by more than this are divided.
+    step_of_rms = 0.3
+    return np.maximum(above, below) > step_of_rms
 
 
 #: Of the smaller, the assumed and the larger value.

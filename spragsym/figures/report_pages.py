@@ -69,12 +69,6 @@ _AS_TEXT: Any = {
     ),
     10.2,
 )
-#: Lines on which onsets of oscillation are looked for.
-_ONSETS = 12
-#: Lines of a bifurcation set.
-_LINES = 40
-#: Values along the friction.
-_VALUES = 80
 #: Kinds of onsets: how a line is drawn, and the words for it.
 ONSETS = {
     "supercritical": ("full line", "it begins with a small amplitude (supercritical)"),
@@ -87,8 +81,6 @@ MEETINGS = {
     "ZH": "ZH: a line touches one on which two states meet",
     "HH": "HH: two lines cross, and two frequencies set in",
 }
-#: Least margin of an axis, as a share of what was searched.
-_LEAST = 0.03
 
 
 def report_page(report: Facts) -> str:
@@ -162,14 +154,18 @@ def _planes(report: Facts) -> Rows:
         )
         box = {angle: (angles.low, angles.high), friction: (low, high)}
         with suppress(SpragsymError):
+            # Lines of a bifurcation set.
+            set_lines = 40
             yield (
-                picture(partial(draw_operating_point, p, box, jump, n=_LINES)),
+                picture(partial(draw_operating_point, p, box, jump, n=set_lines)),
                 f"Where the brake works (dot) and its tolerances (box). {caption}",
             )
     unit, size = unit_of(study)
+    # Values along the friction.
+    drawn_values = 80
     # Angles are drawn in degrees by the picture itself.
     options: dict[str, Any] = dict(
-        length=size if unit == "mm" else 1.0, up=f"{first['name']} in {unit}", n=_VALUES
+        length=size if unit == "mm" else 1.0, up=f"{first['name']} in {unit}", n=drawn_values
     )
     rises, vary = "the friction", study.loading.name
     if not study.of_friction:
@@ -204,7 +200,9 @@ def _stability_map(report: Facts) -> Rows:
     )
     top = max(1.0, 1.15 * between[1], *(1.15 * value for value in known))
     with suppress(SpragsymError):
-        onsets = ss.onset_curves(p, (angle, friction), _ONSETS, between={friction: (0.0, top)})
+        # Lines on which onsets of oscillation are looked for.
+        onset_lines = 12
+        onsets = ss.onset_curves(p, (angle, friction), onset_lines, between={friction: (0.0, top)})
         if not onsets.curves and not len(onsets.undecided):  # an empty plane shows nothing
             return
         box = {angle: (angles.low, angles.high), friction: between}
@@ -234,7 +232,9 @@ def _around(onsets: OnsetCurves, name: str, ends: Span) -> Span:
     """Range of an axis: the curves and the brake, and a margin about them."""
     values = np.concatenate([*(curve[name] for curve in onsets.curves), ends])
     low, high = onsets.between[name]
-    margin = max(_MORE * float(np.ptp(values)), _LEAST * (high - low))
+    # Least margin of an axis, as a share of what was searched.
+    least_margin = 0.03
+    margin = max(_MORE * float(np.ptp(values)), least_margin * (high - low))
     return max(low, float(values.min()) - margin), min(high, float(values.max()) + margin)
 
 

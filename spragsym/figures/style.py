@@ -237,10 +237,6 @@ RANGE_TEXT = "The ranges of the axes are our choice."
 HIDDEN_TEXT = "Thin dashes lie behind a sheet."
 
 
-#: What is shown beyond the farthest cusp.
-ROOM = 1.25
-
-
 #: Names that are letters.
 GREEK = {
     "alpha",
@@ -339,7 +335,9 @@ def window(
             low, high = own.low, own.high
             if np.isinf((low, high)).any():
                 farthest = float(np.abs(cusps()[name]).max(initial=0.0)) if cusps else 0.0
-                far = max(1.0, 2.0 * abs(model.base.get(name, 0.0)), ROOM * farthest)
+                # What is shown beyond the farthest cusp.
+                times_farthest = 1.25
+                far = max(1.0, 2.0 * abs(model.base.get(name, 0.0)), times_farthest * farthest)
                 low, high = -far if np.isinf(low) else low, far if np.isinf(high) else high
             out[name] = low, high
     return out

@@ -58,8 +58,6 @@ GAP = 1e-12
 #: exponent.
 WIDTH = 5.0
 
-#: Sliding speeds up to this are 0 where friction holds.
-STILL = 2 * GAP
 
 #: A motion has settled when what is left to its limit is this share of its reach; for rest, of its
 #: unit of length, which is 1 for motions of a common size.
@@ -391,7 +389,9 @@ class _Motion:
         self.still = list[float]()
         for holds in self.holds:
             size, *_ = itertools.islice(rows, 3 if holds else 1)
-            self.still.append(STILL * size)
+            # Sliding speeds up to this are 0 where friction holds.
+            standstill = 2 * GAP
+            self.still.append(standstill * size)
         #: Places in a mode of the first side, the first exponential of a friction law, the first
         #: turn of a gap, and the first torsion spring.
         self.side = len(self.contacts)

@@ -47,10 +47,6 @@ class UndecidedSign(ArithmeticError):
 T = TypeVar("T")
 #: Bits of the first try.
 FIRST_BITS = 192
-#: Bits of the last try.
-MAXIMUM_BITS = 6144
-#: Digits that an interval must have to become a float.
-FLOAT_DIGITS = 15
 
 
 class Ball(Arithmetic):
@@ -369,7 +365,9 @@ def with_enough_bits(digits: int, attempt: Callable[[int], T], what: str) -> T:
             try:
                 return attempt(bits)
             except (UndecidedSign, ZeroDivisionError) as reason:
-                if bits >= MAXIMUM_BITS:
+                # Bits of the last try.
+                maximum_bits = 6144
+                if bits >= maximum_bits:
                     raise ConvergenceError(
                         f"{what}: {bits} bits do not decide it ({reason}); the parameters are "
                         "degenerate, "
@@ -397,7 +395,9 @@ def as_floats(intervals: Iterable[Interval]) -> tuple[list[float], float]:
     """The middles of intervals as floats, infinite beyond float64, and a bound on |error| / max(1,
     |value|) of all of them.
     """
-    middles, worst, _ = as_numbers(intervals, FLOAT_DIGITS)
+    # Digits that an interval must have to become a float.
+    float_digits = 15
+    middles, worst, _ = as_numbers(intervals, float_digits)
     # Half a unit in the last place of a float, 1.11e-16, and what is lost where the first term is
     # rounded and in the sum, 1e-30.
     return list(map(float, middles)), float(worst) + 1.2e-16

@@ -14,9 +14,6 @@ from .arithmetic import Number
 #: Significant digits of a bound.
 BOUND_DIGITS = 2
 
-#: Significant digits of a number that is known exactly, where fewer than all are written.
-EXACT_DIGITS = 20
-
 
 class Decimal(NamedTuple):
     """A number in decimal digits, and a bound on how far the number that is meant is from it: both
@@ -58,7 +55,9 @@ def around(value: Number, error: Number, digits: int | None = None) -> Decimal:
     elif half:
         places = BOUND_DIGITS - _power(half)
     else:
-        places = EXACT_DIGITS - 1 - _power(middle)
+        # Significant digits of a number that is known exactly, where fewer than all are written.
+        exact_digits = 20
+        places = exact_digits - 1 - _power(middle)
     text = _rounded(middle, places)
     return Decimal(text, upward(abs(Fraction(text) - middle) + half))
 

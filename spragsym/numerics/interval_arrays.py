@@ -423,9 +423,6 @@ def _not_negative(ends: FloatArray) -> FloatArray:
     return ends
 
 
-#: Bound on the absolute error of NumPy's sine and cosine, for arguments up to
-#: :data:`LARGEST_ANGLE`.
-TRIGONOMETRIC_ERROR = 2.0**-50
 #: Beyond it cosine and sine are [−1, 1].
 LARGEST_ANGLE = 1e5
 #: Upper bound of π, and an interval around it.
@@ -445,7 +442,10 @@ def _wave(angle: Intervals, function: np.ufunc, peak: float) -> Intervals:
     """A cosine that has its maxima at 2π (peak + n)."""
     low, high = angle.low, angle.high
     one, other = function(low), function(high)
-    ends = pair(-np.minimum(one, other), np.maximum(one, other)) + TRIGONOMETRIC_ERROR
+    # Bound on the absolute error of NumPy's sine and cosine, for arguments up to
+    # :data:`LARGEST_ANGLE`.
+    trigonometric_error = 2.0**-50
+    ends = pair(-np.minimum(one, other), np.maximum(one, other)) + trigonometric_error
     turns_low, turns_high = low / (2 * np.pi) - peak, high / (2 * np.pi) - peak
     unknown = ~((angle.magnitude <= LARGEST_ANGLE) & np.isfinite(one) & np.isfinite(other))
     for place, shift in ((1, 0.0), (0, 0.5)):

@@ -22,21 +22,9 @@ Rows: TypeAlias = Iterator[tuple[str, str]]
 
 #: Penetration over the length of the spring beyond which a linear contact means nothing.
 DEEP = 0.05
-#: Displacement over the length of the spring beyond which a state is none of small deformation.
-FAR = 0.5
-#: Share of μ₀ below which the friction at the speed of the belt is worth a warning.
-FULL = 0.95
-#: Rms of what a fitted friction law leaves, over μ₀, from which on another law is needed.
-POOR = 0.1
 #: d times the slowest measured speed from which on no measurement is on the rising part of the
 #: friction law.
 STEEP = 8.0
-#: d times the fastest measured speed up to which none is on its level part.
-FULL_AT = 0.1
-#: Speeds in m/s that no belt has: the number was probably meant in mm/s.
-FAST = 100.0
-#: Degrees up to which an inclination looks like radians.
-FLAT = 3.15
 
 
 def warnings(report: Facts) -> tuple[str, ...]:
@@ -72,7 +60,9 @@ def _contact(study: Brake, found: Sequence[State]) -> Iterator[str]:
 def _far(report: Facts) -> Iterator[str]:
     length, here = 1e3 * report.study.values.get("L_0", math.inf), report.current
     x = here.places.get("x_mm", 0.0) if here and not report.jumped else 0.0
-    if abs(x) > FAR * length:
+    # Displacement over the length of the spring beyond which a state is none of small deformation.
+    largest_share = 0.5
+    if abs(x) > largest_share * length:
         share = f"{abs(x) / length:.0%} of L_0"
         yield (
             f"the followed state lies at x = {x:.3g} mm without a jump, {share}: it is no small "
@@ -109,7 +99,9 @@ def _friction_caution(study: Brake) -> Iterator[str]:
     name, own = study.kind.friction, study.kind.model.coefficient
     full = study.values.get(name, 0.0) if name else 0.0
     works = float(study.operating_point[own]) if full and own else 0.0
-    if works < FULL * full:
+    # Share of μ₀ below which the friction at the speed of the belt is worth a warning.
+    share_of_full = 0.95
+    if works < share_of_full * full:
         share = f"{works / full:.3g} of {name}, {study.friction[1]:.3g} in place of {full:.3g}"
         cause = "d and V" if {"d", "V"} <= set(study.values) else study.belt
         yield f"the belt is so slow that friction is {share}: check {cause}"
@@ -119,7 +111,9 @@ def _fit(study: Brake) -> Iterator[str]:
     fit = study.fit
     if fit is None:
         return
-    if fit.rms > POOR * fit.mu0:
+    # Rms of what a fitted friction law leaves, over μ₀, from which on another law is needed.
+    poor_fit = 0.1
+    if fit.rms > poor_fit * fit.mu0:
         yield (
             f"the law mu0 (1 - exp(-d v)) is {fit.rms / fit.mu0:.0%} off the measured friction: "
             "choose a model with another law"
@@ -134,7 +128,9 @@ def _fit(study: Brake) -> Iterator[str]:
             "two measurements are met exactly by mu0 and d, whose errors are not known: measure "
             "at more speeds"
         )
-    if fit.d * fit.fastest < FULL_AT:
+    # d times the fastest measured speed up to which none is on its level part.
+    level_from = 0.1
+    if fit.d * fit.fastest < level_from:
         known = f"only mu0 d = {fit.mu0 * fit.d:.3g} s/m is known"
         yield (
             f"friction still rises at {fit.fastest:.3g} m/s, and {known}: measure at faster "
@@ -150,12 +146,16 @@ def of_data(study: Brake) -> Iterator[str]:
     friction, angle = (study.quantities.get(str(one)) for one in (name, inclination))
     if friction is not None and friction.high > FRICTION:
         yield f"{name} = {friction.high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
-    if belt in study.values and abs(speed := study.values[belt]) > FAST:
+    # Speeds in m/s that no belt has: the number was probably meant in mm/s.
+    fastest_belt = 100.0
+    if belt in study.values and abs(speed := study.values[belt]) > fastest_belt:
         yield f"{study.shown_speed(speed)} looks like mm/s; write {speed:g} mm/s if that is meant"
+    # Degrees up to which an inclination looks like radians.
+    like_radians = 3.15
     if (
         angle is not None
         and angle.unit in ("deg", "°", "degree", "degrees")
-        and math.degrees(angle.value) < FLAT
+        and math.degrees(angle.value) < like_radians
     ):
         number = f"{study.in_file(str(inclination), angle.value):g}"
         yield (
@@ -180,8 +180,6 @@ def _damping(report: Facts) -> Iterator[str]:
     )
 
 
-#: Steps, at most.
-MOST = 5
 #: Quantities that one of them names, at most.
 NAMED = 4
 
@@ -197,7 +195,9 @@ def next_steps(report: Facts) -> Rows:
         "move"
     )
     run = [("run", command)] if study.source else []
-    yield from (*steps[: MOST - len(run)], *run)
+    # Steps, at most.
+    most_steps = 5
+    yield from (*steps[: most_steps - len(run)], *run)
 
 
 def _changes(report: Facts) -> Rows:

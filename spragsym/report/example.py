@@ -17,9 +17,6 @@ OWN_EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "150
 #: Of a file to begin with: what one of a unit of measure is, by its unit in SI, and tolerances.
 _SIZES = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038, "N": 400.0, "N/m^(3/2)": 8e6}
 _TOLERANCES = {"k": " +- 10 %", "k_t": " +- 10 %", "theta0": " +- 1 deg", "mu0": " +- 10 %"}
-#: A speed in m/s that no belt of a brake has, as the unit of a model may be; then speeds are those
-#: of the examples.
-_FASTEST = 10.0
 
 
 def example_of(key: str, unit: str) -> str:
@@ -43,7 +40,10 @@ def example(model: Model) -> str:
         quantity: float(p[name]) * kind.scale(kind.units[quantity], sizes)
         for quantity, name in kind.parameters.items()
     }
-    given = ("m/s^2", "m/s", "s/m") if kind.scale("m/s", sizes) > _FASTEST else ("m/s^2",)
+    # A speed in m/s that no belt of a brake has, as the unit of a model may be; then speeds are
+    # those of the examples.
+    fastest = 10.0
+    given = ("m/s^2", "m/s", "s/m") if kind.scale("m/s", sizes) > fastest else ("m/s^2",)
 
     def written(name: str, value: float) -> str:
         si = kind.units[name]

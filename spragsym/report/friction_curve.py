@@ -75,14 +75,10 @@ _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
 _GROUPED = re.compile(r"[+-]?\d{1,3}(?:['’\u202f\u00a0]\d{3})+(?:[.,]\d*)?")
 #: A number whose mark may stand before thousands.
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
-#: A coefficient that is larger is in percent, or none.
-_LARGEST = 2.0
 #: A sliding speed in m/s that is smaller is none.
 _SLOWEST = 1e-15
 #: Lines of a file, at most.
 _LINES = 20_000
-#: Lines among which its head is.
-_ABOVE = 100
 #: What a head looks like.
 EXAMPLE = "v [m/s],mu"
 
@@ -154,8 +150,10 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
             f"the file is empty; begin with a line of names and units such as {EXAMPLE}", 0, 0
         )
     cells, texts = [(number, _cells(line, between)) for number, line in lines], dict(lines)
+    # Lines among which its head is.
+    head_lines = 100
     # Above the head may stand what a test rig says of itself.
-    words = [{_word(name) for name in row} for _, row in cells[:_ABOVE]]
+    words = [{_word(name) for name in row} for _, row in cells[:head_lines]]
     begin = next((at for at, row in enumerate(words) if row & SPEED and row & FRICTION), 0)
     (number, names), *data = cells[begin:]
     if any(_NUMBER.fullmatch(name) for name in names):
@@ -201,7 +199,9 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
                 number,
                 6,
             )
-        if value > _LARGEST:
+        # A coefficient that is larger is in percent, or none.
+        largest_coefficient = 2.0
+        if value > largest_coefficient:
             cure = "write mu [%] in the head if it is in percent"
             raise _RefusedError(
                 f"{texts[number]!r}: the coefficient {value:g} is more than any brake has; {cure}",

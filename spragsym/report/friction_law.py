@@ -22,20 +22,8 @@ from .units import Measured
 if TYPE_CHECKING:
     from .brake import Brake
 
-#: How closely the ends of the friction are enclosed, relative.
-CLOSE = 1e-9
-#: Most halvings.
-HALVINGS = 60
 #: Boxes that are looked at at once.
 MOST = 1 << 12
-#: Boxes of a rough look.
-FEW = 1 << 6
-#: Times the belt's own speed up to which a speed is looked for, as a power of two.
-OCTAVES = 30
-#: How closely it is.
-SHARP = 2.0**-44
-#: Parts that are looked at.
-SPANS = 1 << 12
 
 
 def friction_depends_on(study: Brake) -> tuple[str, ...]:
@@ -72,18 +60,26 @@ def speed_for(study: Brake, friction: float) -> float:
         law.balance.parameters.index(name),
         abs(float(study.dimensionless[name])),
     )
+    # Times the belt's own speed up to which a speed is looked for, as a power of two.
+    octaves = 30
     parts = [
-        (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(OCTAVES))
+        (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(octaves))
     ] + [(0.0, speed)]
-    for _ in range(SPANS):
+    # Parts that are looked at.
+    most_parts = 1 << 12
+    for _ in range(most_parts):
         if not parts:
             return math.nan
         slow, fast = parts.pop()
         law.low[place], law.high[place] = slow, fast
-        if law.largest(1, FEW) < friction:
+        # Boxes of a rough look.
+        rough_boxes = 1 << 6
+        if law.largest(1, rough_boxes) < friction:
             continue
         middle = 0.5 * (slow + fast)
-        if fast - slow <= SHARP * fast:
+        # How closely it is.
+        sharp_within = 2.0**-44
+        if fast - slow <= sharp_within * fast:
             return float(middle * study.scales.length / study.scales.time)
         parts += [(middle, fast), (slow, middle)]
     return math.nan
@@ -116,10 +112,14 @@ class _Law:
         most, until it is close.
         """
         low, high, above, done = self.low, self.high, np.full(1, np.inf), -np.inf
-        for _ in range(HALVINGS):
+        # Most halvings.
+        most_halvings = 60
+        for _ in range(most_halvings):
             above = self.over(low, high, sign).high
             best = max(float(self.over(end, end, sign).low.max()) for end in (low, high))
-            open_ = np.flatnonzero(above > best + CLOSE * abs(best))
+            # How closely the ends of the friction are enclosed, relative.
+            enclosed_within = 1e-9
+            open_ = np.flatnonzero(above > best + enclosed_within * abs(best))
             if not open_.size or 2 * open_.size > most:
                 break
             done = max(done, float(np.delete(above, open_).max(initial=-np.inf)))

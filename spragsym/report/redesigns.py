@@ -36,19 +36,13 @@ from .tolerances import (
 )
 from .units import Numbers
 
-#: Tolerance of a quantity that has none, as a share of its value.
-_SHARE = 0.1
 #: Tolerance of an inclination that has none, radians.
 _ANGLE = math.radians(1.0)
 #: A quantity is changed by up to this factor either way, where the data do not say how far it may
 #: change.
 FACTOR = 3.0
-#: By how much of the least joint change it may go further.
-_STRETCH = 2.0
 #: Shares of what is left of the way at which corners of the tolerances are looked at.
 _SHARES = (0.0, 0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 1.0)
-#: Parts into which the first that they leave is cut, twice.
-_PARTS = 8
 #: Digits of a new value.
 _DIGITS = 3
 
@@ -169,7 +163,11 @@ class _RedesignSearch:
         alike = [
             value for other, value in study.values.items() if value > 0 and si[other] == si[name]
         ]
-        return _SHARE * (study.values[name] or min(alike, default=0.01 * study.scale(si[name])))
+        # Tolerance of a quantity that has none, as a share of its value.
+        default_share = 0.1
+        return default_share * (
+            study.values[name] or min(alike, default=0.01 * study.scale(si[name]))
+        )
 
     def _keep(self, designs: Sequence[Numbers]) -> BoolArray:
         """Whether each of some designs may be, jumps at the target at the earliest, and at no
@@ -263,7 +261,9 @@ class _RedesignSearch:
             ],
             default=0.0,
         )
-        left = left if len(way) == 1 else min(left, _STRETCH)
+        # By how much of the least joint change it may go further.
+        times_further = 2.0
+        left = left if len(way) == 1 else min(left, times_further)
 
         def at(share: float) -> Numbers:
             return {name: before[name] + (1 + share * left) * step for name, step in way.items()}
@@ -277,7 +277,9 @@ class _RedesignSearch:
             high = float(tried[first])
             if not high:
                 break
-            tried = np.linspace(tried[first - 1], high, _PARTS + 1)
+            # Parts into which the first that they leave is cut, twice.
+            cut_parts = 8
+            tried = np.linspace(tried[first - 1], high, cut_parts + 1)
         yield from (at(high + share * (1 - high)) for share in self.budget.further)
 
     def _first_proved(self, least: Numbers | None) -> Change | None:

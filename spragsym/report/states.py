@@ -29,27 +29,12 @@ from .units import Numbers
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
 
-#: What the eigenvalues of a matrix of some rows are off by, relative to the largest, generously.
-ROUNDING = 1e-14
-#: A speed of the belt at which no friction law has a slope.
-LEVEL = 1e9
-#: What the coordinates of one state differ by.
-SAME = 1e-6
 #: Share of the way from the fold to the state that is left, at which the motion is let go.
 AWAY = 1e-2
 #: Times, in the model's unit, over which it is followed until it is half way.
 _T_END = (1500.0, 24_000.0)
-#: Instants at which forces are looked at.
-_INSTANTS = 60_000
-#: Steps of Newton's method to balance the other coordinates.
-_STEPS = 20
 #: Largest time over which a motion from rest is followed.
 T_END = 3000.0
-#: A motion whose swings are less than this share of those a quarter of the time before is on
-#: its way to rest.
-_FALLS = 0.99
-#: One whose swings are more than this many times as large is on its way beyond bounds.
-_GROWS = 2.0
 #: Where a motion that is far out begins: its first two coordinates.
 _FAR = (1.5, 0.5)
 #: What a motion comes to.
@@ -206,8 +191,10 @@ def states(study: Brake, eq: Equilibria, here: Numbers | None) -> tuple[State, .
         max(abs(value - here[name]) for name, value in place.items()) if here else math.inf
         for place in places
     ]
+    # What the coordinates of one state differ by.
+    same_within = 1e-6
     return tuple(
-        _state(study, eq, slot, place, slot == off.index(min(off)) and off[slot] < SAME)
+        _state(study, eq, slot, place, slot == off.index(min(off)) and off[slot] < same_within)
         for slot, place in enumerate(places)
     )
 
@@ -268,8 +255,10 @@ def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: boo
     told = forces.forces_of(model)
     rate = _roots(study, list(place.values())) / scales.time
     size = np.abs(rate).max()
+    # What the eigenvalues of a matrix of some rows are off by, relative to the largest, generously.
+    rounding = 1e-14
     # Where nothing damps, as without friction, the sign of the real part is the rounding's.
-    rate = np.where(np.abs(rate.real) <= ROUNDING * size, 1j * rate.imag, rate)
+    rate = np.where(np.abs(rate.real) <= rounding * size, 1j * rate.imag, rate)
     upper = sorted((root for root in rate if root.imag > 1e-9 * size), key=lambda root: root.imag)
     ratios = tuple(float(-root.real / abs(root)) + 0.0 for root in upper)
     growth, kind = float(rate.real.max()), EquilibriumType(int(eq.undamped[slot]))
@@ -302,7 +291,9 @@ def _roots(study: Brake, q: list[float]) -> ComplexArray:
     if (
         not study.moves and belt in p.model.parameters
     ):  # friction is that at rest then, whatever the speed
-        p = p.replace(**{belt: LEVEL})
+        # A speed of the belt at which no friction law has a slope.
+        level_speed = 1e9
+        p = p.replace(**{belt: level_speed})
     given = np.array(p.scalars(*p.model.parameters))
     return roots(
         *linearization(Balance(p.model, True, study.law), np.array(q)[:, None], given[:, None])
@@ -346,7 +337,9 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
             break
     else:
         return None
-    course = motion(np.union1d(motion.t, np.linspace(0.0, motion.t[-1], _INSTANTS)))
+    # Instants at which forces are looked at.
+    looked_at = 60_000
+    course = motion(np.union1d(motion.t, np.linspace(0.0, motion.t[-1], looked_at)))
     springs, contact = _forces(study, _extremes(at, course))
     ranges = {}
     for name, row in zip(p.model.coordinates, course[: start.size], strict=True):
@@ -391,7 +384,9 @@ def _balanced(p: ParameterSet, place: FloatArray, held: int) -> FloatArray:
     balance = Balance(p.model)
     values = balance.floats(np.array(p.scalars(*balance.parameters)))
     free, q = np.delete(np.arange(place.size), held), place.copy()
-    for _ in range(_STEPS):
+    # Steps of Newton's method to balance the other coordinates.
+    newton_steps = 20
+    for _ in range(newton_steps):
         at = balance.at(list(q), values, xp=np)
         stiffness = np.array(at.stiffness(), dtype=float)[np.ix_(free, free)]
         q[free] -= np.linalg.solve(stiffness, np.array(at.rows("forces"), dtype=float)[free])
@@ -429,11 +424,16 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
         (motion.t >= share * T_END) & (motion.t <= (share + 0.25) * T_END) for share in (0.5, 0.75)
     )
     before, now = (float(np.ptp(motion.state[0, quarter])) for quarter in quarters)
+    # A motion whose swings are less than this share of those a quarter of the time before is on its
+    # way to rest.
+    falling_share = 0.99
+    # One whose swings are more than this many times as large is on its way beyond bounds.
+    growing_times = 2.0
     goes = (
         "falls"
-        if holds and now < _FALLS * before
+        if holds and now < falling_share * before
         else "grows"
-        if now > _GROWS * before
+        if now > growing_times * before
         else "motion"
         if now
         else "rest"

@@ -21,10 +21,6 @@ from .units import ENDS, Numbers, hertz
 
 #: An object in JSON.
 Json: TypeAlias = dict[str, Any]
-#: Sobol' indices whose 95 % interval is wider to either side are not told.
-RESOLVED = 0.2
-#: Width of the names of rows.
-WIDTH = 32
 #: Their width where all are short.
 SHORT = 8
 #: Digits of a sentence at most.
@@ -243,7 +239,9 @@ def blocks(report: Facts) -> Iterator[str]:
 
 def lines(rows: Sequence[tuple[str, str]]) -> list[str]:
     """Rows of a name and a value, under each other where the name is long."""
-    wide = WIDTH if any(len(name) >= SHORT for name, _ in rows) else SHORT
+    # Width of the names of rows.
+    wide_names = 32
+    wide = wide_names if any(len(name) >= SHORT for name, _ in rows) else SHORT
     return [
         f"  {name:<{wide}}{value}" if len(name) < wide else f"  {name}\n  {'':<{wide}}{value}"
         for name, value in rows
@@ -513,9 +511,11 @@ def _tolerances(report: Facts) -> Rows:
                 )
             yield "the same by proof", f"{low:g} % to {high:g} %: {what}"
     told = {name: indices for name, indices in odds.sobol.items() if not math.isnan(indices[1])}
+    # Sobol' indices whose 95 % interval is wider to either side are not told.
+    resolved_within = 0.2
     # Sobol' indices are told where the samples resolve all of them: next to a certainty too few
     # differ.
-    if any(not error <= RESOLVED for *_, error in told.values()):
+    if any(not error <= resolved_within for *_, error in told.values()):
         yield (
             "how much each of them decides",
             f"not told by {odds.n} samples, of which too few differ",

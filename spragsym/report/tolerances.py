@@ -20,12 +20,8 @@ from .brake import Brake
 from .friction_law import friction_bounds, friction_depends_on, parameter_ends
 from .units import Measured, Numbers
 
-#: Quantities with tolerances up to which their probability is bracketed by proof.
-_MOST_SIDES = 4
 #: Parts of them.
 _PARTS = 200
-#: What a share of a distribution is rounded by, where values go over its width.
-_ROUNDING = 2.0**-50
 #: A share of the friction that is none.
 _NOTHING = 1e-300
 
@@ -241,9 +237,11 @@ def bracket(study: Brake) -> Span:
     is taken, from least to most.
     """
     names = [name for name in varied(study) if name in study.kind.of_statics]
+    # Quantities with tolerances up to which their probability is bracketed by proof.
+    most_sides = 4
     if (
         not names
-        or len(names) > _MOST_SIDES
+        or len(names) > most_sides
         or study.pairs(varied(study))
         or not (study.of_friction or _all_works(study))
     ):
@@ -258,7 +256,9 @@ def bracket(study: Brake) -> Span:
     up_to = law(quantity, size / most), law(quantity, size / least)
     below, above = measured(whole, laws, up_to, _PARTS)
     ends = [study.quantities[name] for name in names]
-    off = _PARTS * _ROUNDING * max(abs(one.high) / (one.high - one.low) for one in ends)
+    # What a share of a distribution is rounded by, where values go over its width.
+    rounding = 2.0**-50
+    off = _PARTS * rounding * max(abs(one.high) / (one.high - one.low) for one in ends)
     return max(0.0, below - off), min(1.0, above + off)
 
 

@@ -274,7 +274,11 @@ def forced_against_a_stop(model: Any, rng: np.random.Generator) -> Pair:
     """
     ends = {"omega": (0.5, 2.0), "c": (0.1, 0.5), "d": (-0.3, 0.8), "k_c": (1.0, 10.0)}
     values = {name: float(rng.uniform(*some)) for name, some in ends.items()}
-    found = ss.cycle(model.Parameters(**values), turns=1)
+    p = model.Parameters(**values)
+    try:
+        found = ss.cycle(p, turns=1)
+    except ss.errors.ConvergenceError:  # the motion has doubled its period
+        found = ss.cycle(p, turns=2)
     x, phase, v, omega = found.state
     begin = phase / omega
     return [x, v], clocks.stopped(values, x, v, begin, begin + found.period)

@@ -168,7 +168,13 @@ def _after_turns(system: System, near: Any, turns: int) -> Cycle:
         # Turns of a clock after which a motion is near a cycle.
         settling_turns = 100
         start = system.motion(start, settling_turns * turn).state[:, -1]
-    found = cycle_at(system, start, turns * turn)
+    try:
+        found = cycle_at(system, start, turns * turn)
+    except ConvergenceError as error:
+        raise ConvergenceError(
+            f"no cycle that closes after turns = {turns} of the clock: {error}, or give other "
+            f"turns: after a doubling the motion repeats after {2 * turns}"
+        ) from error
     own = round(found.period / turn)
     if own != turns:
         raise ConvergenceError(

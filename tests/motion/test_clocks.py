@@ -8,9 +8,10 @@ import pytest
 
 import spragsym as ss
 from spragsym.cli.export import _of_page
-from spragsym.core.errors import ModelError, ParameterError
+from spragsym.core.errors import ConvergenceError, ModelError, ParameterError
 from spragsym.derive.model import PageError
 from spragsym.motion.problem import Event
+from tests.oracles import clocks
 from tests.oracles.clocks import DUFFING, FRICTION, MOVED, duffing_fold, stopping_amplitude
 from tests.oracles.user_pages import model_of, replaced
 
@@ -98,6 +99,21 @@ def test_a_motion_with_everything_that_follows_the_clock(backend: str) -> None:
     begun = {"x0": cycle.state[0], "vx0": cycle.state[2], "phase0": cycle.state[1]}
     once = ss.simulate(model.Parameters(), t_end=cycle.period, **begun)
     assert np.abs(once.state[[0, 2], -1] - cycle.state[[0, 2]]).max() < 1e-9
+
+
+@pytest.mark.thorough
+def test_where_the_period_has_doubled_other_turns_are_named() -> None:
+    p = model_of(clocks.STOPPED, "stopped").Parameters(omega=0.9856, c=0.21, d=-0.243, k_c=9.27)
+    with pytest.raises(ConvergenceError, match=r"turns = 1 of the clock.* after 2$"):
+        ss.cycle(p, turns=1)
+    found = ss.cycle(p, turns=2)
+    x, phase, v, omega = found.state
+    begin = phase / omega
+    values = {name: float(p[name]) for name in p.model.parameters}
+    after = clocks.stopped(values, x, v, begin, begin + found.period)
+    assert np.abs(np.subtract(after, [x, v])).max() < 1e-9
+    halfway = clocks.stopped(values, x, v, begin, begin + found.period / 2)
+    assert np.abs(np.subtract(halfway, [x, v])).max() > 0.1
 
 
 @pytest.mark.thorough

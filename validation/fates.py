@@ -28,6 +28,7 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 import spragsym as ss
+from spragsym.motion.simulation import motion_of
 from tests.oracles.random_motions import fate_of
 
 #: The article's model, as cycles take it.
@@ -85,7 +86,7 @@ def averages(
     numbers, halves, state = tuple(values.values()), [], np.array(start)
     for span in (lasting - window, window / 2, window / 2):
         if span > 0:
-            motion = SPRAG.simulate(numbers, state, span, backend="compiled", rtol=rtol)
+            motion = motion_of(SPRAG, numbers, state, span, backend="compiled", rtol=rtol)
             state = motion.state[:, -1]
         if span == window / 2:
             share = np.linspace(0, 1, round(span / SAMPLED) + 1)
@@ -190,7 +191,7 @@ def returned(values: dict[str, float], start: Any) -> float:
     """How near a motion passes its start once more, as a share of its extent; 0 for one that stays
     there.
     """
-    motion = SPRAG.simulate(tuple(values.values()), start, PASSES, backend="compiled", rtol=1e-12)
+    motion = motion_of(SPRAG, tuple(values.values()), start, PASSES, backend="compiled", rtol=1e-12)
     times = np.linspace(0, PASSES, round(PASSES / FINELY) + 1)
     states = motion(times)
     extent = float(np.ptp(states, axis=1).max())

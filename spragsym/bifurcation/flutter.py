@@ -27,6 +27,7 @@ from ..numerics.interval_arrays import (
     quiet,
     scale_of,
 )
+from ..numerics.vectors import magnitude
 from ..results import Points
 from ..statics import stability
 from ..statics.balance import NOTHING
@@ -377,7 +378,7 @@ def _sightings(system: Augmented) -> list[FloatArray]:
     if system.condition is HOPF:
         return out
     # Not where the condition changes its sign at a pole.
-    most = SMALL * max(np.abs(np.concatenate(every)), default=0.0)
+    most = SMALL * max(map(magnitude, every), default=0.0)
     return [one for one in out if (np.abs(_signals(system, one[:-1, None])[0]) <= most).any()]
 
 

@@ -10,6 +10,7 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli import cli
+from tests.oracles.user_pages import model_of
 
 #: The plane in which the threshold of mode coupling is printed: mu = ((1 + beta - alpha)^2 +
 #: sigma^2) / (2 sigma).
@@ -85,3 +86,41 @@ def test_the_command_draws_the_curve_that_it_is_asked_for(tmp_path: Path) -> Non
     ]
     assert CliRunner().invoke(cli, options).exit_code == 0
     assert "stroke: #6b6b6b" in target.read_text(encoding="utf-8")
+
+
+@pytest.mark.thorough
+def test_where_floats_see_no_state_undecided_boxes_are_told_and_no_onset() -> None:
+    """k w = mu(V) F (1 + w²/L²) has roots below d = 0.8 only, less than floats look at; and two
+    coordinates that are not coupled leave boxes undecided.
+    """
+    text = '''"""A force that no place balances."""
+from spragsym.derive.model import Page, cos, sin, sqrt
+
+page = Page("A force that no place balances.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+L = page.unit("L", "m", "length")
+S = page.parameter("S", "N/m", "stiffness of turning", "> 0", 0.7554)
+turned = page.parameter("turned", "rad", "angle of rest", "(-pi, pi)", 0.1572)
+k_1 = page.parameter("k_1", "N/m", "stiffness", "> 0", 0.0507)
+k_2 = page.parameter("k_2", "N/m", "stiffness of the height", "> 0", 0.3546)
+F_L = page.parameter("F_L", "N", "load", "> 0", 0.0734)
+F = page.parameter("F", "N", "normal force at 0", "> 0", 0.3735)
+mu0 = page.parameter("mu0", "1", "friction", ">= 0", 0.4176)
+d = page.parameter("d", "s/m", "steepness of the law", "> 0", 12.7576)
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.201)
+psi = page.coordinate("psi", "rad", "turning")
+w = page.coordinate("w", "m", "displacement")
+page.kinetic(m / 3 * (L * page.rate(psi)) ** 2 / 2 + m / 3 * page.rate(w) ** 2 / 2)
+page.spring(k_1, along=w)
+page.spring(k_2, along=L * (1 - cos(psi)))
+page.potential(S * L**2 * (psi - turned) ** 2 / 2)
+page.force(0, -F_L, at=(w, L * sin(psi)))
+page.normal_force(F * (1 + w**2 / L**2))
+page.friction(w, V, lambda v: mu0 * d * v / sqrt(1 + d**2 * v**2))
+'''
+    p = model_of(text, "unbalanced").Parameters()
+    assert ss.equilibria(p).count == 0
+    onsets = ss.flutter_onsets(p, "d", between={"d": (0.64, 51.0)})
+    assert len(onsets) == 0
+    assert any("undecided boxes" in remark for remark in onsets.remarks)

@@ -60,7 +60,17 @@ SEVERAL = (
 #: Parts of answers for several contacts.
 PARTS_OF_SEVERAL = ("first_ends", "linked", "open_ends", "rest_index", "rest")
 #: Questions that are answered of a page with a clock.
-FORCED = ("simulate", "rms_sweep", "cycle", "cycle_branch")
+FORCED = (
+    "basin",
+    "cycle",
+    "cycle_branch",
+    "cycle_events",
+    "fate",
+    "fate_map",
+    "lyapunov",
+    "rms_sweep",
+    "simulate",
+)
 
 
 class NotInClosedForm(Exception):

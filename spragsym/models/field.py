@@ -254,6 +254,13 @@ class Field:
         """Numbers in a state."""
         return 2 * len(self.coordinates)
 
+    @property
+    def deviations(self) -> int:
+        """Numbers of a state by which motions may differ, the first ones: the last is the rate of a
+        clock, which is given.
+        """
+        return self.size - bool(self.clock)
+
     def matrix(self, state: Vector, constants: Vector, mode: Mode, xp: Any = FLOATS) -> FloatArray:
         """The derivative of the rates of all numbers of a state by these: the linearized motion at
         an equilibrium.

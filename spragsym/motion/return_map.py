@@ -29,7 +29,7 @@ from .integrators import Flow
 from .measures import MotionStatistics
 from .problem import Problem
 from .regimes import Outcome, Regime
-from .shooting import CLOSED, Iterate, Orbit, least_period, solved, through
+from .shooting import CLOSED, Iterate, Orbit, least_period, off_jumps, solved, through
 from .solution import Extremum, FlowMap, FlowResult
 
 #: Returns as close as this, relative to the extent of the motion, are worth a search for the cycle.
@@ -157,13 +157,16 @@ class Onward:
         if orbit.lead != self.field.lead:
             raise ConvergenceError("another coordinate marks the rounds of the orbit")
         place = orbit.state
-        flow = orbit.rate(place)
+        aside, flow = off_jumps(orbit), orbit.rate(place)
+        if aside is not orbit:  # as it arrives there
+            flow = orbit.monodromy @ flow
         if flow[fixed] == 0:
             raise ConvergenceError("the orbit does not pass through the section")
         back = np.eye(place.size)
         back[:, fixed] -= flow / flow[fixed]  # along the flow to the section again
         slope = section(section(back @ orbit.monodromy, fixed).T, fixed).T
-        return Closed(self, orbit, fixed, scale, slope * scale / scale[:, None])
+        largest = magnitude(aside.multipliers.others)
+        return Closed(self, orbit, largest, fixed, scale, slope * scale / scale[:, None])
 
 
 @dataclass(frozen=True)
@@ -172,11 +175,13 @@ class Closed:
     one value.
 
     The ``slope``, (2 n − 1, 2 n − 1), is the derivative of the return map in the other numbers,
-    each in units of its ``scale``. Its eigenvalues are the multipliers.
+    each in units of its ``scale``. Its eigenvalues are the multipliers, of which ``largest`` is the
+    size of the largest.
     """
 
     onward: Onward
     orbit: Orbit
+    largest: float
     fixed: int
     scale: FloatArray
     slope: FloatArray
@@ -278,7 +283,7 @@ def on_cycle(statistics: MotionStatistics, onward: Onward, tol: float) -> Outcom
         period = float(times[-1] - times[-1 - k])
         with suppress(ConvergenceError):
             cycle = onward.closed(places[-1], fixed, period, scale)
-            largest = magnitude(cycle.orbit.multipliers.others)
+            largest = cycle.largest
             rounds = max(1, round(k * cycle.orbit.period / period))
             off = states[::-1][::rounds] - cycle.scaled(cycle.state)  # latest first
             distance = magnitude(off[0])

@@ -27,6 +27,9 @@ from .solution import Crossing, Extremum, FlowResult
 #: Closed to this, relative to the largest number of the orbit.
 CLOSED = 1e-12
 
+#: A trivial multiplier that differs from 1 by more belongs to no orbit that is told.
+UNRESOLVED = 1e-4
+
 #: A mesh interval over which derivatives grow beyond this is subdivided.
 LARGEST_GROWTH = 100.0
 
@@ -230,8 +233,9 @@ class Orbit:
         """Floquet multipliers of the orbit: where it sticks, the smallest one is 0, whatever
         rounding leaves.
         """
-        flows = [self.rate(state) for state in self.states]
-        found = multipliers_of([each.by_state for each in self.flow_results], flows)
+        m = self.field.deviations
+        flows = [self.rate(state)[:m] for state in self.states]
+        found = multipliers_of([each.by_state[:m, :m] for each in self.flow_results], flows)
         lasting = np.arange(len(found.others)) < len(found.others) - self.sticks
         return replace(
             found,
@@ -478,6 +482,24 @@ def refined_mesh(orbit: Orbit, most: int = MOST_INTERVALS) -> Iterate | None:
     """
     pieces = len(orbit.states)
     return remeshed(orbit, 2 * pieces) if growth(orbit) > LARGEST_GROWTH and pieces < most else None
+
+
+def off_jumps(orbit: Orbit) -> Orbit:
+    """The orbit, or where it begins as it passes a jump of the field, which derivatives then lack,
+    from a little later on.
+    """
+    flows = [orbit.rate(state) for state in orbit.states]
+    ends = zip(orbit.flow_results, flows, [*flows[1:], flows[0]], strict=True)
+    if not orbit.field.sticking_borders or all(
+        norm(each.by_state @ one - due) < UNRESOLVED * norm(due) for each, one, due in ends
+    ):
+        return orbit
+    # How far from a jump of the field it is looked how far from all of them an orbit may begin, in
+    # mesh intervals.
+    looked_within = 0.3
+    return integrated(
+        orbit.flow, remeshed(orbit, len(orbit.states), looked_within * orbit.guess.interval)
+    )
 
 
 def offset_from_jumps(orbit: Orbit) -> float:

@@ -932,23 +932,22 @@ def initial_state(
     p: ParameterSet | None = None,
 ) -> dict[str, FloatArray]:
     """The initial state by names, ``x0`` for ``x`` and ``vx0`` for ``vx``; 0 where nothing is
-    given, of a clock the rate that it has at ``p``.
+    given, of a clock the rate that it has at ``p``; ``start`` may be without that rate, and without
+    the phase too.
     """
     names = [f"{name}0" for name in model.components]
     values: dict[str, ArrayLike] = dict.fromkeys(names, 0.0)
-    if p is not None and model.clock:
-        rate = values[names[-1]] = model.algebra.clock(*model.arguments(p, "motion"))
-        asked = initial.get(names[-1], rate) if start is None else np.asarray(start)[-1:]
-        if not np.all(np.abs(np.asarray(asked) - rate) <= 1e-9 * rate):
-            raise ParameterError(
-                f"{names[-1]} is the rate of the clock, which keeps it; leave it out, and give "
-                f"the phase at which the motion begins, as {model.clock}0=1.57"
-            )
+    if model.clock:
+        values[names[-1]] = rate = (
+            np.zeros(()) if p is None else model.algebra.clock(*model.arguments(p, "motion"))
+        )
     if start is not None:
         given = as_numbers("start", start)
-        if given.shape != (len(names),):
+        if model.clock and given.shape == (len(names) - 2,):
+            given = np.insert(given, len(names) // 2 - 1, 0.0)
+        if given.shape not in {(len(names),), (len(names) - bool(model.clock),)}:
             raise ParameterError(f"start has the shape {given.shape}; it is {', '.join(names)}")
-        values |= zip(names, given, strict=True)
+        values |= zip(names, given, strict=False)
     for name, value in initial.items():
         if name not in values:
             remedy = hint(name, names) or "; the initial state is " + ", ".join(names)
@@ -956,6 +955,11 @@ def initial_state(
                 remedy = f" but a parameter; give it within the first one, as p.replace({name}=...)"
             raise ParameterTypeError(f"{name} is no argument{remedy}")
         values[name] = value
+    if model.clock and not np.all(np.abs(np.asarray(values[names[-1]]) - rate) <= 1e-9 * rate):
+        raise ParameterError(
+            f"{names[-1]} is the rate of the clock, which keeps it; leave it out, and give "
+            f"the phase at which the motion begins, as {model.clock}0=1.57"
+        )
     return {
         name: as_numbers(name, value, model.any_of(name.removesuffix("0")))
         for name, value in values.items()

@@ -95,13 +95,13 @@ def settled(system: System, verdict: FateVerdict) -> tuple[str, FloatArray, Floa
     """
     kind, known = KINDS[verdict.kind], attractor(system, verdict)
     if known.kind == Regime.LIFT_OFF:
-        nothing = np.full(known.state.size, np.nan)
+        nothing = np.full(system.field.deviations, np.nan)
         return kind, nothing, nothing
     if known.orbit is None:
         values, _ = spectrum_at_rest(
             system.field, system.constants, known.state, system.mode(known.state)
         )
-        rates = np.full(system.field.size, -np.inf)
+        rates = np.full(system.field.deviations, -np.inf)
         rates[: len(values)] = values.real
         errors = np.zeros(len(rates))
     else:

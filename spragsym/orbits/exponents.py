@@ -59,7 +59,8 @@ class Lyapunov(Result):
     ----------
     exponents : ndarray, shape (m,)
         Largest first, over the second half of the motion; −∞ where it sticks, which ends deviations
-        of the sliding speed.
+        of the sliding speed. There is none of the rate of a clock, which is given: m is then one
+        less than a state has numbers.
     error : ndarray, shape (m,)
         Half-widths of their 95 % intervals, by the scatter among parts of that half; of the trivial
         exponent a bound.
@@ -155,7 +156,8 @@ def lyapunov(
     True
     """
     model_of(p).require_answered("lyapunov")
-    system, state = System.of(p, backend, V=V, d=d), state_of(p.model, start)
+    system = System.of(p, backend, V=V, d=d)
+    state = state_of(p.model, start, p=p)
     unit = system.scales(state).time
     # How long a motion is followed where nobody says, in its unit of time.
     default_length = 4000.0
@@ -167,7 +169,7 @@ def lyapunov(
     zero = np.abs(late.exponents) <= PROVED * late.error
     zero[0] |= late.moves
     why = late.undecided(t_end - late.span)
-    kind, limit = "undecided" if why else "chaotic", np.full(state.size, np.nan)
+    kind, limit = "undecided" if why else "chaotic", np.full(system.field.deviations, np.nan)
     why = why or "every exponent but the trivial one is told from 0, and one at least is positive"
     verdict = judged(system, state, times=(t_end,))
     if verdict.decided:
@@ -375,7 +377,7 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
     field, constants = system.field, system.constants
     # Time between two orthonormalizations, in the motion's unit of time.
     interval_units = 5.0
-    m, count = field.size, max(16, math.ceil(span / interval_units))
+    m, count = field.deviations, max(16, math.ceil(span / interval_units))
     interval = span / count
     logs, volumes, states = np.empty((count, m)), np.empty(count), [state]
     flow = rate(field, state, constants)
@@ -403,7 +405,11 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         stuck = {border.place for each in met for border in field.stays(system.mode(each))}
         if lost.sum() <= len(stuck):
             sizes[lost] = 0.0  # where it sticks deviations of the sliding speed end
-            volume = -math.inf if lost.any() else float(np.linalg.slogdet(flow_result.by_state)[1])
+            volume = (
+                -math.inf
+                if lost.any()
+                else float(np.linalg.slogdet(flow_result.by_state[:m, :m])[1])
+            )
             return flow_result.state, turned[:, back], np.log(sizes[back]), volume
         # Halvings of an interval, at most.
         most_halvings = 12
@@ -418,7 +424,7 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         return end, frame, first + second, shrunk + more
 
     with np.errstate(divide="ignore"):
-        frame = np.eye(m)[:, np.argsort(-np.abs(flow))]
+        frame = np.eye(field.size)[:, np.argsort(-np.abs(flow[:m]))]
         if norm(flow) > STILL:  # it is the first direction
             frame[:, 0] = flow
         frame, _ = np.linalg.qr(frame)
@@ -427,5 +433,6 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
             states.append(state)
         speeds = np.log([norm(rate(field, each, constants)) for each in states])
         velocity, acceleration = np.split(rate(field, state, constants), 2)
+        velocity = velocity[: m // 2]  # a clock always drifts
         change = float(norm(acceleration) / norm(velocity)) if norm(velocity) else math.inf
     return Rates(logs, volumes, span, speeds, state, change)

@@ -27,7 +27,7 @@ from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import integrators
 from ..motion.regimes import Outcome, Regime
 from ..motion.scales import scales_of
-from ..motion.simulation import state_of
+from ..motion.simulation import initial_state, state_of
 from ..motion.sweeps.many import fingerprint, with_degrees
 from ..motion.sweeps.workers import Workers, made_or_loaded
 from ..numerics.interval_arrays import Int8Array
@@ -155,7 +155,8 @@ def fate(
     227000.0
     """
     model_of(p).require_answered("fate")
-    system, state = System.of(p, backend, V=V, d=d), state_of(p.model, start)
+    system = System.of(p, backend, V=V, d=d)
+    state = state_of(p.model, start, p=p)
     if t_end is not None:
         t_end = as_number("t_end", t_end, POSITIVE)
     try:
@@ -166,7 +167,7 @@ def fate(
 
 def _undecided(system: System, why: str, t: float, scale: float, end: FloatArray) -> Fate:
     """Nothing is known of the motion but why."""
-    none, nothing = np.full(end.size, np.nan), Outcome(names=system.field.components)
+    none, nothing = np.full(system.field.deviations, np.nan), Outcome(names=system.field.components)
     return Fate("undecided", why, t, nothing, none, none, -1, scale, "", end)
 
 
@@ -295,7 +296,7 @@ class FateMap(Result):
     inputs : dict of str to ndarray
         The parameters as they were given, which broadcast together.
     start : tuple of float
-        Where every motion begins: coordinates, then rates.
+        Where every motion begins: coordinates, then rates, but for that of a clock.
     t_end : float
     backend : str
     kind : ndarray of int8
@@ -359,7 +360,8 @@ class FateMap(Result):
 
     def _attributes(self) -> dict[str, Any]:
         begin = {
-            f"{name}0": value for name, value in zip(self.model.components, self.start, strict=True)
+            f"{name}0": value
+            for name, value in zip(self.model.components, self.start, strict=False)
         }
         settings = {"t_end": self.t_end, "backend": self.backend}
         key = fingerprint(self.model, self.inputs, {"start": self.start, **settings})
@@ -432,7 +434,9 @@ def fate_map(
     p.require(*p.ranges)
     p = p.given(V=V, d=d)
     inputs = {name: p[name] for name in p.ranges}
-    begun = tuple(state_of(model, start).tolist())
+    # The rate of a clock is that of each point.
+    given = list(initial_state(model, start, {}, p).values())[: model.field.deviations]
+    begun = tuple(map(float, given))
     settings = {
         "start": begun,
         "t_end": as_number(
@@ -454,7 +458,10 @@ def _longest(model: Model, inputs: Mapping[str, FloatArray], start: tuple[float,
     units = list[float]()
     for point in np.broadcast(*inputs.values()):
         with suppress(ParameterError, ArithmeticError):  # where none begins one is not followed
-            units.append(scales_of(model.field, model.field.constants(point), start).time)
+            state = state_of(
+                model, start, p=model.Parameters(**dict(zip(inputs, point, strict=True)))
+            )
+            units.append(scales_of(model.field, model.field.constants(point), state.tolist()).time)
     return JUDGED[-1] * max(units, default=1.0)
 
 

@@ -23,6 +23,7 @@ from ..models.parameters import FloatArray
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.scales import scales_of
 from ..motion.shooting import (
+    UNRESOLVED,
     Iterate,
     Orbit,
     difference,
@@ -32,6 +33,7 @@ from ..motion.shooting import (
     integrated,
     least_period,
     natural,
+    off_jumps,
     offset_from_jumps,
     phase,
     refined_mesh,
@@ -41,15 +43,12 @@ from ..motion.shooting import (
 from ..motion.simulation import motion_of
 from ..motion.solution import Events, events_of
 from ..numerics.interval_arrays import ComplexArray, Int8Array
-from ..numerics.vectors import apart, magnitude, norm
+from ..numerics.vectors import apart, magnitude
 from ..results.result import Result
 
 #: A multiplier this close to 1 in size decides nothing about stability.
 NEUTRAL = 1e-7
 
-
-#: A trivial multiplier that differs from 1 by more belongs to no orbit that is told.
-UNRESOLVED = 1e-4
 
 #: Periods, and averages as shares of the extent, that differ by less are of one cycle …
 ALIKE = 1e-6
@@ -72,7 +71,8 @@ class Cycle(Result):
         that stands still.
     multipliers : ndarray of complex, shape (m,)
         Eigenvalues of the monodromy matrix: the trivial one first, which is 1 but for rounding;
-        then by size.
+        then by size. Of a page with a clock those of the stroboscopic map follow the trivial one,
+        m − 2 of them.
     multiplier_errors : ndarray, shape (m − 1,)
         Estimated errors of all but the trivial one: how far they move if the derivatives err as
         much as they do along the flow.
@@ -305,14 +305,8 @@ def _cycle_of(orbit: Orbit) -> Cycle:
     """The same in the orbit's units but for the errors, which are in the model's."""
     orbit = least_period(orbit.bound().with_lead())
     orbit = refined(orbit, _top(orbit))
-    if orbit.field.sticking_borders and not _carries_its_flow(orbit):
-        # How far from a jump of the field it is looked how far from all of them an orbit may begin,
-        # in mesh intervals.
-        looked_within = 0.3
-        # It may begin as it passes a jump of the field, which derivatives then lack.
-        aside = integrated(
-            orbit.flow, remeshed(orbit, len(orbit.states), looked_within * orbit.guess.interval)
-        )
+    aside = off_jumps(orbit)
+    if aside is not orbit:
         orbit = refined(aside, offset_from_jumps(aside))
     found = orbit.multipliers
     lost = abs(found.trivial - 1)
@@ -432,15 +426,6 @@ class Cycles(Sequence[Cycle]):
         if place not in self._known:
             self._known[place] = cycle_of(self.orbits[place])
         return self._known[place]
-
-
-def _carries_its_flow(orbit: Orbit) -> bool:
-    """Whether the derivative over each mesh interval takes the flow at its beginning to that at its
-    end.
-    """
-    flows = [orbit.rate(state) for state in orbit.states]
-    ends = zip(orbit.flow_results, flows, [*flows[1:], flows[0]], strict=True)
-    return all(norm(each.by_state @ one - due) < UNRESOLVED * norm(due) for each, one, due in ends)
 
 
 def is_stable(orbit: Orbit) -> bool:

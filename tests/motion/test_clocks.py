@@ -38,9 +38,16 @@ def test_what_slides_under_a_harmonic_force_has_the_closed_form_of_den_hartog() 
         exact = np.sqrt(size**2 - (0.4 * f * slowed) ** 2)
         assert found.amplitude == pytest.approx(exact, rel=1e-9)
         assert found.period == pytest.approx(2 * np.pi / omega, rel=1e-12)
-        # The clock's own multipliers are 1 and exp(−2 π).
-        assert np.abs(found.multipliers - 1).min() < 1e-12
-        assert np.abs(found.multipliers - np.exp(-2 * np.pi)).min() < 1e-9
+        # Beside that of time the two of the stroboscopic map: where friction turns around areas
+        # shrink by the square of the accelerations' ratio.
+        trivial, *others = found.multipliers
+        assert abs(trivial - 1) < 1e-12
+        pull = exact * omega**2
+        ratio = (pull - 0.4 * f) / (pull + 0.4 * f)
+        assert np.prod(others).real == pytest.approx(ratio**2, rel=1e-9)
+        rate = -np.log(ratio) / found.period
+        motion = ss.simulate(model.Parameters(omega=omega, f=f), t_end=1000.0)
+        assert motion.outcome().rate == pytest.approx(rate, rel=1e-8)
 
 
 @pytest.mark.thorough
@@ -124,9 +131,97 @@ def test_the_energy_changes_by_the_work_of_the_clock_too() -> None:
         assert abs(change - motion.integral(motion.power())) < 1e-7
 
 
+@pytest.mark.thorough
+def test_exponents_and_rates_of_a_linear_response_are_those_without_its_force() -> None:
+    """Roots of λ² + c λ + 1 = 0, and 0 of time; none of the clock's rate, which is given."""
+    model = model_of(DUFFING, "duffing")
+    for c in (0.1, 1.5, 3.0):
+        p = model.Parameters(c=c, g=0.0)
+        roots = np.sort(np.roots([1, c, 1]).real)[::-1]
+        fate = ss.fate(p)
+        assert (fate.kind, fate.trivial) == ("cycle", 0)
+        assert (np.abs(fate.exponents - [0.0, *roots]) <= fate.error + 1e-9).all()
+        swept = ss.rms_sweep(p, t_end=400.0)
+        assert float(swept.rate) == pytest.approx(-roots[0], rel=1e-6)
+        assert int(swept.equilibrium) == -1
+        measured = ss.lyapunov(p, t_end=400.0)
+        assert measured.exponents.sum() == pytest.approx(-c, rel=1e-9)
+        assert (np.abs(measured.exponents - [0.0, *roots]) < 2 * measured.error + 1e-9).all()
+
+
+def test_fates_over_the_frequency_begin_at_any_phase() -> None:
+    p = model_of(DUFFING, "duffing").Parameters(g=0.0, omega=np.array([0.7, 1.4]))
+    for start in (None, (0.3, 0.1), (0.3, 1.0, 0.1)):
+        found = ss.fate_map(p, start=start)
+        assert found.count()["cycle"] == 2
+        np.testing.assert_allclose(found.period, 2 * np.pi / p.omega, rtol=1e-9)
+        np.testing.assert_allclose(found.exponent, -0.05, rtol=1e-9)
+    with pytest.raises(ParameterError, match="the rate of the clock"):
+        ss.fate(p.replace(omega=0.7), start=(0.3, 0.0, 0.1, 0.9))
+
+
+@pytest.mark.thorough
+def test_basins_of_duffing_are_those_of_motions_by_scipy() -> None:
+    """Between its folds it swings far or little, by where it begins."""
+    from scipy.integrate import solve_ivp
+
+    model, omega = model_of(DUFFING, "duffing"), 1.4
+    x, v = np.linspace(-4, 4, 5), np.linspace(-4, 4, 5)
+    found = ss.basin(model.Parameters(omega=omega), x=x, vx=v, t_end=400.0, workers=1)
+    assert [regime for regime, *_ in found.attractors] == [ss.Regime.LIMIT_CYCLE] * 2
+    spreads = [spread for *_, spread in found.attractors]
+    for row, column in np.ndindex(found.attractor.shape):
+        late = solve_ivp(
+            lambda t, u: [u[1], np.cos(omega * t) - 0.1 * u[1] - u[0] - 0.05 * u[0] ** 3],
+            (0, 200 * 2 * np.pi / omega),
+            [x[row], v[column]],
+            "DOP853",
+            t_eval=(199 + np.arange(64) / 64) * 2 * np.pi / omega,
+            rtol=1e-9,
+        ).y[0]
+        assert late.std() == pytest.approx(spreads[found.attractor[row, column]], rel=1e-3)
+
+
+@pytest.mark.thorough
+def test_folds_of_duffing_over_frequency_and_damping_are_those_by_shooting() -> None:
+    p = model_of(DUFFING, "duffing").Parameters(omega=0.9)
+    branch = ss.cycle_branch(ss.cycle(p, turns=1), "omega", between={"omega": (0.8, 2.0)})
+    curve = ss.cycle_events(branch.of("fold")[0], ("omega", "c"), points=4)
+    assert len(curve.cycles) > 6
+    for (omega, c), cycle in zip(curve.values, curve.cycles, strict=True):
+        assert omega == pytest.approx(duffing_fold(c, 0.05, cycle, omega), rel=1e-8)
+
+
+@pytest.mark.thorough
+def test_a_forced_double_well_is_irregular_where_neighbours_part() -> None:
+    """Of two motions by SciPy that begin 1e-9 apart, as the largest exponent says."""
+    from scipy.integrate import solve_ivp
+
+    text = replaced(DUFFING, ("page.spring(k, along=x)", "page.potential(-k * x**2 / 2)"))
+    p = model_of(text, "double_well").Parameters(omega=1.0, c=0.15, g=0.09)
+    found = ss.lyapunov(p, t_end=4000.0)
+    assert found.kind == "chaotic"
+    assert found.exponents.sum() == pytest.approx(-0.15, rel=1e-9)
+
+    def field(t: float, u: np.ndarray) -> list[float]:
+        return [u[1], np.cos(t) - 0.15 * u[1] + u[0] - 0.09 * u[0] ** 3]
+
+    x, phase, v, _ = found.end
+    span, rates = 60.0, []
+    for _ in range(20):
+        states = [
+            solve_ivp(field, (phase, phase + span), begun, "DOP853", rtol=1e-12, atol=1e-13).y
+            for begun in ([x, v], [x + 1e-9, v])
+        ]
+        x, v = states[0][:, -1]
+        phase += span
+        rates.append(np.log(np.abs(states[1][:, -1] - states[0][:, -1]).max() / 1e-9) / span)
+    assert np.mean(rates) == pytest.approx(found.exponents[0], abs=0.05)
+
+
 def test_what_is_not_answered_of_a_clock_says_so() -> None:
     p = model_of(DUFFING, "duffing").Parameters()
-    for ask in (ss.equilibria, ss.folds, ss.fate, ss.lyapunov):
+    for ask in (ss.equilibria, ss.folds, ss.basin_boundary, ss.sticking_states):
         with pytest.raises(ModelError, match="has a clock"):
             ask(p)
     with pytest.raises(ModelError, match="export is not answered yet of duffing"):

@@ -434,8 +434,11 @@ def _made_of(
     if (at := own_name(model, "equilibrium")) in known:
         which = np.asarray(known[at]).astype(np.int8).reshape(regime.shape)
     else:
-        p = model.Parameters(**{name: inputs[name] for name in model.parameters})
-        which = rest_index(p, np.array([columns[f"rest_{name}"] for name in model.coordinates]))
+        places = np.array([columns[f"rest_{name}"] for name in model.coordinates])
+        which = np.full(regime.shape, -1, dtype=np.int8)
+        if not np.isnan(places).all():  # under a clock nothing rests
+            p = model.Parameters(**{name: inputs[name] for name in model.parameters})
+            which = rest_index(p, places)
     regime = np.nan_to_num(regime, nan=Regime.FAILED).astype(np.int8)
     return Sweep(
         inputs,

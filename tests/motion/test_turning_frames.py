@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.oracles.turning_frames import rotor
-from tests.oracles.user_pages import model_of
+from tests.oracles.turning_frames import ROTOR, rotor
+from tests.oracles.user_pages import model_of, replaced
 
 #: The same shaft in the frame that stands, turned by a clock s, which keeps the rate W.
 STANDING = '''r"""A disc on a shaft, in the frame that stands.
@@ -112,6 +112,27 @@ def test_the_whirl_of_a_rotor_has_its_closed_form() -> None:
         branch = ss.cycle_branch(cycle, "W", between={"W": (1.1 * onset, 1.5 * onset)})
         squares = ((c_i * branch.values / c) ** 2 - k) / g
         assert np.abs(branch.highest - np.sqrt(squares)).max() < 1e-8
+
+
+@pytest.mark.thorough
+def test_the_coefficient_at_an_onset_is_that_of_the_cycles_born_there() -> None:
+    """With forces of second order, in a frame that turns: |z|² per W is −crossing/(ω l₁), and the
+    cycle about its mean 2 |z|², as its amplitude goes to 0.
+    """
+    pushed = "page.potential(0.7 * m / T**2 / L * (x**3 / 3 + x * y**2))\n"
+    damper = "page.damper(c_i + c_e, along=x)"
+    model = model_of(replaced(ROTOR, (damper, pushed + damper)), "leaning_rotor")
+    p = model.Parameters(k_x=1.3, k_y=1.0, c_i=0.5, c_e=0.4, g=0.6, f=0.0)
+    onset = ss.flutter_onsets(p, "W", between={"W": (1.2, 3.5)})
+    found = []
+    for amplitude in (0.02, 0.01):
+        cycle = ss.cycle(onset=onset, amplitude=amplitude)
+        states = cycle.samples(np.linspace(0, cycle.period, 513)[:-1])
+        apart = states.var(axis=1).sum() / 2
+        found.append(apart / (cycle.parameters["W"] - float(onset.W[0])))
+    coarse, fine = found
+    known = -float(onset.crossing[0] / (onset.omega[0] * onset.lyapunov[0]))
+    assert (4 * fine - coarse) / 3 == pytest.approx(known, rel=1e-6)
 
 
 @pytest.mark.thorough

@@ -23,7 +23,7 @@ from spragsym.models.field import Border, Field, exact_field
 from spragsym.motion import multipliers
 from spragsym.motion.integrators import Flow
 from spragsym.numerics.decimals import exactly
-from spragsym.orbits import attractors, exponents, finding
+from spragsym.orbits import attractors, exponents, finding, orbit
 from spragsym.orbits.system import System, growth_of_cycle
 from tests.oracles import random_motions
 from tests.oracles.second_driver import differences
@@ -85,6 +85,16 @@ def branch(slow: ss.results.Cycle) -> ss.results.CycleBranch:
 
 def test_a_cycle_is_that_of_another_driver(slow: ss.results.Cycle) -> None:
     assert max(differences(slow)) < 1e-9
+
+
+def test_what_is_on_a_cycle_is_no_distance_away(slow: ss.results.Cycle) -> None:
+    """The motion from its state, which another integrator carries, and what stands beside it."""
+    turn = ss.simulate(at(42.0), **BELT, start=slow.state, t_end=slow.period, backend="scipy")
+    places = turn(np.linspace(0.0, slow.period, 7)).T
+    assert max(orbit.distance(slow, place) for place in places) < 0.02
+    beside = places[3] + [0.0, 40.0, 0.0, 0.0]
+    assert orbit.distance(slow, beside) == pytest.approx(40.0, rel=0.1)
+    assert orbit.same_cycle(slow, dataclasses.replace(slow))
 
 
 def test_a_cycle_keeps_its_promises(slow: ss.results.Cycle) -> None:

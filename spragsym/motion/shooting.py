@@ -391,22 +391,22 @@ def integrated(flow: Flow, guess: Iterate) -> Orbit:
 
 def solved(
     flow: Flow,
-    guess: Iterate,
+    guess: Iterate | Orbit,
     *conditions: Conditions,
     reach: float = np.inf,
     iterations: int = 12,
     precision: float = 1e-13,
     closed: float = CLOSED,
 ) -> Orbit:
-    """The closed orbit near a guess under further conditions, as many as there are free parameters
-    and one.
+    """The closed orbit near a guess, which may be integrated already, under further conditions, as
+    many as there are free parameters and one.
 
     ``reach`` bounds how far the states may move from the guess; steps below ``precision``, or as
     small as rounding, end it; ``closed`` is by how much the orbit may stay open. Raises
     ConvergenceError where there is none.
     """
-    start, size, before = guess, guess.states.size, np.inf
-    orbit = integrated(flow, guess)
+    orbit = integrated(flow, guess) if isinstance(guess, Iterate) else guess
+    start, size, before = orbit.guess, orbit.states.size, np.inf
     for iteration in range(iterations):
         values, rows = zip(*(each(orbit) for each in conditions), strict=True)
         residual = np.concatenate([orbit.gaps.ravel(), *values])

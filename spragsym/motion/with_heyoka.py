@@ -10,7 +10,7 @@ import threading
 from collections import defaultdict, deque
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -64,21 +64,28 @@ class Approach:
     """End of a step because of what its Taylor series does not see: ``watched`` passes zero upward
     there.
 
-    The argument of a root, ``value``, is least and small beside its unit, as the squared length of
-    a spring that passes its anchor, or an exponential or a hyperbolic tangent of the place is about
-    to be felt; those of the sliding speed are borders of the field.
+    The ``argument`` of a root is least and small beside its unit, as the squared length of a spring
+    that passes its anchor, or an exponential or a hyperbolic tangent of the place is about to be
+    felt; those of the sliding speed are borders of the field.
     """
 
     watched: Any
-    value: Any
+    argument: Any = None
+    names: Sequence[Any] = ()
+
+    @cached_property
+    def value(self) -> Any:
+        """Function of the argument, which takes as long to compile as the field: few motions come
+        near an anchor.
+        """
+        return library().cfunc([self.argument], self.names)
 
     @classmethod
     def of(
         cls, called: list[tuple[str, Any]], system: list[Any], roots: Sequence[float]
     ) -> list[Approach]:
         """Subexpressions of all functions that were ``called``; units of the square ``roots``."""
-        import heyoka as hy
-
+        hy = library()
         names, found = [name for name, _ in system], list[Approach]()
         rates = {str(name) for name in names[len(names) // 2 :]}
         units = itertools.chain(roots, itertools.repeat(1.0))
@@ -91,10 +98,10 @@ class Approach:
                 # than the root of the tolerance a Taylor series does not see the least length, and
                 # goes on with negative ones.
                 steps_to_anchor = 10.0
-                found.append(cls(1e-3 * (rate - steps_to_anchor * z), hy.cfunc([z], names)))
+                found.append(cls(1e-3 * (rate - steps_to_anchor * z), z, names))
             elif name in ("exp", "tanh") and seen and not seen & rates:
                 outside = z + FELT if name == "exp" else (FELT**2 - 4.0 * z * z) / FELT
-                found.append(cls(1e-3 * FELT * outside / (FELT**2 + z * z), None))
+                found.append(cls(1e-3 * FELT * outside / (FELT**2 + z * z)))
         return found
 
 
@@ -366,7 +373,7 @@ class BatchIntegrator:
             self.pars[:, lane].copy(),
         )
         if (
-            each.value is not None
+            each.argument is not None
             and abs(each.value(state, pars=pars[: each.value.nparams])[0]) < GAP**2
         ):
             rates = state[self.m // 2 :]

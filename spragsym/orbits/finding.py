@@ -342,7 +342,7 @@ def _from_guess(flow: Flow, guess: Iterate) -> Orbit:
     """
     orbit = in_scales(subdivided(flow, guess))
     reach = 0.5 * extent(orbit) if orbit.extrema() else np.inf
-    return natural(solved(orbit.flow, orbit.guess, across(orbit), reach=reach))
+    return natural(solved(orbit.flow, orbit, across(orbit), reach=reach))
 
 
 def stands_still(system: System, state: FloatArray) -> str:

@@ -45,3 +45,16 @@ def test_a_spring_passes_its_anchor(backend: str, aside: float) -> None:
 def test_a_sweep_passes_it() -> None:
     swept = rms_sweep(P, x0=np.zeros(2), y0=1.5, vy0=-0.6, V=0.5, d=10.0, t_end=2.0, transient=0.5)
     assert swept.mean_y == pytest.approx(quad(height, 0.5, 2.0, points=[0.7])[0] / 1.5, abs=1e-7)
+
+
+def test_only_a_motion_that_comes_near_an_anchor_has_its_length_compiled(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    heyoka, asked, p = pytest.importorskip("heyoka"), [], P.replace(V=0.5, d=10.0)
+    whole = heyoka.cfunc
+    monkeypatch.setattr(heyoka, "cfunc", lambda *given: (asked.append(given), whole(*given))[1])
+    # Tolerances of their own: an integrator is compiled once for each.
+    ss.simulate(p, start=(0, 0, 0.1, 0), t_end=5, backend="heyoka", rtol=3e-12)
+    assert not asked
+    ss.simulate(p, start=(0, 1.5, 0, -0.6), t_end=5, backend="heyoka", rtol=3e-12)
+    assert asked

@@ -97,6 +97,25 @@ def test_what_is_on_a_cycle_is_no_distance_away(slow: ss.results.Cycle) -> None:
     assert orbit.same_cycle(slow, dataclasses.replace(slow))
 
 
+def test_newtons_method_begins_where_its_guess_was_integrated(
+    slow: ss.results.Cycle, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What a guess is integrated for, its mesh, is the first step of Newton's method too."""
+    whole, asked = Flow.flow_map, []
+
+    def recorded(self: Flow, state: Any, constants: Any, duration: float, *more: Any) -> Any:
+        asked.append((*state.tolist(), duration))
+        return whole(self, state, constants, duration, *more)
+
+    monkeypatch.setattr(Flow, "flow_map", recorded)
+    flow, guess = slow.orbit.flow, slow.orbit.guess
+    moved = dataclasses.replace(guess, states=guess.states * (1 + 1e-4))
+    found = finding._from_guess(flow, moved)
+    assert found.period == pytest.approx(slow.period, rel=1e-9)
+    assert len(asked) > 2
+    assert len(set(asked)) == len(asked)
+
+
 def test_a_cycle_keeps_its_promises(slow: ss.results.Cycle) -> None:
     assert slow.residual < 1e-12
     assert slow.error < 1e-10

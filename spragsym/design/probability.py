@@ -42,6 +42,8 @@ Event: TypeAlias = Callable[[dict[str, Any]], FloatArray]
 
 #: Points from which on parts of the box are asked first.
 MANY = 1 << 12
+#: Points of a set that are asked together.
+TOGETHER = 1 << 16
 #: Points by default, of which the indices take as many again for every two variables.
 POINTS = 1 << 16
 
@@ -158,18 +160,24 @@ def estimated(
             "numpy.random.Generator, or leave it out"
         )
     seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
-    tasks = chunks(n, seeds)
+    parts = chunks(n, seeds)
     work = partial(
         sums, partial(_at_points, variables, together, event), [*together.factors], sobol
     )
-    done: dict[int, list[float]] = {}
+    # Alone a process answers many chunks at once.
+    most = max(1, TOGETHER // parts[0].size) if workers == 1 else 1
+    tasks = [parts[first : first + most] for first in range(0, len(parts), most)]
+    done: dict[int, list[list[float]]] = {}
     results = processes.results(workers, work, dict(enumerate(tasks)), _chunk_text)
     with advance(progress, len(tasks), 0) as step, closing(results):
-        for i, record in results:
-            done[i] = record
+        for i, records in results:
+            done[i] = records
             step()
-    records, titles = [done[i] for i in range(len(tasks))], together.titles if sobol else ()
-    return estimate(records, [task.replicate for task in tasks], confidence, titles)
+    every, titles = (
+        [one for i in range(len(tasks)) for one in done[i]],
+        together.titles if sobol else (),
+    )
+    return estimate(every, [part.replicate for part in parts], confidence, titles)
 
 
 def estimate(
@@ -277,8 +285,11 @@ def _at_points(
     )
 
 
-def _chunk_text(chunk: Chunk) -> str:
-    return f"points {chunk.begin} to {chunk.begin + chunk.size} of replicate {chunk.replicate}"
+def _chunk_text(task: Sequence[Chunk]) -> str:
+    first, *_, last = task[0], task[-1]
+    to = f"{last.begin + last.size} of replicate {last.replicate}"
+    between = "" if last.replicate == first.replicate else f" of replicate {first.replicate}"
+    return f"points {first.begin}{between} to {to}"
 
 
 #: The share of a distribution up to some values.

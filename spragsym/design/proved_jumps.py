@@ -9,7 +9,7 @@ the loading varies one jump value tells all.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +17,7 @@ import numpy as np
 
 from ..models.parameters import ParameterSet
 from ..numerics.columns import selected_rows
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, scale_of
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, scale_of
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.reference_state import is_reference, reference_state
@@ -46,12 +46,7 @@ class ProvedJumps:
         """
         pieces, (count,) = self.pieces, p.shape
         loading, *free = (np.broadcast_to(p[name], count) for name in (self.vary, *self.free))
-        part = np.full(count, -1)
-        for k in range(len(pieces)):
-            rows = np.arange(count)
-            for one, low, high in zip(free, pieces.low[:, k], pieces.high[:, k], strict=False):
-                rows = rows[(low <= one[rows]) & (one[rows] <= high)]
-            part[rows] = k
+        part = self._parts(free) if free else np.zeros(count, dtype=np.int64)
         asked = np.flatnonzero((part >= 0) & ~(self.known & (p.followed is None))[part])
         if asked.size:
             off = np.stack(free)[:, asked] - 0.5 * pieces.of.sum(axis=0)[:, part[asked]]
@@ -65,6 +60,19 @@ class ProvedJumps:
             part[asked[~(base.sure & there)]] = -1
         below, above = loading <= pieces.safe[part], loading > pieces.top[part]
         return np.where(part < 0, np.nan, np.where(above, 1.0, np.where(below, 0.0, np.nan)))
+
+    def _parts(self, free: Sequence[FloatArray]) -> IntArray:
+        """Number of the part that each point lies in, −1 where it lies in none."""
+        low, high = self.pieces.low, self.pieces.high
+        part, order = np.full(free[0].size, -1), np.argsort(free[0])
+        begin = np.searchsorted(free[0][order], low[0], "left")
+        end = np.searchsorted(free[0][order], high[0], "right")
+        for k in range(len(self.pieces)):
+            rows = order[begin[k] : end[k]]
+            for one, least, most in zip(free[1:], low[1:-1, k], high[1:-1, k], strict=True):
+                rows = rows[(least <= one[rows]) & (one[rows] <= most)]
+            part[rows] = k
+        return part
 
     def _reference_states(self, p: ParameterSet) -> tuple[FloatArray, FloatArray]:
         """Coordinates of the states that are followed, where the loading begins, with bounds on

@@ -43,11 +43,22 @@ def chunks(n: int, seeds: Sequence[int]) -> list[Chunk]:
 
 
 def sums(
-    function: Function, groups: Sequence[Sequence[int]], indices: bool, chunk: Chunk
-) -> list[float]:
-    """Sums of a chunk: number, undecided, Σf and Σf² over both sets; then for each group of
-    variables two for its indices.
+    function: Function, groups: Sequence[Sequence[int]], indices: bool, together: Sequence[Chunk]
+) -> list[list[float]]:
+    """Sums of each of some chunks: number, undecided, Σf and Σf² over both sets; then for each
+    group of variables two for its indices.
     """
+    sets = [_sets(groups, indices, chunk) for chunk in together]
+    # All at once: what follows states is as slow for few as for many.
+    values = np.split(function(np.concatenate(sets)), np.cumsum([len(one) for one in sets])[:-1])
+    return [
+        _sums(np.reshape(one, (-1, chunk.size)), 2 if indices else 1)
+        for one, chunk in zip(values, together, strict=True)
+    ]
+
+
+def _sets(groups: Sequence[Sequence[int]], indices: bool, chunk: Chunk) -> FloatArray:
+    """Points of a chunk, one set after the other."""
     from scipy.stats import qmc
 
     variables = sum(map(len, groups))
@@ -59,15 +70,17 @@ def sums(
         sequence.fast_forward(chunk.begin)
     points = sequence.random(chunk.size)
     sets = np.split(points, 2 if indices else 1, axis=1)
-    own = len(sets)
     for group in groups if indices else ():
         sets.append(sets[0].copy())
         sets[-1][:, group] = sets[1][:, group]
-    # All at once: what follows states is as slow for few as for many.
-    values = np.reshape(function(np.concatenate(sets)), (len(sets), chunk.size))
+    return np.concatenate(sets)
+
+
+def _sums(values: FloatArray, own: int) -> list[float]:
+    """Sums of values by set, of which the first are the chunk's own."""
     unknown, values = np.isnan(values), np.nan_to_num(values)
     result = [
-        float(own * chunk.size),
+        float(own * values.shape[1]),
         float(unknown[:own].sum()),
         float(values[:own].sum()),
         float((values[:own] ** 2).sum()),

@@ -341,15 +341,26 @@ def estimated(
     function: sampling.Function, variables: int, n: int, seed: int, indices: bool
 ) -> ss.results.JumpProbability:
     tasks = sampling.chunks(n, np.random.default_rng(seed).integers(0, 2**62, 16).tolist())
-    records = [
-        sampling.sums(function, [(j,) for j in range(variables)], indices, task) for task in tasks
-    ]
+    records = sampling.sums(function, [(j,) for j in range(variables)], indices, tasks)
     return estimate(
         records,
         [task.replicate for task in tasks],
         0.95,
         [str(j) for j in range(variables * indices)],
     )
+
+
+def test_chunks_that_are_asked_together_have_their_own_sums() -> None:
+    tasks = sampling.chunks(1 << 15, [5, 6])
+
+    def function(points: np.ndarray) -> np.ndarray:
+        return np.where(points[:, 1] < 0.01, np.nan, np.floor(points.sum(axis=1)))
+
+    def asked(*some: sampling.Chunk) -> list[list[float]]:
+        return sampling.sums(function, [(0,), (1, 2)], True, some)
+
+    assert len(tasks) == 8
+    assert asked(*tasks) == [asked(task)[0] for task in tasks]
 
 
 def test_indices_of_a_linear_model_are_its_squares() -> None:

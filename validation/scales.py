@@ -94,10 +94,11 @@ def _fate_and_exponents(one: Any, other: Any, start: Any, of_state: Any, time: f
         one, two = found.exponents[0], time * there.exponents[0]
         if not abs(one - two) <= found.error[0] + time * there.error[0]:
             wrong.append(f"largest exponent {one} of an irregular motion, scaled {two}")
-    elif "undecided" in (found.kind, there.kind) and _settling(found, 1.0, there, time):
-        pass
     elif found.kind != there.kind:
-        wrong.append(f"fate {found.kind}, scaled {there.kind}: {found.why}; {there.why}")
+        undecided = there if there.kind == "undecided" else found
+        decided, unit = (found, 1.0) if undecided is there else (there, time)
+        if undecided.kind != "undecided" or not _settling(decided, unit):
+            wrong.append(f"fate {found.kind}, scaled {there.kind}: {found.why}; {there.why}")
     elif found.kind in ("rest", "cycle"):
         known = np.isfinite(found.exponents)
         parted = np.abs(found.exponents[known] - time * there.exponents[known])
@@ -109,12 +110,9 @@ def _fate_and_exponents(one: Any, other: Any, start: Any, of_state: Any, time: f
     return wrong
 
 
-def _settling(one: Any, one_unit: float, other: Any, other_unit: float) -> bool:
-    """Whether what attracts, by the one of two fates that is decided, does so too slowly for a
-    motion of this length to have settled.
-    """
-    found, unit = (one, one_unit) if other.kind == "undecided" else (other, other_unit)
-    if found.kind not in ("rest", "cycle"):
+def _settling(fate: Any, unit: float) -> bool:
+    """Whether what a fate comes to attracts too slowly for a motion of this length to settle."""
+    if fate.kind not in ("rest", "cycle"):
         return False
-    rates = unit * np.delete(found.exponents, found.trivial if found.trivial >= 0 else [])
+    rates = unit * np.delete(fate.exponents, fate.trivial if fate.trivial >= 0 else [])
     return bool(-FOLLOWED * rates.max() < SETTLED)

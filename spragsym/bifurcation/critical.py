@@ -40,7 +40,7 @@ class _Candidate:
     error: float
 
     def ties(self, other: _Candidate) -> bool:
-        # Of two values that differ by less than that times their bounds none is the lower one.
+        # Of two values that differ by less than so many of their bounds none is the lower one.
         times_bounds = 4.0
         return abs(self.value - other.value) <= times_bounds * (self.error + other.error) * max(
             1.0, abs(self.value)
@@ -465,7 +465,7 @@ class _CandidateSearch:
         Beside a cusp, where its two folds are: no other piece begins between it and the next
         candidate.
         """
-        # How far beyond its value, over that if it is larger than 1.
+        # How far beyond the value of a candidate states are looked at, over it if it is above 1.
         share_beyond = 0.05
         limit = min(one.value + share_beyond * max(1.0, abs(one.value)), self.high)
         try:

@@ -104,7 +104,7 @@ class _Ending:
 
     def count_down(self) -> None:
         if self.timer is None:
-            # Seconds that it has then to say what is kept.
+            # Seconds that a command has, once interrupted, to say what is kept.
             seconds = 0.7
             self.timer = threading.Timer(seconds, cut)
             self.timer.daemon = True

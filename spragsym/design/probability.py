@@ -286,7 +286,7 @@ def _at_points(
 
 
 def _chunk_text(task: Sequence[Chunk]) -> str:
-    first, *_, last = task[0], task[-1]
+    first, last = task[0], task[-1]
     to = f"{last.begin + last.size} of replicate {last.replicate}"
     between = "" if last.replicate == first.replicate else f" of replicate {first.replicate}"
     return f"points {first.begin}{between} to {to}"
@@ -479,7 +479,7 @@ def _proved(model: Model, variables: dict[str, Any], vary: str, begin: float) ->
     up_to = _up_to(laws, vary, float(high[vary]))
     try:
         box = Splitting(low, high, vary, begin)
-        # Number of these parts.
+        # Parts of the box that are proved, at most.
         most_parts = 256
         return proved_jumps(
             box, partial(_open_share, box.free, _cdf_of(laws), (up_to, up_to)), most_parts

@@ -278,11 +278,11 @@ def _slider(entry: Mapping[str, Any], values: Sequence[float]) -> dict[str, floa
     value and points.
     """
     low, high, base = entry["low"], entry["high"], entry["base"]
-    # How far, where there is no base value or it is 0.
+    # How far a slider reaches where there is no base value, or it is 0.
     without_base = 3.0
     # How far a slider reaches, times the base value.
     times_base = 2.0
-    # How far at least, times the largest value of a preset.
+    # How far it reaches at least, times the largest value of a preset.
     times_preset = 1.2
     reach = max(
         [

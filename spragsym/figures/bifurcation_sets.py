@@ -276,7 +276,7 @@ def draw_surface(
     for points, color in (*lines, *((fold, VERMILION) for fold in folds)):
         ax.plot(*points.T, color=color, linewidth=0.6, linestyle=(0, (3.0, 2.2)), zorder=2)
         across = np.cross(np.diff(points, axis=0) / size, towards)
-        # Half of their width.
+        # Half of the width of a line, in the units of the proportions.
         half_width = 0.0036
         across *= size * half_width / np.maximum(np.linalg.norm(across, axis=1), 1e-300)[:, None]
         # How far lines stand before the surface, in the units of the proportions.

@@ -254,6 +254,7 @@ def _read_csv(text: str) -> tuple[dict[str, Any], dict[str, Any]]:
 # ----------------------------------------------------------------------------------- whole or not
 # at all
 
+#: Name of a temporary file, with the number of its process.
 _LEFT = re.compile(r"\.spragsym-(\d{1,9})-[0-9a-f]{16}")
 
 
@@ -381,8 +382,7 @@ def _remove_left(folder: Path) -> None:
         for entry in entries:
             found = _LEFT.fullmatch(entry.name)
             if found and entry.is_file(follow_symlinks=False):
-                # Of a temporary file, with the number of its process; and seconds after which a
-                # write has ended, wherever its process runs.
+                # Seconds after which a write has ended, wherever its process runs.
                 age = 3600.0
                 old = time.time() - entry.stat(follow_symlinks=False).st_mtime > age
                 if old or not _runs(int(found[1])):

@@ -84,7 +84,7 @@ def bifurcation_set(
     n = max(_LEAST, as_count("n", _LEAST if n is None else n, 2))
     fixed = Fixed(*p.scalars(*FIXED))
     preload = fixed.kappa / max(fixed.sigma, 1 + fixed.beta)
-    # Where it is below this, float64 does lose them, and they are refused.
+    # Where κ over the larger of σ and 1 + β is below this, float64 loses curves: they are refused.
     refused_below = 1e-8
     if preload < refused_below:
         raise _indistinct(fixed.kappa, "they all but coincide")
@@ -104,8 +104,7 @@ def bifurcation_set(
         # tells for the whole curve.
         if curve.y[len(curve) // 2] < 0:
             found.append(curve)
-    # Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are
-    # compared with proved folds.
+    # Where it is below this, float64 may lose curves: they are compared with proved folds.
     compared_below = 1e-4
     if preload < compared_below:
         _compare(found, p)

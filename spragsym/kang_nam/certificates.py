@@ -440,7 +440,7 @@ def covered(
         # direction adds less than this share.
         least_share = 0.25
         useful = [part[-1] > least_share * part[:-1].sum(axis=0) for part in parts]
-        # How often one is halved in any case.
+        # Cells are halved so often in any case.
         least_halvings = 4
         useless = ~np.logical_or.reduce(useful) & (halving >= least_halvings)
         abandoned = useless | (halving == _HALVINGS)

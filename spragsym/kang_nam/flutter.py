@@ -251,7 +251,7 @@ class Elimination:
 
         # Degree of the resultant in cos θ, sin θ, half of that in v.
         highest = 8
-        # The same for α = 0.
+        # That degree where α = 0.
         without_alpha = 4
         degree = highest if self.alpha else without_alpha
         return polynomials.interpolate(in_v(remaining, degree), 2 * degree)

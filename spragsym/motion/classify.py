@@ -185,7 +185,7 @@ def equilibrium_near(
     those of the states.
     """
     q, n = np.array(place, dtype=float), len(place)
-    # Its most steps.
+    # Steps of Newton's method, at most.
     most_steps = 40
     for _ in range(most_steps):
         state = [*q.tolist(), *[0.0] * n]

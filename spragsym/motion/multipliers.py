@@ -63,7 +63,7 @@ def multipliers_of(intervals: Sequence[FloatArray], flows: Sequence[FloatArray])
     values = eigenvalues_of_product(parts)
     values = values[np.lexsort((-values.imag, -values.real, -np.abs(values)))]
     moved, rng = np.zeros(len(values)), np.random.default_rng(0)
-    # Trials that tell how far multipliers move by such errors.
+    # Trials that tell how far multipliers move if derivatives err at random by their errors.
     trials = 3
     for _ in range(trials):
         off = [
@@ -104,7 +104,7 @@ def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
             basis, factor = np.linalg.qr(part @ basis)
             factors.append(factor)
         turned = start.T @ basis
-        # What counts as triangular.
+        # Numbers below the diagonal up to this count as 0.
         triangular = 1e-14
         cuts = [0, *(j for j in range(1, size) if magnitude(turned[j:, :j]) < triangular), size]
         if len(cuts) == size + 1 or (before == len(cuts) and before > 2):

@@ -40,7 +40,7 @@ RELATIVE_TOLERANCE = Range(
 #: Default number of steps after which a motion is given up.
 MAX_STEPS = 10_000_000
 
-#: An implicit method takes over where so many steps would follow …
+#: An implicit method takes over where so many steps would follow that stability bounds.
 MOST = 1e6
 
 
@@ -148,7 +148,7 @@ def check_stiffness(
         return
     values, constants, field = [float(value) for value in state], problem.constants, problem.field
     matrix = field.matrix(values, constants, field.initial_mode(values, constants))
-    # … and a step times the fastest decay is more than this.
+    # Stability bounds a step where it is longer than this, times the fastest decay.
     stable = 0.5
     if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > stable:
         raise StiffError(

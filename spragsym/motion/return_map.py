@@ -340,7 +340,7 @@ def _drifts_past(states: FloatArray) -> bool:
     if len(steps) < 3:
         return False
     sizes = np.linalg.norm(steps, axis=1)
-    # Cosine between neighbouring steps from which on they go in one direction.
+    # Least cosine between neighbouring steps that go in one direction.
     least_cosine = 0.98
     if (
         not sizes.min() > 0
@@ -348,7 +348,7 @@ def _drifts_past(states: FloatArray) -> bool:
     ):
         return False
     shrink = (sizes[0] / sizes[-1]) ** (1 / (len(sizes) - 1))
-    # Distance of the end from which on a drift goes past.
+    # A drift whose end is farther than this goes past what is near.
     farthest_end = 0.5
     return bool(shrink >= 1 or sizes[0] * shrink / (1 - shrink) > farthest_end)
 

@@ -192,7 +192,7 @@ def _back(
         return None
     late = first
     if AT_ONCE < abs(late) < LATEST:
-        # Its most steps.
+        # Steps of Newton's method, at most.
         most_steps = 5
         for _ in range(most_steps):
             there, along = carried(problem, mode, -late, state, directions, columns)
@@ -230,7 +230,7 @@ def carried(
         return change
 
     begun = state[:, None] if columns is None else np.column_stack([state, columns])
-    # Steps in time on the way are no longer than this.
+    # Steps of the Runge-Kutta method back to the border are no longer than this.
     longest_step = 0.01
     parts = math.ceil(abs(duration) / longest_step)
     step = duration / parts

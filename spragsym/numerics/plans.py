@@ -2,8 +2,9 @@
 box.
 
 ``_search.c`` does what :mod:`.boxes` does by NumPy, with the same tests in the same order, so that
-both drop, prove and cut the same boxes and give the same bits. Without the extension, and for
-systems with a step that no tape holds, NumPy serves.
+both drop, prove and cut the same boxes and give the same bits, but where NumPy's exp, log, tanh and
+atan are not the C library's, as with AVX-512. Without the extension, and for systems with a step
+that no tape holds, NumPy serves.
 """
 
 from __future__ import annotations

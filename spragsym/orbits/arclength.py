@@ -215,7 +215,7 @@ def at_zero(kind: str, setting: Setting, near: Orbit, target: FloatArray) -> Con
 
     def conditions(orbit: Orbit) -> tuple[FloatArray, FloatArray]:
         off, row = phase(orbit)
-        # Its differences are taken over this.
+        # Differences of the condition are taken over this.
         difference = 1e-6
         slope = differences(
             lambda step: np.array(

@@ -166,7 +166,7 @@ def basin_boundary(
     ranges = [given.get(name, (low, high)) for name, low, high in around]
     ranges = [(low / unit, high / unit) for (low, high), unit in zip(ranges, units, strict=True)]
     low, high = ranges[0]
-    # Between neighbours on the curve where nobody says, as a share of the range.
+    # Distance of neighbours on the curve by default, as a share of the range.
     share_of_range = 1 / 300
     whole = (high - low) * share_of_range
     step = whole if step is None else as_number("step", step, POSITIVE) / float(units[0])
@@ -424,7 +424,8 @@ class _Walk:
         both = self.sides(state, span, ASIDE)
         if not _differ(self.system, *both):
             return False, [each.described() for each in both]
-        # And at this share of that, where they differ there: basins may alternate beside the curve.
+        # Where they differ it is looked at this share of the distance too: basins may alternate
+        # beside the curve.
         nearer_share = 0.25
         nearer = self.sides(state, span, nearer_share * ASIDE)
         other = [

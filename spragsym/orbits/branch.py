@@ -491,7 +491,7 @@ def _at_border(followed: Sequence[BranchPoint]) -> DetectedEvent | None:
         _vanishing(followed, off, TOUCHES),
         _vanishing(followed, slowest, TANGENT.format(name), CATASTROPHIC),
     )
-    # How near to such an end the last point is, in shares of the range.
+    # A branch has come to an end that lies so near to its last point, in shares of the range.
     near_share = 1e-4
     near = [
         end
@@ -690,10 +690,8 @@ def cycle_events(
     allowed = {name: ANGLE if model.column(name).is_angle else FINITE for name in vary}
     given = as_ranges("between", between, allowed)
     bounds = [given.get(name, (-np.inf, np.inf)) for name in vary]
-    # That span at least.
-    least_span = 0.02
-    # Span of a parameter whose range is not given, over its value.
-    share_of_value = 0.25
+    # Span of a parameter whose range is not given, over its value, and at least.
+    share_of_value, least_span = 0.25, 0.02
     spans = [
         (high - low) / 2
         if 0 < high - low < np.inf

@@ -173,7 +173,7 @@ def vertical(one: BranchPoint, other: BranchPoint, length: float) -> bool:
     # Slope of a branch, in shares of the range over the arc, below which it is upright.
     upright = 1e-8
     ends, still = (one, other), upright * one.setting.spans[0]
-    # How near 1 a double multiplier is found there.
+    # How near 1 a double multiplier of an upright branch is found.
     double_within = 1e-4
     return (
         length > FINEST

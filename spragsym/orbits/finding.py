@@ -270,7 +270,7 @@ def _rests(orbit: Orbit) -> bool:
     orbit = in_scales(orbit)
     # A closed orbit of a smaller extent is rest.
     least_extent = 1e-9
-    # So is one whose extent is not so many of its errors.
+    # So is one whose extent is less than so many of its errors.
     sure_errors = 100.0
     return extent(orbit) <= max(least_extent, sure_errors * error_of(orbit))
 

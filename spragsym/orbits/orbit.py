@@ -50,7 +50,7 @@ from ..results.result import Result
 NEUTRAL = 1e-7
 
 
-#: Periods, and averages as shares of the extent, that differ by less are of one cycle …
+#: Periods, and averages as shares of the extent, that differ by less may be of one cycle.
 ALIKE = 1e-6
 
 
@@ -344,7 +344,7 @@ def same_cycle(one: Cycle, other: Cycle) -> bool:
     averages = np.abs([one.rms - other.rms, one.mean - other.mean]) / units[0]
     if abs(one.period / other.period - 1) >= ALIKE or averages.max() >= ALIKE * size:
         return False
-    # … if the state of one is as near the other's samples as this share of its extent.
+    # They are if the state of one lies as near the other's samples, as a share of the extent.
     near_share = 0.05
     return distance(one, other.state) < near_share * size
 

@@ -190,7 +190,7 @@ def verified(
     one, other = (system.motion(start, verdict.t, rtol=rtol)(times) for rtol in TOLERANCES)
     if not magnitude((one - other) / scales.states[:, None]) > PARTED:
         return verdict
-    # So many that begin within rounding are followed as well, where they have.
+    # Motions that begin within rounding of this one and are followed as well, where two part.
     most_beside = 4
     for i in range(most_beside + 1):
         beside = judged(

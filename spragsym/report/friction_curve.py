@@ -150,7 +150,7 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
             f"the file is empty; begin with a line of names and units such as {EXAMPLE}", 0, 0
         )
     cells, texts = [(number, _cells(line, between)) for number, line in lines], dict(lines)
-    # Lines among which its head is.
+    # The head of a table is looked for in so many lines.
     head_lines = 100
     # Above the head may stand what a test rig says of itself.
     words = [{_word(name) for name in row} for _, row in cells[:head_lines]]

@@ -65,7 +65,7 @@ def speed_for(study: Brake, friction: float) -> float:
     parts = [
         (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(octaves))
     ] + [(0.0, speed)]
-    # Parts that are looked at.
+    # Ranges of the speed that are looked at, at most.
     most_parts = 1 << 12
     for _ in range(most_parts):
         if not parts:
@@ -77,7 +77,7 @@ def speed_for(study: Brake, friction: float) -> float:
         if law.largest(1, rough_boxes) < friction:
             continue
         middle = 0.5 * (slow + fast)
-        # How closely it is.
+        # Relative width to which that speed is enclosed.
         sharp_within = 2.0**-44
         if fast - slow <= sharp_within * fast:
             return float(middle * study.scales.length / study.scales.time)
@@ -112,7 +112,7 @@ class _Law:
         most, until it is close.
         """
         low, high, above, done = self.low, self.high, np.full(1, np.inf), -np.inf
-        # Most halvings.
+        # Halvings of the box, at most.
         most_halvings = 60
         for _ in range(most_halvings):
             above = self.over(low, high, sign).high

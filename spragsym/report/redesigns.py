@@ -261,7 +261,7 @@ class _RedesignSearch:
             ],
             default=0.0,
         )
-        # By how much of the least joint change it may go further.
+        # Joint changes go no further than so many times the least one.
         times_further = 2.0
         left = left if len(way) == 1 else min(left, times_further)
 
@@ -277,7 +277,7 @@ class _RedesignSearch:
             high = float(tried[first])
             if not high:
                 break
-            # Parts into which the first that they leave is cut, twice.
+            # Parts into which the step to the first design that is kept is cut, twice.
             cut_parts = 8
             tried = np.linspace(tried[first - 1], high, cut_parts + 1)
         yield from (at(high + share * (1 - high)) for share in self.budget.further)

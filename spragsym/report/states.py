@@ -191,7 +191,7 @@ def states(study: Brake, eq: Equilibria, here: Numbers | None) -> tuple[State, .
         max(abs(value - here[name]) for name, value in place.items()) if here else math.inf
         for place in places
     ]
-    # What the coordinates of one state differ by.
+    # Coordinates that differ by less are of one state.
     same_within = 1e-6
     return tuple(
         _state(study, eq, slot, place, slot == off.index(min(off)) and off[slot] < same_within)
@@ -427,7 +427,7 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
     # A motion whose swings are less than this share of those a quarter of the time before is on its
     # way to rest.
     falling_share = 0.99
-    # One whose swings are more than this many times as large is on its way beyond bounds.
+    # A motion whose swings are more than this many times as large runs away.
     growing_times = 2.0
     goes = (
         "falls"

@@ -193,12 +193,14 @@ def is_reference(
         largest = np.maximum(strain(Intervals(around)), value.magnitude)
         least = (slope.magnitude * along).sum(axis=0)
         t = least + np.sqrt(least**2 + 2 * (strain(Intervals(ends)) + 2 * ALIKE * largest))
-        # S is no worse conditioned than 1/CONVEX: far more than the roundings of floats.
+        # S is no worse conditioned than 1/CONVEX, so that a thousandth covers all roundings.
         reach = np.minimum(1.001 * t * along, balance.border[:, :, None])
         K = balance.jacobian(Intervals(reach), parameters)
         Y = contractors.inverse(K.middle)
         left = Intervals(contractors.product(Y, K.ends)) + Intervals.point(-np.eye(n)[:, :, None])
-        alone = left.magnitude.sum(axis=1).max(axis=0) < 1 - ALIKE
+        # Far more than the roundings of a product and a sum of n numbers.
+        margin = 1e-9
+        alone = left.magnitude.sum(axis=1).max(axis=0) < 1 - margin
     return np.asarray(proved & (codes == EquilibriumType.STABLE) & convex & alone)
 
 

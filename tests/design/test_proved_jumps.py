@@ -54,6 +54,16 @@ def test_parts_that_are_known_hold_the_reference_state_of_each_point(name: str) 
 
 
 @pytest.mark.thorough
+def test_parts_without_the_proof_are_not_known() -> None:
+    """Hertz's energy has no second derivative at the origin that intervals know."""
+    low, high = corners("hertz_contact")
+    box = Splitting(low, high, "mu0", 0.0)
+    proved = proved_jumps(box, lambda pieces: pieces.volume * (pieces.top > pieces.safe), 4)
+    assert proved.pieces.base.sure.any()
+    assert not proved.known.any()
+
+
+@pytest.mark.thorough
 def test_a_probability_is_the_same_with_proved_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     low, high = corners("cubic_contact")
     box = low, high.replace(theta0=low.theta0)

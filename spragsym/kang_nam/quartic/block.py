@@ -137,7 +137,7 @@ def _some(
     root = kernel.at_root(roots[0] if alone else t, point, line, u)
     root = kernel.Root(*(value[None] for value in root)) if alone else root
     candidates = _columns(t, root)
-    # Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
+    # Digits that every equilibrium has: |error| ≤ tolerance · max(1, |value|).
     tolerance = 1e-12
     # An equilibrium that has its digits, or certainly none.
     sure = root.member & root.known & (candidates["error"] <= tolerance) | root.outsider

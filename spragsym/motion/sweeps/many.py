@@ -173,7 +173,7 @@ def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:
     """
     if settings["backend"] != "heyoka":  # which alone carries many at a time
         return 1
-    # Their time in all, at most.
+    # Time over which the motions of one task go in all, at most.
     longest_in_all = 2e5
     lasting = max(LANES, int(longest_in_all / settings["t_end"]))
     # Tasks that every worker gets at least, where there are points enough.

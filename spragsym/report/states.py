@@ -17,9 +17,11 @@ from ..core.errors import ConvergenceError, SpragsymError
 from ..design.jumps import jump_value
 from ..models import forces
 from ..models.parameters import FloatArray, Ranges, Span
-from ..motion import Regime, simulate
+from ..motion import Outcome, Regime, Trajectory, simulate
 from ..numerics.interval_arrays import ComplexArray
-from ..orbits import cycle
+from ..orbits import Cycle, cycle
+from ..orbits.finding import cycle_at
+from ..orbits.system import System
 from ..results import Equilibria, EquilibriumType, Named, Result
 from ..statics.balance import Balance
 from ..statics.stability import linearization, roots, verdicts
@@ -403,10 +405,12 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
     beside = {"stable": True, "unstable": False}.get(stability or "")
     rest, far = np.zeros((2, 2 * n))
     far[:n][: len(_FAR)] = _FAR[:n]
+    followed = {}
     for word, start in (("rest", rest), ("far out", far)):
         with suppress(ConvergenceError):
-            found = cycle(p, near=start, patient=False)
-            if found.stable:  # no motion comes to one that is not
+            followed[word] = motion, outcome = _followed(p, start)
+            found = _cycle_of(p, start, outcome)
+            if found is not None and found.stable:  # no motion comes to one that is not
                 frequency, told = (
                     1 / (found.period * study.scales.time),
                     _forces(study, found.forces),
@@ -414,12 +418,12 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
                 return Oscillation(
                     "cycle", frequency, found.amplitude * size, unit, *told, beside, word, found
                 )
-    motion, word = simulate(p, t_end=T_END), "rest"
+    word = "rest"
+    motion, outcome = followed.get(word) or _followed(p, rest)
     if stability == "unstable" and not motion.state.any():  # where it rests it is unstable
-        motion, word = simulate(p, start=far, t_end=T_END), "far out"
-    late, regime = motion.after(0.75 * T_END), Regime.UNSETTLED
-    with suppress(ConvergenceError):
-        regime = motion.outcome(0.75 * T_END).regime
+        word = "far out"
+        motion, outcome = followed.get(word) or _followed(p, far)
+    late, regime = motion.after(0.75 * T_END), outcome.regime
     quarters = (
         (motion.t >= share * T_END) & (motion.t <= (share + 0.25) * T_END) for share in (0.5, 0.75)
     )
@@ -445,3 +449,18 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
         beside if kind == "motion" else None,
     )
     return Oscillation(kind, math.nan, goes_on * 0.5 * now * size, unit, *told, lives, word, late)
+
+
+def _followed(p: ParameterSet, start: FloatArray) -> tuple[Trajectory, Outcome]:
+    """The motion from a state, and what it comes to."""
+    motion, outcome = simulate(p, start=start, t_end=T_END), Outcome()
+    with suppress(ConvergenceError):
+        outcome = motion.outcome(0.75 * T_END)
+    return motion, outcome
+
+
+def _cycle_of(p: ParameterSet, start: FloatArray, outcome: Outcome) -> Cycle | None:
+    """The cycle that a motion comes to, or is near to; None of one that comes to something else."""
+    if outcome.limit == Regime.LIMIT_CYCLE:
+        return cycle_at(System.of(p, None), np.array(outcome.cycle), outcome.period)
+    return cycle(p, near=start, patient=False) if outcome.limit == Regime.UNSETTLED else None

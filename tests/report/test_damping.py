@@ -2,12 +2,14 @@
 
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import spragsym as ss
 from spragsym.core.errors import ParameterError
+from spragsym.motion import integrators
 from spragsym.report.example import example
 from tests.support import written_brake
 
@@ -65,6 +67,31 @@ REFUSED = {
     "no dampers": ({"damping_ratio": "1 %", "model": "cubic_contact", "k_3": "1 N/mm^3"}, "no dam"),
     "one of three": ({"c_x": "1 N s/m"}, 'is without c_y, c_s; add lines such as c_y = "7 N s/m"'),
 }
+
+
+def test_motions_of_a_report_that_decay_are_followed_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What SciPy follows takes seconds, and no cycle is sought near what settles at rest."""
+    begun, sought = list[tuple[float, ...]](), list[float]()
+    integrate, asked = integrators.integrate, integrators.Flow._asked
+
+    def counted(problem: integrators.Problem, backend: str) -> integrators.Solution:
+        begun.append(problem.start)
+        return integrate(problem, backend)
+
+    def looked(flow: integrators.Flow, *given: Any, **options: Any) -> Any:
+        sought.append(flow.field.size)
+        return asked(flow, *given, **options)
+
+    monkeypatch.setattr(integrators, "integrate", counted)
+    monkeypatch.setattr(integrators.Flow, "_asked", looked)
+    study = ss.Study.from_file(written_brake(tmp_path, {**ROWS, "damping_ratio": "0.5 %"}))
+    lives = study.report(probability=False, redesign=False).oscillation
+    assert lives is not None
+    assert (lives.kind, lives.start) == ("rest", "rest")
+    assert begun == [(0.0, 0.0, 0.0, 0.0), (1.5, 0.5, 0.0, 0.0)]
+    assert not sought
 
 
 @pytest.mark.parametrize("name", REFUSED)

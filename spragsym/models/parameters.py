@@ -122,8 +122,8 @@ def as_numbers(
         ) from error
     if array.dtype.kind not in "iuf":
         raise ParameterTypeError(
-            f"{name} = {_short(value)} is of type {array.dtype}; it must be real numbers, "
-            f"not {_KINDS.get(array.dtype.kind, array.dtype)}"
+            f"{name} = {_short(value)} is {_KINDS.get(array.dtype.kind, array.dtype)}; it must be "
+            "real numbers"
         )
     array = array.astype(np.float64)
     inside = allowed.inside(array)

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Callable, Iterator, Mapping, Set
+from collections.abc import Iterator, Mapping, Set
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 from ..core.errors import ParameterError, SpragsymError, hint
 from ..design.sampling import Correlation, dependence
@@ -24,9 +24,7 @@ from .example import OWN_EXAMPLES, example_of
 from .friction_curve import read_friction
 from .friction_fit import FrictionFit, fit_friction
 from .trust import trusted_model
-from .units import ENDS, WITHIN, Measured, Numbers, check_words, read, remedy, shown_in
-
-_R = TypeVar("_R")
+from .units import ENDS, WITHIN, Measured, Numbers, read, remedy, shown_in
 
 #: What begins a tolerance.
 _TOLERANCE = re.compile(r"±|\+/?-|\bsd\b")
@@ -100,7 +98,6 @@ class _FileReader:
         dampers = damped.units.keys() - kind.units.keys()
         if own["damping_ratio"] is not None or table.keys() & dampers:
             kind = damped
-        # What is told without the sizes of units comes first: these need pint.
         ranges, found = kind.ranges(), dict[str, Measured]()
         for key, value in table.items():
             with self.at(key):
@@ -110,17 +107,13 @@ class _FileReader:
                     raise ParameterError(
                         f"{key} = {value!r} is not a quantity of the model {model}{remark}"
                     )
-                unit = kind.units[key]
-                _looked_at(read if unit == "1" else check_words, key, value, unit, ranges[key])
+                found[key] = _quantity(key, value, kind.units[key], ranges[key])
         with self.at("damping_ratio"):
             given = own["damping_ratio"]
             ratio = None if given is None else _exact("damping_ratio", given, "1", RATIO)
         with self.at("vary"):
             check_load(kind, own["vary"])
         self._check_missing(table.keys(), own, kind, dampers)
-        for key, value in table.items():
-            with self.at(key):
-                found[key] = _quantity(key, value, kind.units[key], ranges[key])
         with self.at("friction", f"friction = {own['friction']!r}: "):
             fit = None if own["friction"] is None else self._friction(own["friction"], found, kind)
         data: dict[str, Any] = {"model": kind.model.where, "damping_ratio": ratio, "fit": fit}
@@ -209,11 +202,6 @@ class _FileReader:
 
 
 def _quantity(key: str, given: object, unit: str, allowed: Range) -> Measured:
-    return _looked_at(read, key, given, unit, allowed)
-
-
-def _looked_at(how: Callable[..., _R], key: str, given: object, unit: str, allowed: Range) -> _R:
-    """What is found in the text of a quantity where it is read, or checked for its words."""
     example = OWN_EXAMPLES.get(key, "")
     if (
         unit == "1"
@@ -228,7 +216,7 @@ def _looked_at(how: Callable[..., _R], key: str, given: object, unit: str, allow
             f"{remedy(unit, allowed, example)}"
         )
     try:
-        return how(given if isinstance(given, str) else repr(given), unit, allowed, example)
+        return read(given if isinstance(given, str) else repr(given), unit, allowed, example)
     except ParameterError as error:
         raise ParameterError(f"{key} = {error}") from error
 

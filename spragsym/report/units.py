@@ -6,8 +6,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
@@ -16,7 +16,6 @@ import numpy as np
 from ..core.errors import ParameterError
 from ..models.parameters import FINITE, Range
 from ..models.quantities import factor
-from ..models.units import spelled
 from ..numerics.arithmetic import Number
 
 #: Numbers by name: quantities in SI, or coordinates.
@@ -137,15 +136,8 @@ def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Meas
     >>> round(read("0.45 sd 0.05", "1").high, 9)
     0.6
     """
-    with _told(text, si, allowed, example):
-        return _read(text, si, allowed)
-
-
-@contextmanager
-def _told(text: str, si: str, allowed: Range, example: str) -> Iterator[None]:
-    """A mistake is told with the text and, where that is the remedy, how to write one."""
     try:
-        yield
+        return _read(text, si, allowed)
     except ParameterError as error:
         brief = repr(text) if len(text) <= 200 else f"{text[:20]!r}…"
         write = "" if isinstance(error, _OutsideError) else remedy(si, allowed, example)
@@ -156,33 +148,18 @@ class _OutsideError(ParameterError):
     """A number that is read and not allowed: how to write one is no remedy."""
 
 
-def check_words(text: str, si: str, allowed: Range = FINITE, example: str = "") -> None:
-    """Refuse what :func:`read` refuses whatever the size of its units, without pint, which takes
-    longer than all else that a mistake costs.
-    """
-    with _told(text, si, allowed, example):
-        _matched(text, si)
-
-
 def remedy(si: str, allowed: Range, example: str) -> str:
     """Text to write: examples that are read and allowed."""
-    by_sign = {allowed.low, allowed.high} <= {0.0, math.inf, -math.inf}
     good = []
     for text in (example, *EXAMPLES.get(si, (f"1 {si}", f"[1, 2] {si}"))):
         with suppress(ParameterError):
-            # What its sign decides does not wait for the size of its unit.
-            if not by_sign:
-                _read(text, si, allowed)
-            elif not allowed.contains(float(_matched(text, si)[0][1])):
-                continue
+            _read(text, si, allowed)
             good.append(f'"{text}"')
     return " or ".join(good[:2]) if good else f"a number in {allowed} of the unit {si}"
 
 
 def _matched(text: str, si: str) -> tuple[re.Match[str], re.Match[str] | None]:
-    """Parts of the text of a quantity, whose units are words that are known, and of the ends at
-    which it is cut off.
-    """
+    """Parts of the text of a quantity, and of the ends at which it is cut off."""
     if len(text) > 200:
         raise ParameterError(f"{len(text)} characters are too many for a quantity")
     plain = text.replace("\N{MINUS SIGN}", "-").strip()
@@ -197,8 +174,6 @@ def _matched(text: str, si: str) -> tuple[re.Match[str], re.Match[str] | None]:
         unit, of = _units(part)
         if not unit and of in ("", "%"):
             raise ParameterError("there is no unit")
-        for word in {unit, of.removeprefix("%")} - {""}:
-            spelled(word)
     return found, ends
 
 
@@ -216,18 +191,12 @@ def _read(text: str, si: str, allowed: Range) -> Measured:
         one = _about(found, si, None if ends is None else _between(ends, si))
     for end in (one.value, one.whole.low, one.whole.high):
         if not allowed.contains(end):
-            reached = "" if end == one.value else "the tolerance reaches what is not allowed: "
-            raise _OutsideError(
-                f"{reached}{shown_in(end, one.unit, si, 6)} is not {_within(allowed, one.unit, si)}"
-                f"; all of it must be {_ends(allowed, one.unit, si)}"
-            )
+            here = shown_in(end, one.unit, si, 6)
+            there = f"the tolerance reaches {here}, out of range; all of it"
+            if end == one.value:
+                there = f"{here} is out of range; it"
+            raise _OutsideError(f"{there} must be {_ends(allowed, one.unit, si)}")
     return one
-
-
-def _within(allowed: Range, unit: str, si: str) -> str:
-    words = _ends(allowed, unit, si)
-    # Of angles it says radians.
-    return f"{words}: {allowed.remedy}" if allowed.remedy and si != "rad" else words
 
 
 def _ends(allowed: Range, unit: str, si: str) -> str:
@@ -235,7 +204,8 @@ def _ends(allowed: Range, unit: str, si: str) -> str:
     words = f"{'above' if allowed.open_low else 'at least'} {low}"
     if not math.isinf(allowed.high):
         words += f" and {'at most' if allowed.closed_high else 'below'} {high}"
-    return words
+    # Of angles it says radians.
+    return f"{words}: {allowed.remedy}" if allowed.remedy and si != "rad" else words
 
 
 def _between(found: re.Match[str], si: str) -> Measured:

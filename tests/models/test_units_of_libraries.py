@@ -141,10 +141,10 @@ def test_units_that_are_not_understood_are_refused(library: str) -> None:
         ([Thrust(0.4)], "in kN"),
         (np.array([0.4]).view(Array), "in mm"),
         (np.array([Thrust(0.4), 0.2], dtype=object), "in kN"),
-        ([True, 0.9], "booleans"),
-        ((0, np.True_), "booleans"),
-        (np.array([True]), "booleans"),
-        ([np.array(True), 0.2], "booleans"),
+        ([True, 0.9], "boolean"),
+        ((0, np.True_), "boolean"),
+        (np.array([True]), "boolean"),
+        ([np.array(True), 0.2], "boolean"),
         (np.ma.array([0.1, 0.2], mask=[0, 1]), "1 masked"),
         ([np.ma.masked, 0.2], "masked"),
     ],
@@ -277,6 +277,20 @@ def test_products_of_units_are_read_as_pint_reads_them() -> None:
         assert _as_pint(text, registry.parse_units(named)), text
 
 
+def test_units_that_pint_prints_are_read() -> None:
+    """Powers of several factors, raised or behind a sign."""
+    assert factor("kg m^2 s^-2", "N m") == factor("kg·m²·s⁻²", "N m") == 1.0
+    assert factor("kg * m ** 2 / s ** 2", "N m") == 1.0
+
+
+@pytest.mark.parametrize(
+    "text", ["m^2^3", "(m^9 s)^9", "m²2", "J⁻¹^2", "10 N", "1mm", "N//m", "m^s", "s^(1/0)", "((m"]
+)
+def test_what_is_no_product_of_powers_is_refused(text: str) -> None:
+    with pytest.raises(ss.errors.ParameterError, match=r"the unit .* is not known"):
+        factor(text, "m")
+
+
 def _as_pint(text: str, other: Any) -> bool:
     """Whether a unit has the size in SI and the dimension that pint's own definitions give it."""
     base = (1 * other).to_base_units()
@@ -287,7 +301,7 @@ def _as_pint(text: str, other: Any) -> bool:
         np.isclose(powers.get(name, 0), float(mine.get(axis, 0)), atol=1e-12)
         for name, axis in axes.items()
     )
-    size = float(units._size(text)) / 1000.0 ** float(mine.get("[mass]", 0))
+    size = float(units.parsed(text).size) / 1000.0 ** float(mine.get("[mass]", 0))
     return same and bool(np.isclose(size, base.magnitude, rtol=1e-13, atol=0))
 
 

@@ -63,7 +63,7 @@ def test_a_ratio_in_a_file_brings_dampers_and_leaves_the_jump(tmp_path: Path) ->
 REFUSED = {
     "both": ({"damping_ratio": "1 %", "c_x": "1 N s/m"}, "c_x is given too; leave one"),
     "a tolerance": ({"damping_ratio": "[0.9, 1.1] %"}, "takes no tolerance here; write"),
-    "too much": ({"damping_ratio": "120 %"}, "is not at least 0 % and below 100 %"),
+    "too much": ({"damping_ratio": "120 %"}, "it must be at least 0 % and below 100 %"),
     "no dampers": ({"damping_ratio": "1 %", "model": "cubic_contact", "k_3": "1 N/mm^3"}, "no dam"),
     "one of three": ({"c_x": "1 N s/m"}, 'is without c_y, c_s; add lines such as c_y = "7 N s/m"'),
 }

@@ -15,6 +15,7 @@ from typing import Any, TypeAlias, TypeVar
 
 import click
 
+from ..article.drawn import DRAWN
 from ..core.errors import ParameterError, one_of
 from ..core.progress import advance, show_progress
 from ..display import aligned
@@ -333,9 +334,12 @@ def _names(_: click.Context, option: click.Parameter, given: tuple[str, ...]) ->
     """Names of figures; looked at before what is missing is an error."""
     if not given:
         return []
-    from ..figures import FIGURES
+    return _known([*given], DRAWN, option.opts[0] if option.opts[0].startswith("-") else "NAMES")
 
-    return _known([*given], FIGURES, option.opts[0] if option.opts[0].startswith("-") else "NAMES")
+
+def _kinds(_: click.Context, option: click.Parameter, given: str) -> list[str]:
+    """Formats of figures."""
+    return _known([given], ("pdf", "png", "svg"), option.opts[0])
 
 
 @o.command()
@@ -344,7 +348,13 @@ def _names(_: click.Context, option: click.Parameter, given: tuple[str, ...]) ->
 )
 @click.argument("names", nargs=-1, callback=_names)
 @o.folder("Folder to write to, made if missing.")
-@click.option("--format", "kinds", default="pdf", help="pdf, png, svg, or several with commas.")
+@click.option(
+    "--format",
+    "kinds",
+    default="pdf",
+    callback=_kinds,
+    help="pdf, png, svg, or several with commas.",
+)
 @o.workers(-1)
 @o.quiet
 @o.force
@@ -352,7 +362,7 @@ def figures(
     first: list[str],
     names: list[str],
     out: Path,
-    kinds: str,
+    kinds: list[str],
     workers: int,
     quiet: bool,
     force: bool,
@@ -374,14 +384,13 @@ def figures(
     import matplotlib
 
     matplotlib.use("Agg")  # files only; no display is needed
-    from ..figures import FIGURES, FORMATS, write
+    from ..figures import FIGURES, write
     from ..motion.sweeps.workers import count, pool
 
-    formats = _known([kinds], FORMATS, "--format")
     chosen = [FIGURES[name] for name in dict.fromkeys([*first, *names] or FIGURES)]
     written = (
         [
-            *(out / f"{draw.__name__}.{kind}" for kind in (*formats, "txt")),
+            *(out / f"{draw.__name__}.{kind}" for kind in (*kinds, "txt")),
             *sorted(out.glob(f"{draw.__name__}_[a-z].csv")),
         ]
         for draw in chosen
@@ -395,12 +404,12 @@ def figures(
     ):
         for draw in chosen:
             moving = {"workers": mapping} if "workers" in inspect.signature(draw).parameters else {}
-            for path in write(draw(**moving), out, draw.__name__, formats):
+            for path in write(draw(**moving), out, draw.__name__, kinds):
                 click.echo(path)
             step()
 
 
-def _known(given: list[str], allowed: Mapping[str, Any], option: str) -> list[str]:
+def _known(given: list[str], allowed: Sequence[str], option: str) -> list[str]:
     """Names, separated by blanks or commas."""
     names = [name for text in given for name in re.split(r"[\s,]+", text.strip(" ,"))]
     for name in names:

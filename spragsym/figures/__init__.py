@@ -28,6 +28,7 @@ try:
 except ModuleNotFoundError as error:
     raise MissingExtraError("spragsym.figures", error.name or "matplotlib", "plot") from error
 
+from ..article.drawn import DRAWN
 from ..bifurcation.hopf_curves import OnsetCurves
 from ..orbits import CycleBranch, FateMap
 from ..orbits.diagram import Diagram
@@ -92,29 +93,32 @@ from .report_pages import draw_operating_point, draw_rising, draw_shares, report
 from .style import BLACK, FORMATS, Sheet, own_axes, styled, write
 
 #: Name → the function that draws it: the article's numbers first.
-FIGURES: dict[str, Callable[..., Sheet]] = {
-    drawn.__name__.removeprefix("figure_").replace("_", "-"): drawn
-    for drawn in (
-        figure_3,
-        figure_4,
-        figure_5,
-        figure_6,
-        figure_7,
-        figure_8,
-        figure_9,
-        figure_10,
-        figure_11,
-        figure_12,
-        figure_13,
-        figure_14,
-        figure_cusp_friction,
-        figure_cycles,
-        figure_cycles_plane,
-        figure_false_double_root,
-        figure_rms_map,
-        figure_sensitivity,
+FIGURES: dict[str, Callable[..., Sheet]] = dict(
+    zip(
+        DRAWN,
+        (
+            figure_3,
+            figure_4,
+            figure_5,
+            figure_6,
+            figure_7,
+            figure_8,
+            figure_9,
+            figure_10,
+            figure_11,
+            figure_12,
+            figure_13,
+            figure_14,
+            figure_cusp_friction,
+            figure_cycles,
+            figure_cycles_plane,
+            figure_false_double_root,
+            figure_rms_map,
+            figure_sensitivity,
+        ),
+        strict=True,
     )
-}
+)
 
 __all__ = [
     "FIGURES",

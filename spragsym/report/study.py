@@ -5,14 +5,15 @@ from __future__ import annotations
 import os
 import warnings
 from contextlib import nullcontext
+from typing import TYPE_CHECKING
 
 from ..core.progress import doing, show_progress
 from ..models.parameters import POSITIVE, as_number
-from .advice import of_data
 from .brake import Brake
 from .data import read_brake
-from .facts import ReportOptions, facts
-from .reports import Report
+
+if TYPE_CHECKING:
+    from .reports import Report
 
 
 class Study(Brake):
@@ -115,6 +116,9 @@ class Study(Brake):
         Report
             What is not answered for the model is None there, with the reason among the warnings.
         """
+        from .facts import ReportOptions, facts  # heavy, and a refusal does not need it
+        from .reports import Report
+
         options = ReportOptions(
             probability, redesign, oscillation, as_number("safety", safety, POSITIVE), n
         )
@@ -130,5 +134,7 @@ class Study(Brake):
 
 def warn_of(study: Brake) -> None:
     """Warn of numbers of a file whose units were probably meant otherwise, where it is read."""
+    from .advice import of_data  # heavy, and a refusal does not need it
+
     for said in of_data(study):
         warnings.warn(f"{study.source}: {said}", stacklevel=3)

@@ -89,6 +89,11 @@ def sheets() -> dict[str, Sheet]:
     return Sheets()
 
 
+def test_each_name_is_that_of_its_figure() -> None:
+    for name, drawn in FIGURES.items():
+        assert drawn.__name__ == f"figure_{name.replace('-', '_')}"
+
+
 @pytest.mark.by_hand("cycles")
 @pytest.mark.parametrize("name", few(FIGURES, *QUICKLY_DRAWN))
 def test_a_figure_is_drawn(sheets: dict[str, Sheet], name: str) -> None:

@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
@@ -380,7 +380,11 @@ class OfFamily(StateSystem):
 
     def fixed(self, count: int) -> Intervals:
         """Prepared parameters of so many boxes at one point of the parameters that do not vary."""
-        return self.prepared_at(np.repeat(self.family.begin, count, axis=1))
+        return Intervals(np.repeat(self._begin.ends, count, axis=2))
+
+    @cached_property
+    def _begin(self) -> Intervals:
+        return self.prepared_at(self.family.begin)
 
     def parted(
         self, unknowns: Sequence[Any], fixed: Values, xp: Any

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..core.error_states import in_usual_state
 from ..core.questions import model_of
@@ -17,7 +18,6 @@ from ..display import own_name
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
-from ..numerics.vectors import magnitude, norm
 from ..results import Curve, Points, Result
 from ..statics import stability
 from ..statics.stability import (
@@ -49,7 +49,7 @@ from .flutter import (
     meeting,
     of_forms,
 )
-from .normal_forms import NormalForm
+from .normal_forms import Coefficient, NormalForm, coefficients
 from .options import ContinuationOptions
 from .points import arranged, matrices, nothing, search
 
@@ -324,25 +324,26 @@ class _Plane(Family):
         C = C - G
         return np.abs(C).max(axis=(1, 2)) <= UNDAMPED * np.abs(K).max(axis=(1, 2))
 
-    def forms(self, curves: FoldCurves, states: FloatArray) -> list[NormalForm | str]:
-        """The normal form at each point, over a box that is proved to hold one, or why there is
-        none.
+    def forms(self, curves: FoldCurves, states: FloatArray) -> list[NormalForm | Coefficient | str]:
+        """What is known of l₁ at each point, over a box that is proved to hold one, or why there is
+        none: by intervals of floats, and where these do not tell its sign by many digits.
         """
         ends, good = curves.enclosed(states, np.abs(curves.tangents(states)).argmax(axis=0))
-        middle = Intervals(ends).middle
-        radii = contractors.distance(ends, middle)
-        given = self.at(middle[self.balance.n :])
-        return [
-            form_or_why(
-                self.p.model, given[:, k], middle[: self.balance.n, k], self.vary, radii[:, k]
+        middle, n = Intervals(ends).middle, self.balance.n
+        radii, given = contractors.distance(ends, middle), self.at(middle[n:])
+        out: list[NormalForm | Coefficient | str] = [UNPROVED] * good.size
+        rows = np.flatnonzero(good)
+        quick = coefficients(self.balance, given[:, rows], ends[:, :, rows], self.vary)
+        for k, form in zip(rows.tolist(), quick, strict=True):
+            out[k] = (
+                form_or_why(self.p.model, given[:, k], middle[:n, k], self.vary, radii[:, k])
+                if form is None
+                else form
             )
-            if good[k]
-            else UNPROVED
-            for k in range(good.size)
-        ]
+        return out
 
     def curve(
-        self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str]
+        self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | Coefficient | str]
     ) -> Curve:
         """The points with what is known of them."""
         ours = {
@@ -363,27 +364,40 @@ class _Plane(Family):
         known = [k for k, kind in enumerate(kinds) if kind != "undecided"]
         # At a zero–Hopf point, where det K changes its sign, l₁ has a pole.
         side = np.prod(self.roots(states), axis=1).real > 0
-        return [
-            self._between(curves, states[:, one], states[:, two], kinds[one])
+        pairs = [
+            (one, two)
             for one, two in itertools.pairwise(known)
             if kinds[one] != kinds[two] and side[one] == side[two]
         ]
-
-    def _between(
-        self, curves: FoldCurves, one: FloatArray, two: FloatArray, first: str
-    ) -> list[float]:
-        for _ in range(30):  # halvings
-            chord = (two - one) / curves.scale
-            length = norm(chord)
-            found, good = curves.on_curve(
-                (0.5 * (one + two))[:, None], (chord / length)[:, None], np.array([length])
-            )
-            kind = criticality_of(self.forms(curves, found)[0])[0] if good[0] else "undecided"
-            if kind == "undecided":
-                break
-            one, two = (found[:, 0], two) if kind == first else (one, found[:, 0])
+        if not pairs:
+            return []
+        first, last = np.array(pairs).T
+        one, two = states[:, first], states[:, last]
+        self._halve(curves, one, two, np.array(kinds)[first])
         middle, n = 0.5 * (one + two), self.balance.n
-        return [*middle[n:], *middle[:n], magnitude(two - one)]
+        return np.concatenate(
+            [middle[n:], middle[:n], np.abs(two - one).max(axis=0)[None]]
+        ).T.tolist()
+
+    def _halve(
+        self, curves: FoldCurves, one: FloatArray, two: FloatArray, kinds: NDArray[np.str_]
+    ) -> None:
+        """Move the points of pairs towards each other, as long as the criticality between them is
+        known; ``kinds`` are those of ``one``.
+        """
+        rows = np.arange(kinds.size)
+        for _ in range(30):  # halvings
+            chord = (two - one)[:, rows] / curves.scale[:, None]
+            length = np.linalg.norm(chord, axis=0)
+            found, good = curves.on_curve(0.5 * (one + two)[:, rows], chord / length, length)
+            found, rows = found[:, good], rows[good]
+            between = np.array([criticality_of(form)[0] for form in self.forms(curves, found)])
+            known = between != "undecided"
+            found, rows, between = found[:, known], rows[known], between[known]
+            if not rows.size:
+                break
+            same = between == kinds[rows]
+            one[:, rows[same]], two[:, rows[~same]] = found[:, same], found[:, ~same]
 
 
 def _modes(modes: Frequencies, end: bool, *state: FloatArray) -> list[float]:

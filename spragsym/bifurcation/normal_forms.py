@@ -9,7 +9,8 @@ second and third derivatives of F,
 
 (Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, section 5.4). The state u is the
 coordinates, then their rates, in the model's units. Everything is computed in balls around the
-point, so that the exact coefficient lies in the result.
+point, so that the exact coefficient lies in the result; l₁ alone, at many points at once, in
+intervals of floats.
 
 Derivatives come from Taylor polynomials: along u = z q + z̄ q̄ + ½ g z² + h z z̄ + ½ ḡ z̄², with g
 = (2 i ω − A)⁻¹ B(q, q) and h = −A⁻¹ B(q, q̄), the coefficient of z² z̄ in F is half of what stands
@@ -19,7 +20,7 @@ in brackets.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -27,12 +28,22 @@ from typing import Any
 import numpy as np
 
 from ..models import Model
-from ..models.field import undecorated
-from ..numerics import balls
+from ..models.field import Mode, undecorated
+from ..numerics import balls, contractors
 from ..numerics.arithmetic import Complex, Matrix, Number, as_complex, solved
 from ..numerics.balls import XP, Ball, UndecidedSign, ball
-from ..numerics.interval_arrays import ComplexArray, FloatArray
-from ..numerics.jets import Jet, constant, gradient, variables
+from ..numerics.interval_arrays import (
+    ComplexArray,
+    FloatArray,
+    Intervals,
+    Shape,
+    ends_around,
+    quiet,
+    rounded_outward,
+    scale_of,
+)
+from ..numerics.jets import Jet, gradient, variables
+from ..statics import namespaces
 from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Values
 
@@ -97,65 +108,18 @@ def normal_form(
     that it passes through it. Undecided, and the text says why, where this is no generic Hopf
     point, or is not shown to be one.
     """
-    point = _Point(model, given, state, (vary,) if isinstance(vary, str) else vary, radii, law)
-    point.require_smooth()
+    point = _in_balls(model, given, state, (vary,) if isinstance(vary, str) else vary, radii, law)
+    _require_smooth(point)
     A, by_parameter = point.linear()
-    omega, q, left = _pair(A)
-    along = _solved(A, [-entry for entry in by_parameter])
-
-    # Σ of second order in a, b and c: along 2 (a Re q − b Im q), and along the equilibrium with c.
-    path = [
-        Jet({(): u, (0,): 2 * z.re, (1,): -2 * z.im, (2,): slope}, 2)
-        for u, z, slope in zip(point.state, q, along, strict=True)
-    ]
-    rows = point.field(path, Jet({(): point.parameter, (2,): 1}, 2))
-
-    def term(*numbers: int) -> list[Ball]:
-        return [_ball(row.terms.get(numbers, 0) if isinstance(row, Jet) else 0) for row in rows]
-
-    aa, ab, bb, ac, bc = term(0, 0), term(0, 1), term(1, 1), term(0, 2), term(1, 2)
-    # B(q, q) is twice the coefficient of z², B(q, q̄) that of z z̄, for z = a + i b.
-    twice = [Complex((x - z) / 2, -y / 2) for x, y, z in zip(aa, ab, bb, strict=True)]
-    mean = _solved(A, [-(x + z) / 2 for x, z in zip(aa, bb, strict=True)])
-    shifted = [
-        [Complex(-entry, 2 * omega if i == j else _ball(0)) for j, entry in enumerate(row)]
-        for i, row in enumerate(A)
-    ]
-    square = _solved(shifted, twice)
-    scale = _product(left, q)
-    # The coefficient of z c: d(A q)/dc.
-    crossing = (
-        _product(left, [Complex(x / 2, -y / 2) for x, y in zip(ac, bc, strict=True)]) / scale
-    ).re
-
-    path = [
-        Jet(
-            {
-                (): u,
-                (0,): 2 * z.re,
-                (1,): -2 * z.im,
-                (0, 0): m + g.re,
-                (0, 1): -2 * g.im,
-                (1, 1): m - g.re,
-            },
-            3,
-        )
-        for u, z, g, m in zip(point.state, q, square, mean, strict=True)
-    ]
-    rows = point.field(path, point.parameter)
-    aaa, aab, abb, bbb = term(0, 0, 0), term(0, 0, 1), term(0, 1, 1), term(1, 1, 1)
-    cubic = [
-        Complex((3 * x + z) / 8, -(y + 3 * w) / 8)
-        for x, y, z, w in zip(aaa, aab, abb, bbb, strict=True)
-    ]
-    lyapunov = (_product(left, cubic) / scale).re / omega
+    pair = _pair(A)
+    lyapunov, crossing, q, p, along, square, mean = point.form(pair, by_parameter)
     return NormalForm(
-        *_float(omega),
+        *_float(pair.omega),
         *_float(lyapunov),
         *_float(crossing),
         _floats(q),
-        _floats([entry / scale for entry in left]).conjugate(),
-        point.reach(path),
+        _floats(p),
+        _reach(*(_float(term)[0] for term in point.slip(q))),
         _floats(along).real,
         _floats(square),
         _floats(mean).real,
@@ -169,126 +133,166 @@ class _Side:
         return 1 if other is self else NotImplemented
 
 
+@dataclass(frozen=True)
 class _Point:
-    """The field around a state at steady sliding, of balls and jets of balls."""
+    """The field around states at steady sliding in one mode, of balls or intervals and jets of
+    them.
 
-    def __init__(
-        self,
-        model: Model,
-        given: FloatArray,
-        state: FloatArray,
-        vary: Sequence[str],
-        radii: FloatArray,
-        law: str,
-    ) -> None:
-        self.model, self.vary, self.balance = model, vary[0], Balance(model, True, law)
-        self.n = self.balance.n
-        at = [*state, *(given[self.balance.parameters.index(name)] for name in vary)]
-        ends = [
-            (Fraction(x) - Fraction(r), Fraction(x) + Fraction(r))
-            for x, r in zip(at, radii, strict=True)
-        ]
-        with balls.precision(BITS):
-            q = [balls.between(*each) for each in ends[: self.n]]
-        spans = dict(zip(vary, ends[self.n :], strict=True))
-        self.values: dict[str, Any] = PreciseBalance(self.balance, given, BITS, spans).arguments
-        self.parameter: Ball = self.values[self.vary]
-        self.state = [*q, *(_ball(0) for _ in q)]
-        self.motion = model.field
-        floats = [float(value) for value in state] + [0.0] * self.n
-        mode = self.motion.mode_at_rest(floats, self.motion.constants(given.tolist()))
-        self.mode = self.motion.exact(mode)
+    ``vary`` is the parameter that is a variable, ``parameter`` its value; ``known`` makes a number
+    of the kind of others.
+    """
+
+    balance: Balance
+    mode: Mode
+    vary: str
+    state: Sequence[Any]
+    values: Mapping[str, Any]
+    parameter: Any
+    xp: Any
+    known: Callable[[Any], Any]
+    shape: Shape = ()
 
     def field(self, u: Sequence[Any], parameter: Number) -> list[Any]:
         """F: the rates, then the accelerations, with the law of friction shifted to that of the
         equilibrium.
         """
-        values = self._values(parameter)
-        accelerations = self.motion.acceleration(u, self._constants(values), self.mode, XP)
+        values = {**self.values, **self.balance.with_angles({self.vary: parameter}, self.xp)}
+        accelerations = self.balance.model.field.acceleration(
+            u, self._constants(values), self.mode, self.xp
+        )
+        n = self.balance.n
         return [
-            *u[self.n :],
-            *(a + s for a, s in zip(accelerations, self._shift(u[: self.n], values), strict=True)),
+            *u[n:],
+            *(a + s for a, s in zip(accelerations, self._shift(u[:n], values), strict=True)),
         ]
 
-    def reach(self, path: Sequence[Jet]) -> float:
-        """Size of a and b, along a path in them, at which the sliding speed would come to 0."""
-        if self.model.friction_law is None:
-            return math.inf
-        _, slip = undecorated(self.model.algebra.borders)(
-            *path, *self._constants(self.values), xp=XP
-        )
+    def slip(self, q: Sequence[Complex]) -> list[Any]:
+        """The sliding speed, and its derivatives by a and b along 2 (a Re q − b Im q); none without
+        friction.
+        """
+        if self.balance.model.friction_law is None:
+            return []
+        _, slip = self._borders([Jet(terms, 1) for terms in self._along(q)])
         terms = slip.terms if isinstance(slip, Jet) else {}
-        rest, one, other = (_float(terms.get(key, 0))[0] for key in ((), (0,), (1,)))
-        change = math.hypot(one, other)
-        return abs(rest) / change if change else math.inf
+        return [terms.get(key, 0) for key in ((), (0,), (1,))]
 
-    def linear(self) -> tuple[list[list[Ball]], list[Ball]]:
+    def linear(self) -> tuple[list[list[Any]], list[Any]]:
         """A, and ∂F/∂parameter."""
         *u, parameter = variables([*self.state, self.parameter], 1)
-        slopes = [list(map(_ball, gradient(row, len(u) + 1))) for row in self.field(u, parameter)]
+        slopes = [
+            list(map(self.known, gradient(row, len(u) + 1))) for row in self.field(u, parameter)
+        ]
         return [row[:-1] for row in slopes], [row[-1] for row in slopes]
 
-    def require_smooth(self) -> None:
-        """:class:`UndecidedSign` where the field has no third derivatives at the state, or is not
-        shown to have them.
-        """
-        constants = self._constants(self.values)
-        gap, slip = undecorated(self.model.algebra.borders)(*self.state, *constants, xp=XP)
-        contact = self.model.contact
-        if contact["border"] and not balls.sign(gap) * (2 * self.mode[0] - 1) < 0:
-            line = contact["line"]
-            raise UndecidedSign(
-                f"the state lies on the border of contact, where the law of line {line} of "
-                "the model page has a kink"
-            )
-        if (
-            self.model.friction_law is not None
-            and not balls.sign(slip) > 0
-            and self._asks_for_the_side()
-        ):
-            line = self.model.friction_law["line"]
-            raise UndecidedSign(
-                f"the sliding speed is 0, where the law of friction, line {line} of the model "
-                "page, has a kink"
-            )
-        ways = self.mode[len(self.mode) - self.motion.torsion_sides :]
-        if ways:
-            levels = undecorated(self.model.algebra.turning_borders)(
-                *self.state, *constants, *ways, xp=XP
-            )
-            if not all(balls.sign(level) > 0 for level in levels):
-                raise UndecidedSign("a torsion spring is turned by π, where its torque jumps")
+    def form(self, pair: _Pair, by_parameter: Sequence[Any]) -> tuple[Any, ...]:
+        """l₁, d Re λ/d parameter, q, p, ∂u/∂parameter, g and h, of a pair and ∂F/∂parameter."""
+        q, left = pair.vector(self.xp), pair.left
+        along = pair.solved([-entry for entry in by_parameter])
+        path = self._along(q)
+        for terms, slope in zip(path, along, strict=True):
+            terms[(2,)] = slope.re
+        rows = self.field([Jet(terms, 2) for terms in path], Jet({(): self.parameter, (2,): 1}, 2))
+        orders = (0, 0), (0, 1), (1, 1), (0, 2), (1, 2)
+        aa, ab, bb, ac, bc = (self._terms(rows, *order) for order in orders)
+        # B(q, q) is twice the coefficient of z², B(q, q̄) that of z z̄, for z = a + i b.
+        twice = [Complex((x - z) / 2, -y / 2) for x, y, z in zip(aa, ab, bb, strict=True)]
+        mean = pair.solved([-(x + z) / 2 for x, z in zip(aa, bb, strict=True)])
+        square = pair.solved(twice, shifted=True)
+        path = self._along(q)
+        for terms, g, m in zip(path, square, mean, strict=True):
+            terms |= {(0, 0): m.re + g.re, (0, 1): -2 * g.im, (1, 1): m.re - g.re}
+        rows = self.field([Jet(terms, 3) for terms in path], self.parameter)
+        aaa, aab, abb, bbb = (
+            self._terms(rows, *order) for order in ((0, 0, 0), (0, 0, 1), (0, 1, 1), (1, 1, 1))
+        )
+        cubic = [
+            Complex((3 * x + z) / 8, -(y + 3 * w) / 8)
+            for x, y, z, w in zip(aaa, aab, abb, bbb, strict=True)
+        ]
+        scale = _product(left, q)
+        # The coefficient of z c: d(A q)/dc.
+        moved = [Complex(x / 2, -y / 2) for x, y in zip(ac, bc, strict=True)]
+        return (
+            (_product(left, cubic) / scale).re / pair.omega,
+            (_product(left, moved) / scale).re,
+            q,
+            [(entry / scale).conjugate() for entry in left],
+            [entry.re for entry in along],
+            square,
+            [entry.re for entry in mean],
+        )
 
-    def _asks_for_the_side(self) -> bool:
+    def required(self) -> Iterator[tuple[Any, str]]:
+        """What has to be positive where the field has third derivatives, and what is so where it is
+        not.
+        """
+        gap, slip = self._borders(self.state)
+        model, kink = self.balance.model, "line {} of the model page, has a kink"
+        if model.contact["border"]:
+            line = model.contact["line"]
+            yield (
+                gap * (1 - 2 * self.mode[0]),
+                f"the state lies on the border of contact, where the law of line {line} of "
+                "the model page has a kink",
+            )
+        if model.friction_law is not None:
+            line = model.friction_law["line"]
+            yield slip, "the sliding speed is 0, where the law of friction, " + kink.format(line)
+        ways = self.mode[len(self.mode) - model.field.torsion_sides :]
+        levels = (
+            undecorated(model.algebra.turning_borders)(
+                *self.state, *self._constants(self.values), *ways, xp=self.xp
+            )
+            if ways
+            else ()
+        )
+        for level in levels:
+            yield level, "a torsion spring is turned by π, where its torque jumps"
+
+    def asks_for_the_side(self) -> bool:
         """Whether the law depends on the side of slip = 0 otherwise than by its square: algebra
         with it is then an error.
         """
         try:
-            self.motion.acceleration(
+            self.balance.model.field.acceleration(
                 self.state,
                 self._constants(self.values),
                 (self.mode[0], _Side(), *self.mode[2:]),
-                XP,
+                self.xp,
             )
         except TypeError:
             return True
         return False
 
-    def _values(self, parameter: Number) -> Mapping[str, Any]:
-        """Arguments of generated functions by name."""
-        return self.values | self.balance.with_angles({self.vary: parameter}, XP)
+    def _along(self, q: Sequence[Complex]) -> list[dict[tuple[int, ...], Any]]:
+        """Terms of the state along 2 (a Re q − b Im q)."""
+        return [
+            {(): u, (0,): 2 * z.re, (1,): -2 * z.im} for u, z in zip(self.state, q, strict=True)
+        ]
+
+    def _terms(self, rows: Sequence[Any], *numbers: int) -> list[Any]:
+        return [
+            self.known(row.terms.get(numbers, 0) if isinstance(row, Jet) else 0) for row in rows
+        ]
+
+    def _borders(self, u: Sequence[Any]) -> tuple[Any, Any]:
+        """The gap and the sliding speed."""
+        gap, slip = undecorated(self.balance.model.algebra.borders)(
+            *u, *self._constants(self.values), xp=self.xp
+        )
+        return gap, slip
 
     def _constants(self, values: Values) -> list[Any]:
-        return [values[name] for name in self.model.about["arguments"]["motion"]]
+        return [values[name] for name in self.balance.model.about["arguments"]["motion"]]
 
     def _shift(self, q: Sequence[Any], values: Values) -> Sequence[Any]:
         """Accelerations, linear in it, by what the friction of the equilibrium is larger than the
         law at the belt's speed.
         """
         balance = self.balance
-        if self.model.friction_law is None or balance.law == "friction_at_speed":
-            return [0] * self.n
-        at = balance.at(q, values, xp=XP)
+        if balance.model.friction_law is None or balance.law == "friction_at_speed":
+            return [0] * balance.n
+        at = balance.at(q, values, self.shape, self.xp)
         (mu,) = at.frictions
         more = mu - at.call("friction_at_speed", ())
         with_unit, without = (
@@ -296,29 +300,139 @@ class _Point:
             for mu in (1, 0)
         )
         missing = [(b - a) * more for a, b in zip(with_unit, without, strict=True)]
-        return _solved([list(map(_ball, row)) for row in at.mass()], list(map(_ball, missing)))
+        return solved([list(map(self.known, row)) for row in at.mass()], missing)
 
 
-def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Complex]]:
-    """ω, the eigenvector of length 1 and the left one, of all matrices in A that have two
-    eigenvalues with the sum 0.
+def _in_balls(
+    model: Model,
+    given: FloatArray,
+    state: FloatArray,
+    vary: Sequence[str],
+    radii: FloatArray,
+    law: str,
+) -> _Point:
+    """Around one state; arguments as of :func:`normal_form`."""
+    balance = Balance(model, True, law)
+    at = [*state, *(given[balance.parameters.index(name)] for name in vary)]
+    ends = [
+        (Fraction(x) - Fraction(r), Fraction(x) + Fraction(r))
+        for x, r in zip(at, radii, strict=True)
+    ]
+    with balls.precision(BITS):
+        q = [balls.between(*each) for each in ends[: balance.n]]
+    spans = dict(zip(vary, ends[balance.n :], strict=True))
+    values = PreciseBalance(balance, given, BITS, spans).arguments
+    return _Point(
+        balance,
+        _mode(model, given, state),
+        vary[0],
+        [*q, *(_ball(0) for _ in q)],
+        values,
+        values[vary[0]],
+        XP,
+        _ball,
+    )
+
+
+def _mode(model: Model, given: FloatArray, state: FloatArray) -> Mode:
+    """The mode of a state at rest, with nothing left out."""
+    motion, rates = model.field, [0.0] * len(state)
+    floats = [*map(float, state), *rates]
+    return motion.exact(motion.mode_at_rest(floats, motion.constants(given.tolist())))
+
+
+def _require_smooth(point: _Point) -> None:
+    """:class:`UndecidedSign` where the field has no third derivatives at the state, or is not shown
+    to have them.
+    """
+    for level, why in point.required():
+        at_rest = why.startswith("the sliding speed")
+        if not balls.sign(level) > 0 and not (at_rest and not point.asks_for_the_side()):
+            raise UndecidedSign(why)
+
+
+def _reach(rest: float = math.inf, *slopes: float) -> float:
+    """Size of a and b at which the sliding speed would come to 0, from it and its slopes."""
+    change = math.hypot(*slopes)
+    return abs(rest) / change if change else math.inf
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """A pair ± i ω of a matrix that is Z in the basis X of approximate eigenvectors, with the
+    inverse of X, and the eigenvector z of i ω in that basis.
+
+    Systems are solved there, where Z is nearly diagonal and no pivot has to be chosen.
+    """
+
+    omega: Any
+    z: Sequence[Complex]
+    X: Matrix
+    Z: Matrix
+    inverse: Matrix
+
+    @property
+    def left(self) -> list[Complex]:
+        """The eigenvector of the transpose, of any length."""
+        return [_product(column, self.z) for column in zip(*self.inverse, strict=True)]
+
+    def vector(self, xp: Any) -> list[Complex]:
+        """The eigenvector of length 1."""
+        q = [_product(row, self.z) for row in self.X]
+        length = xp.sqrt(sum(entry.squared() for entry in q))
+        return [entry / length for entry in q]
+
+    def solved(self, values: Sequence[Any], shifted: bool = False) -> list[Complex]:
+        """Solution of the system with the matrix, or with 2 i ω less the matrix."""
+        Z = self.Z
+        if shifted:
+            twice = Complex(0, 2 * self.omega)
+            Z = [
+                [-entry + twice if i == j else -entry for j, entry in enumerate(row)]
+                for i, row in enumerate(Z)
+            ]
+        within = solved(Z, [_product(row, values) for row in self.inverse])
+        return [_product(row, within) for row in self.X]
+
+
+def _in_basis(A: Matrix, X: Matrix, R: Matrix) -> tuple[Matrix, Matrix]:
+    """X⁻¹ A X and X⁻¹, with an approximate inverse R."""
+    near_unit = _matrix_product(R, X)
+    inverse = [*zip(*(solved(near_unit, column) for column in zip(*R, strict=True)), strict=True)]
+    return _matrix_product(inverse, _matrix_product(A, X)), inverse
+
+
+def _pair(A: Sequence[Sequence[Ball]]) -> _Pair:
+    """The pair of all matrices in A that have two eigenvalues with the sum 0."""
+    _, vectors = np.linalg.eig(np.array([_floats(row).real for row in A]))
+    X, R = (
+        [[_complex(entry) for entry in row] for row in rows]
+        for rows in (vectors, np.linalg.pinv(vectors))
+    )
+    Z, inverse = _in_basis(A, X, R)
+    numbers = np.array([[list(map(_float, (one.re, one.im))) for one in row] for row in Z])
+    ends = _isolated(rounded_outward(ends_around(numbers[..., 0], numbers[..., 1])))
+    with balls.precision(BITS):
+        omega, *z = (balls.between(Fraction(-low), Fraction(high)) for low, high in ends.T)
+    return _Pair(omega, _complexes(z), X, Z, inverse)
+
+
+def _isolated(Z: FloatArray) -> FloatArray:
+    """ω and parts of the entries of its eigenvector, −low and high, of matrices that are nearly
+    diagonal and have two eigenvalues with the sum 0; from ends of parts of theirs, shape (2, n, n,
+    2).
 
     With the matrix X of approximate eigenvectors, X⁻¹ A X is nearly diagonal, and Gershgorin's
     discs hold the eigenvalues. Where the disc of i ω meets no other, the eigenvector is X z with z
     = 1 in the place of the disc and less elsewhere.
     """
-    _, vectors = np.linalg.eig(np.array([_floats(row).real for row in A]))
-    X, size = [[_complex(entry) for entry in row] for row in vectors], range(len(A))
-    columns = [*zip(*X, strict=True)]
-    Z = [
-        *zip(*(_solved(X, [_product(row, column) for row in A]) for column in columns), strict=True)
-    ]
-    middle = _floats([Z[k][k] for k in size])
-    wide = np.array([_size(Z[k][k] - _complex(middle[k])) for k in size])
-    off = np.array([[0.0 if i == j else _size(Z[i][j]) for j in size] for i in size])
-    radius = (np.maximum(off.sum(axis=0), off.sum(axis=1)) + wide + np.abs(middle) * ROOM) * (
-        1 + ROOM
-    )
+    n = Z.shape[1]
+    size, own = range(n), Z[:, range(n), range(n)]
+    parts = Intervals(own).middle
+    middle = parts[:, 0] + 1j * parts[:, 1]
+    off = Intervals(Z).magnitude.sum(axis=-1)
+    np.fill_diagonal(off, contractors.distance(own, parts).sum(axis=-1))
+    radius = (np.maximum(off.sum(axis=0), off.sum(axis=1)) + np.abs(middle) * ROOM) * (1 + 4 * ROOM)
 
     def apart(i: int, place: complex, j: int) -> bool:
         """Whether the disc i, moved to another place, does not meet the disc j."""
@@ -335,57 +449,168 @@ def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Comple
         raise UndecidedSign(
             "the two eigenvalues with the sum 0 are not shown to be an isolated pair ± iω"
         )
-    omega = Z[k][k].im + _around(float(radius[k]))
-    # (Z_jj − λ) z_j = −Σ Z_jl z_l, where no |z_l| is larger than 1.
-    spread = [
-        0.0
-        if j == k
-        else float(
-            radius[j]
-            / (abs(middle[j] - middle[k]) * (1 - ROOM) - radius[j] - radius[k])
-            * (1 + ROOM)
+    # (Z_jj − λ) z_j = −Σ Z_jl z_l, where no |z_l| is larger than 1, and then than was found.
+    away = np.abs(middle - middle[k]) * (1 - ROOM) - radius - radius[k]
+    away[k], off[k, k], spread = np.inf, 0.0, np.ones(n)
+    for _ in range(2):
+        spread[k] = 0.0
+        spread = (off[:, k] + off @ spread) / away * (1 + 4 * ROOM)
+    out = np.empty((2, 1 + 2 * n))
+    out[:, 0] = rounded_outward(own[:, k, 1] + off[k] @ spread * (1 + 4 * ROOM))
+    out[:, 1::2] = out[:, 2::2] = spread
+    out[:, 1 + 2 * k] += (-1.0, 1.0)
+    return out
+
+
+# ----------------------------------------------------------------------------- many points
+
+
+@dataclass(frozen=True)
+class Coefficient:
+    """l₁ of a Hopf point with a bound on its error, and ``reach`` as of :class:`NormalForm`."""
+
+    lyapunov: float
+    lyapunov_error: float
+    reach: float
+
+
+def coefficients(
+    balance: Balance, given: FloatArray, ends: FloatArray, vary: Sequence[str]
+) -> list[Coefficient | str | None]:
+    """l₁ of Hopf points by intervals of floats, or why these are not shown to be generic ones; None
+    where :func:`normal_form` may know more.
+
+    ``given`` are parameters, shape (P, N), and ``ends`` boxes that are proved to hold a point each:
+    of coordinates, then of what varies.
+    """
+    n, bounds = balance.n, Intervals.point(given).ends
+    bounds[:, [balance.parameters.index(name) for name in vary]] = ends[:, n:]
+    middles = Intervals(ends[:, :n]).middle
+    modes = [_mode(balance.model, *each) for each in zip(given.T, middles.T, strict=True)]
+    found: list[Coefficient | str | None] = [None] * len(modes)
+    for mode in set(modes):
+        rows = np.array([k for k, one in enumerate(modes) if one == mode])
+        with quiet():
+            prepared = balance.prepared(Intervals(bounds[:, :, rows]))
+            several = _InMode(balance, mode, vary[0])
+            of_mode = several.coefficients(Intervals(ends[:, : n + 1, rows]), prepared)
+        for k, one in zip(rows.tolist(), of_mode, strict=True):
+            found[k] = one
+    return found
+
+
+@dataclass(frozen=True)
+class _InMode:
+    """Points in one mode, of intervals: boxes of coordinates and of the parameter ``vary``."""
+
+    balance: Balance
+    mode: Mode
+    vary: str
+
+    def coefficients(
+        self, boxes: Intervals, parameters: Intervals
+    ) -> list[Coefficient | str | None]:
+        """l₁ of each point that is shown to have one."""
+        size = 2 * self.balance.n
+        # Beside the width of such boxes rounding is nothing.
+        wide = np.logical_or.reduce(boxes.width > 2.0**-40 * scale_of(boxes.middle))
+        out: list[Coefficient | str | None] = [None] * boxes.shape[1]
+        linear = self._taped("linear", self._linear, boxes, parameters)
+        A, levels = linear[: size**2], linear[size**2 :]
+        smooth = (levels.low > 0).all(axis=0) & np.isfinite(A.ends).all(axis=(0, 1))
+        rows = np.flatnonzero(smooth)
+        matrices = np.moveaxis(A.middle[:, rows].reshape(size, size, -1), -1, 0)
+        _, X = np.linalg.eig(matrices)
+        basis = _rows_of(X), _rows_of(np.linalg.pinv(X))
+        Z = self.balance.tapes.evaluated("basis", _entries_in_basis, A[:, rows], *basis)
+        pairs = list[FloatArray]()
+        shown = list[int]()
+        for k, entries in enumerate(np.moveaxis(Z.ends[:, : 2 * size**2], -1, 0)):
+            try:
+                pairs.append(_isolated(entries.reshape(2, size, size, 2)))
+                shown.append(k)
+            except UndecidedSign as reason:
+                out[rows[k]] = str(reason) if wide[rows[k]] else None
+        rows = rows[shown]
+        if not rows.size:
+            return out
+        pair = Intervals(np.stack(pairs, axis=-1))
+        asked = boxes[:, rows], basis[0][:, shown], Z[:, shown], pair, parameters[:, rows]
+        found = self._taped("form", self._form, *asked)
+        middle = found.middle
+        error = contractors.distance(found.ends[:, :1], middle[:1])[0]
+        for k, row in enumerate(rows.tolist()):
+            if np.isfinite(error[k]) and (wide[row] or abs(middle[0, k]) > error[k]):
+                reach = _reach(*middle[1:, k].tolist())
+                out[row] = Coefficient(float(middle[0, k]), float(error[k]), reach)
+        return out
+
+    def _taped(self, name: str, rows: Callable[..., Sequence[Any]], *given: Intervals) -> Intervals:
+        return self.balance.taped((name, self.mode, self.vary), rows, *given)
+
+    def _at(self, boxes: Any, parameters: Any) -> _Point:
+        *state, parameter = boxes
+        return _Point(
+            self.balance,
+            self.mode,
+            self.vary,
+            [*state, *(0 for _ in state)],
+            self.balance.arguments(parameters),
+            parameter,
+            namespaces.XP,
+            lambda value: value,
+            parameters.shape[1:],
         )
-        for j in size
-    ]
-    z = [Complex(_ball(int(j == k)) + _around(spread[j]), _around(spread[j])) for j in size]
-    q = [_product(row, z) for row in X]
-    length = balls.sqrt(sum((entry.squared() for entry in q), _ball(0)))
-    left = _solved(columns, z)
-    return omega, [entry / length for entry in q], left
+
+    def _linear(self, boxes: Any, parameters: Any) -> list[Any]:
+        """A, row by row, and what has to be positive."""
+        point = self._at(boxes, parameters)
+        A, _ = point.linear()
+        return [*(entry for row in A for entry in row), *(level for level, _ in point.required())]
+
+    def _form(self, boxes: Any, X: Any, Z: Any, pair: Any, parameters: Any) -> list[Any]:
+        """l₁, then the sliding speed and its slopes along the pair."""
+        point, entries, (omega, *z) = self._at(boxes, parameters), list(Z), pair
+        half = len(entries) // 2
+        basis = map(_square, (list(X), entries[:half], entries[half:]))
+        _, by_parameter = point.linear()
+        lyapunov, _, q, *_ = point.form(_Pair(omega, _complexes(z), *basis), by_parameter)
+        return [lyapunov, *point.slip(q)]
 
 
-def _solved(rows: Matrix, values: Sequence[Any]) -> list[Any]:
-    """Solution of a linear system; the largest pivots first."""
-
-    def choose(table: list[list[Any]], k: int) -> None:
-        best = max(range(k, len(table)), key=lambda i: _about(table[i][k]))
-        table[k], table[best] = table[best], table[k]
-
-    return solved(rows, values, choose)
+def _entries_in_basis(A: Any, X: Any, R: Any) -> list[Any]:
+    """Real and imaginary parts of X⁻¹ A X and X⁻¹, row by row, from those of X and R."""
+    entries, size = list(A), math.isqrt(A.shape[0])
+    rows = [entries[size * row : size * (row + 1)] for row in range(size)]
+    found = _in_basis(rows, _square(list(X)), _square(list(R)))
+    return [part for it in found for row in it for one in row for part in (one.re, one.im)]
 
 
-def _about(value: Any) -> float:
-    """Size, roughly."""
-    value = constant(value)
-    if isinstance(value, Complex):
-        return _about(value.re) + _about(value.im)
-    return math.ldexp(abs(value.mid), value.exp) if isinstance(value, Ball) else abs(value)
+def _rows_of(matrices: ComplexArray) -> Intervals:
+    """Entries of matrices, shape (N, n, n), as rows of real and imaginary parts."""
+    parts = np.stack([matrices.real, matrices.imag], axis=-1)
+    return Intervals.point(np.moveaxis(parts, 0, -1).reshape(-1, len(matrices)))
+
+
+def _complexes(parts: Sequence[Any]) -> list[Complex]:
+    """Numbers of their real and imaginary parts."""
+    return [Complex(re, im) for re, im in zip(parts[::2], parts[1::2], strict=True)]
+
+
+def _square(parts: Sequence[Any]) -> list[list[Complex]]:
+    """A square matrix of the parts of its entries, row by row."""
+    flat = _complexes(parts)
+    size = math.isqrt(len(flat))
+    return [flat[size * row : size * (row + 1)] for row in range(size)]
+
+
+def _matrix_product(one: Matrix, other: Matrix) -> list[list[Complex]]:
+    return [[_product(row, column) for column in zip(*other, strict=True)] for row in one]
 
 
 def _product(row: Sequence[Any], column: Sequence[Any]) -> Complex:
-    return sum((a * b for a, b in zip(row, column, strict=True)), _complex(0))
-
-
-def _size(value: Complex) -> float:
-    """Bound on |z|."""
-    most = sum(max(map(abs, balls.ends(part))) for part in (value.re, value.im))
-    return math.nextafter(float(most), math.inf)
-
-
-def _around(radius: float) -> Ball:
-    """All numbers up to that size."""
-    with balls.precision(BITS):
-        return balls.between(Fraction(-radius), Fraction(radius))
+    total: Complex = sum(a * b for a, b in zip(row, column, strict=True))
+    return total
 
 
 def _ball(value: Any) -> Any:

@@ -12,8 +12,10 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.bifurcation.normal_forms import UndecidedSign, _pair, normal_form
+from spragsym.bifurcation.normal_forms import UndecidedSign, _pair, coefficients, normal_form
 from spragsym.numerics import balls
+from spragsym.numerics.interval_arrays import ends_around, scale_of
+from spragsym.statics.balance import Balance
 from tests.oracles import hopf_points
 from tests.shown import DOCS, OPTIONS, assert_shown, commands, fenced, run
 from tests.support import needs_a_quick_integrator
@@ -22,6 +24,15 @@ from tests.support import needs_a_quick_integrator
 def onsets_of(name: str, vary: str, **values: float) -> Any:
     model = ss.load(name)
     return ss.flutter_onsets(model.Parameters(**values), vary=vary)
+
+
+def by_floats(onsets: Any) -> list[Any]:
+    """Coefficients of all onsets by intervals of floats, over boxes that hold them."""
+    rows, vary = range(len(onsets)), onsets.vary[0]
+    z = np.array([[*onsets.state(row), onsets[vary][row]] for row in rows]).T
+    given = np.array([onsets.given(row) for row in rows]).T
+    ends = ends_around(z, 1.01 * onsets.error * scale_of(z))
+    return coefficients(Balance(onsets.parameters.model), given, ends, (vary,))
 
 
 @pytest.fixture(scope="module")
@@ -43,6 +54,10 @@ def test_stick_slip_in_closed_form(stick_slip: Any) -> None:
             )
             exact, found = -mpmath.diff(F, V, 3) / 8, mpmath.mpf(float(stick_slip.lyapunov[row]))
             assert abs(found - exact) <= stick_slip.lyapunov_error[row] < 1e-10 * abs(exact)
+            quick = by_floats(stick_slip)[row]
+            assert abs(quick.lyapunov - exact) <= quick.lyapunov_error < 1e-10 * abs(exact)
+            # Where F″ ≠ 0 the cycle has no symmetry; its |q| is 1/√2.
+            assert abs(quick.reach - float(V) / 2**0.5) < 1e-12 * float(V)
             # λ² + (ζ + F′(V)) λ + 1: d Re λ/dV = −F″(V)/2.
             crossing = -mpmath.diff(F, V, 2) / 2
             assert (
@@ -82,8 +97,16 @@ def test_coefficients_of_equations_written_by_hand(
 ) -> None:
     onsets = onsets_of(name, vary, **values)
     assert len(onsets)
-    for row in range(len(onsets)):
+    every = by_floats(onsets)
+    for row, quick in enumerate(every):
         exact = hopf_points.reference_of(onsets, row)
+        if quick is None:  # a coefficient of rounding's size
+            assert abs(onsets.lyapunov[row]) <= onsets.lyapunov_error[row]
+        else:
+            assert abs(mpmath.mpf(quick.lyapunov) - exact.lyapunov) <= quick.lyapunov_error
+            assert quick.lyapunov_error < 50 * onsets.lyapunov_error[row]
+            reach = onsets.normal_forms[row].reach
+            assert reach > 1e12 or abs(quick.reach / reach - 1) < 1e-9
         for one in ("lyapunov", "crossing"):
             found, bound = (
                 mpmath.mpf(float(getattr(onsets, one)[row])),
@@ -110,7 +133,8 @@ def test_eigenvectors_of_all_matrices_in_a_box_lie_in_the_enclosure() -> None:
             ]
             for i in range(4)
         ]
-    omega, q, left = _pair(A)
+    pair = _pair(A)
+    omega, q, left = pair.omega, pair.vector(balls.XP), pair.left
     assert balls.ends(omega)[0] <= Fraction(1.3) <= balls.ends(omega)[1]
     for matrix in every:
         for rows, enclosed in ((matrix, q), (matrix.T, left)):

@@ -7,7 +7,7 @@ from __future__ import annotations
 import functools
 import itertools
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import sympy as sp
 
@@ -15,6 +15,8 @@ from . import limits, units
 from .algebra import quotients
 
 if TYPE_CHECKING:
+    from sympy.physics.mechanics import KanesMethod, LagrangesMethod, System
+
     from .model import Page
 
 #: What is said of contact and friction, by place or by name.
@@ -22,6 +24,8 @@ _CONTACT = ("normal", "gap", "law", "unilateral", "force")
 _FRICTION = ("coefficient", "along", "belt", "law", "at_rest", "slip", "holds")
 #: What is left to say of friction whose loads have the law, as those of CoulombKineticFriction.
 _OF_LOADS = ("belt", "holds")
+#: What holds the mechanics of a system.
+Method: TypeAlias = "LagrangesMethod | KanesMethod | System"
 #: How that is read, in errors.
 _AS_FRICTION = (
     "of loads with a sign, as those of CoulombKineticFriction, all friction is read; let their "
@@ -31,7 +35,7 @@ _AS_FRICTION = (
 
 
 def page_from(
-    method: Any,
+    method: Method,
     page: Page,
     coordinates: Mapping[sp.Expr, tuple[str, str]],
     contact: tuple[Any, ...] | Mapping[str, Any] | None = None,
@@ -85,7 +89,7 @@ def page_from(
     return page
 
 
-def _formed(method: Any) -> Any:
+def _formed(method: Method) -> Method:
     """The method of a System."""
     from .model import refused
 
@@ -100,7 +104,7 @@ class _MethodReader:
     """Reader of a method of mechanics, in a page's symbols."""
 
     def __init__(
-        self, method: Any, page: Page, coordinates: Mapping[sp.Expr, tuple[str, str]]
+        self, method: Method, page: Page, coordinates: Mapping[sp.Expr, tuple[str, str]]
     ) -> None:
         from sympy.physics.vector import dynamicsymbols
 
@@ -144,7 +148,7 @@ class _MethodReader:
         self.stored = -whole.subs(still)
         self.kinetic = sp.expand(whole + self.stored)
 
-    def plain(self, expression: Any) -> sp.Expr:
+    def plain(self, expression: sp.Expr) -> sp.Expr:
         """An expression in the page's symbols."""
         value = sp.sympify(expression)
         entries = (*self.page.units, *self.page.parameters)
@@ -249,7 +253,7 @@ class _MethodReader:
         return force
 
     def dry(
-        self, forces: sp.Matrix, normal: Any, friction: dict[str, Any]
+        self, forces: sp.Matrix, normal: sp.Expr, friction: dict[str, Any]
     ) -> tuple[sp.Matrix, dict[str, Any]]:
         """Loads without those of friction, μ N against the sign of a speed r, a sum of rates less
         the belt's speed; and the statement of it.

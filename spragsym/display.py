@@ -69,7 +69,7 @@ class Column:
     of: Callable[[Any], Any] | None = field(default=None, compare=False)
     row: str = ""
 
-    def value(self, result: object) -> Any:
+    def value(self, result: object) -> object:
         """The column of a result: as it follows from others, or the attribute of its name.
 
         Parameters
@@ -203,7 +203,7 @@ class Schema:
         called = self.vary if name in ("value", "values") else name
         return f"{replace(self.column(key), name=called).heading}{blank}{rest}"
 
-    def word(self, key: str, value: object) -> Any:
+    def word(self, key: str, value: object) -> object:
         """A code as its word, and all else as it is."""
         codes = self.column(key).codes
         if codes is not None and isinstance(value, int):

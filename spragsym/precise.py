@@ -35,6 +35,7 @@ from .results.precise_states import CuspProof, PreciseEquilibria
 
 if TYPE_CHECKING:
     from .orbits.orbit import Cycle
+    from .orbits.proofs import CycleProof
 
 #: What is taken exactly.
 Exact: TypeAlias = int | float | str | Fraction | mpmath.mpf
@@ -301,7 +302,7 @@ def _exactly(
 
 
 @in_usual_state
-def prove_cycle(cycle: Cycle, **options: Any) -> Any:
+def prove_cycle(cycle: Cycle, **options: Any) -> CycleProof:
     """Prove that a cycle exists, is the only one near, and is stable or not: see
     :func:`spragsym.orbits.proofs.prove_cycle`.
     """

@@ -81,7 +81,7 @@ class Definition:
         return tree
 
 
-def flat(results: Any) -> Iterator[Any]:
+def flat(results: object) -> Iterator[Any]:
     """Leaves of a nested result, of texts or of expressions, in order."""
     if isinstance(results, tuple):
         for item in results:
@@ -90,7 +90,7 @@ def flat(results: Any) -> Iterator[Any]:
         yield results
 
 
-def nested(results: Any, brackets: str, printed: Callable[[Any], str]) -> str:
+def nested(results: object, brackets: str, printed: Callable[[Any], str]) -> str:
     """A nested result between brackets; a tuple of one ends with a comma."""
     if not isinstance(results, tuple):
         return printed(results)

@@ -5,12 +5,14 @@ generated algebra into names, or repeat statements a fixed number of times. Ever
 three kinds: a real number, a flag, or a record.
 """
 
+from __future__ import annotations
+
 import ast
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any, TypeAlias, TypeGuard
+from typing import Any, NoReturn, TypeAlias, TypeGuard
 
 #: A number: a float, an array of any float type, an interval, whatever the target computes with.
 Real: TypeAlias = Any
@@ -21,7 +23,7 @@ REAL, FLAG = "Real", "Flag"
 
 
 def _primitive(name: str) -> Callable[..., Any]:
-    def unbound(*_: Any) -> Any:
+    def unbound(*_: Any) -> NoReturn:
         raise TypeError(f"{name} has no meaning before a target gives it one")
 
     return unbound

@@ -2,6 +2,8 @@
 others wrote there stays.
 """
 
+from __future__ import annotations
+
 import hashlib
 import json
 import os
@@ -42,14 +44,14 @@ def sealed(files: dict[str, str]) -> dict[str, str]:
     }
 
 
-def as_json(value: Any) -> str:
+def as_json(value: object) -> str:
     """JSON text, with whatever fits on a line on one line; an object in a list begins and ends on
     its lines.
     """
     return f"{_json(value, 0)}\n"
 
 
-def _json(value: Any, indent: int) -> str:
+def _json(value: object, indent: int) -> str:
     line = json.dumps(value, ensure_ascii=False)
     if indent + len(line) <= _WIDTH or not value or not isinstance(value, dict | list | tuple):
         return line
@@ -65,7 +67,7 @@ def _json(value: Any, indent: int) -> str:
     return f"{opening}\n{inside}\n{' ' * indent}{closing}"
 
 
-def _item(value: Any, indent: int) -> str:
+def _item(value: object, indent: int) -> str:
     text = _json(value, indent)
     return f"{{{text[1:-1].strip()}}}" if isinstance(value, dict) and "\n" in text else text
 

@@ -36,7 +36,7 @@ class Counted:
     count: int | sp.Rational = 0
     cancels: bool = False
 
-    def __add__(self, other: Any) -> Counted:
+    def __add__(self, other: Counted | float) -> Counted:
         other = counted(other)
         return Counted(
             self.size + other.size, max(self.count, other.count) + 1, self.cancels or other.cancels
@@ -47,12 +47,12 @@ class Counted:
     def __neg__(self) -> Counted:
         return self
 
-    def __sub__(self, other: Any) -> Counted:
+    def __sub__(self, other: Counted | float) -> Counted:
         return replace(self + other, cancels=True)
 
     __rsub__ = __sub__
 
-    def __mul__(self, other: Any) -> Counted:
+    def __mul__(self, other: Counted | float) -> Counted:
         other = counted(other)
         rounded = 0 if _is_power_of_two(self) or _is_power_of_two(other) else 1
         return Counted(
@@ -63,18 +63,18 @@ class Counted:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Counted:
+    def __truediv__(self, other: Counted | float) -> Counted:
         other = counted(other)
         if other.cancels:
             raise ArithmeticError(f"a quotient by {other.size}, which may cancel, has no bound")
         rounded = 0 if _is_power_of_two(other) else 1
         return Counted(self.size / other.size, self.count + other.count + rounded, self.cancels)
 
-    def __rtruediv__(self, other: Any) -> Counted:
+    def __rtruediv__(self, other: float) -> Counted:
         return counted(other) / self
 
 
-def counted(value: Any) -> Counted:
+def counted(value: Counted | float) -> Counted:
     """A plain number is exact."""
     return value if isinstance(value, Counted) else Counted(abs(sp.nsimplify(value)))
 

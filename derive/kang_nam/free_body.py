@@ -7,6 +7,8 @@ compared with differences of the energy. It confirms the algebra of a corrected 
 what a misprint would cost.
 """
 
+from __future__ import annotations
+
 import cmath
 from dataclasses import dataclass
 from fractions import Fraction
@@ -33,20 +35,20 @@ class ParameterPoint:
     sigma: Fraction = Fraction(str(article.BASE[nm.sigma]))
     beta: Fraction = Fraction(str(article.BASE[nm.beta]))
 
-    def number(self, name: str, arithmetic: Any = mpmath.mp) -> mpf:
+    def number(self, name: str, arithmetic: mpmath.MPContext = mpmath.mp) -> mpf:
         """A parameter in the working precision; the angle in radians."""
         value = getattr(self, "theta0_deg" if name == "theta0" else name)
         exact = arithmetic.mpf(value.numerator) / value.denominator
         return exact * arithmetic.pi / 180 if name == "theta0" else exact
 
 
-def anchor(point: ParameterPoint, arithmetic: Any = mpmath.mp) -> mpmath.mpc:
+def anchor(point: ParameterPoint, arithmetic: mpmath.MPContext = mpmath.mp) -> mpmath.mpc:
     """Place at which the inclined spring is held, over L_0."""
     return arithmetic.expj(point.number("theta0", arithmetic))
 
 
 def forces(
-    point: ParameterPoint, x: mpf, y: mpf, contact: mpf, arithmetic: Any = mpmath.mp
+    point: ParameterPoint, x: mpf, y: mpf, contact: mpf, arithmetic: mpmath.MPContext = mpmath.mp
 ) -> tuple[mpf, mpf]:
     """Minus the sum of forces on the mass at rest, over k_c L_0; ``contact`` is the contact
     stiffness over k_c.
@@ -79,7 +81,7 @@ def equilibria(point: ParameterPoint, contact: int | Fraction = 1) -> list[tuple
     first call. There may be states that it does not find.
     """
 
-    def root(arithmetic: Any, start: tuple[Any, Any], **options: Any) -> Any:
+    def root(arithmetic: mpmath.MPContext, start: tuple[Any, Any], **options: Any) -> Any:
         stiffness = arithmetic.mpf(Fraction(contact).numerator) / Fraction(contact).denominator
         return arithmetic.findroot(
             lambda x, y: forces(point, x, y, stiffness, arithmetic), start, **options

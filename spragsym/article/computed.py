@@ -2,13 +2,16 @@
 values behind it.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, TypeAlias
 
 import numpy as np
-from scipy.optimize import brentq, minimize_scalar
+from numpy.typing import ArrayLike
+from scipy.optimize import OptimizeResult, brentq, minimize_scalar
 
 from .. import precise
 from ..bifurcation.bifurcation_sets import bifurcation_set
@@ -66,7 +69,7 @@ _FEW = np.linspace(0.0, MU0_MAX, 41)[:, None]
 _deg = np.degrees
 
 
-def _at(degrees: Any, **changes: Any) -> Parameters:
+def _at(degrees: ArrayLike, **changes: Any) -> Parameters:
     return _article(theta0=np.radians(degrees), **changes)
 
 
@@ -89,7 +92,7 @@ def linear_bounded() -> Outcome:
     return holds, {"largest x at mu0 = 0.5": -peak.fun, "at theta0_deg": _deg(peak.x)}
 
 
-def _highest(of: Callable[[float], Any], low: float, high: float) -> Any:
+def _highest(of: Callable[[float], Any], low: float, high: float) -> OptimizeResult:
     return minimize_scalar(
         lambda at: -float(of(at)), bounds=(low, high), method="bounded", options={"xatol": 1e-10}
     )
@@ -116,7 +119,7 @@ def no_linear_sliding() -> Outcome:
     return holds, {"from_deg": _deg(low), "to_deg": _deg(high)}
 
 
-def _linear_gap(angle: Any, mu0: float) -> FloatArray:
+def _linear_gap(angle: FloatArray, mu0: float) -> FloatArray:
     """Relative distance of x between the two models, the nonlinear one at its smallest |x|, less a
     tenth.
     """
@@ -453,7 +456,7 @@ def _of_others() -> dict[str, Any]:
     return {"V of other belts": speeds, "d of other belts": creeps}
 
 
-def _working(p: Parameters) -> Any:
+def _working(p: Parameters) -> FloatArray:
     """The friction of steady sliding on the belt."""
     return p.model.friction(p)
 
@@ -494,7 +497,7 @@ def fate_of_rest() -> Outcome:
 # friction, d → ∞
 
 
-def _dry(degrees: Any) -> ParameterSet:
+def _dry(degrees: ArrayLike) -> ParameterSet:
     """The article's parameters under dry friction, the limit of (10) for d → ∞."""
     return load("coulomb").Parameters(theta0=np.radians(degrees))
 

@@ -2,6 +2,8 @@
 referee's page of them.
 """
 
+from __future__ import annotations
+
 import json
 import math
 import tomllib
@@ -50,7 +52,7 @@ class ArticleStatement:
         return row
 
 
-def printed() -> Any:
+def printed() -> dict[str, Any]:
     """The ledger of the printed equations, as it was derived."""
     return json.loads(shipped_text("spragsym.generated", "ledger.json"))
 

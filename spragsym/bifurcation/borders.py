@@ -18,6 +18,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..core.errors import ConvergenceError
 from ..display import own_name
@@ -134,7 +135,7 @@ def joined(parts: Sequence[Points]) -> Points:
     )
 
 
-def _kinds(family: Family, found: Found, other: Balance) -> Any:
+def _kinds(family: Family, found: Found, other: Balance) -> NDArray[np.str_]:
     """Kinds of border points, by the signs of det K on both sides."""
     ends = found.roots.ends
     closed, open_ = (_signs(balance, family, ends) for balance in (family.balance, other))

@@ -354,7 +354,7 @@ def of_kind(kind: str, along: int | None) -> Condition:
     return Condition(lambda at: KINDS[kind](_characteristic(along, at)))
 
 
-def change(K: Matrix, column: int) -> Any:
+def change(K: Matrix, column: int) -> Number:
     """Change of det K along a column of the adjugate, from entries that are jets in the coordinates
     first.
     """
@@ -363,7 +363,7 @@ def change(K: Matrix, column: int) -> Any:
     return sum(moved)
 
 
-def slope(value: Number, variable: int) -> Any:
+def slope(value: Number, variable: int) -> Number:
     """The derivative of what may be a number."""
     return value.differentiated(variable) if isinstance(value, Jet) else 0
 
@@ -387,7 +387,7 @@ class OfFamily(StateSystem):
         return self.prepared_at(self.family.begin)
 
     def parted(
-        self, unknowns: Sequence[Any], fixed: Values, xp: Any
+        self, unknowns: Sequence[Any], fixed: Values, xp: object
     ) -> tuple[list[Any], dict[str, Any]]:
         """Coordinates, and arguments with those that vary in place of the fixed ones; of any number
         type.
@@ -414,7 +414,9 @@ class Augmented(OfFamily):
             self.order,
         )
 
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> Evaluation:
+    def at(
+        self, q: Sequence[Any], values: Values, shape: Shape = (), xp: object = XP
+    ) -> Evaluation:
         """The evaluation at unknowns of any number type, from arguments of which those that vary
         are replaced.
         """
@@ -424,7 +426,7 @@ class Augmented(OfFamily):
         """Forces and condition."""
         return [*at.forces(), *self.condition.equations(at)]
 
-    def slopes_over(self, unknowns: Any, parameters: Any) -> Matrix:
+    def slopes_over(self, unknowns: Sequence[Number], parameters: Intervals) -> Matrix:
         """Their slopes by coordinates and parameters."""
         at = self.state(variables(list(unknowns), self.condition.order + 1), parameters)
         # By the coordinates the stiffness itself, which is sharper, and finite where a law like
@@ -524,7 +526,7 @@ def _determinant_entries(spring: int) -> Entries:
     place = 3 * spring
 
     def rows(at: Evaluation, arcs: Any) -> Sequence[Any]:
-        def slopes(length: Any) -> list[Any]:
+        def slopes(length: Number) -> list[Any]:
             fixed = [*at.directions[:place], *arcs, length, *at.directions[place + 3 :]]
             return [list(row) for row in replace(at, fixed=fixed).slopes]
 

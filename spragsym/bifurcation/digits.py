@@ -2,16 +2,19 @@
 Krawczyk's operator in balls.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import partial
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
 from ..core.errors import ConvergenceError
 from ..core.questions import Method, question
+from ..core.type_variables import T
 from ..models.forces import columns_of
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import balls, certified_roots
@@ -30,8 +33,6 @@ from ..statics.search import balance_of, solved
 from ..statics.stability import type_at
 from .defining_systems import Augmented, Family, cusp
 from .singularities import isolated
-
-T = TypeVar("T")
 
 
 @question
@@ -139,7 +140,7 @@ def _columns(at: Evaluation) -> list[Any]:
     return [value for c, s, length in springs for value in (_angle(c, s), length)]
 
 
-def _angle(c: Number, s: Number) -> Any:
+def _angle(c: Number, s: Number) -> Number:
     """The angle of a direction, π where the digits do not tell it from −π."""
     with suppress(UndecidedSign):
         return XP.atan2(s, c)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import chain, pairwise
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,6 +54,9 @@ from .defining_systems import (
     undamped_mode,
 )
 from .points import Found, arranged, matrices, nothing, of_ends, search
+
+if TYPE_CHECKING:
+    from .normal_forms import NormalForm
 
 #: Why an onset of a model with several contacts has none.
 OF_SEVERAL = "the motion of a page with several contacts is not answered yet"
@@ -233,14 +236,14 @@ def crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     return [float(abs(one.imag))] if abs(one.imag) > abs(one.real) else []
 
 
-def _nearest(numbers: ComplexArray, others: ComplexArray) -> Any:
+def _nearest(numbers: ComplexArray, others: ComplexArray) -> NDArray[Any]:
     """The number that is the nearest to what stands in ``others`` in another place."""
     apart = np.abs(numbers[:, None] - others)
     np.fill_diagonal(apart, np.inf)
     return numbers[apart.min(axis=1).argmin()]
 
 
-def _omega(square: Any) -> list[float]:
+def _omega(square: NDArray[Any]) -> list[float]:
     """ω of a root κ, unless it is negative."""
     return [float(np.sqrt(square.real))] if square.real > 0 else []
 
@@ -558,7 +561,7 @@ class Onsets(Points):
         """Why an onset is undecided."""
         return tuple(criticality_of(form)[1] for form in self.normal_forms)
 
-    def _normal_form(self, row: int) -> Any:
+    def _normal_form(self, row: int) -> NormalForm | str:
         if self.kind[row] != "hopf":
             return NO_DAMPING
         if len(self.parameters.model.contacts) > 1:
@@ -613,7 +616,7 @@ class Onsets(Points):
         return np.array([self[name][row] for name in self.parameters.model.coordinates])
 
 
-def form_or_why(*point: Any) -> Any:
+def form_or_why(*point: Any) -> NormalForm | str:
     """The normal form of a point, arguments as of :func:`.normal_forms.normal_form`, or why it has
     none.
     """
@@ -625,7 +628,7 @@ def form_or_why(*point: Any) -> Any:
         return str(reason)
 
 
-def criticality_of(form: Any) -> tuple[str, str]:
+def criticality_of(form: NormalForm | str) -> tuple[str, str]:
     """Criticality by the sign of the coefficient, and why it is undecided; of a normal form, or of
     why there is none.
     """

@@ -163,7 +163,7 @@ def _minors(K: Matrix, f: Sequence[Any]) -> list[Any]:
     return [determinant(K), *map(determinant, replaced)]
 
 
-def _slope(value: Number, k: int, order: int) -> Any:
+def _slope(value: Number, k: int, order: int) -> Number:
     """A derivative by the k-th parameter, of a jet or a number."""
     if isinstance(value, Jet):
         return value.derivative(*[k] * order)

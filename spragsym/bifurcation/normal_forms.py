@@ -129,7 +129,7 @@ def normal_form(
 class _Side:
     """1 or −1, it is not said which: all that is known is its square."""
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> Number:
         return 1 if other is self else NotImplemented
 
 

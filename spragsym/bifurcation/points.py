@@ -14,6 +14,8 @@ root of G = 0, |u|² = 1 with w = 0 in u and λ one curve of states begins, λ =
 0 its state runs to infinity along u, on the side of λ* that λ' says.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -405,7 +407,9 @@ class _AtInfinity(OfFamily):
         super().__init__(family)
         self.order, self.limits = len(family.vary) - 1, np.inf
 
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> Evaluation:
+    def at(
+        self, q: Sequence[Any], values: Values, shape: Shape = (), xp: object = XP
+    ) -> Evaluation:
         """The evaluation at u/w, at intervals or jets of them in which w is one more variable."""
         order = order_of(*q)
         w = Jet.variable(0, self.n, order)
@@ -457,6 +461,6 @@ class _AtInfinity(OfFamily):
         return ratio.signs.prod(axis=0)
 
 
-def _regular(row: Number) -> Any:
+def _regular(row: Number) -> Number:
     """A number but for its power of w."""
     return row.value if isinstance(row, Scaled) else row

@@ -167,7 +167,7 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
         found = replace(
             found,
             roots=found.roots.select(undecided=open_boxes).concatenated(
-                known.select(decided, slice(0))
+                known.select(np.array(decided, dtype=np.intp), slice(0))
             ),
         )
         number += len(decided)
@@ -209,7 +209,9 @@ class _OnMirror(OfFamily):
         super().__init__(family)
         self.mirror = mirror
 
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> Evaluation:
+    def at(
+        self, q: Sequence[Any], values: Values, shape: Shape = (), xp: object = XP
+    ) -> Evaluation:
         """The state on the mirror with these even coordinates and this parameter, whatever the odd
         ones are.
         """

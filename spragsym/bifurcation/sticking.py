@@ -16,7 +16,7 @@ friction, at every h.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -29,7 +29,7 @@ from ..models.field import undecorated
 from ..models.forces import named, presses_either
 from ..models.model import Model, parameter_class
 from ..models.parameters import ParameterSet
-from ..numerics.arithmetic import determinant
+from ..numerics.arithmetic import Number, determinant
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, quiet, scale_of
 from ..numerics.vectors import TURN, apart
 from ..results.points import Points, StickingStates
@@ -135,7 +135,7 @@ def belt_speeds(p: ParameterSet) -> Sequence[Any]:
     return levels[len(model.contacts) :]
 
 
-def held(p: ParameterSet, holding: Sequence[str]) -> Any:
+def held(p: ParameterSet, holding: Sequence[str]) -> ParameterSet:
     """Parameters of a model whose friction coefficients, those of some contacts, are parameters:
     the shares of the static ones that are used, of which none is.
     """
@@ -144,7 +144,7 @@ def held(p: ParameterSet, holding: Sequence[str]) -> Any:
 
 
 @cache
-def _model_held(model: Model, holding: tuple[str, ...]) -> Any:
+def _model_held(model: Model, holding: tuple[str, ...]) -> type[ParameterSet]:
     """The class of such parameters."""
     about, arguments = dict(model.about), model.about["arguments"]
     shares, laws = [named(HELD, name) for name in holding], _laws(model, holding)
@@ -183,10 +183,14 @@ def _laws(model: Model, holding: tuple[str, ...]) -> dict[str, Any]:
             own = undecorated(getattr(model.algebra, named("friction_held", name)))
             place = holding.index(name)
 
-        def law(*given: Any, xp: Any = None, own: Any = own, place: Any = place) -> Any:
+        def law(
+            *given: Any, xp: object = None, own: Callable[..., Any] = own, place: Any = place
+        ) -> Number:
             return own(*given[:-count], given[place - count], xp=xp)
 
-        def by_parameters(*given: Any, xp: Any = None, own: Any = own, place: Any = place) -> Any:
+        def by_parameters(
+            *given: Any, xp: object = None, own: Callable[..., Any] = own, place: int | None = place
+        ) -> tuple[Number, ...]:
             fixed, added = given[:-count], [0] * count
             if place is None:
                 return *own(*fixed, xp=xp), *added

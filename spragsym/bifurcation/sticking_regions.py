@@ -12,6 +12,7 @@ share at all states: these form a line along that coordinate, which has no end.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -171,7 +172,7 @@ def _is_pressed(forces: list[Intervals]) -> bool:
     return True
 
 
-def _forces(balance: Balance, values: Any) -> list[Any]:
+def _forces(balance: Balance, values: Mapping[str, Any]) -> list[Any]:
     """Forces as jets of coordinates and friction coefficients, in which they are linear, about 0 of
     both.
     """

@@ -98,7 +98,9 @@ class Place(ByColumn):
         wide = self.held + np.where(self.held > 0, np.spacing(np.abs(self.z) + self.held), 0.0)
         return Intervals(ends_around(self.z, wide))
 
-    def lies_in(self, other: Place, shift: Any = 0.0, turned: Any = 0.0) -> BoolArray:
+    def lies_in(
+        self, other: Place, shift: FloatArray | float = 0.0, turned: FloatArray | float = 0.0
+    ) -> BoolArray:
         """Whether its states are those of another place, which holds for all its parameters: by
         their coordinates.
 
@@ -249,7 +251,7 @@ class Tubes(ByColumn):
         N).
         """
 
-        def rows(q: Any, parameters: Any) -> list[Any]:
+        def rows(q: Sequence[Number], parameters: Intervals) -> list[Any]:
             return [entry for row in self._rows(self.balance.state(q, parameters)) for entry in row]
 
         key = "slopes along", self.vary, self.free, bool(self.half.any())
@@ -332,7 +334,7 @@ class Tubes(ByColumn):
         bounds = replace(self, half=np.zeros_like(self.half))._bounds(Intervals.point(z[-1]))
         balance = self.balance
 
-        def rows(q: Any, parameters: Any) -> Sequence[Any]:
+        def rows(q: Sequence[Number], parameters: Intervals) -> Sequence[Any]:
             return balance.state(q, parameters, balance.anywhere).rows("forces")
 
         with quiet():

@@ -11,19 +11,19 @@ from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, TypeAlias
 
 import click
 
 from ..article.drawn import DRAWN
 from ..core.errors import ParameterError, one_of
 from ..core.progress import advance, show_progress
+from ..core.type_variables import T
 from ..display import aligned
 from ..models.load import load, page_of
 from . import options as o
 from .output import print_json, refuse, wrapped, write
 
-T = TypeVar("T")
 #: Arguments of click.style.
 Style: TypeAlias = Mapping[str, Any]
 _GOOD = {"fg": "green"}

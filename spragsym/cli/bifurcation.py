@@ -18,7 +18,7 @@ import spragsym as ss
 from ..core.errors import ParameterError
 from ..core.progress import show_progress
 from ..display import own_name
-from ..results.points import after_if_known
+from ..results.points import Points, after_if_known
 from . import options as o
 from .case import Case, Row
 from .output import drawn, print_rows
@@ -32,7 +32,7 @@ from .output import drawn, print_rows
 @o.within
 @o.method
 @o.as_json
-def folds(case: Case) -> Any:
+def folds(case: Case) -> object:
     """All folds along one parameter, proved: which state ends there, when, and where it jumps to.
 
     \b
@@ -68,7 +68,7 @@ def folds(case: Case) -> Any:
 )
 @o.force
 @o.as_json
-def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
+def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> object:
     """All folds and flutter onsets along one parameter, and all cusps in the plane of two, proved.
 
     \b
@@ -161,7 +161,7 @@ def _draw(
 @o.lines(30, "Lines of either parameter on which they are sought.")
 @o.force
 @o.as_json
-def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
+def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> object:
     """Onsets of oscillation over the plane of two parameters, supercritical or subcritical: a map
     of stability.
 
@@ -246,7 +246,7 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
 BESIDE = tuple(each.name for each in ss.results.Onsets.schema if each.row == "beside")
 
 
-def points_of(case: Case, found: Any, after: bool = False) -> Row:
+def points_of(case: Case, found: Points, after: bool = False) -> Row:
     """A row for each point, whether these are all, what was searched, and the undecided boxes;
     ``after`` at any cost.
     """

@@ -248,7 +248,10 @@ class Case:
         return found
 
     def rows(
-        self, columns: Mapping[str, Any], kind: type = Equilibria, **more: Sequence[Any]
+        self,
+        columns: Mapping[str, Any],
+        kind: type = Equilibria,
+        **more: Sequence[Any] | FloatArray,
     ) -> list[Row]:
         """Rows of columns of one length, and of those that have no unit."""
         own = {own_name(self.model, name): values for name, values in more.items()}

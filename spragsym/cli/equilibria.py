@@ -23,6 +23,7 @@ from ..core.remarks import At, Remark
 from ..design.jumps import first_ends, require_known
 from ..display import columns_of_class, own_name
 from ..models.parameters import INSIDE
+from ..results.equilibria import Equilibria
 from . import options as o
 from .bifurcation import lengths, summed
 from .case import Case, Row, Span
@@ -45,7 +46,7 @@ MOST = 10_000
 @o.plot("frequencies and growth rates in contact over what varies, with damping and without")
 @o.force
 @o.as_json
-def equilibria(case: Case, plot: Path | None) -> Any:
+def equilibria(case: Case, plot: Path | None) -> object:
     """All equilibria at one point, in contact and in lift-off, stable and unstable; or at many.
 
     Every parameter may be a number, numbers a,b,c, or start:stop:count; of several, all
@@ -178,7 +179,7 @@ def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[Row]:
         yield told
 
 
-def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[Row]:
+def _rows(case: Case, eq: Equilibria, point: tuple[int, ...] = ()) -> list[Row]:
     """Rows of a point: words, directions and lengths of springs, coordinates, and the quality of
     each state.
 
@@ -200,7 +201,7 @@ def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> list[Row]:
 @o.followed
 @o.method
 @o.as_json
-def path(case: Case, near: tuple[str, ...]) -> Any:
+def path(case: Case, near: tuple[str, ...]) -> object:
     """The reference state, followed as one parameter moves: where it goes and where it jumps.
 
     \b
@@ -254,7 +255,7 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
 @o.followed
 @o.method
 @o.as_json
-def critical(case: Case, near: tuple[str, ...]) -> Any:
+def critical(case: Case, near: tuple[str, ...]) -> object:
     """Value at which the reference state jumps first as one parameter moves, and the frictions that
     decide whether it can.
 

@@ -57,7 +57,7 @@ def simulate(
     output: Path | None,
     plot: Path | None,
     **settings: Any,
-) -> Any:
+) -> object:
     """Integrate the motion from an initial state, by default from rest where all coordinates are 0.
 
     The article states neither the belt speed V nor the steepness d of the friction law: the
@@ -272,7 +272,7 @@ def cycles(
     digits: int | None,
     sound: bool,
     plot: Path | None,
-) -> Any:
+) -> object:
     """A cycle of the motion with its multipliers; with --vary, a branch of cycles with its
     bifurcations.
 
@@ -371,7 +371,9 @@ def cycles(
     return {**summary, "phases": phases, **levels, **branch}, tables
 
 
-def _diagram(case: Case, p: ParameterSet, starts: list[Any], points: int, plot: Path | None) -> Any:
+def _diagram(
+    case: Case, p: ParameterSet, starts: list[Any], points: int, plot: Path | None
+) -> object:
     """Equilibria and cycles over a parameter: the labelled points, and the figure."""
     from ..orbits.diagram import diagram
 
@@ -501,7 +503,7 @@ def _touching(case: Case, held: Int8Array) -> str:
     return "contact" if regime is True else case.model.regimes[regime]
 
 
-def _shown(value: object) -> Any:
+def _shown(value: object) -> object:
     """Numbers to twelve digits; multipliers as a+bi."""
     if isinstance(value, float):
         return f"{value:.12g}"

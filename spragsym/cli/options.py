@@ -71,7 +71,7 @@ class Command(click.Command):
                 raise click.BadParameter("it is empty; leave it out, or give a value", ctx, one)
         return super().parse_args(ctx, args)
 
-    def invoke(self, ctx: click.Context) -> Any:
+    def invoke(self, ctx: click.Context) -> object:
         """Do the work; an error about an argument of Python names its option."""
         try:
             return super().invoke(ctx)
@@ -104,7 +104,9 @@ class OneNumber(click.ParamType):  # type: ignore[type-arg,unused-ignore]
     def __init__(self, allowed: Range = FINITE) -> None:
         self.allowed = allowed
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> object:
         try:
             number = float(value)
         except ValueError:
@@ -121,7 +123,7 @@ class NumberList(OneNumber):
 
     def convert(
         self, value: object, param: click.Parameter | None, ctx: click.Context | None
-    ) -> Any:
+    ) -> object:
         text = str(value)
         if "," not in text and ":" not in text:
             return super().convert(value, param, ctx)

@@ -104,7 +104,7 @@ def print_json(thing: object) -> None:
     click.echo(json.dumps(_plain(thing), indent=1, ensure_ascii=escaped, allow_nan=False))
 
 
-def _plain(thing: object) -> Any:
+def _plain(thing: object) -> object:
     if isinstance(thing, dict):
         return {name: _plain(value) for name, value in thing.items()}
     if isinstance(thing, list | tuple):

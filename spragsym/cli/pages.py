@@ -25,6 +25,8 @@ from .case import Span, study_of
 from .output import drawn, print_json, print_rows, refuse, write
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from ..models import Model
     from ..report.over import Verdicts
     from ..report.study import Study
@@ -147,7 +149,7 @@ def _known(one: float | str) -> float | str:
     return "" if isinstance(one, float) and math.isnan(one) else one
 
 
-def _picture_over(found: Verdicts) -> Any:
+def _picture_over(found: Verdicts) -> Figure:
     from ..figures.over import verdict_figure  # of the extra plot
 
     return verdict_figure(found)

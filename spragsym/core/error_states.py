@@ -6,12 +6,10 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
-from typing import ParamSpec, TypeVar
 
 import numpy as np
 
-P = ParamSpec("P")
-R = TypeVar("R")
+from .type_variables import P, R
 
 
 def in_usual_state(function: Callable[P, R]) -> Callable[P, R]:

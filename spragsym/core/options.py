@@ -8,11 +8,10 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 from numbers import Integral, Real
-from typing import Any, TypeVar
+from typing import Any
 
 from .errors import ParameterError, ParameterTypeError
-
-T = TypeVar("T")
+from .type_variables import T
 
 
 def option(default: T, low: float, high: float = math.inf, kind: type = Real) -> T:

@@ -19,16 +19,15 @@ from __future__ import annotations
 import functools
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any, Literal, ParamSpec, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from .error_states import in_usual_state
 from .errors import ModelError, ParameterTypeError, one_of
+from .type_variables import P, R
 
 if TYPE_CHECKING:
     from ..models import Model
 
-P = ParamSpec("P")
-R = TypeVar("R")
 
 #: Ways to an answer: by closed form where there is one, by closed form only, or by the general
 #: algorithm and all that it asks.

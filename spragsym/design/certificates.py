@@ -256,7 +256,10 @@ class Claim(ABC):
 
 
 def corner_values(
-    names: Sequence[str], low: Any, high: Any, units: Mapping[str, Unit] = MappingProxyType({})
+    names: Sequence[str],
+    low: ParameterSet,
+    high: ParameterSet,
+    units: Mapping[str, Unit] = MappingProxyType({}),
 ) -> tuple[FloatArray, FloatArray]:
     """Parameters of two corners of a box, and ends of units, each of shape (P, 1)."""
     for what, corner in (("low", low), ("high", high)):
@@ -322,18 +325,18 @@ class LocatedParts(ProvedParts):
 class ClaimOfStates(Claim):
     """One of the claims of :data:`STATES`."""
 
-    def __init__(self, low: Any, high: Any, claim: str) -> None:
+    def __init__(self, low: ParameterSet, high: ParameterSet, claim: str) -> None:
         self.model = low.model
         self.balance = Balance(self.model)
         self.sides = tuple(self.balance.parameters)
         self.true, self.false = STATES[claim]
         nowhere = np.full((2, self.balance.n, 1), np.inf)
-        low, high = corner_values(self.sides, low, high)
-        bounds = self.balance.prepared(Intervals.between(low, high))
+        corners = corner_values(self.sides, low, high)
+        bounds = self.balance.prepared(Intervals.between(*corners))
         never = (
             claim == "no flutter" and stability.without_flutter(self.balance, bounds).all()
         )  # wherever a state is
-        self.whole = LocatedParts(low, high, np.array([never]), nowhere)
+        self.whole = LocatedParts(*corners, np.array([never]), nowhere)
 
     def point(self, values: FloatArray) -> ParameterSet:
         return self.model.Parameters(**dict(zip(self.sides, values, strict=True)))
@@ -341,7 +344,7 @@ class ClaimOfStates(Claim):
     def fails(self, points: FloatArray) -> BoolArray:
         return self.false(equilibria(self.point(points)))
 
-    def settled(self, parts: LocatedParts) -> tuple[LocatedParts, FloatArray]:
+    def settled(self, parts: Any) -> tuple[LocatedParts, FloatArray]:
         if parts.holds.all():
             return parts, parts.low
         balance, bounds = self.balance, Intervals.between(parts.low, parts.high)

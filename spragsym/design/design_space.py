@@ -113,7 +113,7 @@ class Space:
             name: np.broadcast_to(np.imag(value) / step, z.shape) for name, value in moved.items()
         }
 
-    def made(self, z: FloatArray) -> Any:
+    def made(self, z: FloatArray) -> ParameterSet | QuantityValues:
         """One design, of the kind of the first."""
         return self.design.made(
             {name: float(value) for name, value in self.quantities(z).items() if name in self.names}

@@ -20,7 +20,7 @@ from ..core.errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..core.questions import Method, model_of, question
 from ..display import Table
 from ..models.parameters import ParameterSet, as_numbers, set_of
-from ..numerics.interval_arrays import BoolArray, FloatArray, quiet
+from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, quiet
 from ..results import Named
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
@@ -323,7 +323,7 @@ class Followed:
         )
         return Ends(z[n, ...], error, z[:n], reasons, until, others)
 
-    def _points(self, rows: Any) -> ParameterSet:
+    def _points(self, rows: IndexArray) -> ParameterSet:
         """Some points, or one, as parameters that follow the state that was chosen."""
         return set_of(
             self.model,
@@ -331,7 +331,7 @@ class Followed:
             self.near,
         )
 
-    def _start(self, rows: Any) -> tuple[Tubes, Place, FloatArray]:
+    def _start(self, rows: IndexArray) -> tuple[Tubes, Place, FloatArray]:
         """Some points, the reference states from which they are followed, where these are known,
         and up to where.
         """

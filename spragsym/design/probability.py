@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 
@@ -36,6 +36,14 @@ from .tube_certificates import Pieces, Splitting
 Distribution: TypeAlias = (
     Mapping[str, Any] | tuple[ParameterSet, ParameterSet] | tuple[QuantityValues, QuantityValues]
 )
+
+
+class Quantiles(Protocol):
+    """A distribution, by its values below which a share of it lies."""
+
+    def ppf(self, share: Any, /) -> Any:
+        """Values, at a share or an array of these."""
+
 
 #: What may happen at many points: quantities by name → 1 or 0, or NaN where that is unknown.
 Event: TypeAlias = Callable[[dict[str, Any]], FloatArray]
@@ -243,7 +251,7 @@ def _index(
 # variables
 
 
-def variable(name: str, given: Any, allowed: Range) -> Any:
+def variable(name: str, given: Any, allowed: Range) -> float | Quantiles:
     """A quantity as a float, or as something with a quantile function ``ppf``, within what is
     allowed.
     """
@@ -519,7 +527,7 @@ def _share_of_free(free: Sequence[str], laws: Mapping[str, Shares], pieces: Piec
     return np.asarray(np.prod([np.ones(len(pieces)), *parts], axis=0))
 
 
-def _end(law: Any, share: float) -> float:
+def _end(law: Quantiles, share: float) -> float:
     end = float(law.ppf(share))
     return end if np.isfinite(end) else float(law.ppf(TAIL if share == 0 else 1 - TAIL))
 

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -76,7 +75,12 @@ class Splitting(Claim):
     whole: Pieces
 
     def __init__(
-        self, low: Any, high: Any, vary: str, begin: float, units: Mapping[str, Unit] | None = None
+        self,
+        low: ParameterSet,
+        high: ParameterSet,
+        vary: str,
+        begin: float,
+        units: Mapping[str, Unit] | None = None,
     ) -> None:
         model = low.model
         self.model, self.vary, self.begin, self.near = model, vary, begin, low.followed

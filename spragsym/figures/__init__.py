@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import singledispatch
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -92,6 +92,9 @@ from .planes import bifurcation_figure, draw_bifurcation_set, draw_onset_curves,
 from .report_pages import draw_operating_point, draw_rising, draw_shares, report_page
 from .style import BLACK, FORMATS, Sheet, own_axes, styled, write
 
+if TYPE_CHECKING:
+    from matplotlib.lines import Line2D
+
 #: Name → the function that draws it: the article's numbers first.
 FIGURES: dict[str, Callable[..., Sheet]] = dict(
     zip(
@@ -158,7 +161,7 @@ _MARKS = {"stable": "o", "neutral": "d", "unstable": "x"}
 
 
 @styled
-def plot(result: object, ax: Axes | None = None, **options: Any) -> Any:
+def plot(result: Result, ax: Axes | None = None, **options: Any) -> Any:
     """Draw a result as its kind is drawn elsewhere; of others the first column over the first that
     varies.
 
@@ -193,7 +196,7 @@ def plot(result: object, ax: Axes | None = None, **options: Any) -> Any:
 
 
 @singledispatch
-def _drawn(result: Any, ax: Axes | None, **options: Any) -> Any:
+def _drawn(result: Result, ax: Axes | None, **options: Any) -> Any:
     """A result on axes; of one that no function is registered for, the first column of numbers over
     another that varies, or over the row.
     """
@@ -216,13 +219,15 @@ def _drawn(result: Any, ax: Axes | None, **options: Any) -> Any:
 
 
 @singledispatch
-def _whole(result: object, **options: Any) -> Any:
+def _whole(result: Result, **options: Any) -> Any:
     """A result as a figure of its own, of kinds that are registered; others on pyplot's axes."""
     return _drawn(result, ax=None, **options)
 
 
 @_drawn.register(Points)
-def _points(points: Points, ax: Axes | None, quantity: str | None = None, **options: Any) -> Any:
+def _points(
+    points: Points, ax: Axes | None, quantity: str | None = None, **options: Any
+) -> list[Line2D]:
     ax, model = own_axes(ax), points.parameters.model
     across, up = (
         points.vary if len(points.vary) == 2 else (points.vary[0], quantity or model.coordinates[0])
@@ -234,7 +239,7 @@ def _points(points: Points, ax: Axes | None, quantity: str | None = None, **opti
 @_drawn.register(Equilibria)
 def _equilibria(
     eq: Equilibria, ax: Axes | None, quantity: str | None = None, **options: Any
-) -> Any:
+) -> list[Line2D]:
     """States over the first parameter that varies, or by their number, marked by stability.
 
     Where a point is undecided there is a hatched line."""
@@ -265,7 +270,9 @@ def _equilibria(
 
 
 @_drawn.register(Trajectory)
-def _motion(motion: Trajectory, ax: Axes | None, *, transient: float = 0.0, **options: Any) -> Any:
+def _motion(
+    motion: Trajectory, ax: Axes | None, *, transient: float = 0.0, **options: Any
+) -> Line2D:
     return draw_motion(motion.after(transient), ax=ax, **options)
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -48,6 +48,9 @@ from .style import (
     styled,
     write_along,
 )
+
+if TYPE_CHECKING:
+    from mpl_toolkits.mplot3d import Axes3D
 
 _VIOLET = "#5b2a86"
 
@@ -234,7 +237,7 @@ def _directions(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
     )
 
 
-def space_axes(figure: Sheet, place: Any, zoom: float) -> Any:
+def space_axes(figure: Sheet, place: Any, zoom: float) -> Axes3D:
     """Axes in three dimensions, for print."""
     ax: Any = figure.add_axes(
         place,
@@ -255,7 +258,7 @@ def space_axes(figure: Sheet, place: Any, zoom: float) -> Any:
 
 
 def draw_surface(
-    ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]], detail: float
+    ax: Axes3D, p: Parameters, lines: Iterable[tuple[FloatArray, str]], detail: float
 ) -> Table:
     """Sheets by stability, fold curves, cusps and more ``lines``, (n, 3) and a colour; behind a
     sheet thin dashes.

@@ -8,11 +8,12 @@ import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
+from matplotlib.text import Annotation
 from scipy.optimize import linear_sum_assignment
 
 import spragsym as ss
@@ -46,6 +47,9 @@ from .style import (
     styled,
     window,
 )
+
+if TYPE_CHECKING:
+    pass
 
 #: Names of axes in the article's figures.
 LABELS = {"x": r"$x_{\mathrm{eq}}$", "y": r"$y_{\mathrm{eq}}$"}
@@ -453,7 +457,7 @@ def draw_path(
     return artists
 
 
-def _head(ax: Axes, x: FloatArray, y: FloatArray, share: float, color: str) -> Any:
+def _head(ax: Axes, x: FloatArray, y: FloatArray, share: float, color: str) -> Annotation:
     """An arrow head on a curve, at a share of its way along x."""
     way = x[-1] - x[0]
     i = np.clip(np.count_nonzero((x - (x[0] + share * way)) * way < 0), 1, x.size - 1)

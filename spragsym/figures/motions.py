@@ -4,10 +4,11 @@ what 7 rests on.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from matplotlib.patheffects import withStroke
 from scipy import ndimage
 
@@ -51,6 +52,9 @@ from .style import (
     styled,
     write_along,
 )
+
+if TYPE_CHECKING:
+    from matplotlib.lines import Line2D
 
 
 @styled
@@ -139,7 +143,7 @@ def draw_motion(
     length: float = 1.0,
     time: float = 1.0,
     labels: tuple[str, str] | None = None,
-) -> Any:
+) -> Line2D:
     """A component of a motion over time; returns the line.
 
     Parameters
@@ -172,7 +176,7 @@ def draw_phase(
     length: float = 1.0,
     speed: float = 1.0,
     labels: tuple[str, str] | None = None,
-) -> Any:
+) -> Line2D:
     """x′ over x, the first coordinate or another, and the speed of the belt along it as a line;
     returns the curve.
     """
@@ -199,7 +203,7 @@ def draw_spectrum(
     length: float = 1.0,
     frequency: float = 1.0,
     labels: tuple[str, str] | None = None,
-) -> Any:
+) -> Line2D:
     """Amplitudes over frequency, as far as they matter; returns the line."""
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     ax = own_axes(ax)
@@ -231,7 +235,7 @@ def draw_harmonics(
     length: float = 1.0,
     frequency: float = 1.0,
     labels: tuple[str, str] | None = None,
-) -> Any:
+) -> LineCollection:
     """Amplitudes of a cycle's harmonics as stems at n f, as far as they matter; returns the
     stems.
     """

@@ -21,6 +21,7 @@ from ..models import Model
 from ..models.parameters import ParameterSet, Ranges, Span
 from ..numerics.interval_arrays import FloatArray
 from ..results import BifurcationSet, Equilibria, EquilibriumType
+from ..results.points import Curve, Points
 from ..statics.stability import NEUTRAL
 from .style import (
     BLACK,
@@ -55,7 +56,7 @@ def _table(found: BifurcationSet | OnsetCurves, *names: str) -> Table:
     )
 
 
-def _places(model: Model, vary: Sequence[str], of: Any) -> list[Any]:
+def _places(model: Model, vary: Sequence[str], of: Curve | Points) -> list[Any]:
     """Columns of two parameters as axes show them."""
     return [model.column(name).size * of[name] for name in vary]
 

@@ -10,12 +10,14 @@ import re
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
+from matplotlib.container import BarContainer
+from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
 import spragsym as ss
@@ -52,6 +54,9 @@ from .style import (
     write_along,
 )
 from .style import picture as content
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
 
 #: Letters of a picture in a page: text in the page's own family, 13.6 pixels as its captions.
 _AS_TEXT: Any = {
@@ -208,7 +213,7 @@ def _stability_map(report: Facts) -> Rows:
         box = {angle: (angles.low, angles.high), friction: between}
         shown = {name: _around(onsets, name, box[name]) for name in onsets.vary}
 
-        def draw(ax: Any) -> None:
+        def draw(ax: Axes) -> None:
             draw_onset_curves(onsets, ax, shown=shown)
             mark_brake(ax, p, box[angle], box[friction])
 
@@ -309,7 +314,7 @@ def draw_operating_point(
     ax: Axes | None = None,
     *,
     n: int = 60,
-) -> Any:
+) -> Line2D:
     """The bifurcation set of any model over inclination and friction, the point where a brake
     works, its tolerances and its jump.
 
@@ -345,7 +350,7 @@ def _top(most: float, jump: float) -> float:
 
 def mark_brake(
     ax: Axes, p: ParameterSet, angles: Span, frictions: Span, jump: float = float("nan")
-) -> Any:
+) -> Line2D:
     """A brake in the plane of inclination in degrees and friction: its point, the box of its
     tolerances, and where it jumps, if it does.
     """
@@ -385,7 +390,7 @@ def draw_rising(
     size: float = 1.0,
     across: str = r"friction $\mu$",
     n: int = 200,
-) -> Any:
+) -> list[Artist]:
     """The states of any model over the loading parameter, the one followed as it does, and the
     range of its tolerance shaded.
 
@@ -450,7 +455,9 @@ def draw_rising(
     return artists
 
 
-def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes | None = None) -> Any:
+def draw_shares(
+    indices: Mapping[str, tuple[float, float, float]], ax: Axes | None = None
+) -> BarContainer:
     """Sobol' indices as bars: the total effect of every quantity, its own share within, and the
     interval of the total.
 

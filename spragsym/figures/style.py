@@ -12,7 +12,7 @@ import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import matplotlib
 import numpy as np
@@ -29,6 +29,9 @@ from ..models import Model
 from ..models.load import USUAL, load
 from ..models.parameters import Ranges
 from ..results import EquilibriumType, Points
+
+if TYPE_CHECKING:
+    from matplotlib.text import Text
 
 #: Width of one column, inches.
 SINGLE = 3.5
@@ -198,7 +201,9 @@ def line_at(
     ax.axvline(place, color=color, linewidth=width, linestyle=style, **options)
 
 
-def write_along(ax: Axes, text: str, x: float, y: float, color: str = BLACK, **options: Any) -> Any:
+def write_along(
+    ax: Axes, text: str, x: float, y: float, color: str = BLACK, **options: Any
+) -> Text:
     """A direct label in data coordinates."""
     return ax.text(
         x, y, text, **{"color": color, "fontsize": 8, "ha": "left", "va": "center", **options}
@@ -210,7 +215,7 @@ def say(ax: Axes, text: str) -> None:
     ax.text(0.5, 0.5, text, transform=ax.transAxes, ha="center", va="center", color=GREY)
 
 
-def plain_ticks(axis: Any, values: tuple[float, ...]) -> None:
+def plain_ticks(axis: Axis, values: tuple[float, ...]) -> None:
     """Ticks of a logarithmic axis at the given values, written as plain numbers."""
     axis.set_major_locator(FixedLocator(values))
     axis.set_major_formatter("{x:g}")
@@ -366,7 +371,7 @@ def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf
     return [folder / name for name in files]
 
 
-def picture(figure: Any, kind: str, **options: Any) -> bytes:
+def picture(figure: Figure, kind: str, **options: Any) -> bytes:
     """A figure in a format."""
     stream = io.BytesIO()
     figure.savefig(stream, format=kind, metadata=FORMATS[kind], **options)

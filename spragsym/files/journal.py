@@ -5,6 +5,8 @@ A line is a checksum and JSON. The checksum of a point takes in the fingerprint 
 that a line that is cut, changed, or that belongs to another sweep, is never taken for a result.
 """
 
+from __future__ import annotations
+
 import errno
 import hashlib
 import json

@@ -10,6 +10,8 @@ name that was asked for. What a killed process leaves, ``.spragsym-`` with its n
 the next write to the same folder.
 """
 
+from __future__ import annotations
+
 import csv
 import errno
 import hashlib
@@ -28,7 +30,8 @@ from contextlib import suppress
 from contextvars import ContextVar
 from io import FileIO
 from pathlib import Path
-from typing import Any, TypeAlias
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
@@ -39,11 +42,14 @@ from ..display import Column
 from ..generated import SOURCE_HASH
 from .text import FilePath, path_text, printed
 
+if TYPE_CHECKING:
+    from xarray import Dataset
+
 #: What columns are, by their names; their dimension is the unit that the file is in.
 Columns: TypeAlias = Mapping[str, Column]
 
 
-def xarray() -> Any:
+def xarray() -> ModuleType:
     """The module, or an error that names the extra."""
     try:
         with held():
@@ -60,7 +66,7 @@ def dataset(
     coords: Mapping[str, Any],
     attributes: Mapping[str, Any],
     columns: Columns,
-) -> Any:
+) -> Dataset:
     """An ``xarray.Dataset``, with unit and meaning of every column, and the words of its codes."""
     made = xarray().Dataset(data, coords=coords, attrs=attributes)
     for name in made.variables:
@@ -135,7 +141,7 @@ def write(
         put(path, _csv(columns, attrs, described))
 
 
-def _netcdf(data: Any) -> bytes:
+def _netcdf(data: Dataset) -> bytes:
     """The bytes of a dataset, written under a lock of its own.
 
     Where a dask client is open, ``to_netcdf`` asks its scheduler for one, which does not know it.

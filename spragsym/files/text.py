@@ -2,6 +2,8 @@
 package.
 """
 
+from __future__ import annotations
+
 import codecs
 import os
 import unicodedata

@@ -412,7 +412,7 @@ def over(
 
 #: Which cells are decided, and the quantities whose terms say which side of a box to cut where one
 #: is not.
-Verdict: TypeAlias = tuple[BoolArray, tuple[Affine, ...]]
+Verdict: TypeAlias = tuple[BoolArray, tuple[Rounded, ...]]
 
 
 def covered(

@@ -1,5 +1,7 @@
 """All cusps, proved complete: ``cusp_polynomial`` in sin θ has them as roots."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction

@@ -357,7 +357,7 @@ def _at_length(
     u1, w1, u2, w2 = _stability.reference_lines(c, s, *values)
     s0 = u1 + w1 * L
 
-    def sine(c: Number, s: Number, X: Number, Y: Number) -> Any:
+    def sine(c: Number, s: Number, X: Number, Y: Number) -> Number:
         u1, w1, _, _ = _stability.reference_lines(c, s, *elimination.values)
         return u1 * Y + w1 * X
 
@@ -368,7 +368,7 @@ def _at_length(
         cosines = [(u2 + w2 * L) / springs[0]]
     else:
 
-        def gap(c: Number, s: Number, X: Number, Y: Number) -> Any:
+        def gap(c: Number, s: Number, X: Number, Y: Number) -> Number:
             return Y * Y - sine(c, s, X, Y) ** 2
 
         above = elimination.sign_of(

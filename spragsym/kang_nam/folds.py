@@ -325,7 +325,7 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
         e0, e1, e2 = _catastrophe.fold_quadratic(c, s, kappa, sigma, beta)
         return Fraction(e0 + mu0 * (e1 + mu0 * e2))
 
-    def sine(c: Number, s: Number) -> Any:
+    def sine(c: Number, s: Number) -> Number:
         return _catastrophe.fold_sine(c, s, *given)
 
     polynomial = polynomials.interpolate(in_t(eliminated, _HALF), _DEGREE)

@@ -1,5 +1,7 @@
 """The generated algebra without the wrapper that restores shapes: of any number type."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from inspect import unwrap
 from typing import Any, NamedTuple
@@ -58,7 +60,7 @@ def cos_sin(angle: Any) -> tuple[Any, Any]:
     return np.cos(angle), np.sin(angle)
 
 
-def landing(t: Number, trig: tuple[Any, ...], sqrt: Callable[[Any], Any]) -> Any:
+def landing(t: Number, trig: tuple[Any, ...], sqrt: Callable[[Any], Any]) -> Number:
     """tan(θ/2) of the third equilibrium where t = tan(θ/2) is a double root of the quartic in t,
     for any kind of numbers.
 

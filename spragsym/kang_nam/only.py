@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
-from typing import ParamSpec, TypeVar
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ModelError
 from ..core.questions import model_of
+from ..core.type_variables import P, R
 from .parameters import Parameters
-
-P = ParamSpec("P")
-R = TypeVar("R")
 
 
 def of_article(instead: str) -> Callable[[Callable[P, R]], Callable[P, R]]:

@@ -8,6 +8,8 @@ along the belt's surface y = 0, and at the spring's anchor. Weak preload has no 
 brings the mass back.
 """
 
+from __future__ import annotations
+
 import itertools
 import math
 from inspect import unwrap
@@ -18,7 +20,6 @@ import numpy as np
 from ..generated.models.kang_nam import algebra
 from ..models.field import SETTLED
 from ..models.parameters import FloatArray, Span
-from ..numerics.arithmetic import Number
 from ..numerics.interval_arrays import Int8Array
 from ..numerics.polynomials import eigenvalues
 from ..results import Equilibria, Points
@@ -58,7 +59,7 @@ def airborne(constants: tuple[float, ...], state: FloatArray) -> bool:
     return False
 
 
-def _potential(x: Number, y: Number, *constants: Any, xp: Any = np) -> Any:
+def _potential(x: Any, y: Any, *constants: Any, xp: Any = np) -> Any:
     """Energy at rest, without contact: friction, V and d are nothing to it."""
     cos0, sin0, *rest = constants
     return _energy(x, y, 0.0, 0.0, cos0, sin0, 0.0, *rest, 0.0, 0.0, 0, xp=xp)

@@ -217,7 +217,7 @@ def linear_sprag(p: Parameters) -> LinearSprag:
 
 
 @of_article("folds(p, vary) has the values at which states meet")
-def linear_critical_friction(p: Parameters) -> Any:
+def linear_critical_friction(p: Parameters) -> FloatArray | float:
     """μ_cr of the constant-angle model: it has a pole if and only if μ₀ ≥ μ_cr.
 
     Parameters
@@ -250,7 +250,7 @@ def linear_critical_friction(p: Parameters) -> Any:
     return float(value) if np.ndim(value) == 0 else value
 
 
-def _twice_the_mean(e0: Any, e2: Any) -> Any:
+def _twice_the_mean(e0: FloatArray, e2: FloatArray) -> FloatArray:
     """2 √(e0 e2), by a root of each, so that it does not leave the range of float64: the −e1 at
     which the two poles are one.
     """

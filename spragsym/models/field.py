@@ -22,6 +22,7 @@ import numpy as np
 
 from ..core.errors import ConvergenceError, ParameterError
 from ..display import Column
+from ..numerics.arithmetic import Number
 from . import forces
 from .parameters import FloatArray
 
@@ -261,7 +262,9 @@ class Field:
         """
         return self.size - bool(self.clock)
 
-    def matrix(self, state: Vector, constants: Vector, mode: Mode, xp: Any = FLOATS) -> FloatArray:
+    def matrix(
+        self, state: Vector, constants: Vector, mode: Mode, xp: object = FLOATS
+    ) -> FloatArray:
         """The derivative of the rates of all numbers of a state by these: the linearized motion at
         an equilibrium.
         """
@@ -426,7 +429,7 @@ class _Motion:
         plain = undecorated(getattr(self.model.algebra, name))
         turn, way, rooted = self.turn, self.way, any(self.rooted)
 
-        def call(state: Vector, constants: Vector, mode: Sequence[Any], xp: Any) -> Any:
+        def call(state: Vector, constants: Vector, mode: Sequence[Any], xp: object) -> list[Any]:
             return plain(
                 *state, *constants, *mode[:turn], *mode[way:], xp=_Rooted(xp) if rooted else xp
             )
@@ -567,7 +570,7 @@ class _Motion:
             self.layers
         ):  # exponentials of the sliding speed, where they are about to be felt
 
-            def shift(mode: Mode, place: int = self.near + k) -> Any:
+            def shift(mode: Mode, place: int = self.near + k) -> Number:
                 return -reach - WIDTH * mode[place]
 
             sides = slice(self.side, self.near)
@@ -661,7 +664,7 @@ class _Motion:
         for limit, way in enumerate(("with", "against")):
             slopes, margin = self._slips(3 * row + 1 + limit), 2 * row + limit
 
-            def level(state: Vector, constants: Vector, mode: Mode, margin: int = margin) -> Any:
+            def level(state: Vector, constants: Vector, mode: Mode, margin: int = margin) -> Number:
                 return self.in_mode("grip")(state, constants, mode, _namespace(state))[margin]
 
             def rate(
@@ -670,7 +673,7 @@ class _Motion:
                 constants: Vector,
                 mode: Mode,
                 slopes: Any = slopes,
-            ) -> Any:
+            ) -> Number:
                 changes = (*state[len(accelerations) :], *accelerations)
                 return sum(
                     a * b for a, b in zip(slopes(state, constants, mode), changes, strict=False)
@@ -704,11 +707,11 @@ class _Motion:
             undecorated(getattr(self.model.algebra, name)) for name in (level, rate)
         )
 
-        def level_of(state: Vector, constants: Vector, mode: Mode) -> Any:
+        def level_of(state: Vector, constants: Vector, mode: Mode) -> Number:
             value = of_level(*state, *constants, *mode[taken], xp=_namespace(state))[row]
             return value + shift(mode) if shift else value
 
-        def rate_of(state: Vector, accelerations: Vector, constants: Vector, mode: Mode) -> Any:
+        def rate_of(state: Vector, accelerations: Vector, constants: Vector, mode: Mode) -> Number:
             return of_rate(*state, *accelerations, *constants, *mode[taken], xp=_namespace(state))[
                 row
             ]
@@ -751,7 +754,7 @@ class _Rooted:
     def __getattr__(self, name: str) -> Any:
         return getattr(self._xp, name)
 
-    def log(self, value: Any) -> Any:
+    def log(self, value: Number) -> Number:
         """Logarithm, −∞ of 0, whose exponential is 0."""
         if isinstance(value, float):
             return math.log(value) if value > 0 else -math.inf
@@ -760,7 +763,7 @@ class _Rooted:
                 return np.log(np.maximum(value, 0.0))
         return self._xp.log(value)
 
-    def sqrt(self, value: Any) -> Any:
+    def sqrt(self, value: Number) -> Number:
         """Square root of a float or an array; an expression of heyoka's is taken as it is."""
         if isinstance(value, float | np.ndarray | np.floating):
             return self._xp.sqrt(np.maximum(value, 0.0))

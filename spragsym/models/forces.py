@@ -9,6 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..core.errors import ParameterError
 from ..display import Column
@@ -87,7 +88,7 @@ def derived_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, Flo
 
 
 def contact_force(
-    model: Model, states: Any, constants: Sequence[Any], place: int = 0
+    model: Model, states: Sequence[ArrayLike] | FloatArray, constants: Sequence[Any], place: int = 0
 ) -> FloatArray:
     """The normal force of a contact, by its number: 0 where the gap is open; ``states`` begin with
     the coordinates.
@@ -107,7 +108,7 @@ def forces_of(model: Model) -> dict[str, partial[FloatArray]]:
     the only inclined spring, or ``spring_force_1``, …; ``contact_force``.
     """
 
-    def tension(spring: int, states: Any, constants: Sequence[Any]) -> FloatArray:
+    def tension(spring: int, states: FloatArray, constants: Sequence[Any]) -> FloatArray:
         tensions = model.algebra.spring_forces(
             *states[: len(model.coordinates)], *of_statics(model, constants)
         )

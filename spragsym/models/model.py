@@ -72,7 +72,7 @@ class Model:
         where: str,
         about: Mapping[str, Any],
         module: Callable[[], ModuleType],
-        parameters: Any,
+        parameters: type[ParameterSet],
         closed: Mapping[str, str] | None = None,
     ) -> None:
         self.name: str = about["name"]
@@ -87,7 +87,7 @@ class Model:
         self.whole: Model = self
 
     @cached_property
-    def algebra(self) -> Any:
+    def algebra(self) -> ModuleType:
         """Generated functions: the balance of forces, small deviations from it, the motion."""
         return self._module()
 

@@ -7,12 +7,13 @@ import importlib
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..core.errors import ParameterError, ParameterTypeError, hint
+from ..core.type_variables import T
 from ..display import Tabular
 from ..numerics.interval_arrays import BoolArray, Shape
 from ..numerics.interval_arrays import FloatArray as FloatArray
@@ -41,7 +42,7 @@ class Range:
     closed_high: bool = False
     unit: str = "1"
 
-    def spans(self, value: Any) -> Any:
+    def spans(self, value: Any) -> BoolArray:
         """Whether a number of any type lies between the ends, or where those of an array do."""
         above = value > self.low if self.open_low else value >= self.low
         return above & (value <= self.high if self.closed_high else value < self.high)
@@ -221,10 +222,7 @@ def degrees(angle: float) -> float:
     return next((candidate for candidate in candidates if math.radians(candidate) == angle), value)
 
 
-_C = TypeVar("_C")
-
-
-def named(cls: type[_C]) -> type[_C]:
+def named(cls: type[T]) -> type[T]:
     """Make a dataclass suggest the name that was meant when it is given one that it does not
     have.
     """
@@ -374,7 +372,7 @@ class ParameterSet(Values):
         """
         return self if model.Parameters is type(self) else self._copied(model.Parameters)
 
-    def _copied(self, kind: type[Self]) -> Self:
+    def _copied(self, kind: Any) -> Any:
         other = object.__new__(kind)
         kept = {
             name: self.__dict__[name] for name in ("followed", "_held") if name in self.__dict__

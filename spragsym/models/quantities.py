@@ -22,6 +22,7 @@ from ..core.errors import (
     hint,
 )
 from ..display import Tabular
+from ..numerics.interval_arrays import FloatArray
 from .load import load
 from .model import Model, title_drawing_words
 from .parameters import POSITIVE, Carried, ParameterSet, Range, Values, as_numbers
@@ -81,7 +82,7 @@ class Quantities:
         """Powers of the model's units whose product has the dimension of an SI unit."""
         return dict(zip(self.bases, _powers(unit, tuple(self.bases.values())), strict=True))
 
-    def scale(self, unit: str, values: Mapping[str, Any]) -> Any:
+    def scale(self, unit: str, values: Mapping[str, Any]) -> float:
         """Size of one dimensionless unit of a quantity in SI: the product of powers of the model's
         units that has its dimension.
 
@@ -114,7 +115,7 @@ class Quantities:
             for name, quantity in given
         }
 
-    def parameter_set(self, values: Mapping[str, Any]) -> Any:
+    def parameter_set(self, values: Mapping[str, Any]) -> ParameterSet:
         """The values as the model's parameters."""
         return self.model.Parameters(**self.groups(values))
 
@@ -220,13 +221,13 @@ def quantities(name: str) -> Quantities:
 _of = cache(Quantities)
 
 
-def _share_of(model: Model, p: ParameterSet, contact: str) -> Any:
+def _share_of(model: Model, p: ParameterSet, contact: str) -> FloatArray:
     full = model.friction(p, "friction_at_rest", contact)
     works = model.friction(p, "friction_at_speed", contact)
     return np.where(full > 0, works / np.where(full > 0, full, 1.0), 1.0)[()]
 
 
-def share(model: Model, p: ParameterSet) -> Any:
+def share(model: Model, p: ParameterSet) -> FloatArray | float:
     """The share of μ₀ at which friction works at the speed of the belt, by the model's own law; of
     the shape of ``p``.
     """

@@ -14,6 +14,7 @@ from math import pi
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ..core.errors import ParameterError, ParameterTypeError
 
@@ -289,7 +290,7 @@ class Carried:
             return self._elements(value)
         return self._of_library(value)
 
-    def _elements(self, array: Any) -> Any:
+    def _elements(self, array: NDArray[Any]) -> Any:
         if array.dtype != object:
             if array.size:
                 self.units.add("")
@@ -352,7 +353,7 @@ class Carried:
             return value  # no number, which is told by whoever asks
         return self.numbers(array)
 
-    def _converted(self, unit: str, numbers: object) -> Any:
+    def _converted(self, unit: str, numbers: object) -> ArrayLike:
         """Numbers of a unit in SI."""
         plain = "" if unit.strip() in _NO_UNIT else unit.strip()
         inner = Carried(self.name, self.si)

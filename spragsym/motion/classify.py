@@ -6,16 +6,17 @@ by its linearization with the damping of the friction law, and cycles by the clo
 its multipliers (:mod:`.return_map`), in this order.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..models.field import FLOATS, SETTLED, Field, Mode
+from ..models.field import FLOATS, SETTLED, Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
 from ..numerics.vectors import in_one_turn, magnitude
@@ -135,7 +136,7 @@ class Equilibrium:
 
 
 def spectrum_at_rest(
-    field: Field, constants: Any, state: FloatArray, mode: Mode
+    field: Field, constants: Values, state: FloatArray, mode: Mode
 ) -> tuple[ComplexArray, ComplexArray]:
     """Eigenvalues and eigenvectors of the linearized motion in a mode; where friction holds, of
     what moves in it, in which no speed slides.
@@ -179,7 +180,7 @@ def rest_near(problem: Problem, place: FloatArray) -> Equilibrium | None:
 
 
 def equilibrium_near(
-    field: Field, constants: Any, place: FloatArray, kept: Mode | None = None
+    field: Field, constants: Values, place: FloatArray, kept: Mode | None = None
 ) -> FloatArray:
     """The state of rest that Newton's method finds from a place, in a mode that is kept, or in
     those of the states.

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from functools import cache
+from types import ModuleType
 from typing import Any
 
 from ..core.interrupts import held
 
 
 @cache
-def library() -> Any:
+def library() -> ModuleType:
     """The module, which from now on reports errors only: its warnings are of a cache that can't be
     written, as in a read-only home, and of its search for crossings near a tangency.
     ``heyoka.set_logger_level_warning()`` brings them back.

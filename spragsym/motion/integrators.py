@@ -12,11 +12,12 @@ import importlib.util
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from types import ModuleType
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
 from ..core.errors import BackendError, ConvergenceError, MissingExtraError, ParameterError
+from ..core.type_variables import T
 from ..models.field import Field, Values
 from ..models.model import Model
 from ..models.parameters import FloatArray
@@ -28,8 +29,6 @@ from .problem import Event, Problem, StiffError
 from .scales import MotionScales
 from .solution import FlowMap, FlowResult, Solution, events_of, without_chatter
 from .with_scipy import RTOL, Flight
-
-T = TypeVar("T")
 
 #: In the order in which they are preferred.
 BACKENDS = ("heyoka", "compiled", "scipy")

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -34,7 +33,7 @@ def unit_points() -> FloatArray:
     return (lobatto()[0] + 1) / 2
 
 
-def sample_times(begin: Any, end: Any) -> FloatArray:
+def sample_times(begin: FloatArray | float, end: FloatArray | float) -> FloatArray:
     """The Lobatto points of a step, or of each of many."""
     t: FloatArray = (
         np.asarray(end - begin)[..., None] * unit_points() + np.asarray(begin)[..., None]

@@ -16,7 +16,7 @@ stops at.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property, partial
@@ -28,7 +28,7 @@ from ..core.errors import ConvergenceError, ParameterError
 from ..models.field import Field, Values, field_of, undecorated
 from ..models.forces import of_statics
 from ..models.model import Model
-from ..models.parameters import POSITIVE, ParameterSet, Range, as_count, as_number
+from ..models.parameters import POSITIVE, FloatArray, ParameterSet, Range, as_count, as_number
 from .scales import MotionScales, scales_of
 
 RELATIVE_TOLERANCE = Range(
@@ -139,7 +139,11 @@ class StiffError(ConvergenceError):
 
 
 def check_stiffness(
-    problem: Problem, state: Any, step: float, left: float, most: float = MOST
+    problem: Problem,
+    state: Sequence[float] | FloatArray,
+    step: float,
+    left: float,
+    most: float = MOST,
 ) -> None:
     """Raise where steps of a mean length are bounded by stability, and too many of them would be
     left.

@@ -16,13 +16,13 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
 
 import numpy as np
 
 from ..core.errors import ConvergenceError
 from ..models.field import REACH, Field
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import ComplexArray
 from ..numerics.vectors import TURN, apart, in_one_turn, magnitude
 from . import integrators
 from .integrators import Flow
@@ -396,7 +396,9 @@ def _goes_on(cycle: Closed, off: FloatArray, tol: float) -> bool:
     return bool(left <= tol or math.fsum(growth) <= 0.5 * len(growth) * slowest_rate)
 
 
-def _same_size(off: FloatArray, values: Any, vectors: Any) -> Iterator[FloatArray]:
+def _same_size(
+    off: FloatArray, values: ComplexArray, vectors: ComplexArray
+) -> Iterator[FloatArray]:
     """Differences whose modal parts have the sizes of those of ``off``: either sign of real ones,
     eight phases of a pair.
     """

@@ -19,6 +19,7 @@ import numpy as np
 
 from ..models.field import FLOATS, Border, Field, Mode, Values, Vector
 from ..models.parameters import FloatArray
+from ..numerics.arithmetic import Number
 from ..numerics.vectors import TURN
 from .lobatto import PiecewisePolynomial
 
@@ -315,14 +316,14 @@ def scaled(field: Field, scales: MotionScales) -> Field:
     def at(state: Vector) -> list[Any]:
         return [value * unit for value, unit in zip(state, units, strict=True)]
 
-    def acceleration(state: Vector, constants: Vector, mode: Mode, xp: Any) -> list[Any]:
+    def acceleration(state: Vector, constants: Vector, mode: Mode, xp: object) -> list[Any]:
         found = inner.acceleration(at(state), constants, mode, xp)
         return [value * factor for value, factor in zip(found, faster, strict=True)]
 
     def rows(
         function: Callable[..., Any], over: Sequence[float] | None
     ) -> Callable[..., list[list[Any]]]:
-        def found(state: Vector, constants: Vector, mode: Mode, xp: Any) -> list[list[Any]]:
+        def found(state: Vector, constants: Vector, mode: Mode, xp: object) -> list[list[Any]]:
             return [
                 [
                     value * factor * unit
@@ -339,10 +340,10 @@ def scaled(field: Field, scales: MotionScales) -> Field:
         return bool(inner.airborne and inner.airborne(constants, state * scales.states))
 
     def border(that: Border, size: float) -> Border:
-        def level(state: Vector, constants: Vector, mode: Mode) -> Any:
+        def level(state: Vector, constants: Vector, mode: Mode) -> Number:
             return that.level(at(state), constants, mode) * (1.0 / size)
 
-        def rate(state: Vector, accelerations: Vector, constants: Vector, mode: Mode) -> Any:
+        def rate(state: Vector, accelerations: Vector, constants: Vector, mode: Mode) -> Number:
             pulls = [a * (1.0 / f) for a, f in zip(accelerations, faster, strict=True)]
             return that.rate(at(state), pulls, constants, mode) * (time / size)
 

@@ -5,12 +5,12 @@ one round, and the period.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
@@ -354,7 +354,7 @@ def _converted(orbit: Orbit, field: Field, scales: MotionScales) -> Orbit:
 Conditions: TypeAlias = Callable[[Orbit], tuple[FloatArray, FloatArray]]
 
 
-def rate(field: Field, state: Any, constants: Values) -> FloatArray:
+def rate(field: Field, state: Sequence[float] | FloatArray, constants: Values) -> FloatArray:
     """The derivative of a state in time; not a number where there is none, as at the anchor of a
     spring.
     """

@@ -42,6 +42,8 @@ from .with_heyoka import TOLERANCE as TIGHTEST
 from .with_scipy import RTOL
 
 if TYPE_CHECKING:
+    from xarray import Dataset
+
     from ..models.model import Model
 
 
@@ -817,7 +819,7 @@ class Trajectory(Named):
         slope, _ = np.polyfit(middle[kept] - middle[kept][0], np.log(swings[kept]), 1)
         return -float(slope)
 
-    def to_dataset(self) -> Any:
+    def to_dataset(self) -> Dataset:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
 
         Returns

@@ -307,7 +307,7 @@ class BatchIntegrator:
         """heyoka deep-copies its callbacks; the copies must still write to this object."""
         return self
 
-    def _cross(self, row: int, _: Any, direction: int, lane: int) -> bool:
+    def _cross(self, row: int, _: object, direction: int, lane: int) -> bool:
         """Go over to the next mode; stop if a crossing was missed, or if derivatives would be
         carried across a jump.
         """
@@ -346,7 +346,7 @@ class BatchIntegrator:
         if moved <= near_share * max(map(abs, here)):
             one.resting = True
 
-    def _note_extremum(self, border: int, _: Any, t: float, direction: int, lane: int) -> None:
+    def _note_extremum(self, border: int, _: object, t: float, direction: int, lane: int) -> None:
         """Note a turn of a border's level, or (−1) of the leading coordinate, or that this one
         passes a whole turn.
         """
@@ -363,7 +363,7 @@ class BatchIntegrator:
         if border != PASSAGE:
             one.reach[kind] = bound(one.reach[kind], state[self.field.lead])
 
-    def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
+    def _pass(self, each: Approach, _: object, __: int, lane: int) -> bool:
         """Passage of the zero of a root's argument: where it is zero to GAP, the state moves on by
         as much: at its anchor a spring has no direction.
         """
@@ -508,7 +508,7 @@ class BatchIntegrator:
     # ------------------------------------------------------------------------------------------ a
     # motion by itself
 
-    def begun(self, problem: Problem, directions: Any = ()) -> BatchIntegrator:
+    def begun(self, problem: Problem, directions: FloatArray | tuple[()] = ()) -> BatchIntegrator:
         """Integrator begun for one motion."""
         self.some = [MotionState(problem, np.ravel(directions))]
         return self

@@ -15,13 +15,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from types import SimpleNamespace
-from typing import Any, Self
+from typing import Any, Self, TypeAlias
 
 import numpy as np
 
 from . import interval_arrays
 from .arithmetic import Arithmetic, Number, repeated_product
-from .interval_arrays import FUNCTION_ULPS, FloatArray, Int8Array, Intervals, quiet, rounded_outward
+from .interval_arrays import (
+    FUNCTION_ULPS,
+    BoolArray,
+    FloatArray,
+    IndexArray,
+    Int8Array,
+    Intervals,
+    quiet,
+    rounded_outward,
+)
 from .jets import Functions, Jet
 
 #: Half a unit in the last place, relative.
@@ -30,6 +39,10 @@ UNIT = 2.0**-53
 _SLACK = 1.0 + 2.0**-45
 #: What it may lose by the underflow of a product.
 _TINY = 1e-320
+
+
+#: Numbers of boxes, one for each or the same for all.
+Real: TypeAlias = float | FloatArray
 
 
 class _Zero(Arithmetic):
@@ -45,7 +58,7 @@ class _Zero(Arithmetic):
     def __add__(self, other: Number) -> Any:
         return other
 
-    def __mul__(self, other: Number) -> Self:
+    def __mul__(self, other: Any) -> Self:
         return self
 
     __truediv__ = __mul__
@@ -65,31 +78,32 @@ class Rounded(Arithmetic):
     #: There are none.
     terms: Any = _ZERO
 
-    def __init__(self, value: Any, error: Any = 0.0) -> None:
-        self.value, self.error = value, error
+    def __init__(self, value: Real, error: Real = 0.0) -> None:
+        self.value: Any = value
+        self.error: Any = error
 
-    def radius(self) -> Any:
+    def radius(self) -> FloatArray:
         """Largest distance of the numbers from ``value``."""
         return (_spread(self) + self.error) * _SLACK
 
-    def __add__(self, other: Number) -> Any:
+    def __add__(self, other: Number) -> Rounded:
         if not isinstance(other, Rounded):
             return _rounded(self.value + other, self.terms, self.error)
         return _rounded(
             self.value + other.value, self.terms + other.terms, self.error + other.error
         )
 
-    def __sub__(self, other: Number) -> Any:
+    def __sub__(self, other: Number) -> Rounded:
         if not isinstance(other, Rounded):
             return _rounded(self.value - other, self.terms, self.error)
         return _rounded(
             self.value - other.value, self.terms - other.terms, self.error + other.error
         )
 
-    def __neg__(self) -> Any:
+    def __neg__(self) -> Rounded:
         return _number(-self.value, -self.terms, self.error)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: Any) -> Rounded:
         if not isinstance(other, Rounded):
             return _rounded(self.value * other, self.terms * other, self.error * abs(other) + _TINY)
         left, right = abs(self.value), abs(other.value)
@@ -107,7 +121,7 @@ class Rounded(Arithmetic):
             terms = other.terms * self.value + self.terms * other.value
         return _rounded(self.value * other.value, terms, error)
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: Number) -> Rounded:
         other = as_number(other)
         value = self.value / other.value
         size, reach, quotient = abs(other.value), other.radius(), abs(value)
@@ -123,7 +137,7 @@ class Rounded(Arithmetic):
         found.error = np.where(least > 0, error, np.inf)
         return found
 
-    def __rtruediv__(self, other: Number) -> Any:
+    def __rtruediv__(self, other: Any) -> Rounded:
         return Rounded(other) / self
 
     __pow__ = repeated_product
@@ -136,7 +150,7 @@ class Rounded(Arithmetic):
         error = (reach / value + UNIT * value) * _SLACK**2
         return Rounded(value, np.where(self.value > reach, error, np.inf))
 
-    def rows(self, index: Any) -> Rounded:
+    def rows(self, index: IndexArray | BoolArray | slice) -> Rounded:
         """Some of the numbers; of a single number, that."""
         if np.ndim(self.value) == 0:
             return self
@@ -156,7 +170,7 @@ class Affine(Rounded):
 
     __slots__ = ("terms",)
 
-    def __init__(self, value: Any, terms: Any, error: Any = 0.0) -> None:
+    def __init__(self, value: Real, terms: FloatArray, error: Real = 0.0) -> None:
         super().__init__(value, error)
         self.terms = terms
 
@@ -195,7 +209,7 @@ class Affine(Rounded):
         )
 
 
-def _number(value: Any, terms: Any, error: Any) -> Rounded:
+def _number(value: Real, terms: Any, error: Real) -> Rounded:
     return Rounded(value, error) if terms is _ZERO else Affine(value, terms, error)
 
 
@@ -206,7 +220,7 @@ def _rounded(value: Any, terms: Any, error: Any) -> Rounded:
     return Affine(value, terms, (error + UNIT * (np.abs(terms).sum(axis=0) + abs(value))) * _SLACK)
 
 
-def as_number(value: Number) -> Rounded:
+def as_number(value: Any) -> Rounded:
     """A number itself, and an int or float as one that is exact."""
     return value if isinstance(value, Rounded) else Rounded(value)
 
@@ -254,7 +268,7 @@ def _through(name: str) -> Callable[[Affine], Affine]:
     return through
 
 
-def _taken(value: Any) -> Affine:
+def _taken(value: float | Affine) -> Affine:
     """A number as one without terms."""
     return (
         value if isinstance(value, Affine) else Affine(np.full(1, float(value)), np.zeros((1, 1)))

@@ -30,7 +30,7 @@ class Number(Protocol):
 Matrix: TypeAlias = Sequence[Sequence[Any]]
 
 
-def repeated_product(self: Any, power: int) -> Any:
+def repeated_product(self: Number, power: int) -> Number:
     """A positive power, one product after the other: the ``__pow__`` of types for which only small
     powers occur.
     """
@@ -136,7 +136,7 @@ def characteristic(*matrices: Matrix) -> list[Any]:
     return determinant(pencil(*matrices)).padded((len(matrices) - 1) * len(matrices[0]) + 1)
 
 
-def hurwitz(coefficients: Sequence[Any], size: int | None = None) -> Any:
+def hurwitz(coefficients: Sequence[Any], size: int | None = None) -> Number:
     """Hurwitz's determinant of that size of a polynomial, the lowest coefficient first.
 
     Without a size the last but one: 0 if two roots have the sum 0.
@@ -156,7 +156,7 @@ def trimmed(polynomial: Polynomial) -> list[Any]:
     return coefficients
 
 
-def resultant(one: Sequence[Any], two: Sequence[Any]) -> Any:
+def resultant(one: Sequence[Any], two: Sequence[Any]) -> Number:
     """Sylvester's determinant of two polynomials."""
     m, n = len(one) - 1, len(two) - 1
     times = (one, n), (two, m)
@@ -206,7 +206,7 @@ class Complex(Arithmetic):
     re: Any
     im: Any
 
-    def __add__(self, other: Any) -> Complex:
+    def __add__(self, other: Number | Complex) -> Complex:
         other = as_complex(other)
         return Complex(self.re + other.re, self.im + other.im)
 
@@ -238,6 +238,6 @@ class Complex(Arithmetic):
         return Complex(self.re, -self.im)
 
 
-def as_complex(value: Number) -> Complex:
+def as_complex(value: Number | Complex) -> Complex:
     """A real number with the imaginary part 0, and a complex one itself."""
     return value if isinstance(value, Complex) else Complex(value, 0)

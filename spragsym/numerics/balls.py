@@ -21,11 +21,12 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, TypeAlias
 
 import mpmath
 
 from ..core.errors import ConvergenceError
+from ..core.type_variables import T
 from .arithmetic import Arithmetic, Number
 from .jets import Functions
 
@@ -44,7 +45,6 @@ class UndecidedSign(ArithmeticError):
     """A sign that the precision can't decide."""
 
 
-T = TypeVar("T")
 #: Bits of the first try.
 FIRST_BITS = 192
 
@@ -342,7 +342,7 @@ def tanh(value: Ball) -> Ball:
     return Ball(found.mid, found.rad, found.exp, value.bits)
 
 
-def _taken(value: Any) -> Ball:
+def _taken(value: Fraction | float | Ball) -> Ball:
     return value if isinstance(value, Ball) else exact(Fraction(value))
 
 

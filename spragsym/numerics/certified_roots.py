@@ -12,6 +12,7 @@ import numpy as np
 
 from . import boxes, contractors
 from .boxes import EquationSystem
+from .columns import Selection
 from .interval_arrays import (
     BoolArray,
     FloatArray,
@@ -47,7 +48,7 @@ class Roots:
         """No roots, of n unknowns."""
         return cls.at(np.empty((2, n, 0)))
 
-    def select(self, roots: Any = slice(None), undecided: Any = slice(None)) -> Roots:
+    def select(self, roots: Selection = slice(None), undecided: Selection = slice(None)) -> Roots:
         """Some of the roots and some of the undecided boxes."""
         return Roots(
             self.ends[:, :, roots],
@@ -75,7 +76,7 @@ class Roots:
             undecided_point=np.concatenate([self.undecided_point, point]),
         )
 
-    def reopened(self, roots: Any, open_: Any) -> Roots:
+    def reopened(self, roots: Selection, open_: Selection) -> Roots:
         """Some of the roots, and others of them among the undecided boxes."""
         return self.select(roots).with_undecided(self.ends[:, :, open_], self.point[open_])
 

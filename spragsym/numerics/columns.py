@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
-from typing import Any, Self
+from typing import Any, Self, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
+
+#: Some of many boxes, or of rows of them.
+Selection: TypeAlias = slice | tuple[Any, ...] | NDArray[np.integer] | NDArray[np.bool_]
 
 
 def selected_rows(columns: Mapping[str, Any], rows: Any) -> dict[str, Any]:
@@ -29,12 +33,12 @@ class ByColumn:
     all.
     """
 
-    def __getitem__(self, rows: Any) -> Self:
+    def __getitem__(self, rows: Selection) -> Self:
         return self._made(
             lambda part: part[rows] if isinstance(part, ByColumn) else part[..., rows]
         )
 
-    def scatter(self, rows: Any, other: Self) -> None:
+    def scatter(self, rows: Selection, other: Self) -> None:
         """Overwrite some columns by those of another."""
         for field in fields(self):
             getattr(self, field.name)[..., rows] = getattr(other, field.name)

@@ -7,9 +7,7 @@ from __future__ import annotations
 import decimal
 import math
 from fractions import Fraction
-from typing import Any, NamedTuple
-
-from .arithmetic import Number
+from typing import NamedTuple
 
 #: Significant digits of a bound.
 BOUND_DIGITS = 2
@@ -27,7 +25,7 @@ class Decimal(NamedTuple):
         return f"{self.text} ± {self.error}"
 
 
-def exactly(value: Any) -> Fraction:
+def exactly(value: float | str | Fraction) -> Fraction:
     """The rational number that an int, a float, a Fraction, an mpf or a decimal text is."""
     if not hasattr(value, "_mpf_"):
         return Fraction(value)
@@ -36,7 +34,7 @@ def exactly(value: Any) -> Fraction:
     return Fraction(*map(int, libmp.to_rational(value._mpf_)))
 
 
-def around(value: Number, error: Number, digits: int | None = None) -> Decimal:
+def around(value: Fraction | float, error: Fraction | float, digits: int | None = None) -> Decimal:
     """A number that is known to ``error``, in decimals, with a bound that covers the rounding too.
 
     ``digits`` are significant ones; by default as many as the error leaves: one beyond its first.
@@ -62,7 +60,7 @@ def around(value: Number, error: Number, digits: int | None = None) -> Decimal:
     return Decimal(text, upward(abs(Fraction(text) - middle) + half))
 
 
-def upward(bound: Number) -> str:
+def upward(bound: Fraction | float) -> str:
     """A bound ≥ 0 in few decimals, as ``f"{bound:.1e}"`` writes it, but never less than it is.
 
     >>> upward(1.6449e-14), upward(0.0), upward(float("inf")), upward(9.99)

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ..generated import double_double
 from .arithmetic import Number
-from .interval_arrays import Shape
+from .interval_arrays import FloatArray, Shape
 
 Array = NDArray[Any]
 #: Its functions take whatever has a high and a low part.
@@ -40,7 +40,7 @@ class DoubleDouble(NDArrayOperatorsMixin):
 
     __slots__ = ("high", "low")
 
-    def __init__(self, high: Any, low: Any = 0.0) -> None:
+    def __init__(self, high: FloatArray | float, low: FloatArray | float = 0.0) -> None:
         self.high, self.low = np.asarray(high, dtype=np.float64), np.asarray(low, dtype=np.float64)
 
     @property
@@ -81,7 +81,7 @@ def _of(pair: double_double.Wide) -> DoubleDouble:
     return out
 
 
-def _wide(value: Number) -> DoubleDouble:
+def _wide(value: Any) -> DoubleDouble:
     """A double-double as it is, anything else as an exact number."""
     return value if isinstance(value, DoubleDouble) else DoubleDouble(value)
 
@@ -97,7 +97,9 @@ def _sum(one: Number, other: Number) -> DoubleDouble:
     )
 
 
-def _product(one: Any, other: Any) -> DoubleDouble:
+def _product(
+    one: DoubleDouble | FloatArray | float, other: DoubleDouble | FloatArray | float
+) -> DoubleDouble:
     one, other = (one, other) if isinstance(one, DoubleDouble) else (other, one)
     if isinstance(other, DoubleDouble):
         return _of(dd.dd_multiply(one, other))
@@ -108,7 +110,9 @@ def _product(one: Any, other: Any) -> DoubleDouble:
     )
 
 
-def _quotient(one: Any, other: Any) -> DoubleDouble:
+def _quotient(
+    one: DoubleDouble | FloatArray | float, other: DoubleDouble | FloatArray | float
+) -> DoubleDouble:
     return (
         _product(one, 1.0 / other)
         if _is_power_of_two(other)

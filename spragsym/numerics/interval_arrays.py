@@ -183,7 +183,7 @@ class Intervals(Arithmetic):
         """Whether each holds 0, or bounds nothing."""
         return ~((self.ends[0] < 0) | (self.ends[1] < 0))
 
-    def __getitem__(self, index: Any) -> Intervals:
+    def __getitem__(self, index: object) -> Intervals:
         index = index if isinstance(index, tuple) else (index,)
         return Intervals(self.ends[(slice(None), *index)])
 

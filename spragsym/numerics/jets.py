@@ -47,7 +47,7 @@ class Jet(Arithmetic):
         """The constant term."""
         return self.terms.get((), 0)
 
-    def derivative(self, *variables: int) -> Any:
+    def derivative(self, *variables: int) -> Number:
         """The derivative by these variables; the integer 0 where it is 0 by structure."""
         term = tuple(sorted(variables))
         coefficient = self.terms.get(term, 0)
@@ -223,7 +223,7 @@ class Functions:
             raise AttributeError(name)
         return lambda value: self.of(name, value)
 
-    def of(self, name: str, value: Any) -> Any:
+    def of(self, name: str, value: Number) -> Any:
         """A function of one number or jet."""
         if not isinstance(value, Jet):
             return getattr(self.kind, name)(self.taken(value))
@@ -232,11 +232,11 @@ class Functions:
             name, (self.cos(at), self.sin(at)) if name in ("cos", "sin") else self.of(name, at)
         )
 
-    def sign(self, value: Number) -> Any:
+    def sign(self, value: Number) -> Number:
         """−1, 0, 1."""
         return (value if isinstance(value, Jet) else self.taken(value)).sign()
 
-    def atan2(self, sine: Number, cosine: Number) -> Any:
+    def atan2(self, sine: Number, cosine: Number) -> Number:
         """Angle of the vector (cosine, sine), from −π to π."""
         if isinstance(sine, Jet) or isinstance(cosine, Jet):
             return argument(*turned(sine, cosine)) + self.atan2(constant(sine), constant(cosine))
@@ -311,7 +311,7 @@ def _times(one: Jet, other: Jet) -> Jet:
     return one * Jet(other.terms, other.order)
 
 
-def _power(value: Number, power: int) -> Any:
+def _power(value: Number, power: int) -> Number:
     """A power; of python-flint's balls by products, since its own is no number where a ball holds
     0.
     """

@@ -7,6 +7,8 @@ rule of signs, so that none is missed: intervals are halved, which only adds and
 the half-angle map, and roots of many polynomials in floats.
 """
 
+from __future__ import annotations
+
 import itertools
 import math
 from collections.abc import Callable, Sequence
@@ -17,17 +19,18 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
+from ..core.type_variables import T
 from . import balls
 from .arithmetic import Number
 from .balls import Ball, Interval, UndecidedSign
-from .interval_arrays import FloatArray
+from .interval_arrays import ComplexArray, FloatArray
 
 #: A Fraction or a ball.
 Coefficient: TypeAlias = Any
 Polynomial: TypeAlias = tuple[Coefficient, ...]
 
 
-def evaluate(polynomial: Sequence[Coefficient], t: Number) -> Any:
+def evaluate(polynomial: Sequence[Coefficient], t: T) -> T:
     """Horner's rule."""
     value = polynomial[-1]
     for coefficient in reversed(polynomial[:-1]):
@@ -234,7 +237,7 @@ class _Cell(NamedTuple):
     above: int = 0
 
 
-def _sign(value: Any) -> int:
+def _sign(value: Fraction | Ball) -> int:
     """Sign of an integer or a ball; only an integer may be 0."""
     found = balls.sign(value)
     if not found and isinstance(value, Ball):
@@ -326,7 +329,7 @@ def _refined(cell: _Cell, polynomial: Sequence[Any], lacking: Callable[[int, int
     if n == m:
         return cell
 
-    def value(n: int, k: int) -> Any:
+    def value(n: int, k: int) -> Coefficient:
         """2^(k degree) times the polynomial at n/2^k."""
         found, scale = polynomial[-1], 1
         for coefficient in reversed(polynomial[:-1]):
@@ -356,7 +359,7 @@ def _refined(cell: _Cell, polynomial: Sequence[Any], lacking: Callable[[int, int
             j //= 2
 
 
-def _share(low: Any, high: Any, j: int) -> int:
+def _share(low: Coefficient, high: Coefficient, j: int) -> int:
     """Part of 2^j, from below, in which the chord of values of opposite signs, or of their middles,
     crosses zero.
     """
@@ -409,7 +412,7 @@ def by_power(coefficients: FloatArray) -> tuple[FloatArray, ...]:
     return tuple(np.moveaxis(coefficients, -1, 0)[..., None])
 
 
-def eigenvalues(coefficients: FloatArray) -> Any:
+def eigenvalues(coefficients: FloatArray) -> FloatArray | ComplexArray:
     """All complex roots of each polynomial, lowest power first; 0 where its leading coefficient is
     too small for them.
     """

@@ -458,7 +458,7 @@ def _about(c: Sequence[Any], h: Ball) -> tuple[list[Any], Ball]:
     return shifted(c, middle), h - middle
 
 
-def _less(value: Number, factors: Sequence[Any], steps: Sequence[Any]) -> Any:
+def _less(value: Number, factors: Sequence[Any], steps: Sequence[Any]) -> Number:
     """value − Σ factor step."""
     for factor, step in zip(factors, steps, strict=True):
         value = value - factor * step
@@ -470,12 +470,12 @@ def _short(value: Fraction) -> Fraction:
     return Fraction(round(value * 2**100), 2**100)
 
 
-def _width(value: Any) -> Fraction:
+def _width(value: Ball | Fraction) -> Fraction:
     low, high = balls.ends(value)
     return high - low
 
 
-def _inside(one: Any, other: Ball) -> bool:
+def _inside(one: Ball, other: Ball) -> bool:
     (low, high), (least, most) = balls.ends(one), balls.ends(other)
     return least < low and high < most
 

@@ -92,7 +92,7 @@ class Recorded(Intervals):
             raise NotRecorded
         return self.vanishes
 
-    def __getitem__(self, index: Any) -> NoReturn:
+    def __getitem__(self, index: object) -> NoReturn:
         raise NotRecorded
 
     def __iter__(self) -> NoReturn:
@@ -121,7 +121,7 @@ class Recorded(Intervals):
         low, high = (self.recording.number(float(end)) for end in ends)
         return Recorded(self.recording, self.recording.noted("constant", low, high), self.size)
 
-    def _with(self, name: str, other: Number) -> Any:
+    def _with(self, name: str, other: Number) -> Recorded:
         operand = self._of(other)
         return NotImplemented if operand is None else self._noted(name, operand.place)
 
@@ -131,28 +131,28 @@ class Recorded(Intervals):
     def __abs__(self) -> Recorded:
         return self._noted("absolute")
 
-    def __add__(self, other: Number) -> Any:
+    def __add__(self, other: Number) -> Recorded:
         if isinstance(other, int | float) and other == 0:
             return self
         return self._with("sum", other)
 
-    def __radd__(self, other: Number) -> Any:
+    def __radd__(self, other: Number) -> Recorded:
         return self.__add__(other)
 
-    def __mul__(self, other: Number) -> Any:
+    def __mul__(self, other: Number) -> Recorded:
         if other is self:
             return self.squared()
         if isinstance(other, int | float):
             return self._noted("scaled", self.recording.number(exactly(other)))
         return self._with("product", other)
 
-    def __rmul__(self, other: Number) -> Any:
+    def __rmul__(self, other: Number) -> Recorded:
         return self.__mul__(other)
 
-    def __truediv__(self, other: Number) -> Any:
+    def __truediv__(self, other: Number) -> Recorded:
         return self._with("quotient", other)
 
-    def __rtruediv__(self, other: Number) -> Any:
+    def __rtruediv__(self, other: Number) -> Recorded:
         operand = self._of(other)
         return NotImplemented if operand is None else operand._noted("quotient", self.place)
 
@@ -203,11 +203,11 @@ class Recorded(Intervals):
         """Value that is known not to be negative."""
         return self._noted("not_negative")
 
-    def component(self, across: Intervals) -> Any:
+    def component(self, across: Intervals) -> Recorded:
         """x/√(x² + y²)."""
         return self._with("component", across)
 
-    def angle(self, cosine: Intervals, side: int | None) -> Any:
+    def angle(self, cosine: Intervals, side: int | None) -> Recorded:
         """The angle of a vector."""
         return self._with(ANGLES[side], cosine)
 

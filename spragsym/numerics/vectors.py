@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .interval_arrays import FloatArray
 
@@ -15,17 +15,17 @@ TURN = 2 * np.pi
 BEGIN = -np.pi + 0.012345
 
 
-def magnitude(numbers: Any) -> float:
+def magnitude(numbers: ArrayLike) -> float:
     """The largest of some numbers, in size."""
     return float(np.abs(numbers).max())
 
 
-def norm(numbers: Any) -> float:
+def norm(numbers: ArrayLike) -> float:
     """The Euclidean norm of some numbers."""
     return float(np.linalg.norm(numbers))
 
 
-def apart(one: Any, other: Any, periodic: Sequence[int]) -> FloatArray:
+def apart(one: ArrayLike, other: ArrayLike, periodic: Sequence[int]) -> FloatArray:
     """One state less another, numbers along the last axis; of coordinates that come ``periodic``
     the shorter way.
     """

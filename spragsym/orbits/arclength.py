@@ -444,7 +444,7 @@ def started(setting: Setting, guess: Iterate) -> BranchPoint:
 
 
 def differences(
-    function: Callable[[FloatArray], FloatArray], place: FloatArray, step: Any
+    function: Callable[[FloatArray], FloatArray], place: FloatArray, step: FloatArray | float
 ) -> FloatArray:
     """Central differences of a function by each number of a place, along the last axis."""
     ways = np.eye(len(place)) * step

@@ -7,10 +7,10 @@ from __future__ import annotations
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
@@ -33,6 +33,10 @@ from ..numerics.vectors import magnitude, norm
 from ..results.result import Result
 from ..statics.equilibria import equilibria
 from .system import FateVerdict, Saddle, System, judged, saddle_near, verified
+
+if TYPE_CHECKING:
+    from ..motion.simulation import Trajectory
+    from .orbit import Cycle
 
 #: To either side of a point it is looked what motions come to.
 ASIDE = 1e-6
@@ -86,8 +90,8 @@ def basin_boundary(
     V: float | None = None,
     d: float | None = None,
     plane: tuple[str, str] | None = None,
-    start: Any = None,
-    saddle: Any = None,
+    start: ArrayLike | None = None,
+    saddle: ArrayLike | Trajectory | Cycle | None = None,
     between: Ranges | None = None,
     step: float | None = None,
     points: int = 80,

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import combinations, islice, pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,6 +42,9 @@ from .finding import cycle_near
 from .options import BranchOptions
 from .orbit import same_cycle
 from .system import FixedPoints, System
+
+if TYPE_CHECKING:
+    from ..bifurcation.flutter import Onsets
 
 #: Options of branches of equilibria, whose steps are in units of the motion and halves of the
 #: range.
@@ -471,7 +474,7 @@ def _equilibria(
 def _cycles(
     p: ParameterSet,
     vary: str,
-    onsets: Any,
+    onsets: Onsets | None,
     born_at: FloatArray,
     starts: Sequence[Any],
     remarks: list[str],

@@ -12,9 +12,9 @@ import math
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
@@ -105,7 +105,7 @@ def lyapunov(
     *,
     V: float | None = None,
     d: float | None = None,
-    start: Any = None,
+    start: ArrayLike | None = None,
     t_end: float | None = None,
     backend: str | None = None,
 ) -> Lyapunov:

@@ -11,9 +11,9 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
@@ -137,7 +137,7 @@ def fate_boundary(
     between: Ranges,
     V: float | None = None,
     d: float | None = None,
-    start: Any = None,
+    start: ArrayLike | None = None,
     backend: str | None = None,
 ) -> FateBoundary:
     """The value of a parameter at which a start changes its fate, and which saddle it then hovers

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
@@ -104,7 +104,7 @@ def fate(
     *,
     V: float | None = None,
     d: float | None = None,
-    start: Any = None,
+    start: ArrayLike | None = None,
     t_end: float | None = None,
     backend: str | None = None,
 ) -> Fate:
@@ -384,9 +384,9 @@ class FateMap(Result):
 def fate_map(
     p: ParameterSet,
     *,
-    V: Any = None,
-    d: Any = None,
-    start: Any = None,
+    V: ArrayLike | None = None,
+    d: ArrayLike | None = None,
+    start: ArrayLike | None = None,
     t_end: float | None = None,
     backend: str | None = None,
     workers: Workers = 1,

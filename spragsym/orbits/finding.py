@@ -10,6 +10,7 @@ from contextlib import suppress
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
@@ -63,7 +64,7 @@ FARTHEST = 2.0
 @in_usual_state
 def cycle(
     p: ParameterSet | None = None,
-    near: Any = None,
+    near: ArrayLike | Trajectory | Cycle | None = None,
     *,
     V: float | None = None,
     d: float | None = None,
@@ -151,7 +152,7 @@ def cycle(
     return cycle_near(system, near, patient=patient)
 
 
-def _after_turns(system: System, near: Any, turns: int) -> Cycle:
+def _after_turns(system: System, near: ArrayLike | Trajectory | Cycle | None, turns: int) -> Cycle:
     """The cycle of so many turns of the clock."""
     field = system.field
     if field.clock is None:
@@ -184,7 +185,9 @@ def _after_turns(system: System, near: Any, turns: int) -> Cycle:
     return found
 
 
-def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cycle:
+def cycle_near(
+    system: System, near: ArrayLike | Trajectory | Cycle | None = None, *, patient: bool = True
+) -> Cycle:
     """:func:`cycle` of any system."""
     field, flow = system.field, system.flow
     if isinstance(near, Cycle):

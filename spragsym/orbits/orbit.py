@@ -6,11 +6,11 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -40,11 +40,14 @@ from ..motion.shooting import (
     remeshed,
     solved,
 )
-from ..motion.simulation import motion_of
+from ..motion.simulation import Trajectory, motion_of
 from ..motion.solution import Events, events_of
 from ..numerics.interval_arrays import ComplexArray, Int8Array
 from ..numerics.vectors import apart, magnitude
 from ..results.result import Result
+
+if TYPE_CHECKING:
+    from xarray import Dataset
 
 #: A multiplier this close to 1 in size decides nothing about stability.
 NEUTRAL = 1e-7
@@ -210,7 +213,7 @@ class Cycle(Result):
         """The parameters by name."""
         return dict(zip(self.field.parameters, self.values, strict=True))
 
-    def trajectory(self, periods: float = 1.0, **options: Any) -> Any:
+    def trajectory(self, periods: float = 1.0, **options: Any) -> Trajectory:
         """The motion over one period, or more of them, as :func:`~spragsym.simulate` gives it.
 
         Parameters
@@ -235,7 +238,7 @@ class Cycle(Result):
         chosen = {"rtol": 1e-13, "backend": self.backend} | options
         return motion_of(self.field, self.values, self.state, periods * self.period, **chosen)
 
-    def to_dataset(self) -> Any:
+    def to_dataset(self) -> Dataset:
         """An ``xarray.Dataset``: the samples of one period, with everything else as attributes
         (extra ``sweep``).
 
@@ -484,7 +487,9 @@ def _top(orbit: Orbit) -> float:
     return max(highest, key=lambda top: float(top.state[lead + 1])).t if highest else 0.0
 
 
-def _range(samples: PiecewisePolynomial, force: Any, constants: Values) -> tuple[float, float]:
+def _range(
+    samples: PiecewisePolynomial, force: Callable[..., FloatArray], constants: Values
+) -> tuple[float, float]:
     """Least and largest value, at a sample or where the values turn between two."""
     values = force(samples.states, constants)
     rates = PiecewisePolynomial(

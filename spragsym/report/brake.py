@@ -59,7 +59,7 @@ class LoadParameter:
 _NOTHING = LoadParameter("", "", math.nan, False)
 
 
-def check_load(kind: Quantities, vary: Any) -> None:
+def check_load(kind: Quantities, vary: object) -> None:
     """Refuse a loading parameter, if one is named, on which no state depends."""
     if not isinstance(vary, str | None):
         raise ParameterError(f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
@@ -231,11 +231,11 @@ class Brake:
         return float(self.kind.scale(si, self.values))
 
     @cached_property
-    def dimensionless(self) -> Any:
+    def dimensionless(self) -> ParameterSet:
         """The dimensionless parameters at the operating point, with the friction μ₀."""
         return self.placed(self.kind.parameter_set(self.values))
 
-    def placed(self, p: ParameterSet) -> Any:
+    def placed(self, p: ParameterSet) -> ParameterSet:
         """A set of parameters that follows the state that was chosen, if one was."""
         return p.following(**self.near) if self.near else p
 
@@ -248,7 +248,7 @@ class Brake:
         }
 
     @cached_property
-    def operating_point(self) -> Any:
+    def operating_point(self) -> ParameterSet:
         """The brake with the μ₀ with which statics has the friction that works, where the model has
         one.
         """
@@ -379,7 +379,7 @@ class Brake:
 
         return float(require_known(self.ends).value)
 
-    def loaded(self, values: Mapping[str, Any], target: float | None) -> Any:
+    def loaded(self, values: Mapping[str, Any], target: float | None) -> ParameterSet:
         """Parameters of brakes, by their quantities in SI, with the loading parameter at a target,
         or at its own value.
         """
@@ -471,7 +471,7 @@ class Brake:
         return f"{type(self).__name__}({words})"
 
 
-def _given(parameters: Any, kind: Quantities, damping_ratio: float | None) -> Numbers:
+def _given(parameters: object, kind: Quantities, damping_ratio: float | None) -> Numbers:
     allowed, model = kind.ranges(), kind.model.where
     if isinstance(parameters, QuantityValues) and model in (USUAL, WITH_DAMPERS[USUAL]):
         parameters = parameters.known

@@ -261,7 +261,7 @@ def _state(given: object, kind: Quantities) -> Numbers:
     return {name: _exact(name, text, units[name]) for name, text in given.items()}
 
 
-def _exact(name: str, text: Any, unit: str, allowed: Range = FINITE) -> float:
+def _exact(name: str, text: object, unit: str, allowed: Range = FINITE) -> float:
     """The value of a place, of where a load begins, or of a ratio; an error for one with a
     tolerance.
     """

@@ -6,13 +6,13 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TypeVar
 
 from ..bifurcation.critical import critical_friction, cusp_friction
 from ..bifurcation.folds import folds
 from ..core.errors import ParameterError, SpragsymError
 from ..core.progress import doing
 from ..core.remarks import Remark
+from ..core.type_variables import T
 from ..design.certificates import Certificate
 from ..design.jumps import jump_value
 from ..design.probability import JumpProbability
@@ -35,8 +35,6 @@ from .states import (
 )
 from .tolerances import bracket, certificate, chance, sampling_budget, varied
 from .units import Numbers
-
-T = TypeVar("T")
 
 #: A friction coefficient that no brake has.
 FRICTION = 2.0

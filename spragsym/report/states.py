@@ -165,7 +165,7 @@ def in_units(study: Brake, place: Numbers) -> Numbers:
     return {f"{name}_{unit}": size * float(place[name]) for name, unit, size in known}
 
 
-def _of_springs(study: Brake, values: Sequence[Any]) -> Any:
+def _of_springs(study: Brake, values: Sequence[Any]) -> OfSprings:
     if len(values) < 2:
         return next(iter(values), None)
     return dict(zip((entry["name"] for entry in study.kind.about["springs"]), values, strict=True))
@@ -248,7 +248,7 @@ def _places(eq: Equilibria) -> list[Numbers]:
 def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: bool) -> State:
     scales, model = study.scales, study.kind.model
 
-    def of(names: Iterable[str], scale: float) -> Any:
+    def of(names: Iterable[str], scale: float) -> OfSprings:
         return _of_springs(study, [scale * float(eq[name][slot]) for name in names])
 
     where = [
@@ -360,7 +360,7 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
     )
 
 
-def _moving(study: Brake, value: float, speed: float) -> Any:
+def _moving(study: Brake, value: float, speed: float) -> ParameterSet | None:
     """The parameters of the motion where it jumps; None where the law is not known or brings no
     such friction.
     """

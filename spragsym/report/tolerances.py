@@ -2,8 +2,10 @@
 proofs, probabilities.
 """
 
+from __future__ import annotations
+
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -247,7 +249,7 @@ def bracket(study: Brake) -> Span:
     ):
         return 0.0, 1.0
 
-    def law(name: str, scale: float) -> Any:
+    def law(name: str, scale: float) -> Callable[[FloatArray], FloatArray]:
         return lambda value: study.quantities[name].whole.cdf(np.asarray(value) * scale)
 
     whole, of = splitting(study), sides(study)

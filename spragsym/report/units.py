@@ -12,11 +12,12 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..core.errors import ParameterError
 from ..models.parameters import FINITE, Range
 from ..models.quantities import factor
-from ..numerics.arithmetic import Number
+from ..numerics.interval_arrays import FloatArray
 
 #: Numbers by name: quantities in SI, or coordinates.
 Numbers: TypeAlias = Mapping[str, float]
@@ -92,14 +93,14 @@ class Measured:
         low, high = (self.value + sign * WITHIN * self.sd for sign in (-1, 1))
         return self if self.cut else replace(self, low=low, high=high)
 
-    def cdf(self, value: Number) -> Any:
+    def cdf(self, value: ArrayLike) -> Any:
         """The share of its distribution within its ends up to a value."""
         if not self.varies:
             return 1.0 * (np.asarray(value) >= self.value)
         least, most, here = (self._below(end) for end in (self.low, self.high, np.asarray(value)))
         return np.clip((here - least) / (most - least), 0.0, 1.0)
 
-    def ppf(self, share: object) -> Any:
+    def ppf(self, share: object) -> FloatArray:
         """The value below which a share of its distribution within its ends lies."""
         from scipy.special import ndtri  # heavy, and a refusal does not need it
 
@@ -109,7 +110,7 @@ class Measured:
             self.value + self.sd * ndtri(value) if self.sd else value, self.low, self.high
         )
 
-    def _below(self, value: Number) -> Any:
+    def _below(self, value: FloatArray | float) -> Any:
         from scipy.special import ndtr  # heavy, and a refusal does not need it
 
         return ndtr((value - self.value) / self.sd) if self.sd else value

@@ -21,6 +21,8 @@ from ..numerics.interval_arrays import BoolArray, IntArray
 from .result import WHOLE, Items, OfStates, Result, along_axes, axes_of
 
 if TYPE_CHECKING:
+    from xarray import Dataset
+
     from ..models.model import Model
 
 
@@ -297,7 +299,7 @@ class Equilibria(OfStates):
         """
         return self._rows(self.states)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """An ``xarray.Dataset`` over the axes of the parameters and ``state``, the slots of the
         equilibria, NaN beyond ``count`` (extra ``sweep``).
 

@@ -4,6 +4,8 @@ Only data classes of this package are made from a file, from their fields: it ru
 no folder. It has a digest, so that a damaged one is refused.
 """
 
+from __future__ import annotations
+
 import base64
 import dataclasses
 import enum
@@ -19,6 +21,7 @@ from typing import Any
 
 import mpmath
 import numpy as np
+from numpy.typing import NDArray
 
 from .._version import __version__
 from ..core.errors import ParameterError
@@ -136,7 +139,7 @@ def _digest(body: str) -> str:
     return hashlib.sha256(body.encode("ascii")).hexdigest()
 
 
-def _array(thing: Any) -> list[Any]:
+def _array(thing: NDArray[Any]) -> list[Any]:
     array = np.ascontiguousarray(thing)
     if array.dtype.hasobject:
         raise ParameterError(
@@ -146,7 +149,7 @@ def _array(thing: Any) -> list[Any]:
     return [array.dtype.str, list(np.shape(thing)), base64.b64encode(array.tobytes()).decode()]
 
 
-def _array_of(kind: str, shape: list[int], data: str) -> Any:
+def _array_of(kind: str, shape: list[int], data: str) -> NDArray[Any]:
     array = np.frombuffer(base64.b64decode(data), np.dtype(kind)).reshape(shape).copy()
     if array.dtype.kind == "U":
         printed("an array of words", array.ravel().tolist())
@@ -174,7 +177,7 @@ _NUMBERS: dict[str, tuple[Any, Callable[[Any], Any], Callable[[Any], Any]]] = {
 }
 
 
-def _written(thing: object) -> Any:
+def _written(thing: object) -> object:
     """Object for JSON: what it knows as it is, all else under the name of its kind."""
     match thing:
         case None | bool() | str():
@@ -252,7 +255,7 @@ def _read(given: Model | None, held: dict[str, Any]) -> Any:
     return out
 
 
-def _part(field: dataclasses.Field[Any], parts: Mapping[str, Any]) -> Any:
+def _part(field: dataclasses.Field[Any], parts: Mapping[str, Any]) -> object:
     """A field of a result; of one that is younger than the file, its default."""
     for name in (field.name, FORMER_FIELDS.get(field.name, field.name)):
         if name in parts:

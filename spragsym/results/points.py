@@ -569,7 +569,7 @@ class LowestEnd(Tabular, NDArrayOperatorsMixin):
     def __float__(self) -> float:
         return float(self.value)
 
-    def __round__(self, digits: int | None = None) -> Any:
+    def __round__(self, digits: int | None = None) -> FloatArray | float:
         return round(self.value, digits)
 
     def __format__(self, spec: str) -> str:

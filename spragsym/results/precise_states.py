@@ -95,7 +95,7 @@ class PreciseEquilibria(Sequence[PreciseEquilibrium]):
     complete: bool
     region: Ranges
 
-    def __getitem__(self, index: Any) -> Any:
+    def __getitem__(self, index: int | slice) -> Any:
         return self.states[index]
 
     def __len__(self) -> int:
@@ -149,7 +149,7 @@ class CuspProof(Sequence[PreciseCusp]):
     sines: tuple[tuple[Fraction, Fraction], ...] = ()
     count: int | None = None  # type: ignore[assignment]  # not Sequence's count
 
-    def __getitem__(self, index: Any) -> Any:
+    def __getitem__(self, index: int | slice) -> Any:
         return self.cusps[index]
 
     def __len__(self) -> int:

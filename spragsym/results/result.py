@@ -7,12 +7,13 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import MissingExtraError
+from ..core.type_variables import T
 from ..display import (
     Column,
     Schema,
@@ -28,9 +29,12 @@ from ..models.load import USUAL, load
 from ..models.parameters import FloatArray
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame  # type: ignore[import-untyped]  # it brings no types
+    from xarray import Dataset
+
     from ..models.model import Model
 
-T = TypeVar("T")
 
 #: Longer arrays and tuples stand in ``repr`` by their shapes.
 WHOLE = 6
@@ -137,7 +141,7 @@ class Result(Tabular):
         """
         return sorted_out(self, self._schema)[0]
 
-    def to_dataframe(self) -> Any:
+    def to_dataframe(self) -> DataFrame:
         """A ``pandas.DataFrame`` of :meth:`data`, a row a point, angles in radians; pandas must be
         installed.
 
@@ -158,12 +162,12 @@ class Result(Tabular):
         (2, 7)
         """
         try:
-            from pandas import DataFrame  # type: ignore[import-untyped]  # it brings no types
+            from pandas import DataFrame
         except ModuleNotFoundError as error:
             raise MissingExtraError("a data frame", "pandas", "sweep") from error
         return DataFrame({name: column.ravel() for name, column in self.data().items()})
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """An ``xarray.Dataset`` of :meth:`data`, with unit, meaning and codes (extra ``sweep``).
 
         Returns
@@ -283,7 +287,7 @@ class Result(Tabular):
         said = self._schema
         return in_model_units(said.model, said.columns)
 
-    def plot(self, ax: Any = None, **options: Any) -> Any:
+    def plot(self, ax: Axes | None = None, **options: Any) -> Any:
         """Draw it into ``ax``, by default pyplot's current axes, and return what was drawn (extra
         ``plot``).
 
@@ -492,7 +496,7 @@ class InUnits(Rows):
     def _in_model_units(self) -> dict[str, Column]:
         return _in_hdf5(self._said)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """An ``xarray.Dataset`` with units; in names ``_per_`` stands for the stroke, which HDF5
         does not take.
 

@@ -95,7 +95,7 @@ class Balance(Forces, StateSystem):
             q = q - (contractors.inverse(slopes) * forces).sum(axis=1)
         return q
 
-    def slopes_over(self, unknowns: Any, parameters: Any) -> Matrix:
+    def slopes_over(self, unknowns: Sequence[Number], parameters: Intervals) -> Matrix:
         """Stiffness over boxes."""
         return self.state(unknowns, parameters).slopes
 
@@ -313,7 +313,7 @@ class BalanceInUnits(Balance):
         return super().identity(), *powers
 
     def scaled(
-        self, values: Values, xp: Any = np, names: Iterable[str] | None = None
+        self, values: Values, xp: object = np, names: Iterable[str] | None = None
     ) -> dict[str, Any]:
         """P and u by name, of any number type, with the page's parameters p in place of P, all or
         some, and beside them p/P.
@@ -330,7 +330,7 @@ class BalanceInUnits(Balance):
             found[name] = _times(values[name], found[code])
         return found
 
-    def arguments_of(self, values: Values, xp: Any) -> dict[str, Any]:
+    def arguments_of(self, values: Values, xp: object) -> dict[str, Any]:
         """Arguments of the generated functions, units and p/P by name, of any number type."""
         return super().with_angles(self.scaled(values, xp, self.needed), xp)
 
@@ -352,7 +352,7 @@ class BalanceInUnits(Balance):
             for row in rows
         ]
 
-    def _slope(self, name: str, slopes: Mapping[str, Any], values: Values) -> Any:
+    def _slope(self, name: str, slopes: Mapping[str, Any], values: Values) -> Number:
         if name in self.units:
             powers = self.units[name].powers
             return (
@@ -362,14 +362,14 @@ class BalanceInUnits(Balance):
         return slopes[name] * values[self.factors[name]] if name in self.factors else slopes[name]
 
 
-def _power(value: Number, power: float, xp: Any) -> Any:
+def _power(value: Number, power: float, xp: Any) -> Number:
     whole = int(power)
     if whole == power:
         return value**whole if whole > 0 else 1 / value**-whole
     return xp.exp(power * xp.log(value))
 
 
-def _times(value: Number, factor: Number) -> Any:
+def _times(value: Number, factor: Number) -> Number:
     """Their product; what is 0, and an end that is, stays so."""
     if is_zero(value):
         return value

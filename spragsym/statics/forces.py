@@ -186,7 +186,9 @@ class Forces:
         """:meth:`arguments` from parameters of shape (P, N)."""
         return self.arguments(self.prepared(bounds))
 
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> Evaluation:
+    def at(
+        self, q: Sequence[Any], values: Values, shape: Shape = (), xp: object = XP
+    ) -> Evaluation:
         """The evaluation at coordinates, which functions of parameters alone do not need."""
         return Evaluation(self, q if len(q) else [0] * self.n, values, shape, xp)
 
@@ -212,7 +214,7 @@ class Forces:
         """
         laws, own = at.of_frictions("friction_by_parameters"), self.model.about["by_parameters"]
 
-        def slope(row: Sequence[Any], name: str) -> Any:
+        def slope(row: Sequence[Any], name: str) -> Number:
             place, found = self.parameters.index(name), row[own.index(name)] if name in own else 0
             for by_mu, law in zip(row[-len(laws) :], laws, strict=True):
                 found = found + by_mu * law[place]
@@ -355,7 +357,7 @@ class Evaluation:
         """The stiffness matrix K."""
         return self.rows("forces_jacobian") if self.balance.sums else self.slopes
 
-    def contact_force(self, contact: int, pushing: Any) -> Any:
+    def contact_force(self, contact: int, pushing: Any) -> Number:
         """The normal force of a contact, by its number."""
         return self.call(named("contact_force", self.balance.contacts[contact]), self.q, pushing)
 
@@ -432,7 +434,7 @@ class Evaluation:
             out |= ~total.holds_zero()
         return out
 
-    def gap(self, contact: int) -> Any:
+    def gap(self, contact: int) -> Number:
         """The gap of a contact, by its number."""
         name = named("contact_gap", self.balance.contacts[contact])
         return self.call(name, self.q, kind="statics")
@@ -480,7 +482,7 @@ def turning(
     rest: tuple[Any, Any],
     shape: Shape,
     side: int | None,
-) -> Any:
+) -> Number:
     """The turning φ of a spring in [−π, π], an array of intervals or a jet of them; NaN where boxes
     meet the ray φ = ±π.
 

@@ -14,7 +14,7 @@ number type of the algebra.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
@@ -40,23 +40,23 @@ class LawFunctions(Functions):
     #: π.
     pi = interval_arrays.PI
 
-    def of(self, name: str, value: Number) -> Any:
+    def of(self, name: str, value: Number) -> Number:
         """A function of one number or jet."""
         if name in ("sqrt", "log"):
             value = _not_negative(value)
         return super().of(name, value)
 
-    def exp(self, value: Number) -> Any:
+    def exp(self, value: Number) -> Number:
         """Exponential: 1 of the number 0."""
         return 1 if isinstance(value, int | float) and value == 0 else self.of("exp", value)
 
 
-def _enclosed(value: Number) -> Any:
+def _enclosed(value: Number) -> Number:
     """A number as an interval, so that a function of it is one that is rounded outward."""
     return Intervals.point([float(value)]) if isinstance(value, int | float) else value
 
 
-def _not_negative(value: Number) -> Any:
+def _not_negative(value: Number) -> Number:
     if isinstance(value, Jet):
         return Jet({**value.terms, (): _not_negative(_enclosed(value.value))}, value.order)
     return value.not_negative() if isinstance(value, Intervals) else value
@@ -65,7 +65,7 @@ def _not_negative(value: Number) -> Any:
 class FreeWaves(LawFunctions):
     """Functions with cosines and sines as free numbers from −1 to 1, the same for every value."""
 
-    def of(self, name: str, value: Number) -> Any:
+    def of(self, name: str, value: Number) -> Number:
         """A function of one number or jet."""
         return (
             Intervals(np.ones_like(self.taken(constant(value)).ends))
@@ -126,14 +126,14 @@ class Scaled(Arithmetic):
             return 0
         return Scaled(self.value * other.value, self.order + other.order, self.w)
 
-    def __truediv__(self, other: Number) -> Any:
+    def __truediv__(self, other: Number) -> Scaled:
         other = self._of(other)
         return Scaled(self.value / other.value, self.order - other.order, self.w)
 
-    def __rtruediv__(self, other: Number) -> Any:
+    def __rtruediv__(self, other: Number) -> Scaled:
         return self._of(other) / self
 
-    def __pow__(self, power: int) -> Any:
+    def __pow__(self, power: int) -> Scaled:
         return Scaled(self.value**power, self.order * power, self.w)
 
 
@@ -143,7 +143,7 @@ class _ScaledFunctions:
     pi = XP.pi
 
     @staticmethod
-    def sqrt(value: Number) -> Any:
+    def sqrt(value: Number) -> Number:
         """Square root of an even order: half of it."""
         if not isinstance(value, Scaled):
             return XP.sqrt(value)
@@ -152,7 +152,7 @@ class _ScaledFunctions:
         return Scaled(XP.sqrt(value.value), value.order // 2, value.w)
 
     @staticmethod
-    def atan2(sine: Number, cosine: Number) -> Any:
+    def atan2(sine: Number, cosine: Number) -> NoReturn:
         """Angle; of no number that runs to infinity."""
         raise NoChart
 
@@ -202,7 +202,7 @@ class Parity(Arithmetic):
 
     __truediv__ = __mul__
 
-    def __rtruediv__(self, other: Number) -> Any:
+    def __rtruediv__(self, other: Number) -> Parity:
         return self * other
 
     def __pow__(self, power: int) -> Parity:

@@ -106,7 +106,9 @@ class Polar(StateSystem):
             np.concatenate([self.balance.prepared(bounds[:-1]).ends, bounds[-1:].ends], axis=1)
         )
 
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> Evaluation:
+    def at(
+        self, q: Sequence[Any], values: Values, shape: Shape = (), xp: object = XP
+    ) -> Evaluation:
         """The state with φ as its turning."""
         nowhere = self.balance.at((), values, shape, xp)
         angle, part, *others = q
@@ -184,7 +186,10 @@ class Polar(StateSystem):
     # over boxes
 
     def state(
-        self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None
+        self,
+        unknowns: Intervals | Sequence[Number],
+        parameters: Intervals,
+        sides: Sequence[int] | None = None,
     ) -> Evaluation:
         """The evaluation over boxes."""
         return self.at(

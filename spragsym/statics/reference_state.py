@@ -5,6 +5,8 @@ Which is "the smallest" or "the nearest" state, and which the first, does not de
 where two are alike to within their errors.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping, Sequence
 from operator import mul
 from typing import Any
@@ -171,7 +173,7 @@ def is_reference(
     """
     n, shape, values = balance.n, parameters.shape[1:], balance.arguments(parameters)
 
-    def energy(q: Any) -> Any:
+    def energy(q: Sequence[Any]) -> Any:
         return balance.at(q, values, shape).call("strain_energy", q, *balance.pushing)
 
     with quiet():

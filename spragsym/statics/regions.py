@@ -343,7 +343,7 @@ class _Pressed:
     then cut off at 0.
     """
 
-    def __mul__(self, other: Number) -> Any:
+    def __mul__(self, other: Number) -> Number:
         return other
 
     __rmul__ = __mul__

@@ -13,7 +13,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from ..numerics import contractors, jets, plans
-from ..numerics.arithmetic import Matrix
+from ..numerics.arithmetic import Matrix, Number
 from ..numerics.boxes import EquationSystem
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape
 from ..numerics.plans import Border, Exclusions, LineTapes, Plan
@@ -49,7 +49,9 @@ class StateSystem(EquationSystem):
         """Options of the search for states, which are those of the balance."""
         return self.balance.search_options
 
-    def at(self, q: Sequence[Any], values: Values, shape: Shape = (), xp: Any = XP) -> Evaluation:
+    def at(
+        self, q: Sequence[Any], values: Values, shape: Shape = (), xp: object = XP
+    ) -> Evaluation:
         """The evaluation at unknowns, of any number type as the arguments are."""
         raise NotImplementedError
 
@@ -66,7 +68,10 @@ class StateSystem(EquationSystem):
         return self.prepared(Intervals.point(given))
 
     def state(
-        self, unknowns: Any, parameters: Intervals, sides: Sequence[int] | None = None
+        self,
+        unknowns: Intervals | Sequence[Number],
+        parameters: Intervals,
+        sides: Sequence[int] | None = None,
     ) -> Evaluation:
         """The evaluation over boxes, whose unknowns are intervals or jets of them."""
         at = self.at(list(unknowns), self.balance.arguments(parameters), parameters.shape[1:])
@@ -100,7 +105,7 @@ class StateSystem(EquationSystem):
     def of_state(self, key: Hashable, rows: Rows) -> Entries:
         """Entries that follow from a state, and perhaps from more for each box."""
 
-        def noted(unknowns: Any, *rest: Any) -> Sequence[Any]:
+        def noted(unknowns: Sequence[Number], *rest: Any) -> Sequence[Any]:
             *others, parameters = rest
             return rows(self.state(unknowns, parameters), *others)
 
@@ -109,7 +114,7 @@ class StateSystem(EquationSystem):
     def value_entries(self, sides: Sequence[int]) -> Entries:
         """Residuals on the given sides of the rays where torsion angles jump."""
 
-        def rows(unknowns: Any, parameters: Any) -> Sequence[Any]:
+        def rows(unknowns: Sequence[Number], parameters: Intervals) -> Sequence[Any]:
             given = jets.variables(list(unknowns), self.order) if self.order else list(unknowns)
             found = self.conditions(self.state(given, parameters, sides), given)
             return [jets.constant(value) for value in found]
@@ -123,7 +128,7 @@ class StateSystem(EquationSystem):
     def slope_entries(self) -> Entries:
         """∂F/∂x, row by row."""
 
-        def rows(unknowns: Any, parameters: Any) -> Sequence[Any]:
+        def rows(unknowns: Sequence[Number], parameters: Intervals) -> Sequence[Any]:
             return [entry for row in self.slopes_over(unknowns, parameters) for entry in row]
 
         return "slopes", rows
@@ -135,7 +140,7 @@ class StateSystem(EquationSystem):
         shape = 2, entries.shape[0] // n, n, *unknowns.shape[1:]
         return Intervals(entries.ends.reshape(shape))
 
-    def slopes_over(self, unknowns: Any, parameters: Any) -> Matrix:
+    def slopes_over(self, unknowns: Any, parameters: Intervals) -> Matrix:
         """∂F/∂x over boxes, by rows: by jets, if nothing sharper is known."""
         given = jets.variables(list(unknowns), self.order + 1)
         rows = self.equations(given, parameters)
@@ -145,7 +150,9 @@ class StateSystem(EquationSystem):
         """Forces of springs with the directions over the boxes, near them and by coordinates."""
         balance = self.balance
 
-        def rows(unknowns: Any, near: Any, parameters: Any) -> Sequence[Any]:
+        def rows(
+            unknowns: Sequence[Number], near: Sequence[Number], parameters: Intervals
+        ) -> Sequence[Any]:
             at = self.state(unknowns, parameters, balance.anywhere)
             return balance.linear_rows(at, list(near), Evaluation.forces, lambda at: at.slopes)
 

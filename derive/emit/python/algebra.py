@@ -54,7 +54,7 @@ class AlgebraPrinter(StrPrinter):
         """A square."""
         return f"{self._print(base)}*{self._print(base)}"
 
-    def parenthesize(self, item: Any, level: int, strict: bool = False) -> str:
+    def parenthesize(self, item: sp.Basic, level: int, strict: bool = False) -> str:
         if item in self.body.negated:  # a factor, of a product that turns its own sign
             return str(self._print(-self.body.negated[item]))
         text = str(super().parenthesize(item, level, strict))
@@ -77,7 +77,7 @@ class AlgebraPrinter(StrPrinter):
         """A function of these arguments."""
         return f"{'' if name == 'abs' else 'xp.'}{name}({', '.join(map(self._print, arguments))})"
 
-    def _print(self, expression: Any, **options: Any) -> str:
+    def _print(self, expression: sp.Basic, **options: Any) -> str:
         # The printer of SymPy writes whatever it is given, under SymPy's name for it.
         if not isinstance(expression, (*KNOWN, *BY_NAME)):
             raise ArithmeticError(

@@ -7,14 +7,16 @@ an interval can't decide is tried again with twice the bits, up to :data:`MAXIMU
 discriminant that still holds 0 then is reported as a fold.
 """
 
+from __future__ import annotations
+
 import itertools
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
 from ...core.errors import ConvergenceError
 from ...numerics import balls
-from ...numerics.balls import Interval, UndecidedSign, as_mpf, as_numbers
+from ...numerics.balls import Ball, Interval, UndecidedSign, as_mpf, as_numbers
 from ...numerics.polynomials import derivative, evaluate, on_circle, roots_on_the_line, squarefree
 from ...results.equilibria import EquilibriumType
 from ...results.precise_states import PreciseEquilibria, PreciseEquilibrium
@@ -70,7 +72,7 @@ def named(point: Iterable[Any]) -> str:
     return ", ".join(f"{name}={value}" for name, value in zip(NAMES, point, strict=True))
 
 
-def _spread(theta0: Any, rational: list[Fraction]) -> int:
+def _spread(theta0: Callable[[], Ball] | Fraction, rational: list[Fraction]) -> int:
     """Powers of two between the parameters."""
     given = [Fraction(1), *rational, *([] if callable(theta0) else [Fraction(theta0)])]
     powers = [
@@ -80,7 +82,12 @@ def _spread(theta0: Any, rational: list[Fraction]) -> int:
 
 
 def _settle(
-    theta0: Any, rational: list[Fraction], contact: bool, digits: int, bits: int, last: bool
+    theta0: Callable[[], Ball] | Fraction,
+    rational: list[Fraction],
+    contact: bool,
+    digits: int,
+    bits: int,
+    last: bool,
 ) -> PreciseEquilibria:
     angle = theta0() if callable(theta0) else balls.exact(Fraction(theta0))
     values = (*balls.cos_sin(angle), *map(balls.exact, rational), int(contact))

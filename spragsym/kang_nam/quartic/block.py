@@ -88,7 +88,7 @@ def _point(values: list[FloatArray], contact: bool) -> kernel.Point:
     return kernel.Point(*kernel.cosine_and_sine(theta0), *[*others, int(contact)])
 
 
-def _stacked(values: Sequence[Any]) -> Any:
+def _stacked(values: Sequence[Any]) -> DoubleDouble | FloatArray:
     if isinstance(values[0], DoubleDouble):
         return DoubleDouble(
             np.array([value.high for value in values]), np.array([value.low for value in values])

@@ -7,13 +7,14 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from types import ModuleType
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import BackendError, ConvergenceError, one_of
 from ...core.questions import NotInClosedForm
+from ...core.type_variables import T
 from ...models.parameters import as_count
 from ...numerics.columns import reuse_memory
 from ...numerics.interval_arrays import (
@@ -30,8 +31,6 @@ from .. import kernel
 from ..parameters import NAMES, Parameters
 from . import block, compiled
 from .block import COLUMNS, Slots
-
-T = TypeVar("T")
 
 #: Points solved at a time, or up to twice as many: enough to forget the calls' overhead, and for
 #: NumPy to compute in place, which it does in arrays of 256 KB and more; few enough for the arrays

@@ -44,6 +44,8 @@ from ..with_heyoka import LANES
 from .workers import Workers, made_or_loaded
 
 if TYPE_CHECKING:
+    from xarray import Dataset
+
     from ...models.model import Model
 
 
@@ -257,7 +259,7 @@ class Sweep(Named):
     def _items(self) -> dict[str, NDArray[Any]]:
         return {**self.inputs, **self._words_and_measures()}
 
-    def outcome(self, index: Any) -> Outcome:
+    def outcome(self, index: int | tuple[int, ...]) -> Outcome:
         """Outcome of one motion.
 
         Parameters
@@ -291,7 +293,7 @@ class Sweep(Named):
         regime, which = Regime(int(self.regime[index])), int(self.equilibrium[index])
         return Outcome(regime, which, rest, cycle=cycle, names=self.model.components, **known)
 
-    def to_dataset(self) -> Any:
+    def to_dataset(self) -> Dataset:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
 
         An axis along which one input alone varies is named after it; others are ``axis_0``,

@@ -7,6 +7,8 @@ pipes of its own and shares no lock with another: one that is killed is noticed 
 pipe, at once. One whose parent is killed ends by the same sign.
 """
 
+from __future__ import annotations
+
 import base64
 import os
 import pickle
@@ -74,7 +76,9 @@ def made_or_loaded(
     points = list(zip(*columns, strict=True))
     parallel = 1 if callable(workers) else count(workers)  # before there is a journal
 
-    def assembled(numbers: Any, words: Iterable[str], known: Mapping[str, Any]) -> R:
+    def assembled(
+        numbers: Sequence[Any] | FloatArray, words: Iterable[str], known: Mapping[str, Any]
+    ) -> R:
         table = np.asarray(numbers, dtype=float).reshape(len(names), *shape)
         return made(
             {
@@ -202,7 +206,7 @@ def _failed(point: str, trouble: str) -> SweepError:
     return error
 
 
-def _checked(answer: Any, missing: set[int]) -> Answer:
+def _checked(answer: object, missing: set[int]) -> Answer:
     if not (
         isinstance(answer, tuple)
         and len(answer) == 3
@@ -295,7 +299,7 @@ def _map(
             raise
 
 
-def _asked(child: subprocess.Popen[bytes], message: bytes) -> Any:
+def _asked(child: subprocess.Popen[bytes], message: bytes) -> object:
     """Answer of a process."""
     assert child.stdin is not None
     assert child.stdout is not None
@@ -358,7 +362,7 @@ def _epitaph(code: int, said: str) -> str:
     )
 
 
-def _packed(message: Any) -> bytes:
+def _packed(message: object) -> bytes:
     return _MARK + base64.b64encode(pickle.dumps(message)) + b"\n"
 
 

@@ -4,19 +4,20 @@ one.
 
 from __future__ import annotations
 
-import ast
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache
 from math import pi
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.errors import ParameterError, ParameterTypeError
+
+if TYPE_CHECKING:
+    import pint
 
 # ------------------------------------------------------------------------------------- their words
 
@@ -110,77 +111,21 @@ def _words() -> dict[str, str]:
     return known
 
 
-@dataclass(frozen=True)
-class Unit:
-    """Size of a unit in metres, grams, seconds and radians, and the powers of these axes in it
-    where they are not 0.
-    """
-
-    size: Fraction | float
-    powers: Mapping[str, Fraction]
-
-    def times(self, other: Unit, power: Fraction) -> Unit:
-        """Product with a power of another unit."""
-        powers = {
-            axis: self.powers.get(axis, Fraction(0)) + power * other.powers.get(axis, 0)
-            for axis in {**self.powers, **other.powers}
-        }
-        kept = {axis: found for axis, found in powers.items() if found}
-        return Unit(self.size * other.size**power, kept)
-
-
 @cache
-def _unit_named(name: str) -> Unit:
-    """The unit of a long name, by its definition."""
-    units = {names[0]: definition for definition, names in _WITH_PREFIX.values()}
-    units |= {name: definition for name, (definition, _) in _ALONE.items()}
-    if name in units:
-        if units[name].startswith("["):
-            return Unit(Fraction(1), {units[name]: Fraction(1)})
-        return _product(units[name], numbers=True)
+def _registry() -> pint.UnitRegistry[Any]:
+    """Registry of pint with the units that are defined above; its own thousand are not loaded."""
+    from pint import UnitRegistry
+
+    registry: pint.UnitRegistry[Any] = UnitRegistry(None, non_int_type=Fraction)
     for whole, size in dict(_PREFIXES.values()).items():
-        rest = name.removeprefix(whole)
-        if rest != name and rest in units:
-            return Unit(Fraction(size), {}).times(_unit_named(rest), Fraction(1))
-    raise ParameterError(f"{name} is no unit")
+        registry.define(f"{whole}- = {size}")
+    units = {names[0]: definition for definition, names in _WITH_PREFIX.values()}
+    for name, definition in (units | {name: one for name, (one, _) in _ALONE.items()}).items():
+        registry.define(f"{name} = {definition}")
+    return registry
 
 
-def _product(text: str, numbers: bool) -> Unit:
-    """The unit of a product of powers of long names, with ``numbers`` other than 1 or without; a
-    space between two factors is a product.
-    """
-    raised = re.sub("[⁻¹²³]+", lambda found: f"**({found[0].translate(_RAISED)})", text.strip())
-    plain = raised.replace("·", "*").replace("⋅", "*").replace("^", "**")
-    spaced = re.sub(r"(?<=[\w)])(?:\s+(?=\w)|\s*(?=\())", "*", plain)
-    if re.search(r"\d[^\W\d]", spaced):  # Python warns of a number that a word follows
-        raise ParameterError("a word follows a number")
-    return _walked(ast.parse(spaced, mode="eval").body, numbers)
-
-
-def _walked(node: ast.expr, numbers: bool) -> Unit:
-    match node:
-        case ast.Constant(value=int() | float() as value) if numbers or value == 1:
-            return Unit(Fraction(repr(value)), {})
-        case ast.Name(id=name):
-            return _unit_named(name)
-        case ast.UnaryOp(op=ast.USub(), operand=operand) if numbers:
-            return Unit(-_walked(operand, numbers).size, {})
-        case ast.BinOp(left=left, op=ast.Pow(), right=right):
-            exponent = _walked(right, True)
-            # A power of a power may be larger than any number.
-            inner = (one for part in (left, right) for one in ast.walk(part))
-            if not exponent.powers and not any(isinstance(one, ast.Pow) for one in inner):
-                power = Fraction(exponent.size)
-                return Unit(Fraction(1), {}).times(_walked(left, numbers), power)
-        case ast.BinOp(left=left, op=ast.Mult() | ast.Div() as op, right=right):
-            power = Fraction(1 if isinstance(op, ast.Mult) else -1)
-            return _walked(left, numbers).times(_walked(right, numbers), power)
-    raise ParameterError("this is no product of units")
-
-
-#: Powers that are raised, as Python writes them.
-_RAISED = str.maketrans("⁻¹²³", "-123")
-#: What a unit may be written with; Python's parser sees nothing else.
+#: What a unit may be written with; pint's parser sees nothing else.
 _LETTERS = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,60}")
 _WORD = re.compile(r"(?:(?![²³¹])[^\W\d])+|[%°]")
 _TORQUE = {"[length]": 2, "[mass]": 1, "[time]": -2}
@@ -207,27 +152,44 @@ def factor(unit: str, si: str) -> float:
     if off:
         long = re.sub(r"\s*([*/])\s*", r" \1 ", spelled(unit))
         raise ParameterError(f"the unit {unit!r} ({long}) does not measure what {si} does")
-    return float(parsed(unit).size / parsed(si).size)
+    return float(_size(unit) / _size(si))
 
 
 @lru_cache(maxsize=256)
-def parsed(unit: str) -> Unit:
+def parsed(unit: str) -> pint.Unit:
     """A unit from its text: SI with prefixes and engineers' units, each word with one meaning."""
-    named = spelled(unit)
+    named, registry = spelled(unit).replace("·", "*").replace("⋅", "*"), _registry()
     try:
-        return _product(named, numbers=False)
-    except (SyntaxError, ParameterError, ArithmeticError) as error:
+        return registry.parse_units(named)
+    except Exception as error:  # pint raises many kinds, of the tokenizer too
         raise ParameterError(f"the unit {unit!r} is not known") from error
 
 
-def dimension(unit: str) -> Mapping[str, Fraction]:
+def _size(unit: str) -> Fraction | float:
+    """Size of one unit in metres, grams, seconds and radians."""
+    one = _registry().Quantity(Fraction(1), parsed(unit))
+    size: Fraction | float = one.to_root_units().magnitude
+    return size
+
+
+def dimension(unit: str) -> Mapping[str, Any]:
     """Powers of length, mass, time and angle in a unit, where they are not 0."""
-    return parsed(unit).powers
+    return parsed(unit).dimensionality
 
 
 def spelled(unit: str) -> str:
-    """A unit with the long names of its words; an error for one that is not known."""
-    if not _LETTERS.fullmatch(unit) or any(len(digits) > 2 for digits in re.findall(r"\d+", unit)):
+    """A unit with the long names of its words; an error for one that is not known.
+
+    pint is not loaded, which takes longer than all else that a mistake costs.
+    """
+    # A power of a power may be larger than any number: of several each is of a word.
+    of_words = re.sub(r"(?<=[^\W\d])\s*(\^|\*\*)\s*-?\d+", "", unit)
+    powers = re.search(r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", of_words)
+    if (
+        not _LETTERS.fullmatch(unit)
+        or powers
+        or any(len(digits) > 2 for digits in re.findall(r"\d+", unit))
+    ):
         raise ParameterError(f"the unit {unit!r} can't be read")
     return _WORD.sub(lambda found: _named(found[0], unit), unit)
 

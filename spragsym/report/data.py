@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Callable, Iterator, Mapping, Set
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from ..core.errors import ParameterError, SpragsymError, hint
+from ..core.type_variables import R
 from ..design.sampling import Correlation, dependence
 from ..files.text import FilePath, brake_text, path_text, printed
 from ..models.load import USUAL, WITH_DAMPERS
@@ -24,7 +25,7 @@ from .example import OWN_EXAMPLES, example_of
 from .friction_curve import read_friction
 from .friction_fit import FrictionFit, fit_friction
 from .trust import trusted_model
-from .units import ENDS, WITHIN, Measured, Numbers, read, remedy, shown_in
+from .units import ENDS, WITHIN, Measured, Numbers, check_words, read, remedy, shown_in
 
 #: What begins a tolerance.
 _TOLERANCE = re.compile(r"±|\+/?-|\bsd\b")
@@ -98,6 +99,7 @@ class _FileReader:
         dampers = damped.units.keys() - kind.units.keys()
         if own["damping_ratio"] is not None or table.keys() & dampers:
             kind = damped
+        # What is told without the sizes of units comes first: these need pint.
         ranges, found = kind.ranges(), dict[str, Measured]()
         for key, value in table.items():
             with self.at(key):
@@ -107,13 +109,17 @@ class _FileReader:
                     raise ParameterError(
                         f"{key} = {value!r} is not a quantity of the model {model}{remark}"
                     )
-                found[key] = _quantity(key, value, kind.units[key], ranges[key])
+                unit = kind.units[key]
+                _looked_at(read if unit == "1" else check_words, key, value, unit, ranges[key])
         with self.at("damping_ratio"):
             given = own["damping_ratio"]
             ratio = None if given is None else _exact("damping_ratio", given, "1", RATIO)
         with self.at("vary"):
             check_load(kind, own["vary"])
         self._check_missing(table.keys(), own, kind, dampers)
+        for key, value in table.items():
+            with self.at(key):
+                found[key] = _quantity(key, value, kind.units[key], ranges[key])
         with self.at("friction", f"friction = {own['friction']!r}: "):
             fit = None if own["friction"] is None else self._friction(own["friction"], found, kind)
         data: dict[str, Any] = {"model": kind.model.where, "damping_ratio": ratio, "fit": fit}
@@ -202,6 +208,11 @@ class _FileReader:
 
 
 def _quantity(key: str, given: object, unit: str, allowed: Range) -> Measured:
+    return _looked_at(read, key, given, unit, allowed)
+
+
+def _looked_at(how: Callable[..., R], key: str, given: object, unit: str, allowed: Range) -> R:
+    """What is found in the text of a quantity where it is read, or checked for its words."""
     example = OWN_EXAMPLES.get(key, "")
     if (
         unit == "1"
@@ -216,7 +227,7 @@ def _quantity(key: str, given: object, unit: str, allowed: Range) -> Measured:
             f"{remedy(unit, allowed, example)}"
         )
     try:
-        return read(given if isinstance(given, str) else repr(given), unit, allowed, example)
+        return how(given if isinstance(given, str) else repr(given), unit, allowed, example)
     except ParameterError as error:
         raise ParameterError(f"{key} = {error}") from error
 

@@ -6,8 +6,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 from ..core.errors import ParameterError
 from ..models.parameters import FINITE, Range
 from ..models.quantities import factor
+from ..models.units import spelled
 from ..numerics.interval_arrays import FloatArray
 
 #: Numbers by name: quantities in SI, or coordinates.
@@ -137,8 +138,15 @@ def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Meas
     >>> round(read("0.45 sd 0.05", "1").high, 9)
     0.6
     """
-    try:
+    with _told(text, si, allowed, example):
         return _read(text, si, allowed)
+
+
+@contextmanager
+def _told(text: str, si: str, allowed: Range, example: str) -> Iterator[None]:
+    """A mistake is told with the text and, where that is the remedy, how to write one."""
+    try:
+        yield
     except ParameterError as error:
         brief = repr(text) if len(text) <= 200 else f"{text[:20]!r}…"
         write = "" if isinstance(error, _OutsideError) else remedy(si, allowed, example)
@@ -149,18 +157,33 @@ class _OutsideError(ParameterError):
     """A number that is read and not allowed: how to write one is no remedy."""
 
 
+def check_words(text: str, si: str, allowed: Range = FINITE, example: str = "") -> None:
+    """Refuse what :func:`read` refuses whatever the size of its units, without pint, which takes
+    longer than all else that a mistake costs.
+    """
+    with _told(text, si, allowed, example):
+        _matched(text, si)
+
+
 def remedy(si: str, allowed: Range, example: str) -> str:
     """Text to write: examples that are read and allowed."""
+    by_sign = {allowed.low, allowed.high} <= {0.0, math.inf, -math.inf}
     good = []
     for text in (example, *EXAMPLES.get(si, (f"1 {si}", f"[1, 2] {si}"))):
         with suppress(ParameterError):
-            _read(text, si, allowed)
+            # What its sign decides does not wait for the size of its unit.
+            if not by_sign:
+                _read(text, si, allowed)
+            elif not allowed.contains(float(_matched(text, si)[0][1])):
+                continue
             good.append(f'"{text}"')
     return " or ".join(good[:2]) if good else f"a number in {allowed} of the unit {si}"
 
 
 def _matched(text: str, si: str) -> tuple[re.Match[str], re.Match[str] | None]:
-    """Parts of the text of a quantity, and of the ends at which it is cut off."""
+    """Parts of the text of a quantity, whose units are words that are known, and of the ends at
+    which it is cut off.
+    """
     if len(text) > 200:
         raise ParameterError(f"{len(text)} characters are too many for a quantity")
     plain = text.replace("\N{MINUS SIGN}", "-").strip()
@@ -175,6 +198,8 @@ def _matched(text: str, si: str) -> tuple[re.Match[str], re.Match[str] | None]:
         unit, of = _units(part)
         if not unit and of in ("", "%"):
             raise ParameterError("there is no unit")
+        for word in {unit, of.removeprefix("%")} - {""}:
+            spelled(word)
     return found, ends
 
 

@@ -284,10 +284,10 @@ def test_units_that_pint_prints_are_read() -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["m^2^3", "(m^9 s)^9", "m²2", "J⁻¹^2", "10 N", "1mm", "N//m", "m^s", "s^(1/0)", "((m"]
+    "text", ["m^2^3", "(m^9 s)^9", "m²2", "J⁻¹^2", "10 N", "N//m", "m^s", "s^(1/0)", "((m"]
 )
 def test_what_is_no_product_of_powers_is_refused(text: str) -> None:
-    with pytest.raises(ss.errors.ParameterError, match=r"the unit .* is not known"):
+    with pytest.raises(ss.errors.ParameterError, match="is not known|can't be read|does not measure"):
         factor(text, "m")
 
 
@@ -301,7 +301,7 @@ def _as_pint(text: str, other: Any) -> bool:
         np.isclose(powers.get(name, 0), float(mine.get(axis, 0)), atol=1e-12)
         for name, axis in axes.items()
     )
-    size = float(units.parsed(text).size) / 1000.0 ** float(mine.get("[mass]", 0))
+    size = float(units._size(text)) / 1000.0 ** float(mine.get("[mass]", 0))
     return same and bool(np.isclose(size, base.magnitude, rtol=1e-13, atol=0))
 
 

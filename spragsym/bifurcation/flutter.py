@@ -56,7 +56,7 @@ from .defining_systems import (
 from .points import Found, arranged, matrices, nothing, of_ends, search
 
 if TYPE_CHECKING:
-    from .normal_forms import NormalForm
+    from .normal_forms import Coefficient, NormalForm
 
 #: Why an onset of a model with several contacts has none.
 OF_SEVERAL = "the motion of a page with several contacts is not answered yet"
@@ -628,7 +628,7 @@ def form_or_why(*point: Any) -> NormalForm | str:
         return str(reason)
 
 
-def criticality_of(form: NormalForm | str) -> tuple[str, str]:
+def criticality_of(form: NormalForm | Coefficient | str) -> tuple[str, str]:
     """Criticality by the sign of the coefficient, and why it is undecided; of a normal form, or of
     why there is none.
     """

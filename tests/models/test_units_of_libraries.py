@@ -287,7 +287,9 @@ def test_units_that_pint_prints_are_read() -> None:
     "text", ["m^2^3", "(m^9 s)^9", "m²2", "J⁻¹^2", "10 N", "N//m", "m^s", "s^(1/0)", "((m"]
 )
 def test_what_is_no_product_of_powers_is_refused(text: str) -> None:
-    with pytest.raises(ss.errors.ParameterError, match="is not known|can't be read|does not measure"):
+    with pytest.raises(
+        ss.errors.ParameterError, match=r"is not known|can't be read|does not measure"
+    ):
         factor(text, "m")
 
 

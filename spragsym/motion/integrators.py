@@ -7,6 +7,7 @@ motion leaves it, and go on in the next.
 
 from __future__ import annotations
 
+import dataclasses
 import importlib.metadata
 import importlib.util
 from collections.abc import Callable, Sequence
@@ -25,6 +26,7 @@ from ..numerics.columns import reuse_memory
 from . import with_compiled, with_heyoka, with_scipy
 from .lobatto import PiecewisePolynomial
 from .measures import MotionStatistics, statistics_of
+from .options import ShootingOptions
 from .problem import Event, Problem, StiffError
 from .scales import MotionScales
 from .solution import FlowMap, FlowResult, Solution, events_of, without_chatter
@@ -154,16 +156,19 @@ def _watched(problems: Sequence[Problem]) -> tuple[list[Any], list[int]]:
 
 @dataclass(frozen=True)
 class Flow:
-    """A field and an integrator; ``other`` carries derivatives in the integrator's place."""
+    """A field and an integrator, with options of closed orbits; ``other`` carries derivatives in
+    the integrator's place.
+    """
 
     field: Field
     backend: str
     other: FlowMap | None = None
+    options: ShootingOptions = dataclasses.field(default_factory=ShootingOptions)
 
     @classmethod
-    def of(cls, field: Field, backend: str | None) -> Flow:
+    def of(cls, field: Field, backend: str | None, options: ShootingOptions | None = None) -> Flow:
         """The flow of a field by a backend that takes any model."""
-        return cls(field, choose(backend, OF_ANY_MODEL))
+        return cls(field, choose(backend, OF_ANY_MODEL), options=options or ShootingOptions())
 
     def flow_map(
         self, state: FloatArray, constants: Values, duration: float, directions: FloatArray = NONE

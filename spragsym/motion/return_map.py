@@ -27,9 +27,10 @@ from ..numerics.vectors import TURN, apart, in_one_turn, magnitude
 from . import integrators
 from .integrators import Flow
 from .measures import MotionStatistics
+from .options import ShootingOptions
 from .problem import Problem
 from .regimes import Outcome, Regime
-from .shooting import CLOSED, Iterate, Orbit, least_period, off_jumps, solved, through
+from .shooting import Iterate, Orbit, least_period, off_jumps, solved, through
 from .solution import Extremum, FlowMap, FlowResult
 
 #: Returns as close as this, relative to the extent of the motion, are worth a search for the cycle.
@@ -61,9 +62,9 @@ OPEN = 1e-9
 #: For each integrator the tolerance of its plain flow, how nearly orbits close by cheap
 #: derivatives, and how closely in the end.
 PRECISIONS = {
-    "heyoka": (FINEST, CLOSED, CLOSED),
+    "heyoka": (FINEST, ShootingOptions.closed, ShootingOptions.closed),
     "compiled": (FINE, OPEN, OPEN),
-    "scipy": (FINE, OPEN, CLOSED),
+    "scipy": (FINE, OPEN, ShootingOptions.closed),
 }
 
 
@@ -141,9 +142,8 @@ class Onward:
 
         def near_guess(flow_map: FlowMap | None, precision: float) -> Orbit:
             flow = Flow(self.field, self.backend, flow_map)
-            return solved(
-                flow, guess, on_section, reach=reach, precision=precision, closed=precision
-            )
+            options = ShootingOptions(last_step=precision, closed=precision)
+            return solved(flow, guess, on_section, reach=reach, options=options)
 
         # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that
         # fails, all steps have them.

@@ -21,31 +21,9 @@ from ..numerics.vectors import TURN, apart, magnitude, norm
 from .integrators import Flow
 from .lobatto import PiecewisePolynomial
 from .multipliers import Multipliers, multipliers_of
+from .options import ShootingOptions
 from .scales import MotionScales, scaled, scales_of
 from .solution import Crossing, Extremum, FlowResult
-
-#: Closed to this, relative to the largest number of the orbit.
-CLOSED = 1e-12
-
-#: A trivial multiplier that differs from 1 by more belongs to no orbit that is told.
-UNRESOLVED = 1e-4
-
-#: A mesh interval over which derivatives grow beyond this is subdivided.
-LARGEST_GROWTH = 100.0
-
-#: Mesh intervals in one round, at most.
-MOST_INTERVALS = 64
-
-
-#: States this close are one, whatever their errors.
-ONE = 1e-10
-
-#: A coordinate moves on an orbit if its range is so many of the orbit's errors.
-SURE = 100.0
-
-#: Ranges of one orbit over its least period and over several rounds, both by samples, differ by a
-#: smaller share.
-RANGES = 0.1
 
 
 @dataclass(frozen=True)
@@ -103,6 +81,11 @@ class Orbit:
     def field(self) -> Field:
         """The field."""
         return self.flow.field
+
+    @property
+    def options(self) -> ShootingOptions:
+        """Options of the orbit."""
+        return self.flow.options
 
     @property
     def states(self) -> FloatArray:
@@ -186,7 +169,7 @@ class Orbit:
         lead = self.field.lead
         values = [extremum.state[lead] for extremum in self.extrema() if extremum.border == -1]
         extent = np.ptp([*values, *self.states[:, lead]])
-        return bool(self.windings.get(lead, 0) or extent > SURE * self.errors[lead])
+        return bool(self.windings.get(lead, 0) or extent > self.options.moves * self.errors[lead])
 
     @cached_property
     def lead(self) -> int:
@@ -194,7 +177,7 @@ class Orbit:
         if self.field.lead == 0 and self.leads:
             return 0
         low, high = self.bounds
-        return int((high - low > SURE * self.errors[:-1]).argmax())
+        return int((high - low > self.options.moves * self.errors[:-1]).argmax())
 
     def with_lead(self) -> Orbit:
         """The orbit with extrema of the first coordinate that moves."""
@@ -275,7 +258,7 @@ class Orbit:
             if extremum.border == -1 and extremum.direction < 0
         ]
         start, speed = self.state, len(self.field.coordinates) + self.field.lead
-        if found and abs(start[speed]) < ONE and self.rate(start)[speed] < 0:
+        if found and abs(start[speed]) < self.options.same_state and self.rate(start)[speed] < 0:
             found.insert(0, found[0]._replace(t=0.0, state=start))
         return found
 
@@ -394,20 +377,18 @@ def solved(
     guess: Iterate | Orbit,
     *conditions: Conditions,
     reach: float = np.inf,
-    iterations: int = 12,
-    precision: float = 1e-13,
-    closed: float = CLOSED,
+    options: ShootingOptions | None = None,
 ) -> Orbit:
     """The closed orbit near a guess, which may be integrated already, under further conditions, as
     many as there are free parameters and one.
 
-    ``reach`` bounds how far the states may move from the guess; steps below ``precision``, or as
-    small as rounding, end it; ``closed`` is by how much the orbit may stay open. Raises
-    ConvergenceError where there is none.
+    ``reach`` bounds how far the states may move from the guess; ``options`` are those of the flow
+    where none are given. Raises ConvergenceError where there is none.
     """
+    options = options or flow.options
     orbit = integrated(flow, guess) if isinstance(guess, Iterate) else guess
     start, size, before = orbit.guess, orbit.states.size, np.inf
-    for iteration in range(iterations):
+    for iteration in range(options.steps):
         values, rows = zip(*(each(orbit) for each in conditions), strict=True)
         residual = np.concatenate([orbit.gaps.ravel(), *values])
         if magnitude(residual) <= rounding(orbit):
@@ -419,10 +400,12 @@ def solved(
             raise ConvergenceError("Newton's method meets a singular matrix") from error
         width = magnitude(step)
         scale = 1 + max(magnitude(orbit.states), orbit.period)
-        small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
+        small = width <= options.last_step * scale or (
+            width <= 1e-8 * scale and width > 0.2 * before
+        )
         # An interval that could be subdivided no further carries what rounds at its beginning to
         # its end, as many times larger.
-        carried = closed * max(1.0, growth(orbit) / LARGEST_GROWTH)
+        carried = options.closed * max(1.0, growth(orbit) / options.growth)
         if small and magnitude(residual) <= carried * (1 + magnitude(orbit.states)):
             return orbit
         if iteration and width > 1e3 * before:
@@ -476,12 +459,15 @@ def remeshed(orbit: Orbit, pieces: int, begin: float = 0.0) -> Iterate:
     return replace(orbit.guess, states=np.array([orbit.at(t) for t in times.tolist()]))
 
 
-def refined_mesh(orbit: Orbit, most: int = MOST_INTERVALS) -> Iterate | None:
+def refined_mesh(orbit: Orbit, first: bool = False) -> Iterate | None:
     """The orbit in twice as many mesh intervals where the derivatives over one have grown large;
-    None elsewhere, and of ``most``.
+    None elsewhere, and where it has as many as it may, or a ``first`` guess.
     """
-    pieces = len(orbit.states)
-    return remeshed(orbit, 2 * pieces) if growth(orbit) > LARGEST_GROWTH and pieces < most else None
+    options, pieces = orbit.options, len(orbit.states)
+    if growth(orbit) <= options.growth:
+        return None
+    most = min(options.intervals, options.first_intervals) if first else options.intervals
+    return remeshed(orbit, 2 * pieces) if pieces < most else None
 
 
 def off_jumps(orbit: Orbit) -> Orbit:
@@ -491,7 +477,8 @@ def off_jumps(orbit: Orbit) -> Orbit:
     flows = [orbit.rate(state) for state in orbit.states]
     ends = zip(orbit.flow_results, flows, [*flows[1:], flows[0]], strict=True)
     if not orbit.field.sticking_borders or all(
-        norm(each.by_state @ one - due) < UNRESOLVED * norm(due) for each, one, due in ends
+        norm(each.by_state @ one - due) < orbit.options.trivial * norm(due)
+        for each, one, due in ends
     ):
         return orbit
     # How far from a jump of the field it is looked how far from all of them an orbit may begin, in
@@ -529,9 +516,7 @@ def offset_from_jumps(orbit: Orbit) -> float:
 def subdivided(flow: Flow, guess: Iterate) -> Orbit:
     """A guess integrated, in as many mesh intervals as its growth asks for."""
     orbit = integrated(flow, guess)
-    # Mesh intervals of a first guess, at most.
-    most_intervals = 32
-    while cut := refined_mesh(orbit, most_intervals):
+    while cut := refined_mesh(orbit, first=True):
         orbit = integrated(flow, cut)
     return orbit
 
@@ -564,12 +549,14 @@ def _most_rounds(orbit: Orbit) -> int:
     if 1 in most:
         return 1
     low, high = orbit.bounds
-    n = len(orbit.field.coordinates)
+    n, options = len(orbit.field.coordinates), orbit.options
     for place in range(n):
         extent = float(high[place] - low[place])
-        if extent > SURE * orbit.errors[place] and not orbit.windings.get(place):
+        if extent > options.moves * orbit.errors[place] and not orbit.windings.get(place):
             up, down = high[n + place], -low[n + place]
-            most.append(int((1 + RANGES) * orbit.period / (extent / up + extent / down)))
+            most.append(
+                int((1 + options.same_range) * orbit.period / (extent / up + extent / down))
+            )
     return min(most, default=1)
 
 
@@ -579,11 +566,11 @@ def _divided(orbit: Orbit, rounds: int) -> Orbit | None:
     Every number of the state has its own range and error. Beside a state at which an orbit all but
     rests any time closes it: the shorter one has the same ranges, or is another.
     """
-    errors, ranges = orbit.errors[:-1], _ranges(orbit)
+    errors, ranges, options = orbit.errors[:-1], _ranges(orbit), orbit.options
     off = np.abs(apart(orbit.at(orbit.period / rounds), orbit.state, orbit.field.periodic))
-    if not (off <= np.maximum(ONE * ranges, 10 * errors)).all():
+    if not (off <= np.maximum(options.same_state * ranges, 10 * errors)).all():
         return None
-    near = RANGES * ranges + SURE * errors
+    near = options.same_range * ranges + options.moves * errors
     with suppress(ConvergenceError):
         guess = Iterate(orbit.state[None], orbit.period / rounds, orbit.values)
         guess = subdivided(orbit.flow, guess).guess

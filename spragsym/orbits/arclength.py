@@ -16,7 +16,6 @@ from ..models.parameters import FloatArray, Span
 from ..motion.integrators import Flow
 from ..motion.multipliers import criterion_of, unsure
 from ..motion.shooting import (
-    CLOSED,
     Conditions,
     Iterate,
     Orbit,
@@ -210,7 +209,10 @@ def at_zero(kind: str, setting: Setting, near: Orbit, target: FloatArray) -> Con
     """Conditions of a closed orbit at which a test function is 0, in units in which its rounding
     does not keep the orbit open.
     """
-    phase, unit = in_phase(setting, near, target), max(1.0, SURE * unsure(near, kind) / CLOSED)
+    phase, unit = (
+        in_phase(setting, near, target),
+        max(1.0, SURE * unsure(near, kind) / near.options.closed),
+    )
     weights = setting.weights(near)
 
     def conditions(orbit: Orbit) -> tuple[FloatArray, FloatArray]:
@@ -240,16 +242,15 @@ def corrected(
     setting = point.setting
     guess = point.orbit.guess.moved(length * point.tangent)
     target, arc = guess.coordinates, (point.way * point.weights)[None]
-    # The last step of Newton's method, over 1: orbits may be as small as 1e-3 in the model's units.
-    finest = 1e-15
+    # Orbits may be as small as 1e-3 in the model's units.
+    options = replace(setting.flow.options, steps=iterations, last_step=1e-15)
     orbit = solved(
         setting.flow,
         guess,
         setting.holds(setting, point.orbit, target),
         lambda orbit: (arc @ (orbit.guess.coordinates - target), arc),
         reach=reach,
-        iterations=iterations,
-        precision=finest,
+        options=options,
     )
     return point_of(setting, orbit, point.tangent)
 

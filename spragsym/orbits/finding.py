@@ -21,6 +21,7 @@ from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
 from ..motion import Trajectory
 from ..motion.integrators import Flow
+from ..motion.options import ShootingOptions
 from ..motion.regimes import Regime
 from ..motion.scales import scales_of
 from ..motion.shooting import (
@@ -74,6 +75,7 @@ def cycle(
     index: int = 0,
     amplitude: float | None = None,
     turns: int | None = None,
+    options: ShootingOptions | None = None,
 ) -> Cycle:
     """The cycle near a state, or the one that a motion approaches, or the one that is born at an
     onset of flutter.
@@ -109,6 +111,8 @@ def cycle(
     turns : int, optional
         Of a page with a clock: the cycle that closes after so many turns of it, stable or not, by
         Newton's method from ``near``; without that from the end of a motion of a hundred turns.
+    options : ShootingOptions, optional
+        Tolerances and limits of Newton's method, and of what is followed from the cycle.
 
     Returns
     -------
@@ -143,10 +147,10 @@ def cycle(
                 "an onset knows its parameters and its state; leave out p and near, or the onset"
             )
         require_kind("onset", onset, Onsets, "a result of ss.flutter_onsets(...)")
-        return born_at(onset, index, amplitude, backend)
+        return born_at(onset, index, amplitude, backend, options)
     if p is None:
         raise ParameterTypeError("p is missing; give parameters, or the onset of a model")
-    system = System.of(p, backend, V=V, d=d)
+    system = System.of(p, backend, options, V=V, d=d)
     if turns is not None:
         return _after_turns(system, near, as_count("turns", turns))
     return cycle_near(system, near, patient=patient)
@@ -369,7 +373,13 @@ def stands_still(system: System, state: FloatArray) -> str:
     return "nothing moves from where it begins, a state of equilibrium; begin beside it"
 
 
-def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | None) -> Cycle:
+def born_at(
+    onsets: Onsets,
+    index: int,
+    amplitude: float | None,
+    backend: str | None,
+    options: ShootingOptions | None = None,
+) -> Cycle:
     """The cycle of an amplitude in the family that is born at one of the onsets, along their first
     parameter.
 
@@ -399,7 +409,10 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
         raise ConvergenceError(
             f"the motion has no generic Hopf point beside the onset: {reason}"
         ) from reason
-    system, rest = System(Flow.of(model.field, backend), tuple(given.tolist())), still(state)
+    system, rest = (
+        System(Flow.of(model.field, backend, options), tuple(given.tolist())),
+        still(state),
+    )
     scales = system.scales(rest)
     most = int(np.abs(form.q[: len(state)] / scales.places).argmax())
     size = float(np.abs(form.q[most]))

@@ -23,7 +23,6 @@ from ..models.parameters import FloatArray
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.scales import scales_of
 from ..motion.shooting import (
-    UNRESOLVED,
     Iterate,
     Orbit,
     difference,
@@ -313,7 +312,7 @@ def _cycle_of(orbit: Orbit) -> Cycle:
         orbit = refined(aside, offset_from_jumps(aside))
     found = orbit.multipliers
     lost = abs(found.trivial - 1)
-    if not lost < UNRESOLVED:
+    if not lost < orbit.options.trivial:
         raise ConvergenceError(
             "the derivatives of the flow are not resolved: the trivial multiplier is "
             f"{found.trivial:.6g} instead of 1; "
@@ -455,14 +454,13 @@ def range_of(orbit: Orbit) -> tuple[float, float]:
 def refined(orbit: Orbit, begin: float) -> Orbit:
     """The orbit from a time on, in as many mesh intervals as its growth asks for."""
     cut: Iterate | None = remeshed(orbit, len(orbit.states), begin)
+    shortest = dataclasses.replace(orbit.options, steps=7, last_step=1e-15)
     while cut:
         try:
             # A closed orbit that is begun elsewhere moves by less: where Newton's method goes
             # farther, as at a fold, its shortest steps do.
             most_moved = 1e-9
-            found = solved(
-                orbit.flow, cut, phase(orbit, cut), iterations=7, precision=1e-15, reach=most_moved
-            )
+            found = solved(orbit.flow, cut, phase(orbit, cut), reach=most_moved, options=shortest)
         except ConvergenceError:  # as at a fold, where Newton's matrix is singular
             found = integrated(orbit.flow, cut)
             # An orbit on which Newton's method fails as it is begun anew is told as it is if it is

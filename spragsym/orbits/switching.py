@@ -11,7 +11,7 @@ import numpy as np
 from ..core.errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
-from ..motion.shooting import CLOSED, Iterate, Orbit, extent, solved, time_of
+from ..motion.shooting import Iterate, Orbit, extent, solved, time_of
 from ..numerics.vectors import magnitude, norm
 from .arclength import (
     SURE,
@@ -171,7 +171,7 @@ def halved(one: BranchPoint, other: BranchPoint, share: float) -> tuple[Orbit, f
         return None
     there = point_of(setting, orbit)
     steepness = float(doubling(orbit)[1][-1] @ there.tangent) * max(
-        1.0, SURE * unsure(near, kind) / CLOSED
+        1.0, SURE * unsure(near, kind) / near.options.closed
     )
     return orbit, unsure(orbit, kind) * abs(turning(there) / steepness) + 1e-15 * (
         1 + abs(there.value)

@@ -20,6 +20,7 @@ from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
 from ..motion.integrators import Flow
+from ..motion.options import ShootingOptions
 from ..motion.regimes import Outcome, Regime, RestSets, same_limit
 from ..motion.scales import MotionScales, scaled, scales_of
 from ..motion.shooting import Conditions, Iterate, Orbit
@@ -51,9 +52,16 @@ class System:
     values: Values
 
     @classmethod
-    def of(cls, p: ParameterSet, backend: str | None, **belt: float | None) -> System:
+    def of(
+        cls,
+        p: ParameterSet,
+        backend: str | None,
+        options: ShootingOptions | None = None,
+        **belt: float | None,
+    ) -> System:
         """The system of a set of parameters, with values in place of some of its own."""
-        return cls(Flow.of(model_of(p).field, backend), p.given(**belt).scalars(*p.ranges))
+        flow = Flow.of(model_of(p).field, backend, options)
+        return cls(flow, p.given(**belt).scalars(*p.ranges))
 
     @property
     def field(self) -> Field:

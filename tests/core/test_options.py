@@ -118,3 +118,21 @@ def test_a_margin_with_fewer_rays_is_no_smaller_and_options_reach_the_search():
     assert few.change != usual.change
     with pytest.raises(ss.errors.ParameterError, match="rays = 0"):
         ss.MarginOptions(rays=0)
+
+
+def test_a_closed_orbit_is_the_same_in_more_mesh_intervals_and_its_branch_keeps_its_options():
+    p = ss.load("stick_slip").Parameters(V=0.2)
+    usual = ss.cycle(p)
+    options = ss.ShootingOptions(growth=1.2, intervals=8)
+    found = ss.cycle(p, usual, options=options)
+    assert len(usual.orbit.states) < len(found.orbit.states) <= 8
+    assert abs(found.period - usual.period) <= found.error + usual.error
+    off = np.abs(found.multipliers - usual.multipliers)
+    assert (off <= found.multiplier_errors + usual.multiplier_errors).all()
+    branch = ss.cycle_branch(found, "V", between={"V": (0.199, 0.2)})
+    assert all(cycle.orbit.flow.options == options for cycle in branch.cycles)
+
+
+def test_no_orbit_is_told_to_close_whose_derivatives_are_not_resolved_as_far_as_asked():
+    with pytest.raises(ss.errors.ConvergenceError):
+        ss.cycle(ss.load("stick_slip").Parameters(V=0.2), options=ss.ShootingOptions(trivial=0.0))

@@ -129,15 +129,11 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
             "numbers for others"
         )
     name = case.span.name
-    words = (
-        ()
-        if case.study is None
-        else (r"frequency Im $\lambda$ (1/s)", r"growth Re $\lambda$ (1/s)")
-    )
-    p, axes = (
-        case.set(name, **{name: None}),
-        [(case.axis(name), (word, case.of("growth")[1])) for word in words],
-    )
+    p, axes = case.set(name, **{name: None}), []
+    if case.study is not None:
+        rate = case.of("growth")[1]
+        words = ("frequency (Hz)", rate / (2 * math.pi)), (r"growth Re $\lambda$ (1/s)", rate)
+        axes = [(case.axis(name), word) for word in words]
     figure = partial(ss.figures.eigenvalue_figure, p, name, between=case.between)
     drawn(plot, f"drawing eigenvalues over {name}", figure, lambda: axes)
 

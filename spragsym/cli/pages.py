@@ -93,13 +93,15 @@ def report(
         raise click.UsageError("FILE is missing; begin with spragsym report --example > brake.toml")
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
         raise ParameterError(f"--html {html}: the ending must be .html")
+    if over and html is not None:
+        raise click.UsageError("--html is the page of one report; --plot draws what --over tells")
+    if not over and (csv is not None or plot is not None):
+        raise click.UsageError("--csv and --plot show what --over tells; give --over theta0=40:70")
     refuse([html, csv, plot], force)
     study = study_of(file, model, trust, warn=False)  # the report has its own warnings
     if over:
         _over(study, over, csv, plot, force, json_output)
         return
-    if csv is not None or plot is not None:
-        raise click.UsageError("--csv and --plot show what --over tells; give --over theta0=40:70")
     with show_progress(
         "computing the report (--no-oscillation and --no-redesign leave out two of its parts)"
     ):

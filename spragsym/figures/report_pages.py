@@ -158,12 +158,13 @@ def _planes(report: Facts) -> Rows:
             else ""
         )
         box = {angle: (angles.low, angles.high), friction: (low, high)}
+        works = "Where the brake works (dot)" + " and its tolerances (box)" * _varies(box)
         with suppress(SpragsymError):
             # Lines of a bifurcation set.
             set_lines = 40
             yield (
                 picture(partial(draw_operating_point, p, box, jump, n=set_lines)),
-                f"Where the brake works (dot) and its tolerances (box). {caption}",
+                f"{works}. {caption}",
             )
     unit, size = unit_of(study)
     # Values along the friction.
@@ -181,11 +182,13 @@ def _planes(report: Facts) -> Rows:
         options["size"] = study.in_file(rises, drawn * scale)
         options["across"] = f"{rises} in {one.unit}" if one.unit else rises
     meaning = first["meaning"].partition(",")[0]
+    turns, varies = vary in report.folds and len(report.folds[vary]) > 0, high > low
     yield (
         picture(partial(draw_rising, p, vary, between={vary: (low, high)}, **options)),
-        f"{meaning[:1].upper()}{meaning[1:]} as {rises} rises (red, with its jumps); grey: "
-        "all states, full where stable. "
-        f"Dots: folds, where two states meet and end. Shaded: {rises} within its tolerances.",
+        f"{meaning[:1].upper()}{meaning[1:]} as {rises} rises "
+        f"(orange{', with its jumps' * turns}); grey: all states, full where stable."
+        + " Dots: folds, where two states meet and end." * turns
+        + f" Shaded: {rises} within its tolerances." * varies,
     )
 
 
@@ -228,9 +231,14 @@ def _stability_map(report: Facts) -> Rows:
         yield (
             picture(draw),
             f"The map of stability. The brake (dot) works where small oscillations {what}; they "
-            f"grow in a state at least where it is shaded, hardly where lightly. Box: its "
-            f"tolerances. {_kinds_of(onsets)}",
+            f"grow in a state at least where it is shaded, hardly where lightly. "
+            f"{'Box: its tolerances. ' * _varies(box)}{_kinds_of(onsets)}",
         )
+
+
+def _varies(box: Ranges) -> bool:
+    """Whether tolerances are drawn."""
+    return any(high > low for low, high in box.values())
 
 
 def _around(onsets: OnsetCurves, name: str, ends: Span) -> Span:

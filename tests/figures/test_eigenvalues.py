@@ -3,6 +3,7 @@ forms and matrices.
 """
 
 import json
+import math
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli import cli
+from tests.support import written_brake
 
 pytest.importorskip("matplotlib")
 
@@ -68,3 +70,26 @@ def test_the_command_draws_them_and_refuses_what_is_no_curve(tmp_path: Path) -> 
         ["mu0=0.3:0.4", "--plot", "a.gif"],
     ):
         assert CliRunner().invoke(cli, [*COUPLED, *more]).exit_code != 0
+
+
+def test_of_a_brake_the_picture_shows_hertz(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A mass of 2 kg on a spring of 8 kN/m beside a soft inclined one, on a belt without friction:
+    10.07 Hz along the belt, by hand.
+    """
+    from spragsym.figures import style
+
+    axes: list[tuple[str, float]] = []
+    monkeypatch.setattr(style, "in_units", lambda axis, shown: axes.append(shown))
+    rows = {"m": "2 kg", "k": "1 N/mm", "L_0": "50 mm", "theta0": "90 deg", "k_x": "8 N/mm"}
+    rows |= {"k_y": "0 N/mm", "k_c": "500 N/mm", "F_L": "1 N", "V": "1 m/s", "d": "9 s/m"}
+    file = written_brake(tmp_path, {**rows, "mu0": "0.01"})
+    words = ["--data", str(file), "--vary", "mu0=0:0.1", "--plot", str(tmp_path / "a.svg")]
+    done = CliRunner().invoke(cli, ["equilibria", *words])
+    assert done.exit_code == 0, done.output
+    titles, sizes = zip(*axes, strict=True)
+    assert titles[1] == "frequency (Hz)"
+    p = ss.Study.from_file(file).dimensionless.replace(mu0=0.0)
+    slowest = np.abs(ss.equilibria(p).damped_eigenvalues[0].imag).min()
+    assert sizes[1] * slowest == pytest.approx(math.sqrt(8000 / 2) / (2 * math.pi), rel=1e-3)

@@ -124,6 +124,8 @@ COMMANDS: list[tuple[str, tuple[str, ...]]] = [
     ("check --again --report a.md", ("leave it or --report out",)),
     ("check --claims --model stribeck", ("leave --model out",)),
     ("report", ("FILE is missing",)),
+    ("report a.toml --over k=1:2:3 --html a.html", ("--html is the page", "--plot draws")),
+    ("report a.toml --csv a.csv", ("--csv and --plot", "give --over")),
     ("report a.toml --html a.txt", ("--html a.txt", ".html")),
     ("bifurcation --theta0 30 --vary mu0=0:1 --plot a.pdf", ("another --vary",)),
     ("onsets --model stick_slip --vary V=0.1:1", ("--vary = ('V',)", "two different")),

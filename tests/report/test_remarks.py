@@ -173,21 +173,25 @@ def captions(rows: Any) -> list[str]:
 
 
 def test_captions_of_the_planes(pages: Any) -> None:
-    brake_in_the_plane, rising = captions(pages._planes(said_of(LOOSE)))
+    folds: Any = {"mu0": [0.366]}
+    brake_in_the_plane, rising = captions(pages._planes(said_of(LOOSE, folds=folds)))
     assert brake_in_the_plane == (
         "Where the brake works (dot) and its tolerances (box). On the lines two states of sliding "
         "meet; where it is shaded there are three. Cross: the friction at which the reference "
         "state jumps at this angle."
     )
     assert rising == (
-        "Displacement along the belt as the friction rises (red, with its jumps); grey: all "
+        "Displacement along the belt as the friction rises (orange, with its jumps); grey: all "
         "states, full where stable. Dots: folds, where two states meet and end. Shaded: the "
         "friction within its tolerances."
     )
+    sure = captions(pages._planes(said_of(EXACT)))
+    assert "tolerances" not in "".join(sure)
+    assert sure[1].endswith("rises (orange); grey: all states, full where stable.")
     never = said_of(LOOSE, jump_at=math.inf, jump_parameter=math.inf, reach="never")
     assert captions(pages._planes(never))[0].endswith("where it is shaded there are three.")
     assert len(captions(pages._planes(said_of(LOOSE, mu_lowest=math.inf)))) == 1
-    assert "as F_L rises (red" in captions(pages._planes(said_of(LOAD)))[0]
+    assert "as F_L rises (orange" in captions(pages._planes(said_of(LOAD)))[0]
     assert captions(pages._planes(said_of(LOAD)))[0].endswith("Shaded: F_L within its tolerances.")
 
 
@@ -217,7 +221,7 @@ def test_the_caption_of_the_map(
     known = said_of(DAMPED, states=(state(stability=stability),))
     assert captions(pages._stability_map(known)) == [
         f"The map of stability. The brake (dot) works where small oscillations {words}; they grow "
-        "in a state at least where it is shaded, hardly where lightly. Box: its tolerances. Full line: it begins with a small amplitude "
+        "in a state at least where it is shaded, hardly where lightly. Full line: it begins with a small amplitude "
         "(supercritical); dashed: with a large one at once (subcritical); dotted: which of the two "
         "is not decided; GH: where that changes; BT: a line ends where two states meet; ZH: a line "
         "touches one on which two states meet; HH: two lines cross, and two frequencies set in."

@@ -53,8 +53,11 @@ def __getattr__(name: str) -> _Any:
     try:
         return _named(name)
     except AttributeError as error:
-        for room in () if name.startswith("_") else ("errors", "results", "kang_nam"):
+        if name.startswith("_"):
+            raise
+        for room in ("errors", "results", "kang_nam"):
             if name in dir(_named(room)):  # where it stood before
                 remedy = f"write spragsym.{room}.{name}"
                 raise AttributeError(f"spragsym has no {name}; {remedy}") from error
-        raise
+        meant = _named("errors").hint(name, __all__) or "; pictures are drawn by spragsym.figures"
+        raise AttributeError(f"spragsym has no {name}{meant}") from error

@@ -1,26 +1,54 @@
-"""NumPy's handling of overflow, underflow and invalid operations: a caller's own changes no
-answer.
+"""What each public function is called under: NumPy's handling of overflow, underflow and invalid
+operations, of which a caller's own changes no answer, and arguments that it takes.
 """
 
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
+import inspect
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
 
+from .errors import ParameterTypeError, hint
 from .type_variables import P, R
 
 
 def in_usual_state(function: Callable[P, R]) -> Callable[P, R]:
     """The function under NumPy's default error state, whatever that of its caller is.
 
-    Algorithms rely on underflow to 0, and ask for more where they rely on it.
+    Algorithms rely on underflow to 0, and ask for more where they rely on it. Arguments that the
+    function does not take are refused with those that it does.
     """
 
     @functools.wraps(function)
     def calculated(*args: P.args, **options: P.kwargs) -> R:
         with np.errstate(divide="warn", over="warn", under="ignore", invalid="warn"):
-            return function(*args, **options)
+            try:
+                return function(*args, **options)
+            except TypeError:
+                _require_arguments(function, args, options)
+                raise
 
     return calculated
+
+
+def _require_arguments(
+    function: Callable[..., Any], args: tuple[Any, ...], options: Mapping[str, Any]
+) -> None:
+    """Refuse arguments that a function does not take, and the lack of one that it needs."""
+    signature = inspect.signature(function)
+    try:
+        signature.bind(*args, **options)
+    except TypeError as error:
+        taken, names = list[str](), [*signature.parameters]
+        for name, one in signature.parameters.items():
+            if one.kind is one.KEYWORD_ONLY and "*" not in taken:
+                taken.append("*")
+            taken.append(f"**{name}" if one.kind is one.VAR_KEYWORD else name)
+        meant = next((hint(name, names) for name in options if name not in names), "")
+        called = f"{function.__name__}({', '.join(taken)})"
+        raise ParameterTypeError(
+            f"{function.__name__}: {error}{meant or f'; call it as {called}'}"
+        ) from None

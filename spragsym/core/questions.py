@@ -82,8 +82,8 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
     """
     name = general.__name__
 
-    @functools.wraps(general)
     @in_usual_state
+    @functools.wraps(general)
     def ask(*args: P.args, **options: P.kwargs) -> R:
         method = options.pop("method", "auto")
         model = model_of(*args, *options.values())

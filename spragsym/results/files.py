@@ -69,9 +69,19 @@ _WRONG = (
 )
 
 
+#: Endings of files of columns alone, and what reads them.
+_COLUMNS = {".csv": "pandas.read_csv", ".nc": "xarray.open_dataset"}
+
+
 def save(result: Any, path: FilePath) -> None:
     """Write a result: all of it as JSON, for :func:`open`, or its columns, by the ending."""
-    if Path(path_text(path)).suffix == ".json":
+    ending = Path(path_text(path)).suffix
+    if ending not in (".json", *_COLUMNS):
+        raise ParameterError(
+            f"{path_text(path)} ends in none of .json, .csv and .nc; the first holds the whole "
+            "result, the others its columns"
+        )
+    if ending == ".json":
         body = _text(_written(result))
         head = f'"spragsym":"{__version__}","format":{FORMAT},"sha256":"{_digest(body)}"'
         put(path, f'{{{head},"result":{body}}}\n')
@@ -104,6 +114,11 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     2
     """
     name = path_text(path)
+    if (reader := _COLUMNS.get(Path(name).suffix)) is not None:
+        raise ParameterError(
+            f"{name} holds columns alone; read them with {reader}, or give a *.json that save() "
+            "wrote, which holds the whole result"
+        )
     remedy = ", or give a *.json that save() wrote"
     # Bytes of a file that is read back, at most.
     largest = 1 << 30

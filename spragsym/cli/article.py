@@ -154,20 +154,42 @@ _Rows = tuple[list[dict[str, Any]], list[str]]
 
 
 def _chosen(only: tuple[str, ...], known: Mapping[str, T], what: str) -> list[T]:
-    """The rows asked for, by name or by how names begin, in the order of the record; all of them if
-    none is asked for.
+    """The rows asked for, by name, by how names begin or by the place in the print, in the order of
+    the record; all of them if none is asked for.
     """
     chosen = set() if only else set(known)
     for name in only:
-        found = {name} & set(known) or {row for row in known if row.startswith(name)}
+        found = (
+            {name} & set(known)
+            or {row for row in known if row.startswith(name)}
+            or _standing_at(name, known)
+        )
         if not found:
             near = ", ".join(difflib.get_close_matches(name, known, n=3, cutoff=0.3)) or "none"
             raise ParameterError(
-                f"--row {name}: no row of {what} has this name or begins with it; names like "
-                f"it: {near}"
+                f"--row {name}: no row of {what} has this name, begins with it or stands there; "
+                f"names like it: {near}"
             )
         chosen |= found
     return [row for name, row in known.items() if name in chosen]
+
+
+def _standing_at(given: str, known: Mapping[str, Any]) -> set[str]:
+    """The rows whose place in the print is meant, as by ``9``, ``(9)``, ``eq9`` or ``Figure 7``;
+    not those of the text about it.
+    """
+    number = re.sub(r"^eq[a-z]*[\s.-]*|[()]", "", given.lower())
+    places = {
+        name: str(row["where"] if isinstance(row, Mapping) else row.where or "").lower()
+        for name, row in known.items()
+    }
+    found = {
+        name: where
+        for name, where in places.items()
+        if f"({number})" in where or (" " in given and given.lower() in where)
+    }
+    shortest = min(map(len, found.values()), default=0)
+    return {name for name, where in found.items() if len(where) == shortest}
 
 
 def _claims(only: tuple[str, ...], again: bool) -> _Rows:

@@ -52,6 +52,16 @@ def test_a_row_of_the_article_is_printed_in_full(run: Run) -> None:
     assert "Cause: " in said
 
 
+@pytest.mark.parametrize("given", ["9", "(9)", "EQ-9", "eq9", "eq. 9", "Equation (9)"])
+def test_a_row_is_named_as_the_article_numbers_it(given: str, run: Run) -> None:
+    assert run("check", "--row", given) == run("check", "--row", "eq-9")
+
+
+def test_claims_are_named_by_their_figure(run: Run) -> None:
+    rows = json.loads(run("check", "--claims", "--json", "--row", "Figure 12"))
+    assert [row["id"] for row in rows] == ["fig-12-set", "fig-12-cusp"]
+
+
 @pytest.mark.usefixtures("checked")
 def test_check_prints_every_row(run: Run) -> None:
     rows = json.loads(run("check", "--json"))

@@ -81,7 +81,10 @@ CALLS: list[tuple[str, tuple[str, ...]]] = [
         "ss.quasi_static_path(P, 'mu0', [0.5, 0.1, 0.7])",
         ("values do not go one way", "strictly increasing"),
     ),
-    ("ss.equilibria(theta0=0.9)", ("missing a required argument: 'p'", "call it as equilibria(p, ")),
+    (
+        "ss.equilibria(theta0=0.9)",
+        ("missing a required argument: 'p'", "call it as equilibria(p, "),
+    ),
     (
         "ss.equilibria(P, tol=1e-3)",
         ("unexpected keyword argument 'tol'", "call it as equilibria(p"),

@@ -54,3 +54,11 @@ def test_what_a_sweep_did_not_write_is_kept(tmp_path: Path) -> None:
         main(call)
     assert stop.value.code != 0
     assert store.read_text(encoding="utf-8") == "mine"
+
+
+def test_a_sweep_at_one_angle_names_it_on_every_line(tmp_path: Path, run: Run) -> None:
+    store = tmp_path / "rms.csv"
+    run("sweep", "--theta0", "50", "--mu0", "0.3,0.4", "--t-end", "9", "-q", "-o", str(store))
+    given = columns(store)
+    assert given["theta0_deg"] == pytest.approx([50, 50])
+    assert given["mu0"].tolist() == [0.3, 0.4]

@@ -327,7 +327,9 @@ class Sweep(Named):
         return {**self.measured, **told, **following(self)}
 
     def _columns(self) -> dict[str, NDArray[Any]]:
-        return {**with_degrees(self.model, self.inputs), **self._of_points()}
+        points = self._of_points()
+        inputs = {name: points[name] for name in self.inputs}
+        return {**with_degrees(self.model, inputs), **points}
 
     def _of_points(self) -> dict[str, NDArray[Any]]:
         columns = {**self.inputs, **self._words_and_measures()}

@@ -14,7 +14,7 @@ import numpy as np
 
 import spragsym as ss
 
-from ..core.errors import ParameterError
+from ..core.errors import ConvergenceError, ParameterError
 from ..core.progress import show_progress
 from ..display import own_name
 from ..models.model import Touching, label_of
@@ -313,8 +313,12 @@ def cycles(
     )
     if whole:
         return _diagram(case, p, [] if start is None else [start], points, plot)
-    with show_progress("looking for a cycle"):
-        found = ss.cycle(p, start)
+    try:
+        with show_progress("looking for a cycle"):
+            found = ss.cycle(p, start)
+    except ConvergenceError as error:
+        own = "" if case.study is None else "; its numbers are in units of the model"
+        raise ConvergenceError(f"{error}{own}") from error
     summary: Row = case.row(
         {
             **{each.name: each.value(found) for each in found.schema},

@@ -20,25 +20,39 @@ _COLOURS = dict(
 
 
 def verdict_figure(found: Verdicts) -> Figure:
-    """Jump and margin over one quantity; or the outcomes in the plane of two."""
+    """Jump and margin over one quantity; or the outcomes in the plane of two, hollow where sliding
+    is unstable.
+    """
     figure, columns = Figure(layout="constrained"), [*zip(*found.rows, strict=True)]
     several = len(found.titles) == 6
-    outcome = np.array(columns[-2])
-    panels = figure.subplots(1 if several else 2, sharex=True, squeeze=False)[:, 0]
-    first = np.array(columns[0], dtype=float)
+    told = [*zip(*columns[-2:], strict=True)]
+    first, jumps = (np.array(column, dtype=float) for column in columns[:2])
+    none = bool(np.isnan(jumps).all())  # it never jumps: there is nothing but the state to show
+    panels = figure.subplots(1 if several or none else 2, sharex=True, squeeze=False)[:, 0]
     for row, ax in enumerate(panels):
         values = np.array(columns[1 + row], dtype=float)
-        for word in dict.fromkeys(outcome.tolist()):
-            here = outcome == word
-            ax.plot(first[here], values[here], "o", color=_COLOURS[word], label=word, markersize=4)
+        if none:
+            ax.set_yticks([])
+        for word, state in dict.fromkeys(told):
+            here = np.array([each == (word, state) for each in told])
+            style = {"color": _COLOURS[word], "markersize": 4, "label": f"{word}, {state}"}
+            if state == "unstable":
+                style["markerfacecolor"] = "white"
+            missing = here & np.isnan(values)  # at the upper edge: it would jump at no value
+            ax.plot(first[here & ~missing], values[here & ~missing], "o", **style)
+            edge = np.full(np.count_nonzero(missing), 0.97)
+            kept = style | {"label": "", "transform": ax.get_xaxis_transform()}
+            ax.plot(first[missing], edge, "o", **kept)
         if not several:
             ax.plot(first, values, color="#777777", linewidth=0.8, zorder=0)
-        ax.set_ylabel(found.titles[1 + row])
-    if not several:
+        ax.set_ylabel(f"{found.titles[1 + row]}{': none' * none}")
+    if len(panels) == 2:
         panels[1].axhline(0.0, color="#777777", linewidth=0.8)
+    if not several:
         for (one, before), (two, after) in pairwise(zip(first, columns[-1], strict=True)):
             if before and after and before != after:
                 panels[0].axvspan(one, two, color="#DDDDDD", label=f"{before} | {after}")
     panels[-1].set_xlabel(found.titles[0])
-    panels[0].legend(fontsize="small")
+    handles, words = panels[0].get_legend_handles_labels()
+    figure.legend(handles, words, loc="outside upper center", ncols=2, fontsize="small")
     return figure

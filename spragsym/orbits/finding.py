@@ -220,9 +220,8 @@ def cycle_near(
         with suppress(ConvergenceError):
             return cycle_at(system, np.array(verdict.outcome.cycle), verdict.outcome.period)
     why = stands_still(system, verdict.end) or (
-        f"it comes to {verdict.described()}; give a state nearer to a cycle, as near=simulate(p, "
-        "t_end=…) of a longer motion, or ask "
-        "fate(p) what it comes to"
+        f"it comes to {verdict.described()}; give as near a state nearer to a cycle, or the end of "
+        "a longer motion"
     )
     raise ConvergenceError(f"no cycle was found near the motion: {why}")
 

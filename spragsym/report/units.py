@@ -289,7 +289,7 @@ def _in_si(number: str, unit: str, si: str) -> float:
 def shown_in(value: float, unit: str, si: str, digits: int = 4) -> str:
     """A value in SI as text in another unit: ``"180 N/mm"``."""
     number = f"{value / factor(unit, si):.{digits}g}"
-    return f"{number} {unit}".strip()
+    return f"{number}{'' if unit == '°' else ' '}{unit}".strip()
 
 
 def hertz(frequency: float, digits: int = 4) -> str:

@@ -137,3 +137,29 @@ def test_what_to_do_with_a_point_that_is_unsettled() -> None:
         "2 of 2 unsettled, the first because it is open; write that value into the file and ask "
         "for its report, which says more, or take other ends"
     )
+
+
+@pytest.mark.parametrize("jumps", [(0.4, 0.3, math.nan), (math.nan,) * 3], ids=["some", "none"])
+def test_the_picture_shows_every_point(jumps: tuple[float, ...]) -> None:
+    """Those too that would jump at no value; hollow where sliding is unstable."""
+    pytest.importorskip("matplotlib")
+    from spragsym.figures.over import verdict_figure
+
+    states = ("stable", "unstable", "unstable")
+    rows = tuple(
+        (float(k), jump, 10 * jump, "never jumps" if math.isnan(jump) else "does not jump", state)
+        for k, jump, state in zip((1, 2, 4), jumps, states, strict=True)
+    )
+    titles = ("k [N/mm]", "jump friction", "margin [%]", "outcome", "state")
+    figure = verdict_figure(over.Verdicts(titles, rows, ""))
+    assert len(figure.axes) == (1 if math.isnan(jumps[0]) else 2)
+    for ax in figure.axes:
+        marks = [line for line in ax.lines if line.get_marker() == "o"]
+        shown = {x: line.get_markerfacecolor() for line in marks for x in line.get_xdata()}
+        assert [shown[k] == "white" for k in (1, 2, 4)] == [False, True, True]
+        low, high = ax.get_xlim()
+        assert low < 1 < 4 < high
+    (legend,) = figure.legends
+    assert not any(ax.get_legend() for ax in figure.axes)
+    words = {text.get_text() for text in legend.get_texts()}
+    assert "never jumps, unstable" in words

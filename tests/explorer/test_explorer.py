@@ -263,6 +263,10 @@ def test_data_of_ones_own_is_typed_and_shown_in_its_units(browser: Any, tmp_path
     assert [float(cell.replace("−", "-")) for cell in cells[:count]] == pytest.approx(
         38 * eq["x"][:count], rel=1e-6
     )
+    page.set_viewport_size({"width": 1280, "height": 900})
+    sizes = "table => [table.parentElement.scrollWidth, table.parentElement.clientWidth]"
+    whole, shown = page.locator("#states").evaluate(sizes)
+    assert whole <= shown, "the last columns are cut off"
     page.fill("#kappa", "-1")
     assert "F_L must be greater than 0 N" in page.inner_text("#kappa_error")
     page.fill("#kappa", "420")

@@ -11,12 +11,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from ..core.progress import doing
 from ..core.questions import Method, question
 from ..core.remarks import Remark
+from ..display import own_name
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.chains import link, walked
@@ -31,13 +33,25 @@ from ..numerics.interval_arrays import (
 )
 from ..numerics.vectors import norm
 from ..results import BifurcationSet, Curve, Points
+from ..statics.balance import Balance
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import on_side
-from ..statics.search import of_ranges
-from .defining_systems import FOLD, FOLD_ON_BORDER, TURN, Augmented, Condition, Family
+from ..statics.search import balances_of, of_ranges
+from .borders import BORDER, PASSES, kinds_of_borders, passages
+from .defining_systems import (
+    FOLD,
+    TURN,
+    Augmented,
+    Condition,
+    Family,
+    both_touch,
+    fold_on_border,
+    touch,
+    touch_turn,
+)
 from .folds import cusps, folds
 from .options import ContinuationOptions
-from .points import OVER_BORDER, Found, isolated, listed, search
+from .points import OVER_BORDER, Found, isolated, listed, search, which
 
 #: Extrema and ends of curves, as remarks call them.
 _WHERE = {
@@ -62,7 +76,7 @@ def bifurcation_set(
     method: Method = "auto",
 ) -> BifurcationSet:
     """Curves in the plane of two parameters on which the number of equilibria in contact changes:
-    every curve of folds, and the cusps.
+    every curve of folds, and the cusps; of several contacts curves of border folds, too.
 
     Parameters
     ----------
@@ -111,19 +125,53 @@ def bifurcation_set(
     vary = p.model.two(vary)
     as_count("n", n, 2)
     options = options or ContinuationOptions()
-    family = Family.of(p, vary, between, within, options=options.asked)
+    family_of = partial(Family.of, p, vary, between, within, options=options.asked)
+    balances = balances_of(p.model, None, within, options.asked)
     known = list(extrema(p, vary, between or {}, within, options.asked))
-    more = np.concatenate([rows_of(family, points) for _, points in known], axis=1)
-    found = on_lines(family, FOLD, n, more, more[-1], options)
-    curves = [Curve(family.named(chain)) for chain in found.chains]
-    complete = (
-        found.whole and not found.undecided.shape[0] and all(points.complete for _, points in known)
-    )
+    curves, parts, borders = list[Curve](), list[OnLines](), list[tuple[str, Points]]()
+    for balance in balances:
+        family = family_of(contact=balance.contact)
+        ends = [points.select(_of_folds(kind, points, balance)) for kind, points in known]
+        more = np.concatenate([rows_of(family, points) for points in ends], axis=1)
+        parts.append(on_lines(family, FOLD, n, more, more[-1], options))
+        curves += [_curve(family, chain) for chain in parts[-1].chains]
+        for contact, other in passages(balances, balance):
+            near = family_of(contact=balance.contact, room=OVER_BORDER, beyond=contact)
+            ends = [*border_extrema(near, balance, between or {}, within)]
+            borders += [(BORDER, points) for points in ends]
+            more = np.concatenate([rows_of(near, points) for points in ends], axis=1)
+            parts.append(on_lines(near, touch(contact), n, more, more[-1], options))
+            for chain in parts[-1].chains:
+                around = ends_around(chain, options.half_width * scale_of(chain))
+                passes = kinds_of_borders(near, around, other) == PASSES
+                cuts = np.flatnonzero(np.diff(passes)) + 1
+                pieces = zip(np.split(chain, cuts, axis=1), np.split(passes, cuts), strict=True)
+                curves += [_curve(near, piece) for piece, goes_on in pieces if not goes_on.any()]
+    undecided = np.concatenate([found.undecided for found in parts])
+    known += borders
+    decided = all(found.whole for found in parts) and not undecided.shape[0]
+    complete = decided and all(points.complete for _, points in known)
     cut = of_ranges(family.endless, vary, family.spans)
-    remarks = (*found.remarks, *_said(known, cut))
+    said = dict.fromkeys(remark for found in parts for remark in found.remarks)
+    remarks = (*said, *_said(known, cut))
     return BifurcationSet(
-        family.vary, tuple(curves), known[0][1], complete, found.lines, found.undecided, remarks
+        family.vary, tuple(curves), known[0][1], complete, parts[0].lines, undecided, remarks
     )
+
+
+def _of_folds(kind: str, points: Points, balance: Balance) -> BoolArray:
+    """Points on curves of folds of one combination of contacts that touch, from those of all."""
+    if not balance.model.has_regimes:
+        return np.ones(len(points), dtype=np.bool_)
+    touching, at_border = (
+        points[own_name(balance.model, name)] for name in ("touching", "at_border")
+    )
+    # At the ends of a range there are border points, too.
+    return np.asarray((touching == balance.touching) & ((kind != "end") | (at_border == "")))
+
+
+def _curve(family: Family, states: FloatArray) -> Curve:
+    return Curve(family.named(states) | which(family.balance, states.shape[1]))
 
 
 def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator[str]:
@@ -152,11 +200,15 @@ def extrema(
 
     Kinds are ``"cusp"``; ``"turn"``: F = 0, det K = 0 and w · ∂F/∂v = 0 for the first parameter v,
     with w K = 0; ``"end"``, at either end of the range of v; and ``"border"``, where folds leave a
-    contact that opens.
+    contact that opens, or come to one that is open. Of several contacts they are those of every
+    combination of contacts that touch, and border points at the ends.
     """
     over, along = vary
+    family_of = partial(Family.of, p, vary, between, within, options=options)
+    balances = balances_of(p.model, None, within, options)
+    families = [family_of(contact=one.contact) for one in balances]
     family, rest = (
-        Family.of(p, vary, between, within, options=options),
+        families[0],
         {name: ends for name, ends in between.items() if name != over},
     )
     with doing("cusps over {} and {}", *vary):
@@ -164,16 +216,41 @@ def extrema(
     yield "cusp", found
     # Where no state depends on one of the two, curves are straight along it.
     bends = set(vary) <= set(family.balance.balanced)
-    if bends:
-        yield "turn", isolated(family, TURN, "turn")
+    for one in families if bends else ():
+        yield "turn", isolated(one, TURN, "turn")
     low, high = family.spans[0].tolist()
     for end in (low, high):
         value = p.ranges[over].reached(end, high - low)
         at_end = p.replace(**{over: value})
         yield "end", folds(at_end, along, between=rest, within=within, options=options)
-    if family.balance.opens and bends:
-        near = Family.of(p, vary, between, within, room=OVER_BORDER, options=options)
-        yield "border", isolated(near, FOLD_ON_BORDER, "border")
+    for balance in balances if bends else ():
+        for contact in balance.opens:
+            near = family_of(contact=balance.contact, room=OVER_BORDER, beyond=contact)
+            yield "border", isolated(near, fold_on_border(contact), "border")
+
+
+def border_extrema(
+    near: Family, balance: Balance, between: Ranges, within: Ranges | None
+) -> Iterator[Points]:
+    """Extreme values in the second parameter and ends of curves on which the gap of a contact of
+    ``balance`` is 0, the one beyond whose border states of the family ``near`` count.
+    """
+    (over, along), contact, p = near.vary, near.balance.beyond, near.p
+    if contact is None or over not in balance.balanced:
+        return
+    yield isolated(near, touch_turn(contact), BORDER)
+    family_of = partial(
+        Family.of, contact=balance.contact, room=OVER_BORDER, options=balance.options
+    )
+    closed = [other for other in balance.opens if balance.pushing[other] and other > contact]
+    for other in closed:  # where a curve of one contact ends at that of another
+        yield isolated(family_of(p, near.vary, between, within), both_touch(contact, other), BORDER)
+    rest = {name: ends for name, ends in between.items() if name != over}
+    low, high = near.spans[0].tolist()
+    for end in (low, high):
+        here = p.replace(**{over: p.ranges[over].reached(end, high - low)})
+        at_end = family_of(here, (along,), rest, within, beyond=contact)
+        yield isolated(at_end, touch(contact), BORDER)
 
 
 def rows_of(family: Family, found: Points) -> FloatArray:

@@ -12,7 +12,7 @@ that nothing but this contact supports: no branch goes on.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -41,7 +41,7 @@ from ..statics.balance import Balance
 from ..statics.forces import as_intervals, filled
 from ..statics.reference_state import in_order
 from .defining_systems import Augmented, Family, touch
-from .points import OVER_BORDER, Found, arranged, search
+from .points import OVER_BORDER, arranged, search
 
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
@@ -62,27 +62,32 @@ def borders(
     within: Ranges | None,
 ) -> list[Points]:
     """Border points of each contact between two of these combinations of contacts that touch."""
-    found, known = [], {tuple(balance.pushing) for balance in balances}
+    found = []
     for balance in balances:
-        for contact in balance.opens:
-            other = balance.without(contact)
-            if balance.pushing[contact] and tuple(other.pushing) in known:
-                family = Family.of(
-                    p,
-                    (vary,),
-                    between,
-                    within,
-                    contact=balance.contact,
-                    room=OVER_BORDER,
-                    beyond=contact,
-                    options=balance.options,
-                )
-                there = search(family, touch(contact))
-                kind = _kinds(family, there, other)
-                at = own_name(p.model, "at_border")
-                more = {at: np.full(kind.size, label_of(p.model.contacts[contact]))}
-                found.append(arranged(family, there, kind, more))
+        for contact, other in passages(balances, balance):
+            family = Family.of(
+                p,
+                (vary,),
+                between,
+                within,
+                contact=balance.contact,
+                room=OVER_BORDER,
+                beyond=contact,
+                options=balance.options,
+            )
+            there = search(family, touch(contact))
+            kind = kinds_of_borders(family, there.roots.ends, other)
+            found.append(arranged(family, there, kind))
     return found
+
+
+def passages(balances: Sequence[Balance], balance: Balance) -> Iterator[tuple[int, Balance]]:
+    """Contacts of a combination by whose loss it becomes another one of these, and that one."""
+    known = [one.pushing for one in balances]
+    for contact in balance.opens:
+        other = balance.across(contact)
+        if balance.pushing[contact] and other.pushing in known:
+            yield contact, other
 
 
 def combination(points: Points, row: int) -> Touching:
@@ -135,9 +140,8 @@ def joined(parts: Sequence[Points]) -> Points:
     )
 
 
-def _kinds(family: Family, found: Found, other: Balance) -> NDArray[np.str_]:
-    """Kinds of border points, by the signs of det K on both sides."""
-    ends = found.roots.ends
+def kinds_of_borders(family: Family, ends: FloatArray, other: Balance) -> NDArray[np.str_]:
+    """Kinds of border points in boxes, by the signs of det K on both sides."""
     closed, open_ = (_signs(balance, family, ends) for balance in (family.balance, other))
     alone = bool((open_ == 0).any()) and _is_singular(other, family)
     return np.select(
@@ -224,7 +228,7 @@ def _at_border(points: Points, row: int) -> tuple[str, str]:
     opens *= int(_signs(closed, family, ends)[0])
     if not opens:
         raise ConvergenceError("whether the gap opens with the parameter is not known")
-    when, open_ = "up" if opens > 0 else "down", closed.without(number)
+    when, open_ = "up" if opens > 0 else "down", closed.across(number)
     if not _signs(open_, family, ends)[0] and _is_singular(open_, family):
         return "", when  # no branch goes on
     given, moved, stable = family.at(z[-1:, None]), list[float](), list[bool]()

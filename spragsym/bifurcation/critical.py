@@ -4,6 +4,7 @@ that is followed ends.
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -19,13 +20,15 @@ from ..numerics.columns import selected_rows
 from ..results import LowestEnd, Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.reference_state import nearest_state, reference_coordinates
-from ..statics.search import of_ranges
-from .bifurcation_sets import extrema
-from .defining_systems import TOUCH, TOUCH_TURN, Family, given_column
+from ..statics.reference_state import nearest_state, reference_place
+from ..statics.search import balances_of, number_of, of_ranges
+from .bifurcation_sets import border_extrema, extrema
+from .borders import BORDER
+from .crossings import followed_across
+from .defining_systems import Family, given_column
 from .folds import cusps, folds
 from .paths import ModelEnd, first_end
-from .points import INFINITY, OVER_BORDER, escapes, isolated
+from .points import INFINITY, OVER_BORDER, escapes
 from .tubes import Tubes
 
 #: How far beside a cusp its folds are looked for, over the range.
@@ -91,7 +94,8 @@ def critical_friction(
     -----
     The state followed is the stable one of smallest first coordinate at the lower end of both
     ranges, and what it becomes along ``over`` there, by a chain of boxes. Where it ends is on
-    curves of folds, and on curves on which it leaves the contact. The least value on a piece of
+    curves of folds, and on curves on which it leaves the contact, or on which one of several
+    contacts is lost or regained. The least value on a piece of
     them is at a cusp, at a turn, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0, where the piece
     ends on the border, or at an end of ``over``: all of these are isolated. From the least on it is
     asked, by following the state along ``vary`` there, whether it ends: below the first one at
@@ -327,7 +331,7 @@ def carried(
     here = tubes.place(np.append(q, values[0])[:, None])
     states = [q]
     for value in values[1:].tolist():
-        here = tubes.followed(here, np.array([value]))
+        tubes, here = followed_across(tubes, here, np.array([value]))
         if not here.sure[0] or here.v[0] != value:
             raise ConvergenceError(
                 f"the state can't be followed from {name} = {values[0]:.6g} to {values[-1]:.6g}"
@@ -341,7 +345,7 @@ class _CandidateSearch:
 
     def __init__(self, p: ParameterSet, vary: str, over: str, between: Ranges | None) -> None:
         family = Family.of(p, (over, vary), between)
-        self.p, self.vary, self.over, self.balance = p, vary, over, family.balance
+        self.p, self.vary, self.over, self.balances = p, vary, over, balances_of(p.model, None)
         self.spans, self.endless = family.spans, family.endless
         for span, name in zip(self.spans, family.vary, strict=True):
             span[:] = [p.ranges[name].reached(float(end), span[1] - span[0]) for end in span]
@@ -408,23 +412,18 @@ class _CandidateSearch:
             whole &= points.whole and bool(np.isfinite(points.region).all())
             yield kind, points
 
-        def families(room: float) -> Iterator[Family]:
-            """The family over the plane of both parameters, then one over ``vary`` at each end of
-            ``over``.
-            """
-            yield Family.of(self.p, both, between, room=room)
-            for end in self.spans[0].tolist():
-                here = self.p.replace(**{self.over: end})
-                yield Family.of(here, (self.vary,), {self.vary: between[self.vary]}, room=room)
-
-        if not whole:
-            yield from ((INFINITY, escapes(family)) for family in families(0.0))
-        if self.balance.opens:
-            for family in families(OVER_BORDER):
-                yield (
-                    "border",
-                    isolated(family, TOUCH_TURN if len(family.vary) == 2 else TOUCH, "border"),
-                )
+        for balance in self.balances:
+            family_of = functools.partial(Family.of, contact=balance.contact)
+            if not whole:
+                yield INFINITY, escapes(family_of(self.p, both, between))
+                for end in self.spans[0].tolist():
+                    here, rest = self.p.replace(**{self.over: end}), {self.vary: between[self.vary]}
+                    yield INFINITY, escapes(family_of(here, (self.vary,), rest))
+            for contact in balance.opens:
+                if balance.pushing[contact]:
+                    near = family_of(self.p, both, between, room=OVER_BORDER, beyond=contact)
+                    for points in border_extrema(near, balance, between, None):
+                        yield BORDER, points
 
     def beside(self, one: _Candidate) -> list[list[float]]:
         """Places at which it is asked whether the state ends at a candidate: of a cusp two on its
@@ -443,17 +442,18 @@ class _CandidateSearch:
         where = (
             f"at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
         )
-        first = reference_coordinates(
+        first, touching = reference_place(
             here.replace(**{self.over: places[0]}), self.p.followed, where
         )
-        way = carried(self.balance, here, self.over, np.array(places), first)
+        balance = self.balances[number_of(self.balances, touching)]
+        way = carried(balance, here, self.over, np.array(places), first)
         self.beginning = dict(zip(places, way.T, strict=True))
 
     def end_at(self, place: float, limit: float) -> ModelEnd | None:
         """Value at which the state ends there below a limit; None if it does not."""
         here, near = (
             self.p.replace(**{self.over: place}),
-            dict(zip(self.balance.coordinates, self.beginning[place], strict=True)),
+            dict(zip(self.p.model.coordinates, self.beginning[place], strict=True)),
         )
         slot = nearest_state(equilibria(here.replace(**{self.vary: self.low})), near)
         return first_end(here, self.vary, (self.low, limit), start=int(slot))

@@ -219,12 +219,18 @@ def touch(contact: int) -> Condition:
     return Condition(lambda at: (at.gap(contact),), touching=contact)
 
 
-#: The gap of the only contact is 0.
-TOUCH = touch(0)
-#: det K = 0 and the gap of the only contact is 0: a curve of folds leaves the contact.
-FOLD_ON_BORDER = Condition(
-    lambda at: (determinant(at.slopes), *at.gaps()), touching=0, singular=True
-)
+@cache
+def fold_on_border(contact: int) -> Condition:
+    """det K = 0 and the gap of a contact is 0: a curve of folds leaves the contact."""
+    return Condition(
+        lambda at: (determinant(at.slopes), at.gap(contact)), touching=contact, singular=True
+    )
+
+
+@cache
+def both_touch(contact: int, other: int) -> Condition:
+    """The gaps of two contacts are 0."""
+    return Condition(lambda at: (at.gap(contact), at.gap(other)), touching=contact)
 
 
 @cache
@@ -257,17 +263,18 @@ def _turns(at: Evaluation) -> Sequence[Any]:
 TURN = Condition(_turns, order=1, singular=True)
 
 
-def _touch_turns(at: Evaluation) -> Sequence[Any]:
-    """The gap, and the determinant of the slopes of forces and gap by the coordinates and the first
-    parameter.
+@cache
+def touch_turn(contact: int) -> Condition:
+    """The gap of a contact is 0, and the curve on which it is turns back in the second parameter:
+    the determinant of the slopes of forces and gap by the coordinates and the first one is 0.
     """
-    (gap,) = at.gaps()
-    rows, n = [*at.forces(), gap], len(at.q)
-    return gap, determinant([[slope(row, k) for k in range(n + 1)] for row in rows])
 
+    def equations(at: Evaluation) -> Sequence[Any]:
+        gap = at.gap(contact)
+        rows, n = [*at.forces(), gap], len(at.q)
+        return gap, determinant([[slope(row, k) for k in range(n + 1)] for row in rows])
 
-#: The gap is 0, and the curve on which it is turns back in the second parameter.
-TOUCH_TURN = Condition(_touch_turns, order=1, touching=0)
+    return Condition(equations, order=1, touching=contact)
 
 
 def _discriminant(at: Evaluation) -> Sequence[Any]:

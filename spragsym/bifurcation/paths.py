@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.errors import ConvergenceError, ParameterError
 from ..core.questions import Method, question
 from ..display import own_name
+from ..models.model import label_of
 from ..models.parameters import ParameterSet, Span, as_numbers
 from ..numerics.interval_arrays import FloatArray, IntArray, scale_of
 from ..results import Equilibria, EquilibriumType, Jump, Path, Points, Result
@@ -63,6 +64,8 @@ class ModelEnd(Result):
     kind: str
     before: Mapping[str, float]  #: coordinates there
     error: float  #: bound on the error of ``value``
+    touching: str = ""  #: contacts that touch before it, of several
+    at_border: str = ""  #: the contact that is lost or regained there, if one is
 
 
 #: Chooses among the slots of the equilibria behind a fold, given the coordinates of the fold: (eq,
@@ -216,10 +219,10 @@ def open_ends(
     known = {tuple(balance.pushing) for balance in balances}
     for balance in balances:
         for contact in balance.opens:
-            other = tuple(balance.without(contact).pushing)
+            other = tuple(balance.across(contact).pushing)
             if balance.pushing[contact] and other not in known:
                 near = family_of(contact=balance.contact, room=OVER_BORDER, beyond=contact)
-                found.append(isolated(near, touch(contact), "border"))
+                found.append(isolated(near, touch(contact), BORDER))
                 if not found[-1].decided:
                     raise ConvergenceError(
                         f"whether equilibria leave the contact along {vary} is not decided; "
@@ -700,4 +703,11 @@ class Way:
             float(self.at[number]),
             INFINITY if self.far[number] else str(self.kinds[number]),
         )
-        return ModelEnd(value, kind, self._place(number), float(self.error[number]))
+        touching, at_border = (
+            str(self.turns[own_name(self.p.model, name)][number])
+            if self.p.model.has_regimes
+            else alone
+            for name, alone in (("touching", ""), ("at_border", label_of(self.p.model.contacts[0])))
+        )
+        error = float(self.error[number])
+        return ModelEnd(value, kind, self._place(number), error, touching, at_border)

@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 from ..core.progress import doing
 from ..core.remarks import At, Remark
 from ..display import own_name
+from ..models.model import label_of
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import Number, determinant
 from ..numerics.certified_roots import Roots, distinct, stepped
@@ -98,7 +99,7 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     around, whole = _region(family, balance)
     if condition.touching is not None and not whole.all():
         # On the border the contact's force is 0: these are states where it is open, too.
-        around, whole = _region(family, balance.without(condition.touching))
+        around, whole = _region(family, balance.across(condition.touching))
     system, fixed = Augmented(family, condition), family.begin
     if budget is None and system.options.budget is None:
         # Of more than four unknowns each costs many times as much.
@@ -200,7 +201,9 @@ def which(balance: Balance, size: int) -> dict[str, Any]:
     if not balance.model.has_regimes:
         return {}
     touching, at_border = (own_name(balance.model, name) for name in ("touching", "at_border"))
-    return {touching: np.full(size, balance.touching), at_border: np.full(size, "")}
+    near = balance.beyond
+    label = "" if near is None else label_of(balance.model.contacts[near])
+    return {touching: np.full(size, balance.touching), at_border: np.full(size, label)}
 
 
 def listed(

@@ -124,8 +124,11 @@ def cusps_of(
     options: SearchOptions | None = None,
 ) -> Points:
     """All cusps in the plane of two parameters; arguments as of :func:`spragsym.cusps`."""
-    family = Family.of(p, vary, between, within, options=options)
-    return arranged(family, isolated(family), "cusp")
+    families = (
+        Family.of(p, vary, between, within, contact=one.contact, options=options)
+        for one in balances_of(p.model, None, within)
+    )
+    return joined([arranged(family, isolated(family), "cusp") for family in families])
 
 
 @dataclass(frozen=True)

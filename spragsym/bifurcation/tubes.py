@@ -238,7 +238,8 @@ class Tubes(ByColumn):
     # ---------------------------------------------------------------------------------------------
     # evaluation
 
-    def _bounds(self, v: Intervals) -> Intervals:
+    def bounds(self, v: Intervals) -> Intervals:
+        """Prepared parameters with these values of the one that varies."""
         moved = dict(zip(self.free, self._span(), strict=True)) | {self.vary: v}
         return self.balance.prepared_beside(self.prepared, self.fixed, moved)
 
@@ -256,7 +257,7 @@ class Tubes(ByColumn):
 
         key = "slopes along", self.vary, self.free, bool(self.half.any())
         with quiet():
-            found = self.balance.taped(key, rows, z[:-1], self._bounds(z[-1]))
+            found = self.balance.taped(key, rows, z[:-1], self.bounds(z[-1]))
         shape = 2, self.n, found.shape[0] // self.n, *found.shape[1:]
         return Intervals(found.ends.reshape(shape))
 
@@ -309,7 +310,7 @@ class Tubes(ByColumn):
         """Angles of torsion springs, from intervals."""
         if not self.balance.torsions:
             return []
-        found = self.balance.state(box[:-1], self._bounds(box[-1])).directions
+        found = self.balance.state(box[:-1], self.bounds(box[-1])).directions
         return list(map(Affine.between, found[3 * self.balance.springs :]))
 
     def _rows(self, at: Evaluation) -> list[list[Any]]:
@@ -331,7 +332,7 @@ class Tubes(ByColumn):
 
     def _forces(self, z: FloatArray) -> Intervals:
         """Enclosed, in the middle of the boxes."""
-        bounds = replace(self, half=np.zeros_like(self.half))._bounds(Intervals.point(z[-1]))
+        bounds = replace(self, half=np.zeros_like(self.half)).bounds(Intervals.point(z[-1]))
         balance = self.balance
 
         def rows(q: Sequence[Number], parameters: Intervals) -> Sequence[Any]:
@@ -473,7 +474,7 @@ class Tubes(ByColumn):
             if done.any():
                 here, box = rows[done], tried[done].box()
                 out.sure[here] = on_side(
-                    self.balance, some[done]._bounds(box[-1]), box.ends[:, :-1]
+                    self.balance, some[done].bounds(box[-1]), box.ends[:, :-1]
                 )[0]
                 out.room[:, here], most[:, here] = alone[:, done], np.maximum(*step[:, :, done])
             left = good & ~done

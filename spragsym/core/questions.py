@@ -38,7 +38,13 @@ WAYS = ("auto", "closed", "search")
 #: Questions that are answered for several contacts.
 SEVERAL = (
     "basin",
+    "bifurcation_set",
+    "certify",
     "count",
+    "critical_friction",
+    "critical_value",
+    "cusp_friction",
+    "cusps",
     "cycle",
     "cycle_branch",
     "cycle_events",
@@ -49,15 +55,28 @@ SEVERAL = (
     "fate_map",
     "flutter_onsets",
     "folds",
+    "jump_gradient",
+    "jump_margin",
+    "jump_probability",
     "jump_value",
     "lyapunov",
     "quasi_static_path",
+    "redesign",
     "rms_sweep",
+    "sensitivity",
     "simulate",
     "sticking_states",
 )
 #: Parts of answers for several contacts.
-PARTS_OF_SEVERAL = ("first_ends", "linked", "open_ends", "rest_index", "rest")
+PARTS_OF_SEVERAL = (
+    "claims",
+    "first_ends",
+    "have_jumped",
+    "linked",
+    "open_ends",
+    "rest_index",
+    "rest",
+)
 #: Questions that are answered of a page with a clock.
 FORCED = (
     "basin",
@@ -68,6 +87,7 @@ FORCED = (
     "fate_map",
     "lyapunov",
     "rms_sweep",
+    "sensitivity",
     "simulate",
 )
 

@@ -43,6 +43,7 @@ from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.precise_balance import on_side, reduced_by_turns
 from ..statics.regions import region
+from ..statics.search import balances_of
 
 #: Outcome of a part: not decided.
 OPEN = 0
@@ -327,7 +328,9 @@ class ClaimOfStates(Claim):
 
     def __init__(self, low: ParameterSet, high: ParameterSet, claim: str) -> None:
         self.model = low.model
-        self.balance = Balance(self.model)
+        self.balance, *others = balances_of(self.model, None)
+        if others:
+            self.model.require_answered(f"certify {claim!r}")
         self.sides = tuple(self.balance.parameters)
         self.true, self.false = STATES[claim]
         nowhere = np.full((2, self.balance.n, 1), np.inf)

@@ -11,21 +11,33 @@ from typing import Any
 
 import numpy as np
 
-from ..bifurcation.defining_systems import ranges
+from ..bifurcation.borders import BORDER, BORDER_FOLD, PASSES
+from ..bifurcation.crossings import crossed
+from ..bifurcation.defining_systems import Augmented, Family, ranges, touch
 from ..bifurcation.paths import ModelEnd, first_end
 from ..bifurcation.tubes import Place, Tubes
 from ..bifurcation.turning_points import passed, past, turned
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..core.questions import Method, model_of, question
-from ..display import Table
+from ..display import Table, own_name
+from ..models.model import label_of
 from ..models.parameters import ParameterSet, as_numbers, set_of
-from ..numerics.interval_arrays import BoolArray, FloatArray, IndexArray, quiet
+from ..numerics.columns import ByColumn
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IndexArray,
+    IntArray,
+    Intervals,
+    quiet,
+)
 from ..results import Named
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.forces import filled
 from ..statics.reference_state import reference_state
+from ..statics.search import balances_of, number_of
 
 #: Points at a time.
 BLOCK = 4096
@@ -138,7 +150,7 @@ def jump_gradient(
     Returns
     -------
     JumpGradient
-        NaN where the state goes on, leaves the contact, runs to infinity or ends at a pitchfork.
+        NaN where the state goes on, runs to infinity or ends at a pitchfork.
 
     Raises
     ------
@@ -148,7 +160,8 @@ def jump_gradient(
     Notes
     -----
     Source: F = 0, w K = 0 at the fold, differentiated: since w ∂F/∂q = 0, dv/dp = −(w · ∂F/∂p)/(w ·
-    ∂F/∂v). At a cusp digits are lost, and beyond it there is no jump.
+    ∂F/∂v). Where a contact is lost or regained, its gap is one more row of F. At a cusp digits are
+    lost, and beyond it there is no jump.
 
     Examples
     --------
@@ -192,31 +205,52 @@ def have_jumped(
 
 
 def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
-    """dv/dp by name at the folds at which the states of points end."""
-    balance = Balance(p.model)
-    names, shape, states = (
-        list(balance.parameters),
-        found.value.shape,
-        found.state.reshape(balance.n, -1),
-    )
-    moving = names.index(vary)
+    """dv/dp by name at the folds and borders at which the states of points end."""
+    balances, shape, size = balances_of(p.model, None), found.value.shape, found.value.size
+    names, contact = list(balances[0].parameters), np.full(size, -1)
+    states = found.state.reshape(balances[0].n, -1).copy()
     columns = (found.value if name == vary else p[name] for name in names)
+    given = np.stack([np.broadcast_to(column, shape).reshape(-1) for column in columns])
+    for i, end in found.others.items():
+        if end.kind in (BORDER, BORDER_FOLD):
+            contact[i] = [*map(label_of, p.model.contacts)].index(end.at_border)
+            states[:, i] = [end.before[name] for name in balances[0].coordinates]
+    slopes = np.full((len(names), size), np.nan)
+    kinds = np.stack([np.broadcast_to(found.combination, shape).reshape(-1), contact])
+    for number, border in np.unique(kinds, axis=1).T.tolist():
+        rows = np.flatnonzero((kinds == [[number], [border]]).all(axis=0))
+        slopes[:, rows] = _slopes(balances[number], vary, border, states[:, rows], given[:, rows])
+    # Without an end, whatever the forces depend on.
+    slopes[:, np.isnan(states).any(axis=0)] = np.nan
+    return {name: one.reshape(shape) for name, one in zip(names, slopes, strict=True)}
+
+
+def _slopes(
+    balance: Balance, vary: str, border: int, states: FloatArray, given: FloatArray
+) -> FloatArray:
+    """dv/dp by parameter at folds, or where the gap of a contact is 0, whose number is not
+    negative.
+    """
+    names, size, n = list(balance.parameters), states.shape[1], balance.n
     with quiet():
-        values = balance.floats(
-            np.stack([np.broadcast_to(column, shape).reshape(-1) for column in columns])
-        )
-        at = balance.at(list(states), values, xp=np)
+        at = balance.at(list(states), balance.floats(given), xp=np)
         K, moved = (
-            np.moveaxis(filled(part, (found.value.size,)), -1, 0)
+            np.moveaxis(filled(part, (size,)), -1, 0)
             for part in (at.stiffness(), balance.by_parameters(at, names))
         )
-        along = np.einsum("Ni,Nij->jN", np.linalg.svd(np.nan_to_num(K))[0][:, :, -1], moved)
-        slopes = 0.0 - along / along[moving]
-    slopes[moving] += 1.0
-    slopes[:, np.isnan(states).any(axis=0)] = (
-        np.nan
-    )  # without a fold, whatever the forces depend on
-    return {name: one.reshape(shape) for name, one in zip(names, slopes, strict=True)}
+        if border >= 0:
+            family = Family(None, balance, tuple(names), given, np.zeros((len(names), 2)))
+            system = Augmented(family, touch(border))
+            z = Intervals.point(np.concatenate([states, given]))
+            gap = np.moveaxis(system.jacobian(z, system.prepared_at(given)).middle[-1:], -1, 0)
+            K, moved = (
+                np.concatenate(both, axis=1) for both in ((K, gap[..., :n]), (moved, gap[..., n:]))
+            )
+        w = np.linalg.svd(np.nan_to_num(K))[0][:, :, -1]
+        along = np.einsum("Ni,Nij->jN", w, moved)
+        slopes = 0.0 - along / along[names.index(vary)]
+    slopes[names.index(vary)] += 1.0
+    return slopes
 
 
 class Followed:
@@ -251,7 +285,8 @@ class Followed:
         # Where the parameter that moves is the only one of several values, its ends alone say of
         # how many points it is.
         self.shape = np.broadcast_shapes(p.shape, () if until is None else np.shape(until))
-        self.balance = Balance(model)
+        self.balances = balances_of(model, None)
+        self.balance = self.balances[0]
         columns = p.broadcast(*self.balance.parameters)
         self.fixed = np.stack(
             [np.broadcast_to(column, self.shape).reshape(-1) for column in columns]
@@ -277,9 +312,8 @@ class Followed:
         Tubes over a coordinate pass a fold without coming near to it. Where they decide nothing and
         a state is left, the fold itself is asked for.
         """
-        found = np.empty(self.begin.size)
-        for rows in self._blocks():
-            tubes, start, goal = self._start(rows)
+        found = np.full(self.begin.size, np.nan)
+        for rows, tubes, start, goal in self._parts():
             safe, top, _ = passed(tubes, start, goal)
             ended = np.where(start.sure & (safe >= goal), 0.0, np.where(top <= goal, 1.0, np.nan))
             left = np.flatnonzero(np.isnan(ended) & start.sure)
@@ -288,8 +322,8 @@ class Followed:
             eq = equilibria(self._points(rows[left]).replace(**{self.vary: goal[left]}))
             ended[left[eq.decided & eq.whole & (eq.count == 0)]] = 1.0
             left = np.flatnonzero(np.isnan(ended))
-            decided, ends, _ = self._folds(tubes[left], start[left], goal[left], hasty=hasty)
-            ended[left] = np.where(decided, np.isfinite(ends[-1]), np.nan)
+            told = self._told(tubes[left], start[left], goal[left], hasty=hasty)
+            ended[left] = np.where(told.decided, np.isfinite(told.z[-1]), np.nan)
             found[rows] = ended
         return found.reshape(self.shape)
 
@@ -299,11 +333,17 @@ class Followed:
 
     def ends(self) -> Ends:
         """End of the state of each point."""
-        n, reasons, others = self.balance.n, dict[int, str](), dict[int, ModelEnd]()
-        z, error = np.empty((n + 1, self.begin.size)), np.empty(self.begin.size)
-        for rows in self._blocks():
-            decided, z[:, rows], error[rows] = self._folds(*self._start(rows))
-            for i in rows[~decided].tolist():
+        n, size, others = self.balance.n, self.begin.size, dict[int, ModelEnd]()
+        z, error, reasons = np.empty((n + 1, size)), np.empty(size), dict[int, str]()
+        combination = np.zeros(size, dtype=np.int64)
+        for rows, tubes, start, goal in self._parts():
+            told = self._told(tubes, start, goal)
+            z[:, rows], error[rows], combination[rows] = told.z, told.error, told.combination
+            for i, contact in zip(rows.tolist(), told.border.tolist(), strict=True):
+                if contact >= 0:
+                    others[i] = self._at_border(z[:, i], error[i], combination[i], contact)
+                    z[:n, i] = np.nan
+            for i in rows[~told.decided].tolist():
                 span = float(self.begin[i]), float(self.until[i])
                 try:
                     end = (
@@ -314,14 +354,26 @@ class Followed:
                     continue
                 if end is not None:
                     z[n, i], error[i] = end.value, end.error
+                    combination[i] = number_of(self.balances, end.touching)
                     if end.kind == "fold":
                         z[:n, i] = [end.before[name] for name in self.balance.coordinates]
                     else:
                         others[i] = end
-        z, error, until = (
-            each.reshape((*each.shape[:-1], *self.shape)) for each in (z, error, self.until)
+        z, error, until, combination = (
+            each.reshape((*each.shape[:-1], *self.shape))
+            for each in (z, error, self.until, combination)
         )
-        return Ends(z[n, ...], error, z[:n], reasons, until, others)
+        return Ends(z[n, ...], error, z[:n], reasons, until, combination, others)
+
+    def _at_border(self, z: FloatArray, error: float, combination: int, contact: int) -> ModelEnd:
+        """The end at the border of a contact."""
+        balance = self.balances[combination]
+        beyond = balance.across(contact).pushing
+        kind = BORDER_FOLD if beyond in [one.pushing for one in self.balances] else BORDER
+        *q, value = z.tolist()
+        before = dict(zip(balance.coordinates, q, strict=True))
+        label = label_of(self.model.contacts[contact])
+        return ModelEnd(value, kind, before, float(error), balance.touching, label)
 
     def _points(self, rows: IndexArray) -> ParameterSet:
         """Some points, or one, as parameters that follow the state that was chosen."""
@@ -331,64 +383,96 @@ class Followed:
             self.near,
         )
 
-    def _start(self, rows: IndexArray) -> tuple[Tubes, Place, FloatArray]:
-        """Some points, the reference states from which they are followed, where these are known,
-        and up to where.
+    def _parts(self) -> Iterator[tuple[IntArray, Tubes, Place, FloatArray]]:
+        """Points of one combination of contacts, the reference states from which they are followed,
+        where these are known, and up to where.
         """
-        eq = equilibria(self._points(rows))
-        slot = reference_state(eq, self.near)
-        states = [
-            eq.coordinates[name][np.arange(rows.size), slot] for name in self.balance.coordinates
-        ]
-        z = np.array([*states, self.begin[rows]])
-        # Tubes are of one combination of contacts that touch.
-        alone = len(self.model.contacts) == 1
-        known = eq.decided & np.isfinite(z).all(axis=0) & alone
-        z[:, ~known] = 0.0
-        tubes = Tubes.of_points(self.balance, self.vary, self.fixed[:, rows])
-        start = tubes.place(z)
-        start.sure[~known] = False
-        return tubes, start, self.until[rows]
+        for rows in self._blocks():
+            eq = equilibria(self._points(rows))
+            slot = reference_state(eq, self.near)
+            states = [
+                eq.coordinates[name][np.arange(rows.size), slot]
+                for name in self.balance.coordinates
+            ]
+            z = np.array([*states, self.begin[rows]])
+            known = eq.decided & np.isfinite(z).all(axis=0)
+            z[:, ~known] = 0.0
+            number = np.zeros(rows.size, dtype=np.int64)
+            if self.model.has_regimes:
+                touching = eq[own_name(self.model, "touching")][np.arange(rows.size), slot]
+                number[known] = [number_of(self.balances, one) for one in touching[known].tolist()]
+            for k, balance in enumerate(self.balances):
+                mine = number == k
+                if mine.any():
+                    tubes = Tubes.of_points(balance, self.vary, self.fixed[:, rows[mine]])
+                    start = tubes.place(z[:, mine])
+                    start.sure[~known[mine]] = False
+                    yield rows[mine], tubes, start, self.until[rows[mine]]
 
-    def _folds(
-        self, tubes: Tubes, start: Place, goal: FloatArray, *, hasty: bool = False
-    ) -> tuple[BoolArray, FloatArray, FloatArray]:
-        """Points at which tubes tell whether there is a fold before the goal, the folds, shape (n +
-        1, N) or NaN, and errors.
+    def _told(self, tubes: Tubes, start: Place, goal: FloatArray, *, hasty: bool = False) -> _Told:
+        """What tubes tell of points of one combination of contacts, and of another one behind a
+        border.
         """
-        forward = self.forward
+        forward, size = self.forward, goal.size
         # A state that is steep and does not turn back is carried past there, some times.
         rounds = 1 if hasty else 4
         if hasty:  # beside a cusp more segments are needed
             tubes = replace(tubes, options=replace(tubes.options, segments=60))
-        left, at = np.arange(goal.size), start
-        decided, z, error = (
-            np.zeros(goal.size, dtype=np.bool_),
+        left, at = np.arange(size), start
+        out = _Told(
+            np.zeros(size, dtype=np.bool_),
             np.full(start.z.shape, np.nan),
-            np.zeros(goal.size),
+            np.zeros(size),
+            np.full(size, number_of(self.balances, tubes.balance.touching)),
+            np.full(size, -1),
         )
         # With large steps first: tubes over a coordinate, which pass the fold, go on from there.
         for least in (2.0**-8, *[None] * rounds):
             at = tubes[left].followed(at, goal[left], least)
             arrived = at.sure & (at.v == goal[left])
-            decided[left[arrived]] = True
+            out.decided[left[arrived]] = True
             left, at = left[at.sure & ~arrived], at[at.sure & ~arrived]
             if not left.size:
                 break
+            beyond = np.zeros(left.size, dtype=np.bool_)
+            for part in crossed(tubes[left], at, goal[left]):
+                rows, beyond[part.rows] = left[part.rows], True
+                if part.kind == PASSES:
+                    out.scatter(rows, self._told(part.tubes, part.place, goal[rows], hasty=hasty))
+                else:
+                    out.z[:, rows], out.error[rows] = part.z, part.error
+                    out.decided[rows], out.border[rows] = True, part.contact
+            left, at = left[~beyond], at[~beyond]
             fold = turned(tubes[left], at, forward)
             # What turns back beyond the goal has come to it.
             near, far = np.sort(
                 [forward * (fold.low - goal[left]), forward * (fold.high - goal[left])], axis=0
             )
             found = fold.sure & (far <= 0)
-            z[:, left[found]] = fold.z[:, found]
-            error[left[found]] = np.maximum(fold.high - fold.z[-1], fold.z[-1] - fold.low)[found]
+            out.z[:, left[found]] = fold.z[:, found]
+            out.error[left[found]] = np.maximum(fold.high - fold.z[-1], fold.z[-1] - fold.low)[
+                found
+            ]
             known = found | (fold.sure & (near > 0))
-            decided[left[known]] = True
+            out.decided[left[known]] = True
             left, at = left[~known], at[~known]
             if least is None:
                 at = past(tubes[left], at, forward, 2.0**-8 * np.abs(goal[left] - start.v[left]))
-        return decided, z, error
+        return out
+
+
+@dataclass(frozen=True)
+class _Told(ByColumn):
+    """Points of which it is told whether there is an end before the goal, the ends, shape (n + 1,
+    N) or NaN, errors, and the numbers of the combination of contacts that touch there, and of the
+    contact that is lost or regained; −1 where none is.
+    """
+
+    decided: BoolArray
+    z: FloatArray
+    error: FloatArray
+    combination: IntArray
+    border: IntArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -438,8 +522,9 @@ class Ends:
 
     ``value`` and ``error`` have the shape of the points, ``state`` has (n, …); ``reasons`` says of
     which points, by their position in ``value.flat``, nothing is known, and why; ``until`` how far
-    ends were looked for, infinite if everywhere; ``others`` has the ends that are no folds, by
-    position.
+    ends were looked for, infinite if everywhere; ``combination`` is the number, among those of
+    :func:`spragsym.statics.search.balances_of`, of the contacts that touch; ``others`` has the ends
+    that are no folds, by position.
     """
 
     value: FloatArray
@@ -447,6 +532,7 @@ class Ends:
     state: FloatArray
     reasons: Mapping[int, str]
     until: FloatArray
+    combination: IntArray | int = 0
     others: Mapping[int, ModelEnd] = field(default_factory=dict)
 
 

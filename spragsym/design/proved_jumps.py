@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from ..display import own_name
 from ..models.parameters import ParameterSet
 from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, scale_of
@@ -22,6 +23,7 @@ from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.reference_state import is_reference, reference_state
 from ..statics.regions import region
+from ..statics.search import balances_of
 from .jumps import first_ends
 from .tube_certificates import Pieces, Splitting
 
@@ -39,6 +41,7 @@ class ProvedJumps:
     free: tuple[str, ...]
     pieces: Pieces
     known: BoolArray
+    touching: str  #: contacts that touch in the state of the parts, of several
 
     def ended(self, p: ParameterSet) -> FloatArray:
         """1 where the state of a point has ended, 0 where it has not, NaN where no part tells it;
@@ -82,6 +85,8 @@ class ProvedJumps:
         rows, slot = np.arange(p.shape[0]), reference_state(eq, p.followed)
         states = np.array([column[rows, slot] for column in eq.coordinates.values()])
         known = eq.decided & np.isfinite(states).all(axis=0)
+        if p.model.has_regimes:
+            known &= eq[own_name(p.model, "touching")][rows, slot] == self.touching
         error = np.where(known, eq.error[rows, slot] * scale_of(states).max(axis=0), np.inf)
         return np.where(known, states, 0.0), np.broadcast_to(error, states.shape)
 
@@ -93,16 +98,19 @@ def proved_jumps(box: Splitting, share: Callable[[Any], FloatArray], most: int) 
         ends = bool(np.isfinite(found.value))
         box.whole.safe[:] = found.value - found.error if ends else found.until
         box.whole.top[:] = found.value + found.error if ends else np.inf
-        return ProvedJumps(box.vary, box.begin, (), box.whole, np.ones(1, dtype=np.bool_))
+        return ProvedJumps(box.vary, box.begin, (), box.whole, np.ones(1, dtype=np.bool_), "")
     box.sharp = True
     first, *others = [pieces[last] for pieces, last, _ in box.run(share, most)]
     pieces = first.concatenated(*others)
-    return ProvedJumps(box.vary, box.begin, box.free, pieces, _known(box, pieces))
+    return ProvedJumps(
+        box.vary, box.begin, box.free, pieces, _known(box, pieces), box.balance.touching
+    )
 
 
 def _known(box: Splitting, pieces: Pieces) -> BoolArray:
     """Parts at all points of which the reference state is proved to be that of their tubes."""
-    if box.near is not None:
+    # Of several combinations of contacts it is to be the reference state of the states of all.
+    if box.near is not None or len(balances_of(box.model, None)) > 1:
         return np.zeros(len(pieces), dtype=np.bool_)
     balance, low = Balance(box.model), np.repeat(box.tubes.fixed, len(pieces), axis=1)
     high = low.copy()

@@ -18,7 +18,8 @@ from ..models.parameters import ParameterSet, as_count
 from ..models.quantities import Unit, checked_units
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ..statics.balance import BalanceInUnits
-from ..statics.reference_state import reference_coordinates
+from ..statics.reference_state import reference_place
+from ..statics.search import balances_of, number_of
 from .certificates import (
     ENDS,
     OPEN,
@@ -105,6 +106,12 @@ class Splitting(Claim):
         self.rows = self.tubes.moving
         one, other = (end[self.rows] for end in ends)
         middle = 0.5 * (one + other)[:-1]
+        balances = balances_of(model, None)
+        touching = self._reference(np.append(middle[:, 0], begin))[1]
+        contact = balances[number_of(balances, touching)].contact
+        # Tubes are of one combination of contacts: where a state comes to a border they end.
+        self.balance = BalanceInUnits(model, units or {}, contact=contact)
+        self.tubes = replace(self.tubes, balance=self.balance)
         start = self._beginning(middle[:, 0])
         start = replace(start, by_p=self._over(one, other).tangents(start.z)[1])
         self.whole = Pieces(
@@ -117,13 +124,19 @@ class Splitting(Claim):
         half = np.maximum(high[:-1] - centre, centre - low[:-1])
         return replace(self.tubes[np.zeros(low.shape[1], dtype=np.int64)], centre=centre, half=half)
 
+    def _reference(self, at: FloatArray) -> tuple[FloatArray, str]:
+        """The reference state at one point of the free parameters and of what moves, and the
+        contacts that touch.
+        """
+        where = f"in the middle of the box is known to be stable at {self.vary} = {self.begin:g}"
+        return reference_place(self.point(at), self.near, where)
+
     def _beginning(self, free: FloatArray) -> Place:
         """The reference state at one point of the free parameters, as in the middle of the box,
         where what moves begins.
         """
         at = np.append(free, self.begin)
-        where = f"in the middle of the box is known to be stable at {self.vary} = {self.begin:g}"
-        z = np.append(reference_coordinates(self.point(at), self.near, where), self.begin)
+        z = np.append(self._reference(at)[0], self.begin)
         return self._over(at[:, None], at[:, None]).place(z[:, None])
 
     def begins_alike(self, one: FloatArray, other: FloatArray) -> bool:
@@ -312,7 +325,8 @@ def certify(
     Source: tubes around curves of states, see :mod:`spragsym.bifurcation.tubes`. A part is proved
     where the tube of all its points comes to the upper end of ``vary``; at a counterexample the
     tube of the point passes a fold below. A part that a fold crosses is halved; a box that touches
-    the border of the claim can't be decided there. The other claims:
+    the border of the claim can't be decided there, and of several contacts none whose states come
+    to the border of a contact. The other claims:
     :mod:`spragsym.design.certificates`. Of the article's model: f, f′ and the eigenvalues of K over
     boxes, in affine arithmetic, see :mod:`spragsym.kang_nam.certificates`.
 

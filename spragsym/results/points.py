@@ -363,6 +363,8 @@ class Curve(Named, Rows):
         Column("criticality", "1", "supercritical, subcritical or undecided"),
         Column("lyapunov", "", "first Lyapunov coefficient"),
         Column("lyapunov_error", "", "bound on its error"),
+        Column("touching", "1", "contacts that touch, of several"),
+        Column("at_border", "1", "the contact that only just touches, of several"),
     )
     _held = "values"
 
@@ -379,10 +381,10 @@ class BifurcationSet(Result):
     vary : tuple of str
         The two parameters.
     curves : tuple of Curve
-        Folds in the order in which they follow each other, as many as make straight lines between
-        them look smooth. Of closed forms they are float64, and none of the curves is missed; of a
-        search each point is proved, cusps stand among them, and that they are joined in the right
-        order is not proved.
+        Folds, and of several contacts border folds, in the order in which they follow each other,
+        as many as make straight lines between them look smooth. Of closed forms they are float64,
+        and none of the curves is missed; of a search each point is proved, cusps stand among them,
+        and that they are joined in the right order is not proved.
     cusps : Points
         All cusps of the region, proved.
     complete : bool

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..models.forces import presses_either
-from ..models.model import OPPOSITE, Model, label_of
+from ..models.model import OPPOSITE, Model, Touching, label_of
 from ..models.quantities import Unit
 from ..numerics import balls, contractors, jets
 from ..numerics.arithmetic import Matrix, Number, is_zero
@@ -53,13 +53,17 @@ class Balance(Forces, StateSystem):
         """Contact, the law of friction, and how far beyond the border states count."""
         return *self.pushing, self.law, *self.rooms
 
-    def without(self, contact: int) -> Balance:
-        """The balance where that contact is open and the others are as here."""
+    def across(self, contact: int) -> Balance:
+        """The balance beyond the border of that contact, where the others are as here."""
         each = zip(self.model.contacts, self.pushing, strict=True)
-        touching = tuple(label_of(it) for k, (it, one) in enumerate(each) if one and k != contact)
-        return Balance(
-            self.model, touching, room=self.room, beyond=self.beyond, options=self.options
+        touching = tuple(
+            label_of(it) for k, (it, one) in enumerate(each) if bool(one) != (k == contact)
         )
+        return Balance(self.model, touching, self.law, self.room, self.beyond, self.options)
+
+    def extended(self, room: float, contact: int) -> Balance:
+        """The same balance, where states count that far beyond the border of that contact too."""
+        return Balance(self.model, self.contact, self.law, room, contact, self.options)
 
     @property
     def touching(self) -> str:
@@ -282,10 +286,13 @@ class BalanceInUnits(Balance):
     """
 
     def __init__(
-        self, model: Model, units: Mapping[str, Unit], law: str = "friction_at_rest"
+        self,
+        model: Model,
+        units: Mapping[str, Unit],
+        law: str = "friction_at_rest",
+        contact: Touching = True,
     ) -> None:
-        model.require_answered("statics of data with units")
-        super().__init__(model, True, law)
+        super().__init__(model, contact, law)
         self.units = units
         powers = {
             unit: [name for name in self.balanced if name in one.powers]

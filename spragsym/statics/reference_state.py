@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ConvergenceError
+from ..display import own_name
 from ..models.field import undecorated
 from ..models.forces import named
 from ..models.model import Model
@@ -63,17 +64,18 @@ def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> 
     return chosen_state(eq.parameters, q, eq.error, among, near)
 
 
-def reference_coordinates(
+def reference_place(
     p: ParameterSet, near: Mapping[str, float] | None, where: str
-) -> FloatArray:
-    """Coordinates of the reference state of one point; an error, which says ``where``, if none is
-    known to be stable.
+) -> tuple[FloatArray, str]:
+    """Coordinates of the reference state of one point, and the contacts that touch, of several; an
+    error, which says ``where``, if none is known to be stable.
     """
     eq = equilibria(p)
     if not eq.decided or not (eq.undamped == EquilibriumType.STABLE).any():
         raise ConvergenceError(f"no state {where}")
     slot = reference_state(eq, near)
-    return np.array([eq.coordinates[name][slot] for name in p.model.coordinates])
+    touching = str(eq[own_name(p.model, "touching")][slot]) if p.model.has_regimes else ""
+    return np.array([eq.coordinates[name][slot] for name in p.model.coordinates]), touching
 
 
 def nearest_state(

@@ -90,6 +90,13 @@ def balances_of(
     return inside or balances[:1]
 
 
+def number_of(balances: Sequence[Balance], touching: str) -> int:
+    """The number of the combination in which these contacts touch; without several, of the only
+    one.
+    """
+    return next(k for k, one in enumerate(balances) if touching in ("", one.touching))
+
+
 def balance_of(model: Model, contact: Asked) -> Balance:
     """The balance of one combination; of a model with one contact that where it touches, if nothing
     is said.

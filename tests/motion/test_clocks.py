@@ -154,6 +154,7 @@ def test_exponents_and_rates_of_a_linear_response_are_those_without_its_force() 
         swept = ss.rms_sweep(p, t_end=400.0)
         assert float(swept.rate) == pytest.approx(-roots[0], rel=1e-6)
         assert int(swept.equilibrium) == -1
+        assert not any(name.startswith("mean_") for name in swept.measured)  # the phase has none
         measured = ss.lyapunov(p, t_end=400.0)
         assert measured.exponents.sum() == pytest.approx(-c, rel=1e-9)
         assert (np.abs(measured.exponents - [0.0, *roots]) < 2 * measured.error + 1e-9).all()

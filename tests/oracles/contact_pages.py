@@ -97,7 +97,19 @@ F = page""",
     )
 )
 
-#: And with a stop: where the shoe locks, it is off the drum, or jammed on the stop.
+#: And with a drum that is worn, at one place less than elsewhere.
+WORN = SPRUNG.replace(
+    "page.contact(-b * phi,", "page.contact(d * (1 + (s - s_0)**2) - b * phi,"
+).replace(
+    "F = page",
+    """d = page.parameter("d", "m", "least wear", "> 0", 0.05)
+s = page.parameter("s", "1", "place of the drum", "real", 0.2)
+s_0 = page.parameter("s_0", "1", "place of least wear", "real", 0.3)
+F = page""",
+    1,
+)
+
+#: SPRUNG with a stop: where the shoe locks, it is off the drum, or jammed on the stop.
 JAMMING = (
     SPRUNG
     + """

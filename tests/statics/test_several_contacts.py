@@ -142,16 +142,8 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
     model = model_of(PAD, "pad_on_2")
     p, span = model.Parameters(), {"mu0": (0.1, 0.2)}
     asked: dict[str, Callable[[], object]] = {
-        "cusps": lambda: ss.cusps(p, ("mu0", "h")),
         "fate_boundary": lambda: ss.fate_boundary(p, "mu0", between=span),
         "basin_boundary": lambda: ss.basin_boundary(p),
-        "sensitivity": lambda: ss.sensitivity(p),
-        "bifurcation_set": lambda: ss.bifurcation_set(p, ("mu0", "h")),
-        "jump_gradient": lambda: ss.jump_gradient(p, "mu0"),
-        "jump_margin": lambda: ss.jump_margin(p, {"mu0": 0.1}),
-        "jump_probability": lambda: ss.jump_probability(span, model=model),
-        "certify": lambda: ss.certify(p, p.replace(mu0=0.4)),
-        "critical_value": lambda: ss.critical_value(p, "mu0", between={"mu0": (0.0, 1.0)}),
         "onset_curves": lambda: ss.onset_curves(p, ("mu0", "h")),
         "precise_equilibria": lambda: precise.equilibria(p),
         "explore": lambda: ss.explore(p),
@@ -161,7 +153,7 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
     }
     for name, ask in asked.items():
         says = f"{name} is not answered yet of pad_on_2, {model.refusal(name)}"
-        assert "2 contacts (front, rear); ask basin, count, " in says
+        assert "2 contacts (front, rear); ask basin, bifurcation_set, certify, count, " in says
         with pytest.raises(ss.errors.ModelError) as error:
             ask()
         assert str(error.value) == says

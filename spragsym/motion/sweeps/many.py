@@ -20,7 +20,7 @@ from ...core.questions import model_of
 from ...display import Column, following, own_name
 from ...files import storage
 from ...files.journal import Record
-from ...models.field import field_of
+from ...models.field import Field, field_of
 from ...models.parameters import (
     NOT_NEGATIVE,
     POSITIVE,
@@ -160,10 +160,7 @@ def rms_sweep(
         partial(_made_of, model, inputs, settings),
         partial(fingerprint, model, inputs, settings),
     )
-    columns = [
-        own_name(model, name)
-        for name in (*reported(model.coordinates, model.rates), "regime", "reason")
-    ]
+    columns = [own_name(model, name) for name in (*reported(model), "regime", "reason")]
     return made_or_loaded(
         inputs, work, made, columns[:-1], columns[-1], key, workers, progress, store, together
     )
@@ -280,7 +277,7 @@ class Sweep(Named):
         >>> sweep.outcome(0).regime.name
         'LIMIT_CYCLE'
         """
-        names = reported(self.model.coordinates, self.model.rates)
+        names = reported(self.model)
         columns = (self.measured[self._own(name)] for name in names)
         told = {name: float(one[index]) for name, one in zip(names, columns, strict=True)}
         rest, cycle = (
@@ -344,19 +341,20 @@ class Sweep(Named):
         return {**storage.provenance(), "model": self.model.name, **settings, "fingerprint": key}
 
 
-def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...]:
+def reported(of: Model | Field) -> tuple[str, ...]:
     """Numbers that a file and a result hold, by names of the model; a record holds these, then the
     code of the regime.
 
-    Of the first coordinate after the transient, and means of the others; then about the limit, from
-    ``period`` on: an equilibrium by its place, a cycle by one state.
+    Of the first coordinate after the transient, and means of the others but a clock; then about the
+    limit, from ``period`` on: an equilibrium by its place, a cycle by one state.
     """
+    coordinates, others = of.coordinates, of.coordinates[1 : -1 if of.clock else None]
     return (
         "rms",
         "spread",
         "largest",
         "mean",
-        *(f"mean_{name}" for name in coordinates[1:]),
+        *(f"mean_{name}" for name in others),
         "contact_lost",
         "slip_reversed",
         "period",
@@ -365,7 +363,7 @@ def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...
         "cycle_mean",
         "cycle_rms",
         *(f"rest_{name}" for name in coordinates),
-        *(f"cycle_{name}" for name in (*coordinates, *rates)),
+        *(f"cycle_{name}" for name in of.components),
     )
 
 
@@ -404,7 +402,7 @@ def _record(statistics: MotionStatistics | Exception, problem: Problem, backend:
         math.hypot(mean, spread),
         spread,
         max(map(abs, statistics.reach)),
-        *statistics.means,
+        *statistics.means[: -1 if problem.field.clock else None],
         lost,
         sum(reversals),
     ]
@@ -415,7 +413,7 @@ def _record(statistics: MotionStatistics | Exception, problem: Problem, backend:
     except (ConvergenceError, ArithmeticError) as error:
         return _no_result(error)
     told, field = vars(outcome) | outcome.places(), problem.field
-    names = (*reported(field.coordinates, field.components[len(field.coordinates) :]), "regime")
+    names = (*reported(field), "regime")
     return [float(value) for value in (*values, *(told[name] for name in names[len(values) :]))], ""
 
 
@@ -471,7 +469,7 @@ def fingerprint(model: Model, inputs: Mapping[str, FloatArray], settings: Mappin
     """
     decides = {
         "integrator": integrators.version(settings["backend"]),
-        "records": RECORDS,
+        "records": RECORDS + bool(model.clock),  # those of a clock had the mean of its phase once
         "numpy": np.__version__,  # its eigenvalues tell what is approached
         "model": model.name,
         "files": model.about["files"],

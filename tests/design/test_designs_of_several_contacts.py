@@ -1,0 +1,208 @@
+"""Jump values, their slopes, margins and lowest ends of several contacts, against closed forms.
+
+The leading shoe touches a worn drum at the load P = k w/(b l), w the wear at its place. Where its
+friction locks it, μ b c > k + b², the state ends there: a border fold.
+"""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.design.jumps import have_jumped
+from tests.oracles.contact_pages import PAD, WORN
+from tests.oracles.user_pages import model_of
+
+pytest.importorskip("sympy")
+
+#: A search that takes a few seconds.
+FEW = ss.MarginOptions(rays=1, rounds=2)
+
+
+def shoe() -> ss.Model:
+    """The page, derived once."""
+    return model_of(WORN, "worn_shoe")
+
+
+def drawn(rng: np.random.Generator, size: int) -> dict[str, np.ndarray]:
+    """Random sets, of which one half locks."""
+    found = {
+        name: rng.uniform(*ends, size)
+        for name, ends in {
+            "b": (0.4, 1.0),
+            "c": (0.4, 1.0),
+            "k": (0.1, 0.5),
+            "l": (0.5, 2.0),
+            "d": (0.02, 0.1),
+            "s": (0.0, 1.0),
+            "s_0": (0.2, 0.8),
+        }.items()
+    }
+    return found | {"mu0": rng.uniform(0.5, 1.5, size) * locks(found)}
+
+
+def locks(p: Any) -> Any:
+    """The friction from which on the leading shoe locks."""
+    return (p["k"] + p["b"] ** 2) / (p["b"] * p["c"])
+
+
+def touches(p: Any) -> Any:
+    """The load at which it comes to the drum."""
+    return p["k"] * p["d"] * (1 + (p["s"] - p["s_0"]) ** 2) / (p["b"] * p["l"])
+
+
+@pytest.mark.thorough
+def test_jump_values_and_their_slopes_at_border_folds() -> None:
+    given = drawn(np.random.default_rng(1), 20)
+    p = shoe().Parameters(**given)
+    slopes = ss.jump_gradient(p, "P", begin=-0.1, until=1.0)
+    expected = np.where(given["mu0"] > locks(given), touches(given), np.nan)
+    assert 5 < np.isnan(expected).sum() < 15
+    np.testing.assert_allclose(slopes.value, expected, rtol=1e-12)
+    np.testing.assert_array_equal(ss.jump_value(p, "P", begin=-0.1, until=1.0), slopes.value)
+    for name in ("k", "d", "b", "l", "s", "mu0", "c", "F"):
+        h = 1e-6
+        more, less = (
+            touches(given | {name: given[name] + step}) if name in touched else expected
+            for step in (h, -h)
+            for touched in (("k", "d", "b", "l", "s"),)
+        )
+        by_name = np.where(np.isnan(expected), np.nan, (more - less) / (2 * h))
+        np.testing.assert_allclose(slopes[name], by_name, rtol=1e-8, atol=1e-9)
+
+
+@pytest.mark.thorough
+def test_points_of_which_it_is_told_whether_they_have_jumped() -> None:
+    """The shoe's state passes or ends at the border, that of the pad passes the one of its rear
+    leg and goes on.
+    """
+    rng = np.random.default_rng(2)
+    given = drawn(rng, 40)
+    P = touches(given) * rng.uniform(0.5, 1.5, 40)
+    ended = have_jumped(shoe().Parameters(**given, P=P), "P", -0.1)
+    expected = (given["mu0"] > locks(given)) & (touches(given) < P)
+    assert 5 < expected.sum() < 35
+    np.testing.assert_array_equal(ended, expected)
+    mu0, h, k_t = (rng.uniform(*ends, 40) for ends in ((0.5, 3.0), (0.3, 1.5), (0.05, 1.0)))
+    passes = mu0 > (2 + k_t) / (2 * h)
+    assert 5 < passes.sum() < 35
+    pad = model_of(PAD, "pad_on_2").Parameters(mu0=mu0, h=h, k_t=k_t)
+    np.testing.assert_array_equal(have_jumped(pad, "mu0"), 0.0)
+    # Without the torsion spring nothing goes on.
+    pad = pad.replace(k_t=0.0)
+    np.testing.assert_array_equal(have_jumped(pad, "mu0"), mu0 > 1 / h)
+
+
+def a_margin(given: Any, P: float) -> tuple[Any, float]:
+    """The margin of one set that locks in its load and in the wear, and its distance by hand."""
+    p, scale = shoe().Parameters(**given, P=P), {"P": 0.01, "d": 0.01}
+    found = ss.jump_margin(p, scale, vary="P", begin=-0.1, options=FEW)
+    by_d = touches(given) / given["d"] * scale["d"]
+    return found, (touches(given) - P) / np.hypot(scale["P"], by_d)
+
+
+@pytest.mark.thorough
+def test_the_nearest_design_that_jumps_is_on_the_border() -> None:
+    given = {"mu0": 1.5, "b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s": 0.2, "s_0": 0.3}
+    found, distance = a_margin(given, 0.005)
+    np.testing.assert_allclose(found.distance, distance, rtol=1e-9)
+    changed = given | {"d": float(found.parameters.d)}
+    np.testing.assert_allclose(found.parameters.P, touches(changed), rtol=1e-9)
+    keeps = ss.redesign(
+        shoe().Parameters(**given), "d", {"P": 0.02}, {"d": 0.01}, begin=-0.1, options=FEW
+    )
+    # Moved outward until it is verified.
+    np.testing.assert_allclose(keeps.jump["P"], 0.02, rtol=1e-7)
+    jumps = touches(given | {"d": float(keeps.parameters.d)})
+    np.testing.assert_allclose(keeps.jump["P"], jumps, rtol=1e-12)
+
+
+@pytest.mark.thorough
+def test_the_share_that_jumps_is_that_of_what_locks_and_touches() -> None:
+    given = {"b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s": 0.2, "s_0": 0.3}
+    asked = {**given, "P": (0.01, 0.02), "mu0": (1.0, 1.5)}
+    # Without indices the points are proved by parts of the box, where these tell them.
+    found = ss.jump_probability(
+        asked, model=shoe(), vary="P", begin=-0.1, n=8192, rng=1, sobol=False, max_boxes=50
+    )
+    exact = (0.02 - touches(given)) / 0.01 * (1.5 - locks(given)) / 0.5
+    assert found.low < exact < found.high
+    assert found.high - found.low < 0.003
+    assert found.proved is not None
+    assert found.proved[0] <= exact <= found.proved[1] < 0.6  # no state comes to the border there
+
+
+@pytest.mark.thorough
+def test_a_box_whose_states_come_to_no_border_is_proved() -> None:
+    given = {"b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s": 0.2, "s_0": 0.3}
+    low = shoe().Parameters(**given, mu0=1.5, P=0.01)
+    outcomes = [
+        ss.certify(low, low.replace(P=P, mu0=1.6), vary="P", begin=-0.1, max_boxes=50).outcome
+        for P in touches(given) * np.array([0.99, 1.01])
+    ]
+    assert outcomes == ["proved", "undecided"]
+    said = "certify 'one equilibrium' is not answered yet of worn_shoe, whose page has 2 contacts"
+    with pytest.raises(ss.errors.ModelError, match=said):
+        ss.certify(low, low, "one equilibrium")
+
+
+@pytest.mark.thorough
+def test_border_folds_are_curves_of_the_bifurcation_set() -> None:
+    """As far as the leading shoe locks; where it does not the state passes."""
+    given = {"b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s_0": 0.3}
+    p = shoe().Parameters(**given, mu0=1.5)
+    plane = {"s": (0.0, 1.0), "P": (-0.1, 0.2)}
+    found = ss.bifurcation_set(p, ("s", "P"), 10, between=plane)
+    (curve,) = found.curves
+    assert found.complete
+    assert (curve["s"].min(), curve["s"].max()) == (0.0, 1.0)
+    np.testing.assert_allclose(curve["P"], touches(given | {"s": curve["s"]}), rtol=1e-12)
+    assert {*curve["touching"]} == {"leading, trailing"}
+    assert {*curve["at_border"]} == {"leading"}
+    assert not ss.bifurcation_set(p.replace(mu0=1.0), ("s", "P"), 10, between=plane).curves
+    near = {"b": (0.9, 1.3), "P": (-0.1, 0.2)}
+    (curve,) = ss.bifurcation_set(p.replace(s=0.3), ("b", "P"), 20, between=near).curves
+    last = max(np.roots([1.0, -1.5 * 0.9, 0.3]))
+    assert last - 0.04 < curve["b"].max() <= last
+
+
+def a_lowest_end(given: Any) -> Any:
+    """The least load at which the shoe jumps at any place of the drum."""
+    p = shoe().Parameters(**given)
+    return ss.critical_friction(p, "P", "s", between={"s": (0.0, 1.0), "P": (-0.1, 1.0)})
+
+
+@pytest.mark.thorough
+def test_the_lowest_end_is_at_the_place_of_least_wear() -> None:
+    given = {"mu0": 1.5, "b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s_0": 0.3}
+    found = a_lowest_end(given)
+    assert (found.kind, found.complete) == ("border", True)
+    np.testing.assert_allclose([found.P, found.s], [touches(given | {"s": 0.3}), 0.3], rtol=1e-12)
+    assert a_lowest_end(given | {"mu0": 1.0}).P == np.inf  # it does not lock
+
+
+@pytest.mark.validate
+def test_margins_and_lowest_ends_of_random_sets() -> None:
+    rng, many = np.random.default_rng(3), drawn(np.random.default_rng(4), 40)
+    tried = 0
+    for row in range(40):
+        given = {name: float(values[row]) for name, values in many.items()}
+        if given["mu0"] < locks(given) or tried == 20:
+            continue
+        tried += 1
+        found, distance = a_margin(given, touches(given) * rng.uniform(0.2, 0.9))
+        np.testing.assert_allclose(found.distance, distance, rtol=1e-9)
+        lowest = a_lowest_end(given)
+        at_least = touches(given | {"s": given["s_0"]})
+        assert (lowest.kind, lowest.complete) == ("border", True)
+        np.testing.assert_allclose([lowest.P, lowest.s], [at_least, given["s_0"]], rtol=1e-12)
+    assert tried == 20
+
+
+@pytest.mark.validate
+def test_the_wear_at_which_the_lowest_end_is_a_load() -> None:
+    p = shoe().Parameters(mu0=1.5, P=0.02)
+    ranges = {"s": (0.0, 1.0), "P": (-0.1, 1.0), "d": (0.04, 0.1)}
+    wear = ss.critical_value(p, "d", along="P", over="s", between=ranges)
+    np.testing.assert_allclose(wear, p.P * p.b * p.l / p.k, rtol=1e-12)

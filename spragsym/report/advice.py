@@ -13,7 +13,7 @@ from .brake import Brake
 from .damping import remedy
 from .example import example_of
 from .facts import FRICTION, Facts
-from .states import State
+from .states import State, comes_from_near
 from .tolerances import deciding
 from .units import hertz
 
@@ -162,6 +162,14 @@ def of_data(study: Brake) -> Iterator[str]:
             f"{inclination} = {study.shown(str(inclination))} looks like radians; write {number} "
             "rad if that is meant"
         )
+    # Damping ratios from which on they were probably meant in percent.
+    largest_ratio = 0.2
+    if study.damping_ratio is not None and study.damping_ratio >= largest_ratio:
+        ratio = study.damping_ratio
+        yield (
+            f"damping_ratio = {ratio:g} is {100 * ratio:g} %, more than any brake has; write "
+            f"{ratio:g} % if that is meant"
+        )
     length = study.values.get("L_0", 1.0)
     if not 1e-4 < length < 10:
         yield (
@@ -280,5 +288,9 @@ def _measurements(report: Facts) -> Rows:
 def _other_state(report: Facts) -> Rows:
     for place, _ in report.others[:1]:
         name, _, unit = next(iter(place)).rpartition("_")
-        text = f'state = {{ {name} = "{place[f"{name}_{unit}"]:.3g} {unit}" }}'
-        yield "decide", f"which stable state the brake works in; for the other one write {text}"
+        there = f"{place[f'{name}_{unit}']:.3g} {unit}"
+        how = f'for the other one write state = {{ {name} = "{there}" }}'
+        if not comes_from_near(report.study, place):
+            how = f"the other one, {name} = {there}, comes by a jump or a push, not as "
+            how += f"{report.study.loading.word} rises"
+        yield "decide", f"which stable state the brake works in; {how}"

@@ -171,10 +171,14 @@ class Brake:
         study.__dict__.update(data)
         return study
 
+    def with_data(self, **changed: Any) -> Self:
+        """The study with some of its attributes replaced, which are known to fit."""
+        held = {name: value for name, value in vars(self).items() if name in Brake.__annotations__}
+        return type(self).of(**held | changed)
+
     def with_quantities(self, changed: Mapping[str, Measured]) -> Self:
         """The study of the same file with other quantities."""
-        held = {name: value for name, value in vars(self).items() if name in Brake.__annotations__}
-        study = type(self).of(**held | {"quantities": changed})
+        study = self.with_data(quantities=changed)
         if study.load is not None:
             study.load.check(study.values)
         return study
@@ -195,8 +199,7 @@ class Brake:
         if without is None:
             return self
         kept = {k: v for k, v in self.quantities.items() if k not in self.kind.dampers}
-        held = {name: value for name, value in vars(self).items() if name in Brake.__annotations__}
-        return type(self).of(**held | {"model": without, "quantities": kept})
+        return self.with_data(model=without, quantities=kept)
 
     def at_full_slip(self) -> Self:
         """The study without the belt's speed: friction is μ₀."""

@@ -289,10 +289,8 @@ def _exact(name: str, text: object, unit: str, allowed: Range = FINITE) -> float
 
 def _may_change(given: object, kind: Quantities) -> Ranges:
     if not isinstance(given, dict) or not set(given) <= set(kind.units):
-        cure = (
-            f'write may_change = {{ {next(iter(kind.units))} = "[100, 250] N/mm" }}, in the '
-            "quantity's own unit"
-        )
+        name = next(iter(kind.may_rise), next(iter(kind.units)))
+        cure = f'write may_change = {{ {name} = "{example_of(name, kind.units[name])}" }}'
         raise ParameterError(f"may_change = {given!r} does not name quantities; {cure}")
     ends = {
         name: _quantity(name, text, kind.units[name], kind.ranges()[name])

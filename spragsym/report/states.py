@@ -17,6 +17,7 @@ from ..core.errors import ConvergenceError, SpragsymError
 from ..design.jumps import jump_value
 from ..models import forces
 from ..models.parameters import FloatArray, Ranges, Span
+from ..models.quantities import factor
 from ..motion import Outcome, Regime, Trajectory, simulate
 from ..numerics.interval_arrays import ComplexArray
 from ..orbits import Cycle, cycle
@@ -24,6 +25,7 @@ from ..orbits.finding import cycle_at
 from ..orbits.system import System
 from ..results import Equilibria, EquilibriumType, Named, Result
 from ..statics.balance import Balance
+from ..statics.equilibria import equilibria
 from ..statics.stability import linearization, roots, verdicts
 from .brake import Brake
 from .units import Numbers
@@ -236,6 +238,28 @@ def current(study: Brake, eq: Equilibria) -> Numbers | None:
     if path.jumps and not path.jumps[-1].after:  # it has run to infinity on the way
         return None
     return {name: float(column[-1]) for name, column in path.coordinates.items()}
+
+
+def comes_from_near(study: Brake, place: Numbers) -> bool:
+    """Whether the state in a place, of coordinates and units, is the one that is reached from near
+    it, where the loading parameter begins; else a jump leads there, or a push.
+    """
+    if study.load is None:
+        return True
+    names = {name: name.rpartition("_")[::2] for name in place}
+    si = {
+        own: place[name] * factor(unit, study.kind.coordinates[own])
+        for name, (own, unit) in names.items()
+    }
+    beside = study.with_data(state=si)
+    reached, here = (current(one, equilibria(one.operating_point)) for one in (beside, study))
+    if reached is None or here is None:
+        return False
+    off, apart = (
+        sum(abs(reached[name] - other[name]) for name in beside.near)
+        for other in (beside.near, here)
+    )
+    return off < apart
 
 
 def _places(eq: Equilibria) -> list[Numbers]:

@@ -14,7 +14,7 @@ import pytest
 import spragsym as ss
 from spragsym import figures
 from spragsym.files.text import filled
-from spragsym.report import facts, redesigns, texts, tolerances
+from spragsym.report import advice, facts, redesigns, texts, tolerances
 from spragsym.report.tolerances import certificate
 from tests.conftest import Run
 from tests.oracles import user_pages
@@ -422,6 +422,30 @@ def test_no_text_of_a_page_is_taken_for_html() -> None:
     )  # twelve, as the title stands twice
     assert "nothing" not in text
     assert text.endswith("</html>\n")
+
+
+@pytest.mark.thorough
+def test_a_state_that_no_rising_friction_reaches_is_not_offered(tmp_path: Path) -> None:
+    """From near the other state of this brake the friction leads to the first one: at no friction
+    it is alone, up to the fold from which on there are three.
+    """
+    rows = {"m": "0.42 kg", "k": "22 kN/mm", "L_0": "31 mm", "theta0": "58 deg", "mu0": "0.42"}
+    rows |= {"k_x": "1.4 kN/mm", "k_y": "0.2 kN/mm", "k_c": "210 kN/mm", "F_L": "3.1 kN"}
+    study = studied(tmp_path, rows)
+    assert int(ss.equilibria(study.operating_point.replace(mu0=0.0)).count) == 1
+    assert int(ss.equilibria(study.operating_point).count) == 3
+    (said,) = [
+        text for word, text in advice.next_steps(study.report(**QUICKLY)) if word == "decide"
+    ]
+    assert "the other one, x = 27.7 mm, comes by a jump or a push, not as friction rises" in said
+    both = studied(tmp_path, EXACT | {"mu0": "0.3"})
+    (offered,) = [
+        text for word, text in advice.next_steps(both.report(**QUICKLY)) if word == "decide"
+    ]
+    assert offered.endswith('for the other one write state = { x = "43 mm" }')
+    chosen = both.with_data(state={"x": 0.043}).report(**QUICKLY).current
+    assert chosen is not None
+    assert chosen.x_mm == pytest.approx(43, abs=0.05)
 
 
 def test_friction_that_was_measured(tmp_path: Path) -> None:

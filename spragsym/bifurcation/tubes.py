@@ -25,7 +25,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from ..numerics import contractors
+from ..numerics import contractors, plans
 from ..numerics.affine import AFFINE, UNIT, Affine
 from ..numerics.arithmetic import Matrix, Number
 from ..numerics.columns import ByColumn
@@ -41,8 +41,10 @@ from ..numerics.interval_arrays import (
     scale_of,
     stacked,
 )
+from ..numerics.tape import NotRecorded
 from ..statics.balance import Balance
 from ..statics.forces import Evaluation, filled
+from ..statics.namespaces import XP
 from ..statics.precise_balance import on_side
 from .options import ContinuationOptions
 
@@ -325,8 +327,11 @@ class Tubes(ByColumn):
         """Forces and their slopes in the middle of the boxes, in floats."""
         columns = self.fixed.copy()
         columns[self.moving] = np.vstack([self.centre, z[-1]])
-        at = self.balance.at(list(z[:-1]), self.balance.floats(columns), xp=np)
+        q = z[:-1]
+        if z.shape[1] == 1:  # the same bits by numbers, in a third of the time
+            q, columns = q[:, 0], columns[:, 0]
         with quiet():
+            at = self.balance.at(list(q), self.balance.floats(columns), xp=np)
             forces, rows = at.rows("forces"), self._rows(at) if slopes else []
         return filled([forces], z.shape[1:])[0], filled(rows, z.shape[1:])
 
@@ -439,7 +444,7 @@ class Tubes(ByColumn):
         They hold what lies within ``beside`` of where their middles move; ``half`` is how far the
         pivot does.
         """
-        others, forces = self.others, self._forces(z)
+        others = self.others
         moved = np.where(
             half > 0, half * UP + np.spacing(np.abs(z[self.pivot]) + half), 0.0
         )  # the middle is rounded
@@ -447,17 +452,76 @@ class Tubes(ByColumn):
         least = 2 * self.options.half_width * scale_of(z[others])
         more = 1 + self.options.inflation
         reach = np.maximum(least, more * beside[others] * self.half.any(axis=0))
-        most, rows = np.zeros_like(reach), np.arange(half.size)
-        out = Place(
-            z,
-            along,
-            moved,
-            by_p,
-            swing.copy(),
-            np.zeros_like(z),
-            np.zeros_like(z),
-            np.zeros(half.size, dtype=np.bool_),
+        out, most = (
+            Place(
+                z,
+                along,
+                moved,
+                by_p,
+                swing.copy(),
+                np.zeros_like(z),
+                np.zeros_like(z),
+                np.zeros(half.size, dtype=np.bool_),
+            ),
+            np.zeros_like(reach),
         )
+        compiled, tapes = plans.compiled_for(self.n + 1), self._tapes
+        if compiled is None or tapes is None:
+            self._inflate(out, beside, reach, most)
+        else:
+            given = z, along, swing, moved, beside, reach, out.room, most, out.sure
+            compiled.tubes(
+                tapes,
+                tuple(self.balance.borders()),
+                self.prepared,
+                self.pivot,
+                more,
+                self.options.inflations,
+                *map(np.ascontiguousarray, given),
+            )
+        out.held[others], out.off[others] = (swing[others] + most) * UP, most * UP
+        return out
+
+    @property
+    def _tapes(self) -> tuple[Any, ...] | None:
+        """Forces, slopes and gaps as compiled code takes them, where only what varies moves."""
+        balance = self.balance
+        if self.free or balance.factors or plans.compiled_for(self.n + 1) is None:
+            return None
+        vanishing = balance.vanishing(Intervals(self.prepared))
+
+        def given(name: str, entries: Callable[[Evaluation], Sequence[Any]]) -> Any:
+            def rows(z: Any, parameters: Any) -> Sequence[Any]:
+                *q, v = z
+                moved = balance.with_angles({self.vary: v}, XP)
+                values = {**balance.arguments(parameters), **moved}
+                at = balance.at(q, values, parameters.shape[1:])
+                at.sides = balance.anywhere if name == "forces" else None
+                return entries(at)
+
+            key, sizes = ("tubes", name, self.vary), (self.n + 1, len(vanishing))
+            return plans.given(balance.tapes.tape(key, rows, sizes, vanishing))
+
+        try:
+            return (
+                given("forces", lambda at: at.rows("forces")),
+                given("slopes", lambda at: [one for row in self._rows(at) for one in row]),
+                given("gaps", lambda at: at.gaps()) if balance.borders() else None,
+            )
+        except NotRecorded:
+            return None
+
+    def _inflate(self, out: Place, beside: FloatArray, reach: FloatArray, most: FloatArray) -> None:
+        """Make boxes about places, at first as wide as ``reach``, wider until they are proved, and
+        ``out`` and ``most`` what is known of those that are.
+        """
+        others, rows, swing, more = (
+            self.others,
+            np.arange(out.sure.size),
+            out.held,
+            1 + self.options.inflation,
+        )
+        forces = self._forces(out.z)
         for _ in range(self.options.inflations):
             if not rows.size:
                 break
@@ -482,8 +546,6 @@ class Tubes(ByColumn):
                 rows[left],
                 more * np.maximum(reach, np.maximum(*np.abs(step)))[:, left],
             )
-        out.held[others], out.off[others] = (swing[others] + most) * UP, most * UP
-        return out
 
     def rises(self, tube: Place, by_s: FloatArray) -> FloatArray:
         """Sign of dv/ds for all states in places or tubes, 0 where it is not known; ``by_s`` is
@@ -501,6 +563,8 @@ class Tubes(ByColumn):
                 for i, row in enumerate(slopes.rows)
             ]
             for _ in range(self.options.inflations):
+                if known.all():
+                    break
                 # Of what dz/ds differs by from the slope in the middle; v is the last of what
                 # follows a coordinate.
                 step = slopes.newton(left, self.others, reach)

@@ -11,6 +11,9 @@
  * decided(plan, given, boxes, parameters, limits, single, spent, sharp, rules, wide, step, left,
  * verdicts, along): what becomes of each box.
  *
+ * tubes(tapes, borders, parameters, pivot, inflation, times, z, along, swing, moved, beside, least,
+ * room, most, sure): boxes of one state for each value of a pivot, as tubes.py has them.
+ *
  * Arrays of boxes are contiguous doubles of shape (2, n, N) with −low and high first, limits (2,
  * n); parameters of shape (2, P, N) with any strides; keep, single, spent and verdicts bytes, along
  * int64, of shape (N,).
@@ -564,6 +567,160 @@ static void decided_block(const plan *by, desk *at, const judgement *of, Py_ssiz
 }
 
 /* -------------------------------------------------------------------------------------------------
+ * tubes */
+
+/* Tubes of N points: n equations in n + 1 unknowns, of which one is the pivot. */
+typedef struct {
+    plan by;
+    int pivot;
+    int times;
+    double more;
+    Py_ssize_t N;
+    const double *z;
+    const double *along;
+    const double *swing;
+    const double *moved;
+    const double *beside;
+    const double *least;
+    double *room;
+    double *most;
+    uint8_t *sure;
+} tube;
+
+/* Whether a gap is on the side asked for, or on the border. */
+static int on_side(int kind, double room, double low, double high) {
+    return kind == TOUCHING ? high <= room : kind == OPEN ? low >= -room :
+                                                            low > 0.0;
+}
+
+/* What is left of forces along a tube: row i of slopes times the way, and that as far as it goes. */
+static void left_along(const tube *of, const desk *at, int i, int a, Py_ssize_t c, const double (*forces)[MOST][BLOCK],
+    double *to) {
+    const int size = of->by.n;
+    double total[2] = {0.0, 0.0};
+    for (int j = 0; j < size; j++) {
+        const double factor = of->along[j * of->N + c];
+        if (factor == 0.0) {
+            continue;
+        }
+        const double low = result(at, &of->by.slopes, 0, i * size + j)[a];
+        const double high = result(at, &of->by.slopes, 1, i * size + j)[a];
+        total[0] = raised(total[0] + raised(most(low * factor, -(high * factor)), 1.0), 1.0);
+        total[1] = raised(total[1] + raised(most(high * factor, -(low * factor)), 1.0), 1.0);
+    }
+    const double moved = of->moved[c];
+    const double size_of = raised(most(most(total[0] * moved, total[1] * moved), -least(total[0] * moved, total[1] * moved)), 1.0);
+    for (int end = 0; end < 2; end++) {
+        to[end] = raised(forces[end][i][c % BLOCK] + size_of, 1.0);
+    }
+}
+
+/* Some widths of the boxes about the tubes of a block, each larger than the one before, until one
+ * is proved. */
+static void tubes_of_block(const tube *of, desk *at, Py_ssize_t begin) {
+    const plan *by = &of->by;
+    const int size = by->n;
+    const int n = size - 1;
+    const Py_ssize_t N = of->N;
+    double (*forces)[MOST][BLOCK] = at->values;
+    double reach[MOST][BLOCK];
+    at->count = (int)(N - begin < BLOCK ? N - begin : BLOCK);
+    for (int i = 0; i < at->count; i++) {
+        at->of[i] = (int32_t)(begin + i);
+        for (int k = 0; k < size; k++) {
+            at->ends[0][k][i] = -of->z[k * N + begin + i];
+            at->ends[1][k][i] = of->z[k * N + begin + i];
+        }
+        for (int k = 0; k < n; k++) {
+            reach[k][i] = of->least[k * N + begin + i];
+        }
+    }
+    evaluated(by, &by->values, at);
+    for (int end = 0; end < 2; end++) {
+        for (int k = 0; k < n; k++) {
+            memcpy(forces[end][k], result(at, &by->values, end, k), (size_t)at->count * sizeof(double));
+        }
+    }
+    for (int time = 0; time < of->times && at->count; time++) {
+        some proved = {0};
+        int left = 0;
+        int32_t further[BLOCK];
+        for (int a = 0; a < at->count; a++) {
+            const Py_ssize_t c = at->of[a];
+            for (int k = 0; k < size; k++) {
+                const double own = of->beside[k * N + c];
+                const int row = k - (k > of->pivot);
+                const double alone = k == of->pivot ? own : most(reach[row][c - begin], own);
+                const double middle = of->z[k * N + c];
+                const double held = of->swing[k * N + c] + alone;
+                const double size_here = fabs(middle) + held;
+                const double wide = held > 0.0 ? held + (nextafter(size_here, INFINITY) - size_here) : held;
+                at->near[0][k][a] = alone;
+                at->ends[0][k][a] = -middle + wide;
+                at->ends[1][k][a] = middle + wide;
+            }
+        }
+        evaluated(by, &by->slopes, at);
+        for (int a = 0; a < at->count; a++) {
+            const Py_ssize_t c = at->of[a];
+            matrix slopes;
+            box values;
+            box step;
+            vector middle = {0.0};
+            vector noise;
+            vector room;
+            int known = 1;
+            int inside = 1;
+            for (int i = 0; i < n; i++) {
+                double ends[2];
+                left_along(of, at, i, a, c, (const double (*)[MOST][BLOCK])forces, ends);
+                room[i] = reach[i][c - begin];
+                for (int end = 0; end < 2; end++) {
+                    values.ends[end][i] = ends[end];
+                    for (int j = 0; j < n; j++) {
+                        slopes.ends[end][i][j] =
+                            result(at, &by->slopes, end, i * size + j + (j >= of->pivot))[a];
+                    }
+                }
+            }
+            (void)newton_step(n, &values, &slopes, middle, room, &step, noise);
+            for (int i = 0; i < n; i++) {
+                known &= isfinite(step.ends[0][i]) && isfinite(step.ends[1][i]);
+                inside &= step.ends[0][i] < room[i] && step.ends[1][i] < room[i];
+            }
+            if (known && inside) {
+                for (int k = 0; k < size; k++) {
+                    of->room[k * N + c] = at->near[0][k][a];
+                }
+                for (int i = 0; i < n; i++) {
+                    of->most[i * N + c] = most(step.ends[0][i], step.ends[1][i]);
+                }
+                add(&proved, at, a);
+            } else if (known) {
+                for (int i = 0; i < n; i++) {
+                    reach[i][c - begin] =
+                        of->more * most(room[i], most(fabs(step.ends[0][i]), fabs(step.ends[1][i])));
+                }
+                further[left++] = at->of[a];
+            }
+        }
+        if (by->borders && proved.count) {
+            evaluated_of(by, &by->gaps, at, &proved);
+        }
+        for (int i = 0; i < proved.count; i++) {
+            int sure = 1;
+            for (int k = 0; k < by->borders; k++) {
+                sure &= on_side(by->kinds[k], by->rooms[k], -result(at, &by->gaps, 0, k)[i],
+                    result(at, &by->gaps, 1, k)[i]);
+            }
+            of->sure[proved.of[i]] = (uint8_t)sure;
+        }
+        at->count = left;
+        memcpy(at->of, further, (size_t)left * sizeof(int32_t));
+    }
+}
+
+/* -------------------------------------------------------------------------------------------------
  * Python */
 
 /* A tape, (code, numbers, outputs, slots); nothing of None. */
@@ -873,9 +1030,71 @@ static PyObject *decided(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
+static PyObject *tubes(PyObject *module, PyObject *arguments) {
+    (void)module;
+    PyObject *tapes[3];
+    PyObject *borders;
+    PyObject *given_parameters;
+    Py_buffer of[9];
+    Py_buffer parameters;
+    tube to;
+    desk *at = NULL;
+    memset(&to, 0, sizeof to);
+    plan *by = &to.by;
+    if (!PyArg_ParseTuple(arguments, "(OOO)O!Oidiy*y*y*y*y*y*w*w*w*", tapes, tapes + 1, tapes + 2,
+            &PyTuple_Type, &borders, &given_parameters, &to.pivot, &to.more, &to.times, of, of + 1,
+            of + 2, of + 3, of + 4, of + 5, of + 6, of + 7, of + 8)) {
+        return NULL;
+    }
+    const Py_ssize_t N = to.N = of[8].len;
+    const Py_ssize_t row = N * (Py_ssize_t)sizeof(double);
+    if (!N) {
+        release(of, 9);
+        Py_RETURN_NONE;
+    }
+    by->n = (int)(of[0].len / row);
+    const int n = by->n - 1;
+    const Py_ssize_t every = row * by->n;
+    const Py_ssize_t sizes[] = {every, every, every, row, every, row * n, every, row * n, N};
+    int whole = n >= 1 && by->n <= MOST && to.pivot >= 0 && to.pivot <= n;
+    whole = whole && as_program(tapes[0], &by->values) && as_program(tapes[1], &by->slopes) &&
+        as_program(tapes[2], &by->gaps) && borders_of(borders, by);
+    if (whole && taken(given_parameters, &parameters, PyBUF_STRIDED_RO) == 0) {
+        by->parameters = parameters.shape[1];
+        PyBuffer_Release(&parameters);
+        whole = by->values.operations && by->slopes.operations &&
+            good(by, &by->values, n, 2, 0) && good(by, &by->slopes, n * (n + 1), 2, 0) &&
+            good(by, &by->gaps, by->borders, 2, 0) && (!by->borders || by->gaps.operations);
+        at = whole && fit(of, sizes, 9) ? opened(by, given_parameters, &parameters, N) : NULL;
+    }
+    if (at != NULL) {
+        to.z = of[0].buf;
+        to.along = of[1].buf;
+        to.swing = of[2].buf;
+        to.moved = of[3].buf;
+        to.beside = of[4].buf;
+        to.least = of[5].buf;
+        to.room = of[6].buf;
+        to.most = of[7].buf;
+        to.sure = of[8].buf;
+        Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
+            tubes_of_block(&to, at, begin);
+        }
+        Py_END_ALLOW_THREADS cleared(at, &parameters);
+    } else if (!PyErr_Occurred()) {
+        PyErr_SetString(PyExc_ValueError, "a tape of tubes is not as its system is");
+    }
+    release(of, 9);
+    if (at == NULL) {
+        return NULL;
+    }
+    Py_RETURN_NONE;
+}
+
 static PyMethodDef methods[] = {
     {"plan", planned, METH_VARARGS, "Tapes by which a search looks at boxes."},
     {"kept", kept, METH_VARARGS, "What is left of boxes, and which may hold a root."},
+    {"tubes", tubes, METH_VARARGS, "Boxes that hold one state for each value of a pivot."},
     {"decided", decided, METH_VARARGS, "What becomes of boxes that may hold a root."},
     {NULL, NULL, 0, NULL}};
 

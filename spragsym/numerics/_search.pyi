@@ -22,3 +22,12 @@ def decided(
     verdicts: Buffer,
     along: Buffer,
 ) -> None: ...
+def tubes(
+    tapes: tuple[Buffer, Buffer, Buffer],
+    borders: Buffer,
+    parameters: Buffer,
+    pivot: int,
+    inflation: float,
+    times: int,
+    *arrays: Buffer,
+) -> None: ...

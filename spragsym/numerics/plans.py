@@ -139,22 +139,22 @@ def planned(
         return None
     tapes = values, slopes, contraction, besides.gaps, besides.anchors, besides.turnings
     lines = tuple(
-        (_given(line.forces), _given(line.direction), _given(line.determinant))
+        (given(line.forces), given(line.direction), given(line.determinant))
         for line in besides.lines
     )
     held = compiled.plan(
         n,
         coordinates,
         parameters,
-        *map(_given, tapes),
+        *map(given, tapes),
         tuple(besides.borders),
         lines,
         besides.arcs,
-        tuple(map(_given, besides.sides)),
+        tuple(map(given, besides.sides)),
     )
     return Plan(n, held)
 
 
-def _given(of: Tape | None) -> tuple[bytes, bytes, int, int] | None:
+def given(of: Tape | None) -> tuple[bytes, bytes, int, int] | None:
     """A tape as compiled code takes it."""
     return None if of is None else (of.code, of.numbers, of.outputs, of.slots)

@@ -49,6 +49,9 @@ class Balance(Forces, StateSystem):
     the arguments of the generated functions, once for each node of the tree of points.
     """
 
+    #: Arguments that follow from units, by parameter.
+    factors: Mapping[str, str] = MappingProxyType({})
+
     def identity(self) -> Hashable:
         """Contact, the law of friction, and how far beyond the border states count."""
         return *self.pushing, self.law, *self.rooms
@@ -301,8 +304,7 @@ class BalanceInUnits(Balance):
         #: Parameters of the balance that depend on each unit; a unit on which none does matters to
         #: the motion alone.
         self.scaling = {unit: names for unit, names in powers.items() if names}
-        #: p/P as arguments of their own, by parameter.
-        self.factors = {
+        self.factors = {  # p/P as arguments of their own
             name: f"{name}/P"
             for name in self.parameters
             if any(name in unit.powers for unit in units.values())

@@ -535,6 +535,11 @@ class Ends:
     combination: IntArray | int = 0
     others: Mapping[int, ModelEnd] = field(default_factory=dict)
 
+    def kind(self, position: int = 0) -> str:
+        """What the state of a point ends at, if it does."""
+        end = self.others.get(position)
+        return "fold" if end is None else end.kind
+
 
 def require_known(found: Ends) -> Ends:
     """The values themselves; an error if nothing is known of a single point, a warning if nothing

@@ -14,7 +14,7 @@ from ..core.progress import doing
 from ..core.remarks import Remark
 from ..core.type_variables import T
 from ..design.certificates import Certificate
-from ..design.jumps import jump_value
+from ..design.jumps import first_ends, require_known
 from ..design.probability import JumpProbability
 from ..numerics.columns import selected_rows
 from ..results.points import LowestEnd, Points
@@ -118,6 +118,9 @@ class Facts:
         Changes were looked for, and those that were found, nearest first.
     remarks : tuple of str
         Reasons of what is not known.
+    kind_jump, kind_theta0_jump
+        What the state ends at, as :attr:`spragsym.bifurcation.paths.ModelEnd.kind` has it, along
+        the loading parameter and along the inclination; ``"border"`` where it leaves the contact.
     """
 
     study: Brake
@@ -145,6 +148,8 @@ class Facts:
     searched: bool
     redesign: tuple[Change, ...]
     remarks: tuple[str, ...]
+    kind_jump: str = "fold"
+    kind_theta0_jump: str = "fold"
 
     @property
     def current(self) -> State | None:
@@ -286,7 +291,7 @@ def facts(study: Brake, options: ReportOptions) -> Facts:
     odds = _probability(answers, proof, options.n) if options.probability else None
 
     along = _folds(answers)
-    angle = _jump_along_the_inclination(answers)
+    angle, angle_kind = _jump_along_the_inclination(answers)
     lowest, cusp = _lowest(answers)
     nearest = answers.known("the nearest jump is", partial(distance, study))
     peak = None
@@ -331,6 +336,8 @@ def facts(study: Brake, options: ReportOptions) -> Facts:
         searched=searched,
         redesign=redesign,
         remarks=tuple(answers.remarks),
+        kind_jump="fold" if jump_at is None else study.ends.kind(),
+        kind_theta0_jump=angle_kind,
     )
 
 
@@ -448,14 +455,15 @@ def _rows(study: Brake, found: dict[str, Points]) -> tuple[FoldRow, ...]:
     return tuple(rows)
 
 
-def _jump_along_the_inclination(answers: _Answers) -> float | None:
+def _jump_along_the_inclination(answers: _Answers) -> tuple[float | None, str]:
+    """The inclination at which the state ends, in degrees, and at what."""
     study, at = answers.study, answers.study.operating_point
     vary = at.model.inclination
     if vary is None or study.loading.name == vary:
-        return None
-    question = partial(jump_value, at, vary)
-    found = answers.known(f"the jump along {vary} is", lambda: float(question()))
-    return None if found is None else math.degrees(found)
+        return None, "fold"
+    what = f"the jump along {vary} is"
+    found = answers.known(what, lambda: require_known(first_ends(at, vary)))
+    return (None, "fold") if found is None else (math.degrees(found.value), found.kind())
 
 
 def _lowest(answers: _Answers) -> tuple[LowestEnd | None, float | None]:

@@ -103,7 +103,9 @@ def _on_the_jump(report: Facts) -> str:
     if angle is not None and angle in study.quantities and load.quantity != angle:
         state = f"at {study.shown(angle)} {state}"
     digits = _apart(study, jump, (low, high, full))
-    jumps = f"jumps at {study.named(jump, digits)}"
+    jumps = f"{_ends(report.kind_jump)} at {study.named(jump, digits)}"
+    loses = report.kind_jump == "border"
+    sprags, does = ("loses its contact", "lose it") if loses else ("sprags", "jump")
     if report.reach in ("never", "beyond"):
         what = f"has no jump at any {study.search_range}" if report.reach == "never" else jumps
         if report.reach == "beyond" and full:
@@ -129,8 +131,8 @@ def _on_the_jump(report: Facts) -> str:
         if study.belt is not None and report.speed < study.values[study.belt]:
             above = f"at lower speeds, from {study.shown_speed(report.speed, 3)} on"
         return (
-            f"It sprags{model} {above}: {state} {jumps}; at {at} {works} works, and it does not "
-            "jump."
+            f"It {sprags}{model} {above}: {state} {jumps}; at {at} {works} works, and it does not "
+            f"{does}."
         )
     ends = " to ".join(
         study.load_text(end, digits) for end in ((low, high) if high > low else (high,))
@@ -142,7 +144,13 @@ def _on_the_jump(report: Facts) -> str:
         if jump < low
         else "within your range of"
     )
-    return f"It sprags{model}: {state} {jumps}, {where} {load.word} {ends}."
+    return f"It {sprags}{model}: {state} {jumps}, {where} {load.word} {ends}."
+
+
+def _ends(kind: str) -> str:
+    """What a state does where it ends."""
+    ways = {"border": "leaves the contact", "infinity": "runs to infinity"}
+    return ways.get(kind, "jumps")
 
 
 def _apart(study: Brake, jump: float, ends: Sequence[float]) -> int:
@@ -283,10 +291,13 @@ def _jump(report: Facts) -> Rows:
     never = "never" if math.isinf(study.upper_limit) else f"at no {study.search_range}"
     own = "" if report.mu0_jump == report.mu_jump else f", {load.quantity} = {report.mu0_jump:.6g}"
     at = "at this angle" if load.is_friction else f"as {load.word} rises"
+    end = _none_of(report.kind_jump)
     yield (
         f"jump {at}",
         _or_unknown(
-            report.jump_at, lambda value: f"at {load.word} {study.load_text(value, 6)}{own}", never
+            report.jump_at,
+            lambda value: f"{end}at {load.word} {study.load_text(value, 6)}{own}",
+            never,
         ),
     )
     if report.jump_at is not None and not math.isnan(report.jump_at) and most:
@@ -305,7 +316,11 @@ def _jump(report: Facts) -> Rows:
     if angle in study.quantities and load.quantity != angle:
         yield (
             "jump at this friction",
-            _or_unknown(report.theta0_jump_deg, "at {:.6g} deg".format, "never"),
+            _or_unknown(
+                report.theta0_jump_deg,
+                f"{_none_of(report.kind_theta0_jump)}at {{:.6g}} deg".format,
+                "never",
+            ),
         )
     if angle in study.quantities and load.is_friction:
         lowest = _or_unknown(report.mu_lowest, "friction {:.6g}".format, "there is none")
@@ -331,6 +346,12 @@ def _jump(report: Facts) -> Rows:
             "tolerances to the nearest jump",
             where if report.distance else "0, it has jumped already",
         )
+
+
+def _none_of(kind: str) -> str:
+    """Words before the value at which a state ends without a jump."""
+    way = _ends(kind)
+    return "" if way == "jumps" else f"none: it {way} "
 
 
 def _or_unknown(value: float | None, shown: Callable[[float], str], never: str) -> str:

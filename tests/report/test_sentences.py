@@ -244,6 +244,11 @@ VERDICTS: list[tuple[Facts, str]] = [
         "friction 0.3.",
     ),
     (
+        said_of(SLOW, kind_jump="border", speed=0.34, **FASTER),
+        "It loses its contact above V = 0.34 m/s: at 52 deg the reference state leaves the contact at a "
+        "friction of 0.29; at 0.2 m/s only 0.2594 of your 0.3 works, and it does not lose it.",
+    ),
+    (
         said_of(jump_at=0.2999981, reach="jumped"),
         "It sprags: at 52 deg the reference state jumps at a friction of 0.2999981, below your"
         " friction 0.2999982.",
@@ -570,6 +575,18 @@ ROWS: list[tuple[Facts, str, str, str]] = [
     ),
     (said_of(), "Jump", "jump at this friction", "at 56.4984 deg"),
     (said_of(theta0_jump_deg=math.nan), "Jump", "jump at this friction", "never"),
+    (
+        said_of(kind_theta0_jump="border"),
+        "Jump",
+        "jump at this friction",
+        "none: it leaves the contact at 56.4984 deg",
+    ),
+    (
+        said_of(kind_jump="infinity"),
+        "Jump",
+        "jump at this angle",
+        "none: it runs to infinity at friction 0.3663",
+    ),
     (said_of(theta0_jump_deg=None), "Jump", "jump at this friction", "unknown"),
     (
         said_of(),

@@ -18,6 +18,7 @@ import numpy as np
 
 from ..numerics import contractors
 from ..numerics.arithmetic import determinant
+from ..numerics.certified_roots import stepped
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
@@ -32,7 +33,6 @@ from ..statics.precise_balance import on_side
 from ..statics.search import balances_of
 from .borders import BORDER, BORDER_FOLD, PASSES, kinds_of_borders
 from .defining_systems import Augmented, Family, touch
-from .options import ContinuationOptions
 from .points import OVER_BORDER
 from .tubes import Place, Tubes
 
@@ -66,8 +66,8 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
         some, at, way = tubes[left], here[left], (goal - here.v)[left]
         near = replace(some, balance=balance.extended(OVER_BORDER, contact))
         family = Family(None, near.balance, (tubes.vary,), near.fixed, np.zeros((1, 2)))
-        border = _Border(Augmented(family, touch(contact)), tubes.options)
-        z = border.point(at.z)
+        system, given = Augmented(family, touch(contact)), near.bounds(Intervals.point(at.v))
+        z = _border(system, given, at.z, tubes.options.newton_steps)
         room, ahead = share * np.abs(way), (z[-1] - at.v) * np.sign(way)
         met = (ahead >= 0) & (ahead < np.abs(way))
         if not met.any():
@@ -86,7 +86,9 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
             both = np.maximum(box, behind.box().ends)
             passes = good & also & (kinds_of_borders(family, both, back.balance) == PASSES)
             over = good & (kinds_of_borders(family, box, back.balance) == BORDER_FOLD)
-        error, alone = border.enclosed(z, box)
+        wide = ends_around(z, tubes.options.half_width * scale_of(z))
+        step, alone = _enclosed(system, given, wide, box)
+        error = contractors.distance(step, z)[-1]
         arrived = end.box()
         bounds = near.bounds(arrived[-1])
         over &= alone & on_side(beyond.balance, bounds, arrived.ends[:, :-1])[0]
@@ -115,38 +117,24 @@ def _moved(place: Place, v: FloatArray) -> FloatArray:
     return np.vstack([place.z[:-1], v])
 
 
-@dataclass(frozen=True)
-class _Border:
-    """Points at which forces and a gap are 0, in coordinates and one parameter."""
+def _border(system: Augmented, given: Intervals, z: FloatArray, steps: int) -> FloatArray:
+    """About the border point that is the next one to z, by Newton's method."""
+    with quiet():
+        for _ in range(steps):
+            z = Intervals(stepped(system, Intervals.point(z).ends, given).ends).middle
+    return z
 
-    system: Augmented
-    options: ContinuationOptions
 
-    def _at(self, ends: FloatArray) -> tuple[Intervals, Intervals]:
-        """Residuals and slopes over boxes."""
-        given = self.system.prepared_at(self.system.family.given)
-        with quiet():
-            at = Intervals(ends), given
-            return self.system.residuals(*at), self.system.jacobian(*at)
-
-    def point(self, z: FloatArray) -> FloatArray:
-        """About the border point that is the next one to z, by Newton's method."""
-        for _ in range(self.options.newton_steps):
-            values, slopes = self._at(Intervals.point(z).ends)
-            with quiet():
-                z = z - (contractors.inverse(slopes.middle) * values.middle).sum(axis=1)
-        return z
-
-    def enclosed(self, z: FloatArray, box: FloatArray) -> tuple[FloatArray, BoolArray]:
-        """Errors of the parameter at border points, and where it is proved that there is one, and
-        no other in a box.
-        """
-        count, room = len(z), self.options.half_width * scale_of(z)
-        wide = ends_around(z, room)
-        values, _ = self._at(Intervals.point(z).ends)
-        step = contractors.newton(values, self._at(wide)[1], z, contractors.distance(wide, z)).ends
-        slopes = self._at(np.maximum(box, wide))[1]
-        rows = [[slopes[i, j] for j in range(count)] for i in range(count)]
-        alone = as_intervals(determinant(rows), z.shape[1:]).signs != 0
-        alone &= contractors.inside(step, wide)
-        return contractors.distance(step, z)[-1], np.asarray(alone)
+def _enclosed(
+    system: Augmented, given: Intervals, wide: FloatArray, box: FloatArray
+) -> tuple[FloatArray, BoolArray]:
+    """Boxes around border points from small ones, and where it is proved that there is
+    one, and no other in a box.
+    """
+    count = len(wide[0])
+    with quiet():
+        step = stepped(system, wide, given).ends
+        slopes = system.jacobian(Intervals(np.maximum(box, wide)), given)
+    rows = [[slopes[i, j] for j in range(count)] for i in range(count)]
+    regular = as_intervals(determinant(rows), wide.shape[2:]).signs != 0
+    return step, np.asarray(regular & contractors.inside(step, wide))

@@ -124,6 +124,7 @@ def jump_value(
     >>> np.round(ss.jump_value(p), 6)
     array([0.597422, 0.385931,      nan])
     """
+    model_of(p).require_answered("jump_value")
     found = require_known(
         first_ends(p, vary, direction=direction, begin=begin, until=until, method=method)
     ).value

@@ -9,8 +9,11 @@ import pytest
 import spragsym as ss
 from spragsym.cli.export import _of_page
 from spragsym.core.errors import ConvergenceError, ModelError, ParameterError
+from spragsym.core.questions import FORCED
 from spragsym.derive.model import PageError
 from spragsym.motion.problem import Event
+from tests.conformance.models import answers
+from tests.conformance.test_questions import TABLE, Asked, questions
 from tests.oracles import clocks
 from tests.oracles.clocks import DUFFING, FRICTION, MOVED, duffing_fold, stopping_amplitude
 from tests.oracles.user_pages import model_of, replaced
@@ -264,3 +267,42 @@ def test_what_a_clock_cannot_stand_in_is_refused_by_its_line(
     (tmp_path / "mine.py").write_text(replaced(DUFFING, (before, after)), encoding="utf-8")
     with pytest.raises(PageError, match=rf"line \d+: .*{words}"):
         pages.read(tmp_path / "mine.py")
+
+
+def test_what_is_not_answered_of_a_clock_is_refused_by_its_name() -> None:
+    """Every public question is answered, or says that nothing rests there and what is asked
+    instead.
+    """
+    model = model_of(DUFFING, "duffing")
+    p, plane = model.Parameters(), ("c", "g")
+    ranges = {"c": (0.1, 0.2), "g": (0.0, 1.0)}
+    asked: dict[str, Callable[[], object]] = {
+        "basin_boundary": lambda: ss.basin_boundary(p),
+        "bifurcation_set": lambda: ss.bifurcation_set(p, plane),
+        "certify": lambda: ss.certify(p, p, vary="c"),
+        "count": lambda: ss.count(p),
+        "critical_friction": lambda: ss.critical_friction(p, *plane),
+        "critical_value": lambda: ss.critical_value(p, "omega", between=ranges),
+        "cusp_friction": lambda: ss.cusp_friction(p, *plane),
+        "cusps": lambda: ss.cusps(p, plane),
+        "diagram": lambda: ss.diagram(p, "c", between=ranges),
+        "equilibria": lambda: ss.equilibria(p),
+        "explore": lambda: ss.explore(p),
+        "fate_boundary": lambda: ss.fate_boundary(p, "c", between=ranges),
+        "flutter_onsets": lambda: ss.flutter_onsets(p, "c"),
+        "folds": lambda: ss.folds(p, "c"),
+        "jump_gradient": lambda: ss.jump_gradient(p, "c"),
+        "jump_margin": lambda: ss.jump_margin(p, {"c": 0.1}),
+        "jump_probability": lambda: ss.jump_probability(ranges, model=model),
+        "jump_value": lambda: ss.jump_value(p, "c"),
+        "onset_curves": lambda: ss.onset_curves(p, plane),
+        "quasi_static_path": lambda: ss.quasi_static_path(p, "c", [0.1, 0.2]),
+        "redesign": lambda: ss.redesign(p, "c", {"g": 0.1}),
+        "sticking_states": lambda: ss.sticking_states(p),
+    }
+    of_article = TABLE[Asked.article].split()
+    assert {*questions()} - {*of_article, *FORCED} == {*asked}
+    for name, ask in asked.items():
+        assert not answers(model, name, ask)
+    with pytest.raises(ModelError, match="has no theta0, along which sensitivity looks"):
+        ss.sensitivity(p)

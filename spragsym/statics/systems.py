@@ -226,9 +226,12 @@ class StateSystem(EquationSystem):
     def plan(self, parameters: Intervals) -> Plan | None:
         """Tapes of all that is asked of boxes, where parameters that are 0 are so at all nodes."""
         nothing = (parameters.ends == 0).all(axis=0)
-        if plans.compiled_for(self.n) is None or (nothing.any(axis=1) != nothing.all(axis=1)).any():
+        vanishes = nothing.any(axis=1)
+        # Parameters of nodes without points are NaN.
+        others = ~nothing & ~np.isnan(parameters.ends).any(axis=0)
+        if plans.compiled_for(self.n) is None or others[vanishes].any():
             return None
-        vanishing = nothing.all(axis=1).tolist()
+        vanishing = vanishes.tolist()
         key = *vanishing, *self.borders(), self.singular
         if key not in self.tapes.plans:
             try:

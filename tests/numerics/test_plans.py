@@ -13,13 +13,13 @@ import pytest
 
 import spragsym as ss
 from spragsym.bifurcation.defining_systems import (
-    FOLD_ON_BORDER,
     NO_SLOPE,
-    TOUCH_TURN,
     TURN,
     Augmented,
     Family,
+    fold_on_border,
     of_kind,
+    touch_turn,
 )
 from spragsym.bifurcation.points import Logarithmic
 from spragsym.bifurcation.singularities import cusp_off_mirrors
@@ -74,8 +74,9 @@ def further(name: str) -> Iterator[tuple[str, StateSystem, FloatArray]]:
         return
     family = Family.of(load(name).Parameters(), vary[:2])
     conditions = {"turn": TURN, "BT": of_kind("BT", None)}
-    if len(balance.opens) == 1:
-        conditions |= {"touch turns": TOUCH_TURN, "fold on border": FOLD_ON_BORDER}
+    for contact in balance.opens:
+        conditions[f"touch turns, {contact}"] = touch_turn(contact)
+        conditions[f"fold on border, {contact}"] = fold_on_border(contact)
     if balance.n < 3:
         conditions["cusp off mirrors"] = cusp_off_mirrors(family)
     for key, condition in conditions.items():
@@ -127,6 +128,12 @@ def test_many_points_are_searched_as_by_numpy(name: str, monkeypatch: pytest.Mon
     assert np.unique(found.unique.nodes).size > 1
     # Over boxes of parameters, and where one of them is 0 at some points only, without a plan.
     compared(name, monkeypatch, system, region, points, points + 1e-3, budget=40)
+    # Where one is 0 at all points, with a plan, though some nodes are of no points.
+    gone = points.copy()
+    gone[system.balance.parameters.index(system.balance.may_vanish[-1])] = 0.0
+    compared(name, monkeypatch, system, region, gone, gone, budget=40)
+    with quiet():
+        assert system.plan(system.prepared(boxes.tree(gone, gone).bounds)) is not None
     points[0, ::2] = 0.0
     with quiet():
         bounds = Intervals.between(points, points)

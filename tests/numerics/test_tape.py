@@ -16,10 +16,10 @@ from spragsym.bifurcation.defining_systems import (
     FLUTTER,
     FOLD,
     HOPF,
-    TOUCH,
     Augmented,
     Family,
     cusp,
+    touch,
 )
 from spragsym.numerics import tape
 from spragsym.numerics.interval_arrays import Intervals, quiet, stacked
@@ -119,7 +119,7 @@ def systems(name: str) -> dict[str, tuple[StateSystem, np.ndarray]]:
         column = np.array([[0.3 if value is None else float(value)] for value in values])
         out[f"contact {contact}"] = balance, column
     vary = tuple(code for code in balance.parameters if code in balance.balanced)
-    for condition in (FOLD, TOUCH, FLUTTER, HOPF):
+    for condition in (FOLD, touch(0), FLUTTER, HOPF):
         system = Augmented(Family.of(p, vary[:1]), condition)
         out[f"condition {len(out)}"] = system, system.family.begin
     if len(vary) > 1:

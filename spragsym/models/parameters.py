@@ -7,7 +7,7 @@ import importlib
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, NoReturn, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -291,7 +291,6 @@ class Values(Tabular):
         return hash(tuple(self._values.values()))  # arrays do not hash
 
 
-@dataclass(frozen=True, eq=False)
 class ParameterSet(Values):
     """Dimensionless parameters of a model, scalars or arrays that broadcast together: items by
     their names, and attributes where none of a set has that name.
@@ -334,6 +333,12 @@ class ParameterSet(Values):
             held[name] = None if value is None else as_numbers(name, value, self.ranges[name])
         self.__dict__.update(self._attributes(held))
         self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
+
+    def __setattr__(self, name: str, value: object) -> NoReturn:
+        """Refuse a change, which no question would see."""
+        raise AttributeError(
+            f"{name} can't be set: a set of parameters stays as it is; use p.replace({name}=...)"
+        )
 
     def __getitem__(self, name: str) -> Any:
         """A parameter by its name."""

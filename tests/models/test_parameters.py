@@ -55,3 +55,15 @@ def test_physical_parameters_are_told_what_to_do() -> None:
                 function(**arguments)
             asked += 1
     assert asked > 30
+
+
+@pytest.mark.parametrize("name", ["trolley", "kang_nam"])
+def test_a_set_of_parameters_does_not_change(name: str) -> None:
+    """A value that is set would be one that no question sees."""
+    p = ss.load(name).Parameters(theta0=0.8)
+    for attribute in ("mu0", "nonsense"):
+        with pytest.raises(AttributeError):
+            setattr(p, attribute, 3.0)
+    assert p.mu0 == p["mu0"] == 0.5
+    with pytest.raises(AttributeError, match=r"use p\.replace\(mu0=\.\.\.\)"):
+        ss.load("trolley").Parameters(theta0=0.8).mu0 = 3.0

@@ -14,6 +14,7 @@ import itertools
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from operator import attrgetter
 from types import MappingProxyType
 from typing import Any, ClassVar, Self, TypeAlias
 
@@ -278,31 +279,39 @@ def corner_values(
     return one[:, None], other[:, None]
 
 
-#: Of some parts their bounds, and as roots, with the parts as points, the states that are in
-#: contact all over a part, and as what is left the boxes of which that, or whether they hold a
-#: state, is not known.
-Test: TypeAlias = Callable[[Balance, Intervals, Roots], BoolArray]
+#: Of each combination of contacts that touch: its balance, bounds of some parts, and as roots, with
+#: the parts as points, the states that have this combination all over a part, and as what is left
+#: the boxes of which that, or whether they hold a state, is not known.
+OfCombinations: TypeAlias = Sequence[tuple[Balance, Intervals, Roots]]
 
 
-def _one(balance: Balance, bounds: Intervals, roots: Roots) -> BoolArray:
+def _one(combinations: OfCombinations) -> BoolArray:
     """Parts with one state at each point."""
     proved, left = (
-        np.bincount(point, minlength=bounds.shape[-1])
-        for point in (roots.point, roots.undecided_point)
+        sum(
+            np.bincount(points(roots), minlength=bounds.shape[-1])
+            for _, bounds, roots in combinations
+        )
+        for points in (attrgetter("point"), attrgetter("undecided_point"))
     )
     return np.asarray((proved == 1) & (left == 0))
 
 
-def _none_flutters(balance: Balance, bounds: Intervals, roots: Roots) -> BoolArray:
+def _none_flutters(combinations: OfCombinations) -> BoolArray:
     """Parts all of whose states have real κ only, those in boxes that are left included."""
-    every, point = roots.every
-    real = stability.real(balance, balance.prepared(bounds[:, point]), every)
-    return np.asarray(np.bincount(point[~real], minlength=bounds.shape[-1]) == 0)
+    holds = []
+    for balance, bounds, roots in combinations:
+        every, point = roots.every
+        real = stability.real(balance, balance.prepared(bounds[:, point]), every)
+        holds.append(np.bincount(point[~real], minlength=bounds.shape[-1]) == 0)
+    return np.all(holds, axis=0)
 
 
 #: For each claim where it holds, and at which points it is refuted: several states, or proved to be
 #: none; one proved to flutter.
-STATES: dict[str, tuple[Test, Callable[[Equilibria], BoolArray]]] = {
+STATES: dict[
+    str, tuple[Callable[[OfCombinations], BoolArray], Callable[[Equilibria], BoolArray]]
+] = {
     "one equilibrium": (
         _one,
         lambda eq: (eq.count > 1) | ((eq.count == 0) & eq.decided & eq.whole),
@@ -316,8 +325,8 @@ STATES: dict[str, tuple[Test, Callable[[Equilibria], BoolArray]]] = {
 
 @dataclass(frozen=True)
 class LocatedParts(ProvedParts):
-    """Parts, and where their states are: ``around``, shape (2, n, N), is infinite where nothing is
-    known of that.
+    """Parts, and where their states of each combination of contacts are: ``around``, shape (2,
+    combinations, n, N), is infinite where nothing is known of that.
     """
 
     around: FloatArray
@@ -328,16 +337,15 @@ class ClaimOfStates(Claim):
 
     def __init__(self, low: ParameterSet, high: ParameterSet, claim: str) -> None:
         self.model = low.model
-        self.balance, *others = balances_of(self.model, None)
-        if others:
-            self.model.require_answered(f"certify {claim!r}")
-        self.sides = tuple(self.balance.parameters)
+        self.balances = balances_of(self.model, None)
+        self.sides = tuple(self.balances[0].parameters)
         self.true, self.false = STATES[claim]
-        nowhere = np.full((2, self.balance.n, 1), np.inf)
+        nowhere = np.full((2, len(self.balances), self.balances[0].n, 1), np.inf)
         corners = corner_values(self.sides, low, high)
-        bounds = self.balance.prepared(Intervals.between(*corners))
-        never = (
-            claim == "no flutter" and stability.without_flutter(self.balance, bounds).all()
+        box = Intervals.between(*corners)
+        never = claim == "no flutter" and all(
+            stability.without_flutter(balance, balance.prepared(box)).all()
+            for balance in self.balances
         )  # wherever a state is
         self.whole = LocatedParts(*corners, np.array([never]), nowhere)
 
@@ -350,8 +358,28 @@ class ClaimOfStates(Claim):
     def settled(self, parts: Any) -> tuple[LocatedParts, FloatArray]:
         if parts.holds.all():
             return parts, parts.low
-        balance, bounds = self.balance, Intervals.between(parts.low, parts.high)
-        around: FloatArray = parts.around
+        located = [
+            self._located(balance, parts, around)
+            for balance, around in zip(self.balances, np.moveaxis(parts.around, 1, 0), strict=True)
+        ]
+        states, where = zip(*located, strict=True)
+        around = np.stack(where, axis=1)
+        whole = np.isfinite(around).all(axis=(0, 1, 2))
+        bounds = Intervals.between(parts.low, parts.high)
+        with quiet():
+            holds = whole & self.true(
+                [(one, bounds, roots) for one, roots in zip(self.balances, states, strict=True)]
+            )
+        weight = parts.slight
+        for balance, roots in zip(self.balances, states, strict=True):
+            self._weigh(weight, balance, parts, roots)
+        return replace(parts, holds=holds, around=around), weight
+
+    def _located(
+        self, balance: Balance, parts: LocatedParts, around: FloatArray
+    ) -> tuple[Roots, FloatArray]:
+        """States of one combination in parts, and boxes with all of them, shape (2, n, N)."""
+        bounds = Intervals.between(parts.low, parts.high)
         whole = np.asarray(np.isfinite(around).all(axis=(0, 1)))
         new = np.flatnonzero(~whole)
         if new.size:
@@ -374,18 +402,18 @@ class ClaimOfStates(Claim):
         np.maximum.at(
             np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0)
         )
-        room = 1e-6 + self.balance.options.margin * np.maximum(width_of(where), 0.0)
-        where = np.where(whole, np.fmin(rounded_outward(where + room), around), np.inf)
-        with quiet():
-            holds = whole & self.true(balance, bounds, states)
-        return replace(parts, holds=holds, around=where), self._weights(parts, states)
+        room = 1e-6 + balance.options.margin * np.maximum(width_of(where), 0.0)
+        with quiet():  # where there is no state it stays as it is
+            where = np.fmin(rounded_outward(where + room), around)
+        return states, np.where(whole, where, np.inf)
 
-    def _weights(self, parts: LocatedParts, states: Roots) -> FloatArray:
-        """By how far each parameter moves the states of each part, shape (P, N)."""
-        balance, middle, out = self.balance, 0.5 * (parts.low + parts.high), parts.slight
+    @staticmethod
+    def _weigh(out: FloatArray, balance: Balance, parts: LocatedParts, states: Roots) -> None:
+        """Raise ``out``, shape (P, N), to how far each parameter moves the states of each part."""
+        middle = 0.5 * (parts.low + parts.high)
         ends, point = states.every
-        q = Intervals(ends).middle
         with quiet():
+            q = Intervals(ends).middle
             K = balance.jacobian(Intervals.point(q), balance.prepared_at(middle[:, point])).middle
             back = np.abs(np.linalg.pinv(np.nan_to_num(np.moveaxis(K, -1, 0))))
             for row in np.flatnonzero((parts.low != parts.high).any(axis=1)):
@@ -396,4 +424,3 @@ class ClaimOfStates(Claim):
                 ).width
                 moved = np.einsum("Nij,jN->iN", back, pushed) / scale_of(q)
                 np.maximum.at(out[row], point, np.nan_to_num(moved).max(axis=0))
-        return out

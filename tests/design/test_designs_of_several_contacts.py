@@ -142,9 +142,15 @@ def test_a_box_whose_states_come_to_no_border_is_proved() -> None:
         for P in touches(given) * np.array([0.99, 1.01])
     ]
     assert outcomes == ["proved", "undecided"]
-    said = "certify 'one equilibrium' is not answered yet of worn_shoe, whose page has 2 contacts"
-    with pytest.raises(ss.errors.ModelError, match=said):
-        ss.certify(low, low, "one equilibrium")
+
+
+@pytest.mark.parametrize(("mu0", "outcome"), [(0.3, "proved"), (1.5, "refuted")])
+def test_states_of_all_combinations_are_counted(mu0: float, outcome: str) -> None:
+    given = {"b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s": 0.2, "s_0": 0.3}
+    low = shoe().Parameters(**given, mu0=mu0, P=0.01)
+    assert (int(ss.equilibria(low).count) == 1) == (outcome == "proved")
+    high = low.replace(mu0=mu0 + 0.01)
+    assert ss.certify(low, high, "one equilibrium", max_boxes=100).outcome == outcome
 
 
 @pytest.mark.thorough

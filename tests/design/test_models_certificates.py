@@ -23,6 +23,20 @@ def sets(model: Any, ranges: dict[str, tuple[float, float]]) -> tuple[Any, Any]:
     return low, high
 
 
+@pytest.mark.parametrize("claim", ["one equilibrium", "no flutter"])
+def test_nothing_is_proved_of_one_face_where_the_other_holds_a_state(claim: str) -> None:
+    given = {"alpha": 0.25, "sigma": 1.5, "beta": 0.0, "mu0": 2.2}
+    low, high = (
+        ss.load("mode_coupling").Parameters(
+            **{name: one * (1 + off) for name, one in given.items()}
+        )
+        for off in (-1e-6, 1e-6)
+    )
+    assert set(ss.equilibria(low).touching.ravel()) == {"face", "opposite face"}
+    assert ss.certify(low, high, claim, max_boxes=200, refute=False).outcome == "undecided"
+    assert ss.certify(low, high, claim).outcome == "refuted"
+
+
 def test_tubes_hold_the_states_of_all_points_of_a_box() -> None:
     """Their change across the box is not linear: by the slopes in the middle alone, corners lie
     outside.

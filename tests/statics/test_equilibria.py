@@ -88,7 +88,7 @@ def test_number_types_are_taken_as_float64(dtype: type) -> None:
         ({"theta0": 1.0, "beta": math.inf}, ss.errors.ParameterError, ["beta = inf"]),
         ({"theta0": 1.0, "mu0": -0.5}, ss.errors.ParameterError, ["mu0", "mirror"]),
         ({"theta0": "1"}, ss.errors.ParameterTypeError, ["theta0", "text"]),
-        ({"theta0": True}, ss.errors.ParameterTypeError, ["booleans"]),
+        ({"theta0": True}, ss.errors.ParameterTypeError, ["boolean"]),
         ({"theta0": 1 + 0j}, ss.errors.ParameterTypeError, ["complex"]),
         (
             {"theta0": [[1.0], [1.0, 2.0]]},

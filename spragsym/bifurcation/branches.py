@@ -205,12 +205,11 @@ def _by_tubes(
     tubes = Tubes.of_points(along.balance, along.vary, columns, options=options)
     z = np.array([[*states[one].q[:, slot], one] for one, _, slot in begun]).reshape(-1, n + 1).T
     goal = np.array([two for _, two, _ in begun])
-    start = tubes.place(z)
+    start = tubes.place(z, error=0.0)
 
     def joined(there: Place) -> dict[Span, dict[int, int]]:
         known = {step: dict[int, int]() for step in steps}
-        same = there.sure & (there.v == goal) & (np.abs(z - start.z) <= start.room).all(axis=0)
-        for column in np.flatnonzero(same):
+        for column in np.flatnonzero(there.sure & (there.v == goal)):
             one, two, slot = begun[column]
             # An angle that goes around is listed once, within one turn.
             away = np.abs(apart(states[two].q.T, there.z[:n, column], along.balance.periodic))

@@ -322,13 +322,18 @@ def _in_words(value: float) -> str:
 
 
 def carried(
-    balance: Balance, p: ParameterSet, name: str, values: FloatArray, q: FloatArray
+    balance: Balance,
+    p: ParameterSet,
+    name: str,
+    values: FloatArray,
+    q: FloatArray,
+    error: float,
 ) -> FloatArray:
     """The state at values of a parameter that go one way, shape (n, values), of the one that is
-    ``q`` at the first.
+    ``q`` at the first, to within ``error`` over max(1, |coordinate|).
     """
     tubes = Tubes.of_points(balance, name, given_column(p, balance.parameters, (name,)))
-    here = tubes.place(np.append(q, values[0])[:, None])
+    here = tubes.place(np.append(q, values[0])[:, None], error=error)
     states = [q]
     for value in values[1:].tolist():
         tubes, here = followed_across(tubes, here, np.array([value]))
@@ -442,11 +447,11 @@ class _CandidateSearch:
         where = (
             f"at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
         )
-        first, touching = reference_place(
+        first, touching, error = reference_place(
             here.replace(**{self.over: places[0]}), self.p.followed, where
         )
         balance = self.balances[number_of(self.balances, touching)]
-        way = carried(balance, here, self.over, np.array(places), first)
+        way = carried(balance, here, self.over, np.array(places), first, error)
         self.beginning = dict(zip(places, way.T, strict=True))
 
     def end_at(self, place: float, limit: float) -> ModelEnd | None:

@@ -576,8 +576,8 @@ class Way:
         """A tube's beginning at a state."""
         given = given_column(self.p, balance.parameters, (self.vary,))
         tubes = Tubes.of_points(balance, self.vary, given, options=self.options)
-        z = np.array([*self.state(stop, slot)[:-2], self.stops[stop]])
-        return tubes, tubes.place(z[:, None])
+        *q, _, error = self.state(stop, slot)
+        return tubes, tubes.place(np.array([*q, self.stops[stop]])[:, None], error=error)
 
     def _place(self, number: int, names: Sequence[str] = ()) -> dict[str, float]:
         """Coordinates of a point at which states vanish, or what else is named, by name."""

@@ -384,16 +384,28 @@ class Tubes(ByColumn):
     # ---------------------------------------------------------------------------------------------
     # proofs
 
-    def place(self, z: FloatArray, like: Place | None = None) -> Place:
+    def place(
+        self,
+        z: FloatArray,
+        like: Place | None = None,
+        error: FloatArray | float | None = None,
+    ) -> Place:
         """The states of whole boxes at one value of the pivot, one for each point of a box; z is
         about those in the middle.
 
-        ``like`` is a place near by, which tells how far from the middle states may lie.
+        ``like`` is a place near by, which tells how far from the middle states may lie. With an
+        ``error``, over max(1, |coordinate|), z is a state in the middle to within it, and the place
+        is sure only where it is proved to be of that state.
         """
-        z = self.corrected(z)
+        given, others, z = z, self.others, self.corrected(z)
         zero = np.zeros_like(z)
         beside = zero if like is None else like.off * self.half.any(axis=0)
-        return self._one_state(z, zero, self._across(z), zero[0], beside)
+        found = self._one_state(z, zero, self._across(z), zero[0], beside)
+        if error is not None:
+            # Newton's method may have come to another state, which is proved just as well.
+            away = np.abs(z - given)[others] + error * scale_of(given[others])
+            found.sure[:] &= (away * UP <= found.room[others]).all(axis=0)
+        return found
 
     def segment(self, start: Place, z: FloatArray) -> tuple[BoolArray, Place, Place]:
         """From a place to another value of the pivot, about which z is: where that is proved, the

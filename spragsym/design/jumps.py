@@ -406,7 +406,8 @@ class Followed:
                 mine = number == k
                 if mine.any():
                     tubes = Tubes.of_points(balance, self.vary, self.fixed[:, rows[mine]])
-                    start = tubes.place(z[:, mine])
+                    error = eq.error[mine, slot[mine]]
+                    start = tubes.place(z[:, mine], error=error)
                     start.sure[~known[mine]] = False
                     yield rows[mine], tubes, start, self.until[rows[mine]]
 

@@ -124,9 +124,9 @@ class Splitting(Claim):
         half = np.maximum(high[:-1] - centre, centre - low[:-1])
         return replace(self.tubes[np.zeros(low.shape[1], dtype=np.int64)], centre=centre, half=half)
 
-    def _reference(self, at: FloatArray) -> tuple[FloatArray, str]:
-        """The reference state at one point of the free parameters and of what moves, and the
-        contacts that touch.
+    def _reference(self, at: FloatArray) -> tuple[FloatArray, str, float]:
+        """The reference state at one point of the free parameters and of what moves, the contacts
+        that touch, and a bound on its error.
         """
         where = f"in the middle of the box is known to be stable at {self.vary} = {self.begin:g}"
         return reference_place(self.point(at), self.near, where)
@@ -136,8 +136,9 @@ class Splitting(Claim):
         where what moves begins.
         """
         at = np.append(free, self.begin)
-        z = np.append(self._reference(at)[0], self.begin)
-        return self._over(at[:, None], at[:, None]).place(z[:, None])
+        q, _, error = self._reference(at)
+        z = np.append(q, self.begin)[:, None]
+        return self._over(at[:, None], at[:, None]).place(z, error=error)
 
     def begins_alike(self, one: FloatArray, other: FloatArray) -> bool:
         """Whether the state that is taken up at one point becomes, while all moves to another, the

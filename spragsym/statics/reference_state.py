@@ -66,16 +66,17 @@ def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> 
 
 def reference_place(
     p: ParameterSet, near: Mapping[str, float] | None, where: str
-) -> tuple[FloatArray, str]:
-    """Coordinates of the reference state of one point, and the contacts that touch, of several; an
-    error, which says ``where``, if none is known to be stable.
+) -> tuple[FloatArray, str, float]:
+    """Coordinates of the reference state of one point, the contacts that touch, of several, and a
+    bound on its error; an exception, which says ``where``, if none is known to be stable.
     """
     eq = equilibria(p)
     if not eq.decided or not (eq.undamped == EquilibriumType.STABLE).any():
         raise ConvergenceError(f"no state {where}")
     slot = reference_state(eq, near)
     touching = str(eq[own_name(p.model, "touching")][slot]) if p.model.has_regimes else ""
-    return np.array([eq.coordinates[name][slot] for name in p.model.coordinates]), touching
+    state = np.array([eq.coordinates[name][slot] for name in p.model.coordinates])
+    return state, touching, float(eq.error[slot])
 
 
 def nearest_state(

@@ -61,7 +61,7 @@ def test_a_tube_holds_one_state() -> None:
     balance = Balance(SEARCH, contact=True)
     eq = ss.equilibria(ss.Parameters.article(theta0=math.radians(49.0), mu0=np.array([0.0, 0.42])))
     start, there = (np.array([eq.x[k, 0], eq.y[k, 0]]) for k in (0, 1))
-    way = carried(balance, p, "mu0", np.array([0.0, 0.42]), start)
+    way = carried(balance, p, "mu0", np.array([0.0, 0.42]), start, eq.error[0, 0])
     assert way[:, 1] == pytest.approx(there, abs=1e-12)
     fold = float(ss.jump_value(ss.Parameters.article(theta0=math.radians(49.0))))
     with pytest.raises(ss.errors.ConvergenceError, match="followed"):

@@ -10,8 +10,12 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.bifurcation.tubes import Tubes
 from spragsym.design.jumps import have_jumped
-from tests.oracles.contact_pages import PAD, WORN
+from spragsym.design.proved_jumps import proved_jumps
+from spragsym.design.tube_certificates import Splitting
+from spragsym.statics.search import balances_of
+from tests.oracles.contact_pages import JAMMING, PAD, WORN
 from tests.oracles.user_pages import model_of
 
 pytest.importorskip("sympy")
@@ -131,6 +135,62 @@ def test_the_share_that_jumps_is_that_of_what_locks_and_touches() -> None:
     assert found.high - found.low < 0.003
     assert found.proved is not None
     assert found.proved[0] <= exact <= found.proved[1] < 0.6  # no state comes to the border there
+
+
+#: A shoe that locks: where it is pulled a little it is off the drum, or jammed on the stop.
+JAMMED = {"b": 0.6, "c": 1.0, "k": 0.2, "l": 1.0, "g": 0.1}
+PULLED = -0.001
+
+
+def jammed(mu0: Any) -> Any:
+    """Angle at which the shoe that is pulled is jammed."""
+    b, c, k, l, g = JAMMED.values()
+    return (PULLED * l + g) / (1 + k + b**2 - mu0 * b * c)
+
+
+def is_off(mu0: Any) -> Any:
+    """Whether the shoe that is pulled strains its springs less off the drum, as at the origin,
+    where the stop counts as pushed out by its play.
+    """
+    b, _, k, l, g = JAMMED.values()
+    off, on = (-g * phi + 0.5 * (1 + k + b**2) * phi**2 for phi in (PULLED * l / k, jammed(mu0)))
+    return off < on
+
+
+@pytest.mark.thorough
+def test_the_state_of_a_part_is_not_taken_for_that_of_another_combination() -> None:
+    """In the middle of the box it is jammed, which it stays when the load rises; where it is off
+    the drum it ends as it touches.
+    """
+    low = model_of(JAMMING, "jamming_shoe").Parameters(**JAMMED, mu0=1.2, P=-0.0005)
+    box = Splitting(low, low.replace(mu0=1.42, P=0.001), "P", PULLED)
+    assert box.balance.touching == "leading, trailing, stop"
+    mu0 = np.linspace(1.2, 1.42, 40)
+    off = is_off(mu0)
+    assert 5 < off.sum() < 20
+    found = proved_jumps(box, lambda pieces: pieces.volume * (pieces.top > pieces.safe), 16)
+    # Nothing is told of points whose own state is off the drum.
+    told = found.ended(low.replace(mu0=mu0, P=0.0005))
+    np.testing.assert_array_equal(told, np.where(off, np.nan, 0.0))
+    np.testing.assert_array_equal(have_jumped(low.replace(mu0=mu0, P=0.0005), "P", PULLED), off)
+
+
+def test_a_tube_is_of_the_state_that_was_given() -> None:
+    """Newton's method of one combination comes from a state of another one to a state of its own,
+    which is not the one that was given.
+    """
+    p = model_of(JAMMING, "jamming_shoe").Parameters(**JAMMED, mu0=1.3, P=PULLED)
+    balance = {one.touching: one for one in balances_of(p.model, None)}["leading, trailing, stop"]
+    fixed = np.array([[float(p[name])] for name in balance.parameters])
+    tubes = Tubes.of_points(balance, "P", fixed)
+    psi = p.F * p.l / (p.b**2 + p.mu0 * p.b * p.c)
+    off, on = (np.array([[phi], [psi], [PULLED]]) for phi in (PULLED * p.l / p.k, jammed(p.mu0)))
+    assert tubes.place(on, error=1e-14).sure.all()
+    came = tubes.place(off)
+    assert came.sure.all()
+    np.testing.assert_allclose(came.z, on, rtol=1e-13)
+    assert not tubes.place(off, error=1e-14).sure.any()
+    assert not tubes.place(on, error=0.1).sure.any()  # so little of it is known
 
 
 @pytest.mark.thorough

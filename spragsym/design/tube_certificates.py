@@ -9,6 +9,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..bifurcation.borders import PASSES
+from ..bifurcation.crossings import crossed
 from ..bifurcation.tubes import Place, Tubes
 from ..bifurcation.turning_points import passed, size_of
 from ..core.error_states import in_usual_state
@@ -227,7 +229,19 @@ class Splitting(Claim):
         return out & last.lies_in(after)
 
     def fails(self, points: FloatArray) -> BoolArray:
-        return np.asarray(self.settled(self.points(points))[0].outcome == ENDS)
+        found = self.settled(self.points(points))[0]
+        ends = np.asarray(found.outcome == ENDS)
+        begun = found.base.sure & (found.of == points[:-1]).all(axis=(0, 1))
+        rows = np.flatnonzero(begun & (found.outcome == OPEN))
+        fixed = np.repeat(self.tubes.fixed, rows.size, axis=1)
+        fixed[self.rows] = points[:, rows]
+        # Before the border of a contact, whether the state passes it or ends there.
+        tubes, start = Tubes.of_points(self.balance, self.vary, fixed), found.base[rows]
+        start, goal = replace(start, by_p=start.by_p[:, :0]), points[-1, rows]
+        for part in crossed(tubes, tubes.followed(start, goal), goal):
+            over = (part.kind != PASSES) & (part.z[-1] + part.error < goal[part.rows])
+            ends[rows[part.rows]] = over
+        return ends
 
 
 @question
@@ -326,8 +340,9 @@ def certify(
     Source: tubes around curves of states, see :mod:`spragsym.bifurcation.tubes`. A part is proved
     where the tube of all its points comes to the upper end of ``vary``; at a counterexample the
     tube of the point passes a fold below. A part that a fold crosses is halved; a box that touches
-    the border of the claim can't be decided there, and of several contacts none whose states come
-    to the border of a contact. The other claims:
+    the border of the claim can't be decided there. Where states come to the border of a contact it
+    is refuted by a point at which the state is proved to end there, and not proved where they pass.
+    The other claims:
     :mod:`spragsym.design.certificates`. Of the article's model: f, f′ and the eigenvalues of K over
     boxes, in affine arithmetic, see :mod:`spragsym.kang_nam.certificates`.
 

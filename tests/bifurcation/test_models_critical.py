@@ -65,7 +65,7 @@ def test_a_tube_holds_one_state() -> None:
     assert way[:, 1] == pytest.approx(there, abs=1e-12)
     fold = float(ss.jump_value(ss.Parameters.article(theta0=math.radians(49.0))))
     with pytest.raises(ss.errors.ConvergenceError, match="followed"):
-        carried(balance, p, "mu0", np.array([0.0, fold + 0.01]), start)
+        carried(balance, p, "mu0", np.array([0.0, fold + 0.01]), start, eq.error[0, 0])
 
 
 @pytest.mark.thorough

@@ -194,14 +194,24 @@ def test_a_tube_is_of_the_state_that_was_given() -> None:
 
 
 @pytest.mark.thorough
-def test_a_box_whose_states_come_to_no_border_is_proved() -> None:
+def test_a_box_is_proved_below_the_border_and_refuted_where_states_end_there() -> None:
+    """Where the shoe locks; where it does not its state passes, of which nothing is told."""
     given = {"b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s": 0.2, "s_0": 0.3}
-    low = shoe().Parameters(**given, mu0=1.5, P=0.01)
-    outcomes = [
-        ss.certify(low, low.replace(P=P, mu0=1.6), vary="P", begin=-0.1, max_boxes=50).outcome
-        for P in touches(given) * np.array([0.99, 1.01])
-    ]
-    assert outcomes == ["proved", "undecided"]
+    locking = locks(given) * 1.01
+
+    def outcome(mu0: float, P: float) -> Any:
+        low = shoe().Parameters(**given, mu0=mu0, P=0.01)
+        high = low.replace(P=P, mu0=mu0 * 1.01)
+        return ss.certify(low, high, vary="P", begin=-0.1, max_boxes=50)
+
+    least = touches(given)
+    assert outcome(locking, least * 0.99).outcome == "proved"
+    found = outcome(locking, least * 1.01)
+    assert found.outcome == "refuted"
+    ended = found.counterexample
+    assert (ended.P > least, ended.mu0 > locks(given)) == (True, True)
+    assert outcome(locking / 1.03, least * 1.01).outcome == "undecided"
+    assert outcome(locking, least * (1 + 1e-15)).outcome == "undecided"  # too near to tell
 
 
 @pytest.mark.parametrize(("mu0", "outcome"), [(0.3, "proved"), (1.5, "refuted")])

@@ -137,5 +137,5 @@ def test_parameters_are_prepared_as_all_anew(
     for place, part in zip(tubes.moving, [*span, v], strict=True):
         bounds.ends[:, place] = part.ends
     expected = tubes.balance.prepared(bounds).ends
-    np.testing.assert_array_equal(tubes._bounds(v).ends, expected)
+    np.testing.assert_array_equal(tubes.bounds(v).ends, expected)
     assert (expected != tubes.prepared).any()

@@ -125,7 +125,7 @@ export function createAlong(box, { field, span, states, shown, go }, coordinate)
 
   return {
     renew, draw,
-    resize: () => { plot.setSize(size()); draw(); },
-    recolour: () => { colour = colours(); plot.redraw(false); draw(); },
+    resize: () => plot.setSize(size()),
+    recolour: () => { colour = colours(); plot.redraw(false); },
   };
 }

@@ -311,7 +311,13 @@ export function start({ algebra, closed = null }) {
   });
   const redraw = () => { [plane, along, drawings, panel].forEach((part) => part?.resize()); };
   new ResizeObserver(redraw).observe($("page"));
-  whenColoursChange(() => { [plane, along, drawings, panel].forEach((part) => part?.recolour()); });
+  const recolour = () => { [plane, along, drawings, panel].forEach((part) => part?.recolour()); };
+  whenColoursChange(recolour);
+  ["beforeprint", "afterprint"].forEach((turn) => window.addEventListener(turn, () => {
+    document.documentElement.classList.toggle("printed", turn === "beforeprint");
+    recolour();
+    redraw();
+  }));
   window.addEventListener("hashchange", open);
   open();
 }

@@ -29,7 +29,7 @@ export function createPlane(box, store, axes) {
       scales: { x: { time: false, range: () => spans[0] }, y: { range: () => spans[1] } },
       axes: [axis(0, 34, { splits: (_, __, low, high) => (axes[0].angle ? ANGLES.filter((angle) => low <= angle && angle <= high) : undefined) ?? ticks(low, high) }), axis(1, 46)],
       series: [{}, { paths: () => null, points: { show: false } }],
-      hooks: { drawAxes: [shade], draw: [curves] },
+      hooks: { drawAxes: [shade], draw: [curves, () => store.get() && draw()] },
     },
     [[0, 1], [0, 1]],
     box,
@@ -226,8 +226,8 @@ export function createPlane(box, store, axes) {
     turn: (fields) => { [axes, shapes] = [fields, null]; spans = [[0, 0], [0, 0]]; },
     /** Draw what is known over the plane of the parameters `of`; null for nothing. */
     show: (found, of) => { if (of.every((name, i) => name === axes[i].name)) { shapes = found; plot.redraw(false); } },
-    resize: () => { plot.setSize(size(box)); draw(); },
-    recolour: () => { colour = colours(); plot.redraw(false); draw(); },
+    resize: () => plot.setSize(size(box)),
+    recolour: () => { colour = colours(); plot.redraw(false); },
   };
 }
 

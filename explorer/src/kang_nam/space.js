@@ -21,7 +21,7 @@ const directionOf = ({ theta0 }, [x, y]) => Math.atan2(Math.sin(theta0) - y, Mat
 /** Null where the browser has no WebGL. */
 export function createSpace(box, store) {
   const canvas = document.createElement("canvas");
-  const context = canvas.getContext("webgl2", { antialias: true, alpha: true });
+  const context = canvas.getContext("webgl2", { antialias: true, alpha: true, preserveDrawingBuffer: true });
   if (!context) {
     box.querySelector(".missing").hidden = false;
     return null;
@@ -174,8 +174,13 @@ export function createSpace(box, store) {
   function draw_soon() {
     if (!pending) {
       pending = true;
-      requestAnimationFrame((now) => { pending = false; pace(now); renderer.render(scene, camera); draw(); });
+      requestAnimationFrame((now) => { pending = false; pace(now); picture(); });
     }
+  }
+
+  function picture() {
+    renderer.render(scene, camera);
+    draw();
   }
 
   /** While the surface turns and pictures come late, as without a graphics card, it is drawn in fewer pixels; at rest in all. */
@@ -245,7 +250,7 @@ export function createSpace(box, store) {
     camera.aspect = width / height;
     camera.fov = width < 1.25 * height ? 42 : 30;
     camera.updateProjectionMatrix();
-    draw_soon();
+    picture(); // at once: the next picture may be that of a printer
   }
 
   renderer.domElement.tabIndex = 0;

@@ -314,7 +314,9 @@ export function start({ algebra, closed = null }) {
   const recolour = () => { [plane, along, drawings, panel].forEach((part) => part?.recolour()); };
   whenColoursChange(recolour);
   ["beforeprint", "afterprint"].forEach((turn) => window.addEventListener(turn, () => {
-    document.documentElement.classList.toggle("printed", turn === "beforeprint");
+    const printed = document.documentElement.classList.toggle("printed", turn === "beforeprint");
+    const { style, scrollWidth, parentNode: { clientWidth } } = $("states");
+    style.zoom = printed ? Math.min(1, clientWidth / scrollWidth) : 1; // no column is cut
     recolour();
     redraw();
   }));

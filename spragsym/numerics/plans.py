@@ -16,6 +16,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from ..core.errors import BackendError
 from . import contractors, tape
 from .interval_arrays import BoolArray, FloatArray, Intervals
 from .tape import Tape
@@ -25,6 +26,12 @@ try:
     from . import _search as compiled
 except ImportError:  # there was no compiler
     compiled = None  # type: ignore[assignment]  # a module or nothing
+else:
+    if lacking := {"plan", "kept", "tubes", "decided"} - set(dir(compiled)):
+        raise BackendError(
+            f"{compiled.__file__} was compiled from older sources and has no "
+            f"{' and no '.join(sorted(lacking))}; rebuild it: install spragsym again"
+        )
 
 #: A border of a contact: which side of it holds no state, and how far beyond it states count.
 Border: TypeAlias = tuple[int, float]

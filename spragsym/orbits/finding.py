@@ -510,7 +510,12 @@ def _of_the_motion(
         if not AROUND * scale < width < scale:
             break
     if not width <= 1e-7 * scale:
-        raise ConvergenceError("the motion's own Hopf point was not found beside the onset")
+        vary = model.parameters[place]
+        raise ConvergenceError(
+            "no Hopf point of the motion, which takes friction at its own speed, was found beside "
+            f"the onset at {vary} = {given[place]:.6g}: see the labels H of "
+            f"ss.diagram(p, {vary!r}, between=...)"
+        )
     there = given.copy()
     *q, there[place] = units * found
     return there, np.array(q), 4 * max(width, AROUND * scale) * units

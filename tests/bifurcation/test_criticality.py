@@ -258,3 +258,19 @@ def test_the_page_on_onsets() -> None:
 def test_the_command_of_the_page_on_onsets(tmp_path: Path) -> None:
     for command, output in commands(DOCS / "onsets.md"):
         assert_shown(output, run(command, tmp_path))
+
+
+@pytest.mark.thorough
+def test_an_onset_without_one_of_the_motion_names_where_that_is() -> None:
+    """Statics takes the friction of fast sliding; at V d = 0.2 the motion has tanh 0.2 of it, and
+    its Hopf point lies farther away by as much, but for the slope of the law, which damps.
+    """
+    stiffnesses = {"kappa": 5.3e-4, "alpha": 0.9, "sigma": 0.2, "beta": 0.0}
+    dampers = {"zeta_x": 0.01, "zeta_y": 0.01, "zeta_s": 0.0}
+    p = ss.load("damped").Parameters(theta0=2.27, V=0.002, d=100.0, **stiffnesses, **dampers)
+    onsets = ss.flutter_onsets(p, vary="mu0")
+    with pytest.raises(ss.errors.ConvergenceError, match=r"labels H of ss.diagram\(p, 'mu0'"):
+        ss.cycle(onset=onsets)
+    found = ss.diagram(p, "mu0", between={"mu0": (0.05, 3.0)})
+    (label,) = (one for one in found.labels if one.label == "H")
+    assert label.value == pytest.approx(float(onsets.mu0[0]) / np.tanh(0.2), rel=0.01)

@@ -386,3 +386,34 @@ def test_words_and_rates_are_those_of_python(explorer: Explorer) -> None:
             assert float(written) == pytest.approx(float(eq.growth[slot]), rel=0.05)
             rows += 1
     assert rows == len(said) == 4
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("width", [390, 1300])
+def test_what_is_printed_stands_in_its_box(explorer: Explorer, width: int) -> None:
+    """Drawings, their glass and the table within the paper's width, before it is taken."""
+    page = explorer.page
+    page.set_viewport_size({"width": width, "height": 1000})
+    explorer.settle()
+    size = "[document.querySelector('#plane .uplot')].map(o => [o.clientWidth, o.clientHeight])"
+    on_screen = page.evaluate(size)
+    outside = page.evaluate("""async () => {
+        dispatchEvent(new Event("beforeprint"));
+        await null;
+        const box = (element) => element.getBoundingClientRect();
+        const within = (inner, outer) => inner.left >= outer.left - 1 && inner.right <= outer.right + 1
+            && inner.top >= outer.top - 1 && inner.bottom <= outer.bottom + 1;
+        const drawn = [...document.querySelectorAll(".uplot, #states")];
+        const glass = [...document.querySelectorAll(".u-over > .overlay")];
+        return [drawn.length, glass.length,
+            ...drawn.filter((one) => !within(box(one), box(one.parentNode))).map((one) => one.parentNode.id),
+            ...glass.filter((one) => Math.abs(one.width - box(one).width) > 1).map(() => "glass")];
+    }""")
+    columns = page.evaluate(
+        "new Set([...document.querySelectorAll('section')].map(s => s.getBoundingClientRect().left)).size"
+    )
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    explorer.settle()
+    assert outside == [6, 2]
+    assert columns == 1
+    assert page.evaluate(size) == on_screen

@@ -2,7 +2,7 @@
 
 import {
   AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Line, LineBasicMaterial,
-  Mesh, MeshLambertMaterial, PerspectiveCamera, Plane, Scene, Sprite, SpriteMaterial, CanvasTexture, Vector3, WebGLRenderer,
+  Mesh, MeshLambertMaterial, PerspectiveCamera, Plane, Scene, Sprite, SpriteMaterial, SRGBColorSpace, CanvasTexture, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { colours } from "../colours.js";
@@ -154,7 +154,7 @@ export function createSpace(box, store) {
     const canvas = document.createElement("canvas");
     [canvas.width, canvas.height] = [256, 64];
     const ctx = canvas.getContext("2d");
-    ctx.font = "36px system-ui, sans-serif";
+    ctx.font = "600 44px system-ui, sans-serif";
     ctx.textAlign = "center";
     ctx.textBaseline = "middle";
     ctx.strokeStyle = colour.panel;
@@ -163,7 +163,7 @@ export function createSpace(box, store) {
     ctx.strokeText(text, 128, 32); // a rim: read on the surface too
     ctx.fillStyle = colour.ink;
     ctx.fillText(text, 128, 32);
-    const sprite = new Sprite(new SpriteMaterial({ map: new CanvasTexture(canvas), depthTest: false }));
+    const sprite = new Sprite(new SpriteMaterial({ map: Object.assign(new CanvasTexture(canvas), { colorSpace: SRGBColorSpace }), depthTest: false }));
     sprite.scale.set(0.72, 0.18, 1);
     sprite.position.copy(place);
     sprite.renderOrder = 1;

@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import IntEnum
 from functools import partial
 from pathlib import Path
@@ -35,6 +35,7 @@ from ..results.result import Result
 from .attractors import settled
 from .exponents import rates_along
 from .finding import cycle_near, stands_still
+from .holding import held_in_every_phase
 from .orbit import NEUTRAL, distance
 from .system import JUDGED, FateVerdict, System, judged, spectrum
 
@@ -113,7 +114,8 @@ def fate(
     An equilibrium or a cycle is found by Newton's method, and its eigenvalues or multipliers
     decide. Where none is found, the motion is chaotic if the 95 % intervals of its Lyapunov
     exponents say so: one is positive, every other one but the trivial one is told from 0, and the
-    motion has settled. Else it is undecided.
+    motion has settled. Else it is undecided. Under a clock a motion rests where friction is proved
+    to hold it, on belts that stand still, in every phase.
 
     Parameters
     ----------
@@ -195,6 +197,12 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
                 scale,
                 verdict.end,
             )
+    if (
+        verdict.kind == Regime.UNSETTLED
+        and system.field.clock
+        and held_in_every_phase(system, verdict.end)
+    ):
+        return _held(system, verdict)
     rates = rates_along(system, verdict.end, SHARES[0] * t_end, scales)
     if (
         rates.undecided(t_end) and (rates.exponents[1:] > rates.error[1:]).any()
@@ -225,6 +233,32 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
     t = verdict.t + rates.span
     return Fate(
         kind, told, t, verdict.outcome, exponents, error, rates.trivial, scale, near, rates.end
+    )
+
+
+def _held(system: System, verdict: FateVerdict) -> Fate:
+    """The fate of a motion that friction holds for good: nothing decays along the coordinates and
+    the phase, and sticking ends what else deviates.
+    """
+    n, size = len(system.field.coordinates), system.field.deviations
+    rest = tuple(verdict.end[: n - 1].tolist())
+    outcome = Outcome(Regime.EQUILIBRIUM, rest=rest, distance=0.0, names=system.field.components)
+    why = (
+        f"it comes to {replace(verdict, outcome=outcome).described()}, where friction holds it in "
+        "every phase of the clock"
+    )
+    exponents = np.where(np.arange(size) < n, 0.0, -np.inf)
+    return Fate(
+        "rest",
+        why,
+        verdict.t,
+        outcome,
+        exponents,
+        np.zeros(size),
+        0,
+        float("inf"),
+        "",
+        verdict.end,
     )
 
 

@@ -174,6 +174,43 @@ def test_fates_over_the_frequency_begin_at_any_phase() -> None:
         ss.fate(p.replace(omega=0.7), start=(0.3, 0.0, 0.1, 0.9))
 
 
+def test_what_friction_holds_in_every_phase_rests_for_good() -> None:
+    """P cos φ − k x is all that friction holds: it needs |x| + 1 of μ f."""
+    model, rng = model_of(FRICTION, "forced"), np.random.default_rng(79)
+    for share in (0.9, 0.999, 1.001, 1.1) * 3:
+        x, omega, mu = rng.uniform(-2, 2), rng.uniform(0.3, 3), rng.uniform(0.2, 0.8)
+        p = model.Parameters(omega=omega, mu=mu, f=share * (abs(x) + 1) / mu)
+        # Pulled as far as it can be the other way, it sticks at first.
+        start = (x, np.pi * (x < 0), 0.0) if share > 1 else (x, 0.5, 0.0)
+        found = ss.fate(p, start=start, t_end=50.0)
+        if share > 1:
+            assert (found.kind, found.trivial) == ("rest", 0)
+            np.testing.assert_allclose(found.outcome.rest, x, atol=1e-10)
+            assert found.exponents.tolist() == [0.0, 0.0, -np.inf]
+        elif found.kind == "rest":  # it may have slid to where it is held
+            (there,) = found.outcome.rest
+            assert abs(there) + 1 < p.mu * p.f
+    far = model.Parameters(f=5000.0, omega=3.0)  # units of 4096
+    assert ss.fate(far, start=(1000.0, 0.0), t_end=50.0).kind == "rest"
+
+
+def test_a_belt_that_moves_or_a_normal_force_that_gives_way_leaves_nothing_at_rest() -> None:
+    """The needed share, (|x| + cos φ) over μ f (1 − cos φ / 2), is largest where φ is 0."""
+    page = replaced(
+        FRICTION,
+        ("page.normal_force(f)", "page.normal_force(f * (1 - cos(phase) / 2))"),
+        ("page.friction(x, 0,", "page.friction(x, V,"),
+        ("f = page", 'V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.0)\nf = page'),
+    )
+    model, x = model_of(page, "given_way"), -0.2
+    for share, V in ((1.01, 0.0), (0.99, 0.0), (1.01, 1e-3), (1.01, 1e-13)):
+        p = model.Parameters(f=share * 2 * (1 - x) / 0.4, mu=0.4, V=V)
+        found = ss.fate(p, start=(x, 2.0, V), t_end=2.0)
+        assert (found.kind == "rest") == (share > 1 and V == 0)
+    short = ss.fate(model_of(DUFFING, "duffing").Parameters(), start=(3.0, 0.0), t_end=2.0)
+    assert short.kind == "undecided"  # nothing could hold it
+
+
 @pytest.mark.thorough
 def test_basins_of_duffing_are_those_of_motions_by_scipy() -> None:
     """Between its folds it swings far or little, by where it begins."""

@@ -114,8 +114,8 @@ def fate(
     An equilibrium or a cycle is found by Newton's method, and its eigenvalues or multipliers
     decide. Where none is found, the motion is chaotic if the 95 % intervals of its Lyapunov
     exponents say so: one is positive, every other one but the trivial one is told from 0, and the
-    motion has settled. Else it is undecided. Under a clock a motion rests where friction is proved
-    to hold it, on belts that stand still, in every phase.
+    motion has settled. Else it is undecided. Under a clock a motion rests where friction, by
+    forces enclosed over a turn of it, holds what moves, on belts that stand still.
 
     Parameters
     ----------

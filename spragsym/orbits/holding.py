@@ -1,4 +1,4 @@
-"""Rest under a clock, proved: friction holds a state in every phase, by interval arithmetic."""
+"""Rest under a clock: friction holds a state in every phase, by forces enclosed over a turn."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class _Enclosed(Intervals):
 
 
 def held_in_every_phase(system: System, state: FloatArray) -> bool:
-    """Whether friction is proved to hold all coordinates but the clock's about a state, on belts
+    """Whether friction holds all coordinates but the clock's about a state, on belts
     that stand still, in every phase; other contacts then keep their modes.
     """
     field, units, constants = system.field, system.scales(state).states, system.constants

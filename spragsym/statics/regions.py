@@ -348,6 +348,9 @@ class _Pressed:
 
     __rmul__ = __mul__
 
+    def __neg__(self) -> int:
+        return -1  # as of −pushing · gap, which is the depth where it presses
+
     def __rsub__(self, one: int) -> _Nothing:
         return _Nothing()
 

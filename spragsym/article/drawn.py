@@ -1,5 +1,5 @@
-"""Names of the article's figures that are drawn, and of some that it lacks, which a command knows
-before what draws them is loaded.
+"""Names of the article's figures that are drawn, and of some that it lacks, and formats of files,
+which a command knows before what draws them is loaded.
 """
 
 DRAWN = (
@@ -11,3 +11,5 @@ DRAWN = (
     "rms-map",
     "sensitivity",
 )
+
+FORMATS = ("pdf", "png", "svg")

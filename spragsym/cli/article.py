@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 
 import click
 
-from ..article.drawn import DRAWN
+from ..article.drawn import DRAWN, FORMATS
 from ..core.errors import ParameterError, one_of
 from ..core.progress import advance, show_progress
 from ..core.type_variables import T
@@ -361,7 +361,7 @@ def _names(_: click.Context, option: click.Parameter, given: tuple[str, ...]) ->
 
 def _kinds(_: click.Context, option: click.Parameter, given: str) -> list[str]:
     """Formats of figures."""
-    return _known([given], ("pdf", "png", "svg"), option.opts[0])
+    return _known([given], FORMATS, option.opts[0])
 
 
 @o.command()

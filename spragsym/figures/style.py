@@ -22,6 +22,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import AutoLocator, FixedLocator
 from numpy.typing import ArrayLike, NDArray
 
+from ..article import drawn
 from ..article.assumed import ARTICLE
 from ..display import Column
 from ..files.storage import put
@@ -349,11 +350,17 @@ def window(
 
 
 #: Format → metadata that leaves out the date and the version of what drew it.
-FORMATS: dict[str, dict[str, Any]] = {
-    "pdf": {"CreationDate": None, "Producer": None, "Creator": None},
-    "png": {"Software": None},
-    "svg": {"Date": None, "Creator": None},
-}
+FORMATS: dict[str, dict[str, Any]] = dict(
+    zip(
+        drawn.FORMATS,
+        (
+            {"CreationDate": None, "Producer": None, "Creator": None},
+            {"Software": None},
+            {"Date": None, "Creator": None},
+        ),
+        strict=True,
+    )
+)
 
 
 @styled

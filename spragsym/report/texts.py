@@ -291,7 +291,7 @@ def _jump(report: Facts) -> Rows:
     never = "never" if math.isinf(study.upper_limit) else f"at no {study.search_range}"
     own = "" if report.mu0_jump == report.mu_jump else f", {load.quantity} = {report.mu0_jump:.6g}"
     at = "at this angle" if load.is_friction else f"as {load.word} rises"
-    end = _none_of(report.kind_jump)
+    end = _without_jump(report.kind_jump)
     yield (
         f"jump {at}",
         _or_unknown(
@@ -318,7 +318,7 @@ def _jump(report: Facts) -> Rows:
             "jump at this friction",
             _or_unknown(
                 report.theta0_jump_deg,
-                f"{_none_of(report.kind_theta0_jump)}at {{:.6g}} deg".format,
+                f"{_without_jump(report.kind_theta0_jump)}at {{:.6g}} deg".format,
                 "never",
             ),
         )
@@ -348,7 +348,7 @@ def _jump(report: Facts) -> Rows:
         )
 
 
-def _none_of(kind: str) -> str:
+def _without_jump(kind: str) -> str:
     """Words before the value at which a state ends without a jump."""
     way = _ends(kind)
     return "" if way == "jumps" else f"none: it {way} "

@@ -13,26 +13,13 @@ from spragsym.core.errors import ConvergenceError, ParameterError
 from spragsym.report import over
 from spragsym.report.over import verdicts_over
 from tests.conftest import Run
+from tests.oracles.mistakes import BRAKE
 from tests.support import written_brake
-
-ROWS = {
-    "m": "0.35 kg",
-    "k": "180 N/mm",
-    "L_0": "38 mm",
-    "theta0": "52 deg",
-    "k_x": "9 N/mm",
-    "k_y": "0 N/mm",
-    "k_c": "1500 N/mm",
-    "F_L": "420 N",
-    "mu0": "[0.3, 0.6]",
-    "V": "1.2 m/s",
-    "d": "10 s/m",
-}
 
 
 @pytest.fixture(scope="module")
 def study(tmp_path_factory: pytest.TempPathFactory) -> ss.Study:
-    return ss.Study.from_file(written_brake(tmp_path_factory.mktemp("over"), ROWS))
+    return ss.Study.from_file(written_brake(tmp_path_factory.mktemp("over"), BRAKE))
 
 
 def test_a_verdict_is_that_of_the_brake_with_the_value(study: ss.Study) -> None:
@@ -52,7 +39,7 @@ def test_a_verdict_is_that_of_the_brake_with_the_value(study: ss.Study) -> None:
 
 def test_a_damping_ratio_holds_over_a_stiffness_and_a_mass(tmp_path: Path) -> None:
     """The dampers of each point are those of a file with its values."""
-    rows = {**ROWS, "damping_ratio": "2 %"}
+    rows = {**BRAKE, "damping_ratio": "2 %"}
     study = ss.Study.from_file(written_brake(tmp_path, rows))
     there = {**rows, "k": "400 N/mm", "m": "0.2 kg"}
     other = ss.Study.from_file(written_brake(tmp_path, there))
@@ -117,7 +104,7 @@ def test_a_value_that_is_none_is_refused_before_anything_is_asked(study: ss.Stud
 
 def test_the_command_writes_table_and_picture(run: Run, tmp_path: Path) -> None:
     table, picture = tmp_path / "o.csv", tmp_path / "o.svg"
-    asked = ["report", str(written_brake(tmp_path, ROWS)), "--over", "theta0=30:60:2"]
+    asked = ["report", str(written_brake(tmp_path, BRAKE)), "--over", "theta0=30:60:2"]
     told = run(*asked, "--csv", str(table), "--plot", str(picture))
     assert "does not jump" in told
     assert table.read_text(encoding="utf-8").count("\n") == 3

@@ -105,14 +105,22 @@ PART void sum(const slot *restrict a, const slot *restrict b, slot *restrict to,
     }
 }
 
+/* Largest of numbers none of which is NaN. */
+PART double larger(double a, double b) { return b > a ? b : a; }
+
+/* The hull of the four products or quotients of ends: unknown where one of them is. */
+PART void hull(double same_0, double same_1, double cross_0, double cross_1, slot *restrict to, int i) {
+    const int unknown = isunordered(same_0, same_1) | isunordered(cross_0, cross_1);
+    const double low = raised(larger(larger(cross_0, cross_1), larger(-same_0, -same_1)), 1.0);
+    const double high = raised(larger(larger(same_0, same_1), larger(-cross_0, -cross_1)), 1.0);
+    to->ends[0][i] = unknown ? NAN : low;
+    to->ends[1][i] = unknown ? NAN : high;
+}
+
 PART void product(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
-        const double same_0 = a->ends[0][i] * b->ends[0][i];
-        const double same_1 = a->ends[1][i] * b->ends[1][i];
-        const double cross_0 = a->ends[0][i] * b->ends[1][i];
-        const double cross_1 = a->ends[1][i] * b->ends[0][i];
-        to->ends[0][i] = raised(most(most(cross_0, cross_1), -least(same_0, same_1)), 1.0);
-        to->ends[1][i] = raised(most(most(same_0, same_1), -least(cross_0, cross_1)), 1.0);
+        hull(a->ends[0][i] * b->ends[0][i], a->ends[1][i] * b->ends[1][i],
+            a->ends[0][i] * b->ends[1][i], a->ends[1][i] * b->ends[0][i], to, i);
     }
 }
 
@@ -158,12 +166,8 @@ PART void quotient(const slot *restrict a, const slot *restrict b, slot *restric
         zeros |= !(b->ends[0][i] < 0.0 || b->ends[1][i] < 0.0);
     }
     for (int i = 0; i < n; i++) {
-        const double same_0 = a->ends[0][i] / b->ends[0][i];
-        const double same_1 = a->ends[1][i] / b->ends[1][i];
-        const double cross_0 = a->ends[0][i] / b->ends[1][i];
-        const double cross_1 = a->ends[1][i] / b->ends[0][i];
-        to->ends[0][i] = raised(most(most(cross_0, cross_1), -least(same_0, same_1)), 1.0);
-        to->ends[1][i] = raised(most(most(same_0, same_1), -least(cross_0, cross_1)), 1.0);
+        hull(a->ends[0][i] / b->ends[0][i], a->ends[1][i] / b->ends[1][i],
+            a->ends[0][i] / b->ends[1][i], a->ends[1][i] / b->ends[0][i], to, i);
     }
     for (int i = 0; zeros && i < n; i++) {
         if (!(b->ends[0][i] < 0.0 || b->ends[1][i] < 0.0)) {

@@ -19,7 +19,7 @@
 
 /* For processors with wider registers too: the same operations, none contracted. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__)
-#define WIDER __attribute__((target_clones("avx2", "default")))
+#define WIDER __attribute__((target_clones("avx512f", "avx2", "default")))
 #define PART static inline __attribute__((always_inline))
 #else
 #define WIDER
@@ -30,13 +30,13 @@
 #define TINY 0x1p-1000
 
 PART double least(double a, double b) {
-    const double known = a <= b ? a : b;
-    return a != a ? a : known;
+    const double known = b < a ? b : a;
+    return b != b ? b : known;
 }
 
 PART double most(double a, double b) {
-    const double known = a >= b ? a : b;
-    return a != a ? a : known;
+    const double known = b > a ? b : a;
+    return b != b ? b : known;
 }
 
 PART double raised(double end, double ulps) {

@@ -265,11 +265,16 @@ def shared(system: Augmented, left: FloatArray) -> BoolArray:
         return out
     wide = left + (0.25 * width_of(left) + 1e-11 * scale_of(left).max(axis=0))
     with quiet():
-        alone = _one_root(system, system.fixed(out.size), wide)
         for end in system.family.spans[0]:
-            here = (-left[0, -1] <= end) & (end <= left[1, -1])
-            states = _one_root(system.balance, _at_end(system, end, out.size), wide[:, :-1])
-            out |= here & alone & states & vanishes(system, end, wide)
+            here = np.flatnonzero((-left[0, -1] <= end) & (end <= left[1, -1]))
+            if not here.size:
+                continue
+            some, parameters = wide[:, :, here], _at_end(system, end, here.size)
+            out[here] |= (
+                _one_root(system, system.fixed(here.size), some)
+                & _one_root(system.balance, parameters, some[:, :-1])
+                & vanishes(system, end, some)
+            )
     return out
 
 

@@ -9,6 +9,8 @@ import pytest
 from scipy import optimize
 
 import spragsym as ss
+from spragsym.bifurcation import bifurcation_sets
+from spragsym.bifurcation.points import search
 from spragsym.statics.balance import Balance
 from spragsym.statics.stability import linearization
 from tests.oracles.hopf_points import accelerations
@@ -246,3 +248,32 @@ def falling() -> Any:
         ("page.friction(", "page.damper(c_x, along=x)\npage.friction("),
     )
     return model_of(shipped_page("stribeck", *more), "falling")
+
+
+@pytest.mark.thorough
+def test_lines_that_nothing_is_decided_on_get_fewer_boxes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without a root or a decision on lines in the midst, and without an asked budget: what is left
+    is said, and covers every line.
+    """
+    budgets = []
+
+    def noted(lines: Any, condition: Any, budget: int) -> Any:
+        budgets.append((lines.given.shape[1] > 1, budget))
+        return search(lines, condition, budget)
+
+    monkeypatch.setattr(bifurcation_sets, "search", noted)
+    p = ss.load("pad_on_disc").Parameters()
+    found = ss.onset_curves(p, n=4)
+    assert {budget for many, budget in budgets if many} == {2_000}
+    assert not found.complete
+    assert not found.curves
+    for number, name in enumerate(found.vary, len(p.model.coordinates)):
+        low, high = found.undecided[:, number].T
+        assert all(((low <= line) & (line <= high)).any() for line in found.lines[name])
+    for name, options, budget in (
+        ("pad_on_disc", ss.ContinuationOptions(search=ss.SearchOptions(budget=300)), 300),
+        ("cubic_contact", None, 20_000),
+    ):
+        budgets.clear()
+        ss.onset_curves(ss.load(name).Parameters(), n=3, options=options)
+        assert {each for _, each in budgets} == {budget}

@@ -183,10 +183,19 @@ def _sides(contact: NormalForce) -> str:
     return f"1 in contact, 0 in lift-off{on(contact)}"
 
 
+def _comes_around(model: Mechanics, place: int, turns: Mapping[int, int]) -> dict[str, Any]:
+    """That an angle makes a turn after which all is as before: alone, or with the turns of others,
+    by their names.
+    """
+    others = {str(model.coordinates[k]): count for k, count in turns.items() if k != place}
+    return {"comes_around": others or True} if turns else {}
+
+
 def description(model: PageModel) -> dict[str, Any]:
     """``model.json`` without the digests of the files."""
     it = model.mechanics
     mirror = symmetry.mirror(it)
+    turns = symmetry.whole_turns(it)
     of_statics = {
         str(symbol)
         for symbol in (
@@ -214,7 +223,7 @@ def description(model: PageModel) -> dict[str, Any]:
                 "rate_scale": _scale(
                     model.page, units.times(units.read(entry.unit), units.TIME, -1)
                 ),
-                **({"comes_around": True} if symmetry.comes_around(it, place) else {}),
+                **_comes_around(it, place, turns.get(place, {})),
             }
             for place, entry in enumerate(model.page.coordinates)
         ],

@@ -159,7 +159,7 @@ def check_forces(model: Mechanics) -> None:
             "motion can't be solved for q″; give every combination of rates a mass",
         )
     _check_inertia(model)
-    if model.page.timer and not symmetry.comes_around(model, len(model.coordinates) - 1):
+    if model.page.timer and not symmetry.is_as_before(model, {len(model.coordinates) - 1: 1}):
         raise PageError(
             model.page.timer.line,
             f"not all is as before after a turn of {model.clock}; let it stand in cos and sin of "

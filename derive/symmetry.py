@@ -1,4 +1,4 @@
-"""Symmetries of a model: its mirror, and angles after a turn of which everything is as before.
+"""Symmetries of a model: its mirror, and turns of angles after which everything is as before.
 
 The mirror of a model: coordinates whose reflection in a centre reflects all forces too, where
 certain parameters are 0.
@@ -18,13 +18,32 @@ from .algebra import Symbols
 from .mechanics import Line, Mechanics, number
 
 
-def comes_around(model: Mechanics, place: int) -> bool:
-    """Whether a coordinate is an angle after a turn of which all forces, lines and the gap are as
-    before.
+def whole_turns(model: Mechanics) -> dict[int, dict[int, int]]:
+    """Turns after which all forces, lines and gaps are as before: by the place of an angle that
+    makes one, the turns of each angle that moves, its own among them.
+
+    Most angles turn alone. Links that are tied to each other turn together: where a spring holds
+    the angle between two of them, both have to. No turn moves the angle of another one, and none
+    moves an angle more than twice.
     """
-    if model.page.coordinates[place].unit != "rad":
-        return False
-    symbol = model.coordinates[place]
+    angles = [k for k, entry in enumerate(model.page.coordinates) if entry.unit == "rad"]
+    found: dict[int, dict[int, int]] = {k: {k: 1} for k in angles if is_as_before(model, {k: 1})}
+    for place in angles:
+        others = [k for k in angles if k not in found and k != place]
+        counts = itertools.product(range(-2, 3), repeat=len(others)) if place not in found else ()
+        for count in sorted(counts, key=lambda count: sum(map(abs, count))):
+            turns = {place: 1} | {k: n for k, n in zip(others, count, strict=True) if n}
+            if len(turns) > 1 and is_as_before(model, turns):
+                found[place] = dict(sorted(turns.items()))
+                break
+    return found
+
+
+def is_as_before(model: Mechanics, turns: Mapping[int, int]) -> bool:
+    """Whether all forces, lines and gaps are as before after so many turns of some coordinates, by
+    their places.
+    """
+    moved = {model.coordinates[k]: model.coordinates[k] + 2 * sp.pi * n for k, n in turns.items()}
     parts = [
         *model.residuals,
         *(part for line in model.lines for part in (line.dx, line.dy)),
@@ -35,7 +54,7 @@ def comes_around(model: Mechanics, place: int) -> bool:
         *(contact.push for contact in model.contacts),
         *model.resistance,
     ]
-    return all(sp.expand(part.subs(symbol, symbol + 2 * sp.pi) - part) == 0 for part in parts)
+    return all(sp.expand(part.subs(moved, simultaneous=True) - part) == 0 for part in parts)
 
 
 @dataclass(frozen=True)

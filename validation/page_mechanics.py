@@ -588,32 +588,26 @@ def _missed(
         good &= (gap < -1e-7) if contact else (gap > 1e-7)
     wrong: list[str] = []
     seen: list[Any] = []
-    angles = np.array([unit == "rad" for _, unit in page.coordinates])
-    around = (
-        np.array(
-            [
-                bool(entry.get("comes_around"))
-                for entry in found.parameters.model.about["coordinates"]
-            ]
-        )
-        if hasattr(found, "model")
-        else angles
-    )
+    around = found.parameters.model.whole_turns
+
+    def less_turns(off: Any) -> Any:
+        """Rows of places or differences, less whole turns."""
+        for angle, moved in around.items():
+            whole = 2 * np.pi * np.round(off[..., angle, None] / (2 * np.pi))
+            off = off - whole * [moved.get(k, 0) for k in range(n)]
+        return off
+
     region = np.array(found.region, dtype=float)
     for q in place[:, good].T:
-        turned = np.where(around, (q + np.pi) % (2 * np.pi) - np.pi, q)
+        turned = less_turns(q)
         if any(np.abs(turned - one).max() < 1e-5 for one in seen):
             continue
         seen.append(turned)
-        apart = listed - turned
-        apart = (
-            np.where(around, (apart + np.pi) % (2 * np.pi) - np.pi, apart) if len(listed) else apart
-        )
+        apart = less_turns(listed - turned) if len(listed) else listed
         if len(listed) and (np.abs(apart).max(axis=1) < 1e-5 * (1 + np.abs(turned).max())).any():
             continue
-        turns = turned + np.where(around, 2 * np.pi * np.arange(-1, 2)[:, None], 0.0)
         if any(
-            ((turns >= low - 1e-6) & (turns <= high + 1e-6)).any(axis=0).all()
+            (np.abs(less_turns(turned - (low + high) / 2)) <= (high - low) / 2 + 1e-6).all()
             for low, high in boxes
         ):
             continue

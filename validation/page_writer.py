@@ -244,6 +244,13 @@ class _Writer:
     def hold_angle(self, name: str, place: int) -> None:
         page = self.page
         strength = self.parameter(f"k_{place}", "N/m", "> 0", 0.1, 2.0)
+        others = [other for other, unit in page.coordinates if unit == "rad" and other != name]
+        if others and self.chance(0.4):
+            # A joint between two links, which turn together.
+            rest = self.parameter(f"rest_{place}", "rad", "(-pi, pi)", 0.1, 1.0)
+            joint = f"{name} - {others[0]} - {rest}"
+            page.potentials.append(f"{strength} * L_0**2 * ({joint})**2 / 2")
+            return
         match int(self.rng.integers(3)):
             case 0:
                 rest = self.parameter(f"rest_{place}", "rad", "(-pi, pi)", 0.1, 1.0)

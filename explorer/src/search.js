@@ -99,9 +99,16 @@ export function belongs(balance, about, q, contact) {
   return contact ? gap <= 0 : gap > 0;
 }
 
-/** A place with the angles that come around in their first turn. */
+/** A place less whole turns: each angle that comes around in its first turn, with those that turn with it. */
 function once({ coordinates }, q) {
-  return q && q.map((value, k) => (coordinates[k].turns ? value - 2 * Math.PI * Math.round(value / (2 * Math.PI)) : value));
+  const place = q && [...q];
+  for (const [k, { turns }] of place ? coordinates.entries() : []) {
+    const whole = 2 * Math.PI * Math.round(place[k] / (2 * Math.PI));
+    for (const [other, count] of Object.entries(turns)) {
+      place[other] -= count * whole;
+    }
+  }
+  return place;
 }
 
 /** One state with its kind, which a proof may have told. */

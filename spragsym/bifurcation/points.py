@@ -377,7 +377,7 @@ def escapes(family: Family) -> Points:
     balance, system, fixed = family.balance, _AtInfinity(family), family.begin
     # A box that holds the unit sphere.
     n, sides = balance.n, np.full((2, balance.n, 1), 1.0 + 2.0**-6)
-    sides[:, balance.periodic] = TURN
+    sides[:, list(balance.periodic)] = TURN
     found, side = Roots.none(system.n), np.empty(0, dtype=np.int64)
     with suppress(NoChart), quiet():
         found = certified_roots.search(
@@ -387,7 +387,7 @@ def escapes(family: Family) -> Points:
     z = found.middle
     # Coordinates with next to no part in the direction stay finite.
     away = np.where(np.abs(z[:n]) < 1e-6, np.nan, np.copysign(np.inf, z[:n]))
-    away[balance.periodic] = np.nan
+    away[list(balance.periodic)] = np.nan
     kind = np.select([side > 0, side < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
     columns = family.named(np.concatenate([away, z[n:]])) | which(balance, kind.size)
     return Points(

@@ -238,16 +238,17 @@ def _derived(model: Model) -> str:
 def described(model: Model, points: Sequence[Mapping[str, float]]) -> dict[str, Any]:
     """Names, ranges, sliders that reach some points, and what its functions take."""
     about, contact, friction = model.about, model.contact, model.friction_law
+    turns = model.whole_turns
     return {
         "name": model.name,
         "quoted": shlex.quote(model.where),
         "coordinates": [
             {
                 "name": one["name"],
-                "turns": bool(one.get("comes_around")),
+                "turns": turns.get(place, {}),
                 "angle": one["unit"] == "rad",
             }
-            for one in about["coordinates"]
+            for place, one in enumerate(about["coordinates"])
         ],
         "parameters": [
             {key: entry[key] for key in ("name", "meaning", "role")}

@@ -13,7 +13,7 @@ import inspect
 import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache, cached_property, partial
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -21,8 +21,10 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from ..core.errors import ConvergenceError, ParameterError
+from ..core.remarks import At, Remark
 from ..display import Column
 from ..numerics.arithmetic import Number
+from ..numerics.vectors import WholeTurns, in_one_turn
 from . import forces
 from .parameters import FloatArray
 
@@ -163,8 +165,9 @@ class Field:
         contacts, any of which may be open at rest, of all.
     nonlinear_levels : bool
         Whether a level is no linear function of the state.
-    periodic : tuple of int
-        Places of coordinates that are angles after a turn of which all is as before.
+    periodic : mapping of int to mapping of int to int
+        Turns after which all is as before: by the place of an angle that makes one, the turns of
+        each that moves with it.
     model : Model or None
         Whose motion it is; None of one that is of no page.
     airborne : callable or None
@@ -201,7 +204,7 @@ class Field:
     torsion_sides: int = 0
     faces: tuple[int, ...] = ()
     nonlinear_levels: bool = False
-    periodic: tuple[int, ...] = ()
+    periodic: WholeTurns = field(default_factory=dict, hash=False)
     model: Any = None
     airborne: Callable[[Values, FloatArray], bool] | None = None
     units: tuple[str, ...] = ()
@@ -249,6 +252,15 @@ class Field:
     def column(self, name: str) -> Column:
         """The column of a parameter or a coordinate; without a model a plain number."""
         return Column(name) if self.model is None else self.model.column(name)
+
+    def place(self, state: Sequence[float] | FloatArray, digits: str) -> Remark:
+        """The coordinates of a state less whole turns, in words."""
+        values = in_one_turn(state, self.periodic)
+        parts = [
+            At(name, (float(value),), digits, " rad" * self.column(name).is_angle)
+            for name, value in zip(self.coordinates, values, strict=False)
+        ]
+        return Remark(", ".join(["{}"] * len(parts)), *parts)
 
     @property
     def size(self) -> int:
@@ -316,11 +328,7 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
         else tuple(k for k, entry in enumerate(motion.contacts) if entry["border"]),
         forces=tuple(forces.forces_of(model).items()),
         nonlinear_levels=model.about.get("curved", False),
-        periodic=tuple(
-            place
-            for place, entry in enumerate(model.about["coordinates"])
-            if entry.get("comes_around")
-        ),
+        periodic=model.whole_turns,
         model=model,
         airborne=model.closed_form("airborne"),
         units=tuple(entry["unit"] for entry in model.about["coordinates"]),

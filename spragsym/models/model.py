@@ -19,6 +19,7 @@ import numpy as np
 from ..core.errors import ModelError, ParameterError
 from ..core.questions import FORCED, PARTS_OF_SEVERAL, SEVERAL
 from ..display import Column, aligned
+from ..numerics.vectors import WholeTurns
 from . import forces
 from .field import REACH, Field, field_of
 from .parameters import ANGLE, FINITE, FloatArray, ParameterSet, Range, as_numbers
@@ -178,6 +179,17 @@ class Model:
     def clock(self) -> str:
         """The coordinate that is the phase of a clock, the last; empty where the page has none."""
         return self.coordinates[-1] if hasattr(self.algebra, "clock") else ""
+
+    @cached_property
+    def whole_turns(self) -> WholeTurns:
+        """Turns of angles after which all is as before, by the place of the one that makes one."""
+        found = {}
+        for place, entry in enumerate(self.about["coordinates"]):
+            if moved := entry.get("comes_around"):
+                others = {} if moved is True else moved
+                counts = {self.coordinates.index(name): count for name, count in others.items()}
+                found[place] = {place: 1, **counts}
+        return found
 
     def require_answered(self, question: str) -> None:
         """An error for a question that is not answered of the model: it names the question, why,

@@ -11,6 +11,7 @@ from ..display import Column
 from ..models.field import Field
 from ..models.parameters import FloatArray, as_count
 from ..numerics.interval_arrays import IndexArray
+from ..numerics.vectors import makes_turns
 from ..results.result import Result
 from .lobatto import PiecewisePolynomial
 
@@ -71,7 +72,7 @@ def statistics_of(
     extrema = np.concatenate([x[[0, -1]], maxima[:, lead], minima[:, lead]])
     late = highest[-KEPT:]
     turning = PiecewisePolynomial(t, np.sin(x[None] / 2))
-    passed = np.sort(turning.zeros() if lead in field.periodic else late[:0])[-KEPT:]
+    passed = np.sort(turning.zeros() if makes_turns(lead, field.periodic) else late[:0])[-KEPT:]
     return MotionStatistics(
         float(t[0]),
         float(t[-1]),

@@ -4,7 +4,6 @@ one.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
@@ -19,7 +18,7 @@ from ..core.errors import ConvergenceError, ModelError, ParameterError
 from ..display import Column, named_fields
 from ..models.field import SETTLED, Field, Values
 from ..models.parameters import FloatArray, ParameterSet
-from ..numerics.vectors import TURN, apart, magnitude
+from ..numerics.vectors import WholeTurns, apart, in_one_turn, magnitude
 from ..results.result import Named
 from .scales import scales_of
 
@@ -276,18 +275,13 @@ def same_limit(
 
 
 def _sets_that_hold(
-    rest: FloatArray, sets: Sets, periodic: Sequence[int], near: FloatArray
+    rest: FloatArray, sets: Sets, periodic: WholeTurns, near: FloatArray
 ) -> tuple[int, ...]:
     """Rows of the sets whose boxes hold a place; boxes of several may meet."""
-
-    def inside(place: int, low: float, high: float) -> bool:
-        value, room = rest[place], float(near[place])
-        if place in periodic:  # the angle of a whole turn that is behind the lower end
-            value = low + (value - low + room) % TURN - room
-        return low - room <= value <= high + room
 
     return tuple(
         row
         for row, (low, high) in enumerate(sets)
-        if all(map(inside, range(len(rest)), low.tolist(), high.tolist()))
+        if (in_one_turn(rest, periodic, low - near) <= high + near).all()
+        and (in_one_turn(rest, periodic, low - near) >= low - near).all()
     )

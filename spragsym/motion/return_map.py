@@ -23,7 +23,7 @@ from ..core.errors import ConvergenceError
 from ..models.field import REACH, Field
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
-from ..numerics.vectors import TURN, apart, in_one_turn, magnitude
+from ..numerics.vectors import TURN, WholeTurns, apart, in_one_turn, magnitude, makes_turns
 from . import integrators
 from .integrators import Flow
 from .measures import MotionStatistics
@@ -264,13 +264,15 @@ def on_cycle(statistics: MotionStatistics, onward: Onward, tol: float) -> Outcom
     """The cycle that the motion is on, or winds onto."""
     periodic, lead = onward.problem.field.periodic, statistics.lead
     # An x that turns around and never back has no maxima.
-    turning = len(statistics.maxima) < FEWEST and lead in periodic
+    turning = len(statistics.maxima) < FEWEST and makes_turns(lead, periodic)
     fixed = lead if turning else len(statistics.last) // 2 + lead
     times, places = _marks(statistics, fixed)
     if len(times) < FEWEST:
         return None
-    places = _near(places, places[-1], periodic)
-    places[:, fixed] = 0.0
+    places = _near(places, in_one_turn(places[-1], periodic), periodic)
+    # A section is at x' = 0, or at a whole number of turns, which need not be the first one of an
+    # x that turns with another angle.
+    places[:, fixed] = TURN * np.round(places[-1, fixed] / TURN) if turning else 0.0
     states = section(places, fixed)
     # Extents of x, y and y' over all turning points; those across the belt count as 1 % of that
     # along it, or of a turn, at least.
@@ -297,7 +299,7 @@ def on_cycle(statistics: MotionStatistics, onward: Onward, tol: float) -> Outcom
     return None
 
 
-def _near(states: FloatArray, place: FloatArray, periodic: tuple[int, ...]) -> FloatArray:
+def _near(states: FloatArray, place: FloatArray, periodic: WholeTurns) -> FloatArray:
     """States with periodic coordinates shifted by whole turns nearer to a place."""
     return place + apart(states, place, periodic)
 

@@ -18,6 +18,7 @@ import numpy as np
 from ..core.errors import ConvergenceError
 from ..models.field import GAP, JUMPED, Border, Field, Mode
 from ..models.parameters import FloatArray
+from ..numerics.vectors import makes_turns
 from .heyoka_functions import XP, HeyokaFunctions, library
 from .lobatto import sample_times, unit_points
 from .measures import KEPT, MotionStatistics
@@ -245,7 +246,7 @@ class BatchIntegrator:
         self.constants = len(seen[1])
         lead = field.lead
         rates = [(-1, seen[0][len(field.coordinates) + lead])] if turning or measured else []
-        if measured and lead in field.periodic:
+        if measured and makes_turns(lead, field.periodic):
             rates.append((PASSAGE, hy.sin(seen[0][lead] / 2.0)))
         if turning:
             rates += [

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .interval_arrays import FloatArray
 
+#: Turns after which all is as before: by the place of an angle that makes one, the turns of each
+#: angle that moves with it, its own among them.
+WholeTurns: TypeAlias = Mapping[int, Mapping[int, int]]
 #: A turn of a coordinate that comes around.
 TURN = 2 * np.pi
 #: Where it begins: no angle that models have, so that rounding decides no state's turn.
@@ -25,19 +29,30 @@ def norm(numbers: ArrayLike) -> float:
     return float(np.linalg.norm(numbers))
 
 
-def apart(one: ArrayLike, other: ArrayLike, periodic: Sequence[int]) -> FloatArray:
-    """One state less another, numbers along the last axis; of coordinates that come ``periodic``
-    the shorter way.
+def apart(one: ArrayLike, other: ArrayLike, periodic: WholeTurns) -> FloatArray:
+    """One state less another, numbers along the last axis, less whole turns: each angle that comes
+    around the shorter way.
     """
     off: FloatArray = np.subtract(one, other, dtype=float)
-    for place in periodic:
-        off[..., place] -= TURN * np.round(off[..., place] / TURN)
+    for place, moved in periodic.items():
+        _turned_back(off, np.round(off[..., place] / TURN), moved)
     return off
 
 
-def in_one_turn(state: FloatArray, periodic: Sequence[int]) -> FloatArray:
-    """The state with periodic coordinates in the turn from :data:`BEGIN` on."""
+def in_one_turn(state: ArrayLike, periodic: WholeTurns, begin: ArrayLike = BEGIN) -> FloatArray:
+    """The state less whole turns, each angle that comes around in the one from ``begin`` on."""
     found = np.array(state, dtype=float)
-    for place in periodic:
-        found[..., place] -= TURN * np.floor((found[..., place] - BEGIN) / TURN)
+    begins = np.broadcast_to(begin, found.shape)
+    for place, moved in periodic.items():
+        _turned_back(found, np.floor((found[..., place] - begins[..., place]) / TURN), moved)
     return found
+
+
+def makes_turns(place: int, periodic: WholeTurns) -> bool:
+    """Whether an angle moves in a turn after which all is as before."""
+    return any(place in moved for moved in periodic.values())
+
+
+def _turned_back(state: FloatArray, turns: FloatArray, moved: Mapping[int, int]) -> None:
+    for place, count in moved.items():
+        state[..., place] -= TURN * (count * turns)

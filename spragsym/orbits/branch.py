@@ -14,7 +14,7 @@ import numpy as np
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ModelError, ParameterError, one_of, require_kind
 from ..core.progress import doing
-from ..core.remarks import At, Remark
+from ..core.remarks import Remark
 from ..display import Column
 from ..models.model import Model
 from ..models.parameters import (
@@ -589,12 +589,8 @@ def _rests(orbit: Orbit, still: float) -> str:
     sizes = [norm(orbit.rate(state)) for state in states]
     if min(sizes) >= still:
         return ""
-    names, place = orbit.field.coordinates, np.round(states[int(np.argmin(sizes))], 6) + 0.0
-    told = [
-        At(name, (float(value),), "g", " rad" * orbit.field.column(name).is_angle)
-        for name, value in zip(names, place, strict=False)
-    ]
-    return Remark(f"it comes to rest near {', '.join(['{}'] * len(told))}", *told)
+    place = np.round(states[int(np.argmin(sizes))], 6) + 0.0
+    return Remark("it comes to rest near {}", orbit.field.place(place, "g"))
 
 
 @dataclass(frozen=True, eq=False)

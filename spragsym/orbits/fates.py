@@ -212,10 +212,7 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
     if why:
         why, near = stands_still(system, rates.end) or why, _near(system, rates.end)
         if scale < np.inf:
-            where = ", ".join(
-                f"{name} = {value:.6g}"
-                for name, value in zip(system.field.coordinates, place, strict=False)
-            )
+            where = system.field.place(place, ".6g")
             why += f"; at steady sliding, {where}, deviations die out as exp(−τ / {scale:.3g})"
     lasting = (
         (BESIDE + 1) * t_end / 3

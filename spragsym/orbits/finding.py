@@ -38,7 +38,7 @@ from ..motion.shooting import (
 )
 from ..motion.solution import Extremum
 from ..numerics.balls import UndecidedSign
-from ..numerics.vectors import apart, in_one_turn, magnitude, norm
+from ..numerics.vectors import WholeTurns, apart, in_one_turn, magnitude, norm
 from .arclength import differences
 from .orbit import Cycle, cycle_of
 from .system import JUDGED, System, judged
@@ -311,7 +311,7 @@ def _by_returns(system: System, extrema: Sequence[Extremum]) -> Orbit | None:
 
 
 def returns(
-    extrema: Sequence[Extremum], periodic: tuple[int, ...], row: int | None = None
+    extrema: Sequence[Extremum], periodic: WholeTurns, row: int | None = None
 ) -> list[tuple[Extremum, Extremum]]:
     """Pairs of alike states, largest in the leading coordinate: of each number of rounds the
     nearest, or the first one (0), or the last one (−1).

@@ -113,12 +113,10 @@ class Forces:
         for k in self.opens:
             if (gap := model.contacts[k]["border"]) in self.coordinates:
                 self.border[self.pushing[k], self.coordinates.index(gap)] = 0.0
-        #: Numbers of coordinates that are angles after a turn of which all is as before: one turn
-        #: of each is searched.
-        self.periodic = [
-            place for place, entry in enumerate(about["coordinates"]) if entry.get("comes_around")
-        ]
-        self.border[:, self.periodic] = TURN
+        #: Turns of angles after which all is as before: one turn of each that makes one is
+        #: searched.
+        self.periodic = model.whole_turns
+        self.border[:, list(self.periodic)] = TURN
         #: Beyond them the forces are not asked for.
         self.limits = (
             np.full((2, self.n), np.inf)

@@ -11,7 +11,7 @@ on the border is among the boxes that are left.
 """
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -211,12 +211,13 @@ def on_side(
         return system.state(Intervals(ends), parameters).beside_border()
 
 
-def reduced_by_turns(around: Sequence[int], found: Roots) -> Roots:
+def reduced_by_turns(periodic: Iterable[int], found: Roots) -> Roots:
     """Roots and boxes that are left, without those whose image after a turn is there too.
 
     What meets an end of the turn itself, of which this can't be said, is among the boxes that are
     left.
     """
+    around = list(periodic)
     if not around:
         return found
     beyond, across = _parted(found.ends, around)

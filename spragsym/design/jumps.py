@@ -40,7 +40,7 @@ from ..statics.reference_state import reference_state
 from ..statics.search import balances_of, number_of
 
 #: Points at a time.
-BLOCK = 4096
+BLOCK = 8192
 
 
 @question

@@ -487,11 +487,9 @@ def _proved(model: Model, variables: dict[str, Any], vary: str, begin: float) ->
     up_to = _up_to(laws, vary, float(high[vary]))
     try:
         box = Splitting(low, high, vary, begin)
-        # Parts of the box that are proved, at most.
-        most_parts = 256
-        return proved_jumps(
-            box, partial(_open_share, box.free, _cdf_of(laws), (up_to, up_to)), most_parts
-        )
+        share = partial(_open_share, box.free, _cdf_of(laws), (up_to, up_to))
+        # The box, and all parts that one more step takes.
+        return proved_jumps(box, share, 1 + Pieces.few)
     except (ConvergenceError, ParameterError):  # of a box around points that may all be decided
         return None
 

@@ -84,6 +84,8 @@ MEANT = 1e-9
 #: Width of a box whose middle is as good as a root, and growth of a λ on the imaginary axis, over
 #: their sizes.
 SMALL = 1e-6
+#: Error of a state that Newton's method has found, over its size.
+ROUNDING = 2.0**-50
 #: ω of the points of a search that M, C and K are taken at.
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 #: Points of one search, their kinds and their ω.
@@ -381,7 +383,7 @@ def _sightings(system: Augmented) -> list[FloatArray]:
     if system.condition is HOPF:
         return out
     # Not where the condition changes its sign at a pole.
-    most = SMALL * max(map(magnitude, every), default=0.0)
+    most = SMALL * max((magnitude(row) for row in every if row.size), default=0.0)
     return [one for one in out if (np.abs(_signals(system, one[:-1, None])[0]) <= most).any()]
 
 
@@ -457,18 +459,18 @@ def _state(system: Augmented, z: FloatArray) -> FloatArray:
 def _signals(system: Augmented, z: FloatArray) -> list[ComplexArray]:
     """Numbers whose real part changes its sign at an onset, of each state z, shape (n + 1, N).
 
-    The λ above the real axis; where friction alone damps, or nothing, the condition's own value.
+    The λ above the real axis; where friction alone damps, or nothing, the condition's own value,
+    0 where its sign is open beside a state that is known but for rounding.
     """
     if system.condition is HOPF:
         every = stability.roots(*matrices(system.family, z))
         return [row[np.isfinite(row) & (row.imag > 1e-6 * np.abs(row))] for row in every]
+    states = Intervals(ends_around(z, ROUNDING * scale_of(z)))
     with quiet():
-        tested = (
-            system.residuals(Intervals.point(z), system.fixed(z.shape[1]))
-            .middle[-1:]
-            .T.astype(complex)
-        )
-    return [row[np.isfinite(row)] for row in tested]
+        tested = system.residuals(states, system.fixed(z.shape[1]))[-1]
+    finite = np.isfinite(tested.middle)
+    values = np.where(finite & tested.holds_zero(), 0.0, tested.middle).astype(complex)
+    return [values[[k]] if finite[k] else values[:0] for k in range(values.size)]
 
 
 def of_forms(forms: Sequence[Any], name: str, missing: float) -> FloatArray:

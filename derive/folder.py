@@ -39,9 +39,6 @@ MARK = "model.json"
 #: Text of a function → the model that has it first.
 Shared = dict[str, str]
 
-#: ``rhs`` by the functions of regimes.
-_EVERYWHERE = "everywhere(borders, regime_rhs, ({}), xp)"
-
 
 def render(model: PageModel, header: str, shared: Shared | None = None) -> dict[str, str]:
     """The files of a model's folder, by their names.
@@ -91,28 +88,21 @@ def _algebra(model: PageModel, header: str, shared: Shared | None) -> str:
     )
     sections: list[str] = []
     borrowed: dict[str, list[str]] = {}
-    # The whole algebra is kept where other languages are printed from its text (the first model),
-    # where the place does not tell the regime (turnings of torsion springs; sticking; a root in the
-    # contact law), and where it is short (no inclined springs).
-    it = model.mechanics
-    several = len(it.contacts) > 1
-    polynomial = all(contact.polynomial for contact in it.contacts)
-    told = not it.torsions and not it.holds and polynomial and not several
-    by_regimes = bool(shared and it.lines and told)
+    # The kinked field is for other languages, which are printed from the first model's text.
+    unread = {"rhs"} if shared else set()
     first: list[Function] = []
     for part in parts:
         own = []
         for function in part.functions:
-            # Functions of several contacts with the same algebra: one under all their names.
-            twin = next((one for one in first if several and _same(one, function)), None)
+            if function.name in unread:
+                continue
+            # Functions with the same algebra, as of several contacts: one under all their names.
+            twin = next((one for one in first if _same(one, function)), None)
             if twin is not None:
                 own.append(f"{function.name} = {twin.name}")
                 continue
             first.append(function)
-            given = ", ".join(map(str, function.arguments))
-            text = algebra.definition(
-                function, _EVERYWHERE.format(given) if by_regimes and function.name == "rhs" else ""
-            )
+            text = algebra.definition(function, trimmed=shared is not None)
             home = model.name if shared is None else shared.setdefault(text, model.name)
             if home == model.name:
                 own.append(text)
@@ -121,7 +111,7 @@ def _algebra(model: PageModel, header: str, shared: Shared | None) -> str:
         if own:
             sections += [f"# {part.summary}\n{own[0]}", *own[1:]]
     beside = "._broadcast" if shared is None else "..._broadcast"
-    imports = [f"from {beside} import broadcasting{', everywhere' if by_regimes else ''}"]
+    imports = [f"from {beside} import broadcasting"]
     imports += [
         algebra.listed(f"from ..{home}.algebra import (", sorted(names), ")")
         for home, names in sorted(borrowed.items())

@@ -4,7 +4,6 @@ parameters that follow from them.
 
 from __future__ import annotations
 
-import inspect
 import math
 import re
 from collections.abc import Collection, Mapping
@@ -142,7 +141,7 @@ class Quantities:
         """Quantities on which the balance of forces depends besides its friction, in the order of
         the model.
         """
-        taken, found = set(inspect.signature(self.model.algebra.forces).parameters), set[str]()
+        taken, found = set(self.about["arguments"]["statics"]), set[str]()
         for quantity, name in self.parameters.items():
             if taken & {name, *self.about["angles"].get(name, ())}:
                 scale = re.findall(r"\w+", self.model.unit(self.units[quantity]))

@@ -24,13 +24,15 @@ from tests.conformance.models import ALIKE, MODELS, MOVING, a_set, load, place
 from tests.oracles import exports
 from tests.oracles.emission import arguments
 from tests.oracles.exports import CC, RUN, Call, names_of
+from tests.oracles.user_pages import alone
 from tests.support import few
 
 
 @cache
 def calls(name: str) -> list[Call]:
     """Each function at two places, in contact where that matters."""
-    rng, model = np.random.default_rng([182, *name.encode()]), load(name)
+    rng = np.random.default_rng([182, *name.encode()])
+    model = alone(name) if place(name) == name else load(name)
     found = [
         call
         for _ in range(2)

@@ -12,7 +12,6 @@ import pytest
 pytest.importorskip("sympy")
 
 from spragsym.derive import export, pages
-from spragsym.generated._broadcast import everywhere
 from spragsym.models.load import shipped
 
 Functions = Mapping[str, Callable[..., Any]]
@@ -165,14 +164,3 @@ def derivatives(language: str, function: Any, given: list[float]) -> Any:
     values = casadi.SX.sym("v", len(given))
     slope = casadi.jacobian(casadi.vertcat(*function(*casadi.vertsplit(values))), values)
     return np.array(casadi.Function("slope", [values], [slope])(given))
-
-
-def test_python_takes_the_same_side_of_a_border() -> None:
-    """By the functions of regimes; beside it as the signs are."""
-
-    def regime(gap: Any, slip: Any, pushing: Any, side: Any, *, xp: Any) -> tuple[Any, Any]:
-        return pushing, side
-
-    levels = np.array([-1e-300, 0.0, 1e-300])
-    found = everywhere(lambda gap, slip: (gap, slip), regime, (levels, levels), np)
-    np.testing.assert_array_equal(found, [[1.0, 1.0, 0.0], [-1.0, 1.0, 1.0]])

@@ -40,7 +40,7 @@ class Generated:
 
     @cached_property
     def arguments(self) -> tuple[str, ...]:
-        return tuple(name for name in inspect.signature(self.call).parameters if name != "xp")
+        return tuple(it for it in inspect.signature(self.call).parameters if it not in ("xp", "_"))
 
     @cached_property
     def transcendental(self) -> bool:
@@ -66,10 +66,11 @@ FUNCTIONS = [
     )
     for function in module.__all__
 ]
-#: Of the page's functions those of the motion, which come last.
+#: Of the page's functions those of the motion, which come last, but for what nothing moves.
 FUNCTIONS += [
-    Generated("motion", name, getattr(algebra, name))
+    function
     for name in algebra.__all__[algebra.__all__.index("rhs") :]
+    if (function := Generated("motion", name, getattr(algebra, name))).arguments
 ]
 NAMED = {function.name: function for function in FUNCTIONS}
 

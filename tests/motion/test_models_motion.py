@@ -15,6 +15,7 @@ import spragsym as ss
 from spragsym.models.load import shipped
 from spragsym.motion import Event, integrators
 from tests.conftest import Run
+from tests.oracles.user_pages import alone
 from tests.support import few
 
 NAMES = shipped()
@@ -60,9 +61,10 @@ def test_motion_against_another_integrator_of_the_kinked_field(name: str) -> Non
     model = ss.load(name).search
     p = parameters(model)
     taken, n = [float(value) for value in model.arguments(p, "motion")], len(model.coordinates)
+    kinked = alone(name).algebra.rhs
 
     def field(_: float, state: Any) -> Any:
-        return [*state[n:], *(float(value) for value in model.algebra.rhs(*state, *taken))]
+        return [*state[n:], *(float(value) for value in kinked(*state, *taken))]
 
     start = np.zeros(2 * n)
     run = solve_ivp(field, (0.0, 8.0), start, method="Radau", rtol=1e-9, atol=1e-11, max_step=0.02)

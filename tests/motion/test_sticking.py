@@ -9,6 +9,7 @@ import spragsym as ss
 from spragsym.models.field import FLOATS
 from spragsym.orbits.branch import FAMILIES
 from tests.oracles import dry_friction
+from tests.oracles.user_pages import alone
 
 STICK_SLIP = ss.load("coulomb_stick_slip")
 BACKENDS = ("heyoka", "scipy")
@@ -194,7 +195,7 @@ def test_the_field_everywhere_is_that_of_the_mode_where_nothing_slides_too(name:
     """Held within the limits of the force, beyond them and in lift-off as it begins to slide; also
     where nothing pulls.
     """
-    model, rng = ss.load(name), np.random.default_rng(60)
+    model, rng = alone(name), np.random.default_rng(60)
     n, sides = len(model.coordinates), set()
     for trial in range(200):
         given = {one: rng.uniform(0.1, 1.0) for one in model.parameters} | {

@@ -135,7 +135,7 @@ def compare(name: str, count: int, seed: int, folder: Path) -> list[str]:
         names = [
             key
             for key, it in inspect.signature(plain).parameters.items()
-            if it.kind is not it.KEYWORD_ONLY
+            if it.kind is it.POSITIONAL_OR_KEYWORD
         ]
         taken = {"xp"} & set(inspect.signature(plain).parameters)
         for _ in range(count):

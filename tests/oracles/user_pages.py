@@ -61,3 +61,10 @@ def _derivation() -> str:
 def model_of(text: str, name: str) -> Any:
     """The model of a page."""
     return ss.load(derived(text, name))
+
+
+def alone(name: str) -> Any:
+    """The model of a shipped page in a folder of its own: its functions take all arguments by name,
+    and the kinked field is among them, from which other languages move.
+    """
+    return model_of(shipped_page(name), name)

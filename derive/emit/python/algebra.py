@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import textwrap
 from collections.abc import Iterable, Mapping
@@ -190,15 +191,22 @@ def listed(opening: str, items: Iterable[str], closing: str) -> str:
     return f"{opening}\n{inside},\n{closing}"
 
 
-def definition(function: Function, called: str = "") -> str:
-    """One function: its signature, what it is with its equations and operations, and its body, or a
-    call that gives the same.
+def definition(function: Function, trimmed: bool = False) -> str:
+    """One function: its signature, what it is with its equations and operations, and its body.
+
+    With ``trimmed``, the last arguments that its body does not read are taken as ``*_``, so that
+    functions of several models that read the same are the same.
     """
     body = straight_line(function)
-    statements = [_wrap(f"    return {called}")] if called else _statements(function, body)
+    statements = _statements(function, body)
     arguments = [*map(str, function.arguments), *(f"{symbol}=0" for symbol in function.further)]
-    if called or any("xp." in line for line in statements):
-        arguments += ["*", "xp=numpy"]
+    further = ["*", "xp=numpy"] if any("xp." in line for line in statements) else []
+    if trimmed:
+        read = set(re.findall(r"\w+", " ".join(statements)))
+        unread = len(list(itertools.takewhile(lambda name: name not in read, arguments[::-1])))
+        if unread:
+            arguments, further = arguments[:-unread], ["*_", *further[1:]]
+    arguments += further
     signature = f"def {function.name}({', '.join(arguments)}):"
     if len(signature) > _WIDTH:
         signature = listed(f"def {function.name}(", arguments, "):")

@@ -30,23 +30,21 @@ import numpy
 
 from ..._broadcast import broadcasting
 from ..kang_nam.algebra import (
-    contact_gap, forces, forces_apart, forces_by_parameters, forces_jacobian, geometry, mirror, spring_forces, stiffnesses,
+    border_rates, contact_gap, forces, forces_apart, forces_by_parameters, forces_jacobian, geometry, mass_matrix, mirror,
+    power_besides_friction, spring_forces, stiffnesses,
 )
 
 
 # The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).
-def friction_at_rest(cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V):
+def friction_at_rest(cos0, sin0, mu0, ratio, *_):
     """The friction coefficient at steady sliding. Returns mu. Source: the page. Operations: 1."""
     return mu0*ratio
 
 
-def friction_at_speed(cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V):
-    """The friction coefficient at the belt's speed: of a motion that has come to rest. Returns mu. Source: the page.
-    Operations: 1."""
-    return mu0*ratio
+friction_at_speed = friction_at_rest
 
 
-def friction_by_parameters(cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V):
+def friction_by_parameters(cos0, sin0, mu0, ratio, *_):
     """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 0."""
     return (0, ratio, mu0, 0, 0, 0, 0, 0)
 
@@ -64,56 +62,24 @@ def contact_force(x, y, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pu
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
-def mass_matrix(x, y, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V):
-    """M of the kinetic energy. Returns ((M_11, …), …). Source: the page. Operations: 0."""
-    return ((1, 0), (0, 1))
-
-
-def damping(x, y, c1, s1, l1, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing):
+def damping(*_):
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
     0."""
     return ((0, 0), (0, 0))
 
 
-def friction_slope(cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V):
+def friction_slope(*_):
     """Slope of the friction law at steady sliding, by the sliding speed. Returns dμ/dv. Source: the page. Operations: 0."""
     return 0
 
 
-def friction_slope_by_sizes(cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V):
+def friction_slope_by_sizes(*_):
     """The slope as a sum of c exp(a), over each of its exponentials. Returns (((c, a), …), …). Source: the page. Operations:
     0."""
     return (((0, 0),),)
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
-def rhs(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, *, xp=numpy):
-    """Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Returns (q_1″, …). Source:
-    the page. Operations: 70."""
-    w11 = sin0 - y
-    w1 = cos0 - x
-    l1 = xp.sqrt(w11*w11 + w1*w1)
-    w0 = 1/l1
-    c1 = w0*w1
-    _below = xp.sign(1 - 2*xp.sign(y)) + 1
-    pushing = _below/2
-    w7 = c1*sigma
-    w8 = cos0*sigma
-    w9 = x*(alpha + sigma)
-    w10 = w7 - w8 + w9
-    w2 = xp.sign(V - vx)
-    w3 = mu0/2
-    w4 = mu0*ratio
-    w5 = pushing*y
-    w6 = w5*(ratio*w3 + w3 + abs(mu0 - w4)/2)
-    side = w2 + (1 - w2*w2)*(-xp.sign(2*xp.sign(-w10 - w6) + 1) + xp.sign(2*xp.sign(w10 - w6) + 1))/2
-    _stuck = 1 - side*side
-    mu = side*w4
-    _friction = _stuck*w10 - mu*w5*(1 - _stuck)
-    s1 = w0*w11
-    return (_friction - w7 + w8 - w9, -kappa - s1*sigma + sigma*sin0 - y*(beta + pushing + sigma))
-
-
 def regime_rhs(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, side, *, xp=numpy):
     """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 37."""
     _stuck = 1 - side*side
@@ -181,25 +147,19 @@ def borders(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V):
     return (y, V - vx)
 
 
-def border_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V):
-    """How the borders change along a motion with the given accelerations. Returns rates of gap, slip. Source: the page.
-    Operations: 1."""
-    return (vy, -ax)
-
-
-def layers(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, side):
+def layers(*_):
     """Minus the exponents of the sliding speed in the friction law: large where they are not felt. Returns (z_1, …). Source:
     the page. Operations: 0."""
     return ()
 
 
-def layer_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, side):
+def layer_rates(*_):
     """How they change along a motion with the given accelerations. Returns rates of (z_1, …). Source: the page. Operations:
     0."""
     return ()
 
 
-def grip(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, side, *, xp=numpy):
+def grip(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, *_, xp=numpy):
     """How far the force of friction that holds is from its limits, with the belt and against it: positive while it sticks.
     Returns (ahead, behind). Source: the page. Operations: 27."""
     base2 = sin0 - y
@@ -212,7 +172,7 @@ def grip(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pus
     return (-w2 - w3, -w2 + w3)
 
 
-def grip_slopes(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, side, *, xp=numpy):
+def grip_slopes(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V, pushing, *_, xp=numpy):
     """Derivatives of the sliding speed, and of these while it sticks, by coordinates, rates and all parameters. Returns
     ((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …). Source: the page. Operations: 57."""
     w1 = sin0 - y
@@ -273,12 +233,6 @@ def friction_force(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, be
     mu = mu0*ratio*side
     _friction = _stuck*(c1*sigma - cos0*sigma + x*(alpha + sigma)) - mu*pushing*y*(1 - _stuck)
     return _friction
-
-
-def power_besides_friction(x, y, vx, vy, cos0, sin0, mu0, ratio, kappa, alpha, sigma, beta, V):
-    """Rate at which dampers, and applied forces without a potential, change the energy. Returns power. Source: the page.
-    Operations: 0."""
-    return 0
 
 
 __all__ = broadcasting(globals())

@@ -103,30 +103,6 @@ def damping(x, y, c1, s1, l1, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, 
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
-def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, *, xp=numpy):
-    """Accelerations, kinked where a border is zero: there those of lift-off, and of the belt ahead. Returns (q_1″, …).
-    Source: the page. Operations: 55."""
-    _below = 1 - xp.sign(2*xp.sign(y) + 1)
-    pushing = _below/2
-    base0 = 1 - pushing
-    _depth = base0*base0/1099511627776 - pushing*y
-    w1 = cos0 - x
-    w3 = sin0 - y
-    l1 = xp.sqrt(w1*w1 + w3*w3)
-    w0 = 1/l1
-    c1 = w0*w1
-    near1 = 1
-    w2 = V - vx
-    side = xp.sign(2*xp.sign(w2) + 1)
-    mu = mu0*side*(-near1*xp.exp(-d*side*w2) + 1)
-    s1 = w0*w3
-    root6 = xp.sqrt(_depth)
-    return (
-        _depth*mu*pushing*root6 - c1*sigma + cos0*sigma - x*(alpha + sigma),
-        _depth*pushing*root6 - kappa - s1*sigma + sigma*sin0 - y*(beta + sigma),
-    )
-
-
 def regime_rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 45."""
     base0 = 1 - pushing

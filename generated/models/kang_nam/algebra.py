@@ -32,24 +32,24 @@ from ..._broadcast import broadcasting
 
 
 # The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).
-def geometry(x, y, cos0, sin0, kappa, alpha, sigma, beta):
+def geometry(x, y, cos0, sin0, *_):
     """The vector from the mass's end of every spring to its anchor, and its undeformed length. Returns ((dx, dy, rest), …).
     Source: the page. Operations: 2."""
     return ((cos0 - x, sin0 - y, 1),)
 
 
-def contact_gap(x, y, cos0, sin0, kappa, alpha, sigma, beta):
+def contact_gap(x, y, *_):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 0."""
     return y
 
 
-def mirror(x, y, cos0, sin0, kappa, alpha, sigma, beta):
+def mirror(x, y, cos0, *_):
     """The image of a state in the model's mirror, if it has one: see "mirror" in model.json. Returns image. Source: the page.
     Operations: 2."""
     return (2*cos0 - x, y)
 
 
-def friction_at_rest(cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d):
+def friction_at_rest(cos0, sin0, mu0, *_):
     """The friction coefficient at steady sliding. Returns mu. Source: the page. Operations: 0."""
     return mu0
 
@@ -60,7 +60,7 @@ def friction_at_speed(cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, *, xp=nu
     return mu0*(1 - xp.exp(-V*d))
 
 
-def friction_by_parameters(cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d):
+def friction_by_parameters(*_):
     """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 0."""
     return (0, 1, 0, 0, 0, 0, 0, 0)
 
@@ -73,12 +73,12 @@ def forces(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing)
     )
 
 
-def stiffnesses(x, y, cos0, sin0, kappa, alpha, sigma, beta):
+def stiffnesses(x, y, cos0, sin0, kappa, alpha, sigma, *_):
     """The stiffness of every spring. Returns (k_1, …). Source: the page. Operations: 0."""
     return (sigma,)
 
 
-def spring_forces(x, y, cos0, sin0, kappa, alpha, sigma, beta, *, xp=numpy):
+def spring_forces(x, y, cos0, sin0, kappa, alpha, sigma, *_, xp=numpy):
     """The tension of every spring, negative where it pushes. Returns (T_1, …). Source: the page. Operations: 9."""
     base0 = cos0 - x
     base2 = sin0 - y
@@ -120,7 +120,7 @@ def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
-def mass_matrix(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d):
+def mass_matrix(*_):
     """M of the kinetic energy. Returns ((M_11, …), …). Source: the page. Operations: 0."""
     return ((1, 0), (0, 1))
 
@@ -219,13 +219,13 @@ def regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, bet
     )
 
 
-def borders(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d):
+def borders(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, *_):
     """The gap and the sliding speed, each zero on a kink of the field; 1 where there is none. Returns gap, slip. Source: the
     page. Operations: 1."""
     return (y, V - vx)
 
 
-def border_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d):
+def border_rates(x, y, vx, vy, ax, *_):
     """How the borders change along a motion with the given accelerations. Returns rates of gap, slip. Source: the page.
     Operations: 1."""
     return (vy, -ax)
@@ -270,7 +270,7 @@ def friction_force(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, 
     return -mu*pushing*y
 
 
-def power_besides_friction(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d):
+def power_besides_friction(*_):
     """Rate at which dampers, and applied forces without a potential, change the energy. Returns power. Source: the page.
     Operations: 0."""
     return 0

@@ -8,7 +8,6 @@ interval, Arb ball, expression.
 
 from collections.abc import Callable
 from functools import wraps
-from inspect import unwrap
 from types import FunctionType
 from typing import Any, ParamSpec, TypeVar
 
@@ -33,20 +32,6 @@ def broadcasting(module: dict[str, Any]) -> list[str]:
         name: _shaped(it) for name, it in functions.items() if it.__module__ == module["__name__"]
     }
     return list(functions)
-
-
-def everywhere(
-    borders: Callable[..., Any], regime: Callable[..., Any], at: tuple[Any, ...], xp: Any
-) -> Any:
-    """Value of a function of regimes at a place, with all exponentials felt.
-
-    A border is contact's, and that of the belt ahead.
-    """
-    level, smooth = unwrap(borders), unwrap(regime)
-    gap, slip = level(*at, xp=xp) if level.__kwdefaults__ else level(*at)
-    felt = (1,) * (smooth.__code__.co_argcount - len(at) - 2)
-    below, ahead = (xp.sign(2 * xp.sign(level) + 1) for level in (-gap, slip))
-    return smooth(*at, (1 + below) / 2, ahead, *felt, xp=xp)
 
 
 def _shaped(function: Callable[_P, _R]) -> Callable[_P, _R]:

@@ -294,6 +294,8 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
     it = model.mechanics
     count = len(it.coordinates)
     values = {number(datum): repr(_base(it, datum)) for datum in it.parameters}
+    # At rest, but for the clock, the last of the coordinates, which has its rate.
+    start = [*[0.0] * (2 * count - 1), float(it.speed.subs(values))]
     common = {
         "count": str(count),
         "borders": str(len(it.contacts) + len(it.frictions)),
@@ -303,6 +305,7 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
         "names": ", ".join(map(str, values)) or "none",
         "state": ", ".join(f"state[{place}]" for place in range(2 * count)),
         "given": ", ".join(f"p[{place}]" for place in range(len(values))),
+        "start": ", ".join(map(repr, start)),
         "shown": "  ".join(f"{name} %+.9f" for name in (*it.coordinates, *it.rates)),
         "texts": " ".join("%s" for _ in it.contacts),
     }

@@ -136,9 +136,9 @@ class Angle:
         return (self.symbol, self.c, self.s) if self.alone else (self.c, self.s)
 
 
-def _of(symbol: sp.Symbol, name: str) -> sp.Symbol:
-    """The symbol of the contact of that name, or of the only one, which has none."""
-    return sp.Symbol(f"{symbol}_{name}", **symbol.assumptions0) if name else symbol
+def _of(symbol: sp.Symbol, name: str, mark: str = "") -> sp.Symbol:
+    """The symbol of the contact of that name, or of the only one, which has none, behind a mark."""
+    return sp.Symbol(f"{mark}{symbol}{name and '_'}{name}", **symbol.assumptions0)
 
 
 @dataclass(frozen=True)
@@ -158,11 +158,13 @@ class NormalForce:
     #: Whether the law stands in coordinates, else in the penetration: see :func:`_in_coordinates`.
     in_coordinates: bool
     line: int
+    #: Before PUSHING, MU and SIDE: an underscore where the page has one of these names.
+    mark: str = ""
 
     @property
     def pushing(self) -> sp.Symbol:
         """PUSHING of this contact."""
-        return _of(PUSHING, self.name)
+        return _of(PUSHING, self.name, self.mark)
 
     @property
     def depth(self) -> sp.Symbol:
@@ -245,12 +247,12 @@ class FrictionForce:
     @property
     def mu(self) -> sp.Symbol:
         """MU of this friction."""
-        return _of(MU, self.name and f"on_{self.name}")
+        return _of(MU, self.name and f"on_{self.name}", self.normal.mark)
 
     @property
     def side(self) -> sp.Symbol:
         """SIDE of this friction."""
-        return _of(SIDE, self.name and f"on_{self.name}")
+        return _of(SIDE, self.name and f"on_{self.name}", self.normal.mark)
 
     @property
     def stuck(self) -> sp.Symbol:
@@ -705,6 +707,8 @@ def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
     if not page.contacts:
         return {None: NormalForce("", None, False, False, sp.S.Zero, False, 0)}
     found: dict[Contact | None, NormalForce] = {}
+    own = {datum.becomes for datum in page.parameters} | set(map(str, page.places))
+    mark = "_" if own & {str(PUSHING), str(MU), str(SIDE)} else ""
     for contact in page.contacts:
         name = contact.name if len(page.contacts) > 1 else ""
         depth = _of(DEPTH, name)
@@ -714,7 +718,7 @@ def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
         opens = contact.unilateral and gap is not None
         rubs = any(friction.on in (None, contact) for friction in page.frictions)
         either = rubs and not contact.unilateral
-        found[contact] = NormalForce(name, gap, opens, either, law, told, contact.line)
+        found[contact] = NormalForce(name, gap, opens, either, law, told, contact.line, mark)
     return found
 
 

@@ -120,10 +120,11 @@ class Derivation:
 
     def spelled(self, expression: sp.Expr, side: str = CONTACT) -> sp.Expr:
         """In coordinates, parameters, lengths and inclinations, on a side of the contact."""
-        gap = sp.S.Zero if self.model.contact.gap is None else self.model.contact.gap
+        contact, rubs = self.model.contact, self.model.friction
+        gap = sp.S.Zero if contact.gap is None else contact.gap
         pushing = {CONTACT: sp.S.One, LIFT_OFF: sp.S.Zero, BOTH: PUSHING}[side]
-        known = {DEPTH: -gap, PUSHING: pushing if self.model.contact.unilateral else sp.S.One}
-        return sp.sympify(expression).xreplace(known).xreplace(self.plain)
+        known = {DEPTH: -gap, contact.pushing: pushing if contact.unilateral else sp.S.One}
+        return sp.sympify(expression).xreplace(known | {rubs.mu: MU}).xreplace(self.plain)
 
     def steady(self, expression: sp.Expr, side: str = CONTACT) -> sp.Expr:
         """The same, with the friction at steady sliding."""

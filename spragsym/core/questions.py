@@ -83,6 +83,7 @@ FORCED = (
     "cycle",
     "cycle_branch",
     "cycle_events",
+    "export",
     "fate",
     "fate_map",
     "lyapunov",

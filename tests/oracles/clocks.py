@@ -84,6 +84,16 @@ page.friction(
 """
 
 
+def moved(t: float, u: np.ndarray) -> list[float]:
+    """Rates of x and its rate of the page ``MOVED`` at its base values, by hand."""
+    x, v = u
+    a, e, c, speed, f, omega = 0.3, 0.5, 0.1, 0.4, 0.5, 0.6
+    gap = x - a * np.cos(2 * omega * t) - 0.1
+    slip = speed + a * omega * np.cos(omega * t) - v
+    rubs = np.tanh(5 * slip) / 2 * f * (1 + e * np.cos(omega * t))
+    return [v, a * np.sin(omega * t) - x - c * v + 5 * max(0.0, -gap) + rubs]
+
+
 def stopping_amplitude(omega: float, force: float, near: tuple[float, float]) -> float:
     """Amplitude of the mass on a floor that stops at both turns, put together from its pieces: at x
     = A it slips, where A − cos φ is the friction, and stops at −A; near (A, time of sliding).

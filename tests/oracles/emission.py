@@ -35,7 +35,7 @@ def arguments(names: Sequence[str], rng: np.random.Generator) -> list[float]:
     """
     angles: dict[str, float] = {}
     spread, values = rng.choice([0.3, 1.5]), []
-    for name in names:
+    for name in (one.lstrip("_") for one in names):
         if name == "pushing" or name.startswith("near"):
             values.append(float(rng.integers(2)))
         elif name == "side" or name.startswith("way"):

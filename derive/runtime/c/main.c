@@ -55,7 +55,7 @@ static int print_state(double time, const double *state) {
 }
 
 int main(void) {
-    double state[2 * COORDINATES] = {0.0};
+    double state[2 * COORDINATES] = {@start@};
     const double h = 0.005;
     for (int i = 0; i <= 4000; i++) {
         if (i % 800 == 0 && print_state(h * i, state)) {

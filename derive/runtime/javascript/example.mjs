@@ -19,7 +19,7 @@ function step(state, h) {
   return state.map((value, i) => value + (h / 6) * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]));
 }
 
-let state = new Array(2 * COUNT).fill(0);
+let state = [@start@];
 const h = 0.01;
 for (let i = 0; i <= 2000; i++) {
   if (i % 400 === 0) {

@@ -4,7 +4,7 @@ count = @count@;
 names = {@shown_names@};
 % @names@, an angle by its cosine and sine
 given = {@arguments@};
-state = zeros(2 * count, 1);
+state = [@start@]';
 h = 0.01;
 for k = 0:2000
   if mod(k, 400) == 0

@@ -1,4 +1,4 @@
-r"""A mass on a floor with dry friction, driven by a harmonic force: it slides, or stops at its turns.
+r"""A mass on a floor with dry friction, driven by a harmonic force: it slides, or stops and goes on.
 
 ::
 
@@ -9,19 +9,19 @@ r"""A mass on a floor with dry friction, driven by a harmonic force: it slides, 
                     +---+
      ------------------------------- floor
 
-A spring holds a mass on a floor, and a force drives it. Friction holds it by up to μ_s N_0, and takes
-μ_k N_0 where it slides. Lengths are measured in P/k, time in √(m/k). The phase φ is the clock's: it
-grows by ω t, and a motion may begin at any.
+A spring holds a mass on a floor, and a force drives it. Friction holds it by up to μ_s N_0, and
+takes μ_k N_0 where it slides. Lengths are measured in P/k, time in √(m/k). The phase φ is that of a
+clock: it grows by ω t, and a motion may begin at any.
 
-With f = μ_k N_0/P and μ_s = μ_k, a motion that slides without a stop has the amplitude
+With f = μ_k N_0/P, a motion that slides and never rests has the amplitude
 
     √(1/(1 − ω²)² − (f S)²),   S = sin(π/ω)/(ω (1 + cos(π/ω))),
 
-and nothing moves for good where |x| + 1 ≤ μ_s N_0/P. Below ω = 1 a motion may stop at both turns: it
-rests there until the force and the spring pull by more than μ_s N_0.
+and what rests where |x| + 1 ≤ μ_s N_0/P stays there for good. Below ω = 1 a motion may stop at both
+turns: it rests there until force and spring pull by more than μ_s N_0.
 
-After J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, Transactions of
-the ASME 53 (1931) 107–115.
+After J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, Transactions
+of the ASME 53 (1931) 107–115.
 """
 
 from ..model import Page, cos, sgn

@@ -346,7 +346,7 @@ class OfModel(Command):
                 default=0.0,
                 help=f"Initial {name}{', degrees' * model.is_angle(name)}.",
             )
-            for name in model.components
+            for name in model.starting
             if self.start
         ]
         self.params = [
@@ -396,7 +396,7 @@ class OfModel(Command):
             values[name] = value
         start = {
             f"{name}0": given.pop(f"{name}0") / units.of(name)[1]
-            for name in self.model.components
+            for name in self.model.starting
             if self.start
         }
         ask = {"method": given.pop("method", None), "within": units.box(given.pop("within", ()))}

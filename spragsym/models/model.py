@@ -143,6 +143,13 @@ class Model:
         return (*self.coordinates, *self.rates)
 
     @property
+    def starting(self) -> tuple[str, ...]:
+        """Names of those that a motion may begin with: all but the rate of a clock, which has it
+        given.
+        """
+        return self.components[: -1 if self.clock else None]
+
+    @property
     def parameters(self) -> tuple[str, ...]:
         """Names of the parameters, in order."""
         return _names(self.about)

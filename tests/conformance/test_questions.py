@@ -7,7 +7,7 @@ A model that has no answer says so by an error that the question documents.
 import inspect
 import os
 from collections.abc import Callable
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -61,13 +61,18 @@ class Asked:
         self.other = next(one for one in self.model.parameters if one not in (self.vary, "V"))
         self.plane = (self.other, self.vary)
         self.own = float(self.p[self.vary])
-        #: From a tenth below that value on, where the followed state ends first; NaN if it doesn't.
         self.begin = 0.9 * self.own
-        self.jump = float(ss.jump_value(self.p, self.vary, begin=self.begin, until=2.5 * self.own))
         #: What motions vary, the speed of the belt where there is one, and its value.
         self.pace = "V" if "V" in self.p.ranges else self.other
         self.speed = CYCLES.get(name, SLOW) if self.pace == "V" else float(self.p[self.pace])
         self.moving = self.p.replace(**{self.pace: self.speed})
+
+    @cached_property
+    def jump(self) -> float:
+        """From a tenth below its value on, where the followed state ends first; NaN if it
+        doesn't.
+        """
+        return float(ss.jump_value(self.p, self.vary, begin=self.begin, until=2.5 * self.own))
 
     def near(self, *names: str, share: float = 0.02) -> dict[str, tuple[float, float]]:
         """Ranges about values of parameters."""
@@ -371,7 +376,8 @@ class Asked:
         sheet = ss.fate_map(self.moving.replace(**{self.pace: [self.speed]}))
         # A wobbling disc begins in its state of rest, which is not stable.
         open_ = self.name in ("coulomb", "wobbling_disc")
-        assert found.kind == ("cycle" if self.name in CYCLES else "undecided" if open_ else "rest")
+        driven = self.name in CYCLES or self.model.clock
+        assert found.kind == ("cycle" if driven else "undecided" if open_ else "rest")
         assert sheet.count()[found.kind] == 1
         assert sheet.period[0] == pytest.approx(found.outcome.period, nan_ok=True)
         one, other = self.model.components[:2]
@@ -410,7 +416,7 @@ class Asked:
         """A cycle returns to itself; the one at the end of a branch is found by itself; the curve
         of an event holds the event.
         """
-        if self.name not in CYCLES:
+        if self.name not in CYCLES and not self.model.clock:
             return refused(
                 ss.errors.ConvergenceError,
                 "no cycle was found near the motion",
@@ -420,7 +426,14 @@ class Asked:
             )
         found = ss.cycle(self.moving, patient=False)
         around = ss.simulate(self.moving, start=found.state, t_end=found.period)
-        assert around.state[:, -1] == pytest.approx(found.state, abs=1e-6)
+        turned = [2 * np.pi * (name == self.model.clock) for name in self.model.components]
+        assert around.state[:, -1] == pytest.approx(found.state + turned, abs=1e-6)
+        if self.model.clock and self.model.field.sticking_borders:
+            words = "friction that holds meets a clock"
+            along = self.near(self.other)
+            return refused(
+                ss.errors.ModelError, words, ss.cycle_branch, found, self.other, between=along
+            )
         branch = ss.cycle_branch(
             found, "V", between={"V": (0.5 * self.speed, self.speed)}, points=40
         )

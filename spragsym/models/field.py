@@ -231,6 +231,13 @@ class Field:
         with_place = {*self.faces, *range(last, len(first))}
         return tuple(here[k] if k in with_place else own for k, own in enumerate(first))
 
+    def at_rest(self, place: Sequence[float], constants: Values) -> tuple[float, ...]:
+        """The state without speeds at a place; that of a clock, which no place has, is at its
+        phase 0 and has its rate.
+        """
+        still = (*place, *(0.0,) * (self.size - len(place)))
+        return (*still[:-1], self.clock(constants)) if self.clock else still
+
     @cached_property
     def sticking_borders(self) -> tuple[Border, ...]:
         """The borders on which a motion may stay, as where friction holds."""

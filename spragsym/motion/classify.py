@@ -20,6 +20,7 @@ from ..models.field import FLOATS, SETTLED, Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
 from ..numerics.vectors import in_one_turn, magnitude
+from .holding import held_in_every_phase
 from .measures import KEPT, MotionStatistics
 from .problem import Event, Problem
 from .regimes import Outcome, Regime
@@ -45,6 +46,14 @@ def classify(statistics: MotionStatistics, onward: Onward, tol: float = SETTLED)
     ``equilibrium``, which :func:`~spragsym.statics.search.rest_index` finds for many at once.
     """
     problem = onward.problem
+    field, constants = problem.field, problem.constants
+    # Forces are enclosed in units of the model.
+    enclosed = field.clock and not field.natural
+    if enclosed and held_in_every_phase(field, constants, statistics.last):
+        rest = tuple(statistics.last[: len(field.coordinates) - 1].tolist())
+        return Outcome(
+            Regime.EQUILIBRIUM, rest=rest, rate=np.inf, distance=0.0, names=field.components
+        )
     scales = problem.own_scales
     if not scales.trivial:
         there = replace(onward, problem=scales.problem(problem))

@@ -20,6 +20,7 @@ from ..models.field import SETTLED, Field, Values
 from ..models.parameters import FloatArray, ParameterSet
 from ..numerics.vectors import WholeTurns, apart, in_one_turn, magnitude
 from ..results.result import Named
+from .holding import held_along
 from .scales import scales_of
 
 #: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are
@@ -92,7 +93,8 @@ class Outcome(Named):
         For EQUILIBRIUM and APPROACHES_EQUILIBRIUM its index among ``equilibria(p)`` at the friction
         μ(V); −1 otherwise.
     rest : tuple of float, length n
-        The coordinates of that equilibrium, in the order of the model; empty for none.
+        The coordinates of that equilibrium, in the order of the model, without a clock's; empty
+        for none.
     rate : float
         Of the approach in the long run, exp(−rate τ), from the limit's own eigenvalues or
         multipliers; infinite where sticking ends all deviations. Along a set of states that
@@ -153,7 +155,10 @@ class Outcome(Named):
         return dict(
             zip(
                 names,
-                (*(self.rest or (np.nan,) * n), *(self.cycle or (np.nan,) * 2 * n)),
+                (
+                    *(*self.rest, *(np.nan,) * (n - len(self.rest))),
+                    *(self.cycle or (np.nan,) * 2 * n),
+                ),
                 strict=True,
             )
         )
@@ -215,9 +220,12 @@ class RestSets:
         """Whether two places of rest lie in one set; None where that is not known."""
         model = self.p.model
         field, constants = model.field, model.field.constants(self.p.scalars(*self.p.ranges))
-        for place in (one, other):
-            if not field.stays(field.initial_mode([*place, *np.zeros(len(place))], constants)):
-                return False
+        ends = [field.at_rest(place.tolist(), constants) for place in (one, other)]
+        if not all(field.stays(field.initial_mode(end, constants)) for end in ends):
+            return False
+        if field.clock:
+            one, other = map(np.array, ends)
+            return held_along(field, constants, one, other, np.append(near, 0.0)) or None
         if self.boxes is not None:
             places = [
                 _sets_that_hold(each, self.boxes, field.periodic, near) for each in (one, other)
@@ -243,8 +251,8 @@ def same_limit(
         return False
     if one.limit not in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE):
         return True
-    periodic = field.periodic
-    state = one.cycle or (*one.rest, *(0.0,) * len(one.rest))
+    periodic = [place for place in field.periodic if place < len(one.rest or one.cycle)]
+    state = one.cycle or field.at_rest(one.rest, constants)
     units = scales_of(field, constants, state).states
     if one.limit == Regime.EQUILIBRIUM:
         units = units[: len(one.rest)]

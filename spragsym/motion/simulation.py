@@ -475,7 +475,7 @@ class Trajectory(Named):
         )
         return (
             replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest))))
-            if found.rest
+            if found.rest and not self.model.clock
             else found
         )
 

@@ -93,15 +93,20 @@ def settled(system: System, verdict: FateVerdict) -> tuple[str, FloatArray, Floa
     Real parts of eigenvalues, or ln |μ| / T: of a multiplier that is lost in its error nothing is
     known; −∞ of deviations that sticking ends. NaN for lift-off.
     """
-    kind, known = KINDS[verdict.kind], attractor(system, verdict)
+    kind, size = KINDS[verdict.kind], system.field.deviations
+    if verdict.kind == Regime.EQUILIBRIUM and system.field.clock:
+        # Held in every phase: nothing decays along coordinates and phase, sticking ends the rest.
+        held = np.where(np.arange(size) < len(system.field.coordinates), 0.0, -np.inf)
+        return kind, held, np.zeros(size)
+    known = attractor(system, verdict)
     if known.kind == Regime.LIFT_OFF:
-        nothing = np.full(system.field.deviations, np.nan)
+        nothing = np.full(size, np.nan)
         return kind, nothing, nothing
     if known.orbit is None:
         values, _ = spectrum_at_rest(
             system.field, system.constants, known.state, system.mode(known.state)
         )
-        rates = np.full(system.field.deviations, -np.inf)
+        rates = np.full(size, -np.inf)
         rates[: len(values)] = values.real
         errors = np.zeros(len(rates))
     else:

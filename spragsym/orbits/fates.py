@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import partial
 from pathlib import Path
@@ -35,7 +35,6 @@ from ..results.result import Result
 from .attractors import settled
 from .exponents import rates_along
 from .finding import cycle_near, stands_still
-from .holding import held_in_every_phase
 from .orbit import NEUTRAL, distance
 from .system import JUDGED, FateVerdict, System, judged, spectrum
 
@@ -181,11 +180,12 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
     scale, place = _time_scale(system, verdict)
     if verdict.decided:
         why = f"it comes to {verdict.described()}"
+        held = verdict.kind == Regime.EQUILIBRIUM and system.field.clock
+        why += ", where friction holds it in every phase of the clock" if held else ""
         try:
             kind, known, error = settled(system, verdict)
-            trivial = (
-                int(np.flatnonzero(known == 0)[0]) if verdict.kind == Regime.LIMIT_CYCLE else -1
-            )
+            moves = held or verdict.kind == Regime.LIMIT_CYCLE
+            trivial = int(np.flatnonzero(known == 0)[0]) if moves else -1
             return Fate(
                 kind, why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end
             )
@@ -197,12 +197,6 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
                 scale,
                 verdict.end,
             )
-    if (
-        verdict.kind == Regime.UNSETTLED
-        and system.field.clock
-        and held_in_every_phase(system, verdict.end)
-    ):
-        return _held(system, verdict)
     rates = rates_along(system, verdict.end, SHARES[0] * t_end, scales)
     if (
         rates.undecided(t_end) and (rates.exponents[1:] > rates.error[1:]).any()
@@ -230,32 +224,6 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
     t = verdict.t + rates.span
     return Fate(
         kind, told, t, verdict.outcome, exponents, error, rates.trivial, scale, near, rates.end
-    )
-
-
-def _held(system: System, verdict: FateVerdict) -> Fate:
-    """The fate of a motion that friction holds for good: nothing decays along the coordinates and
-    the phase, and sticking ends what else deviates.
-    """
-    n, size = len(system.field.coordinates), system.field.deviations
-    rest = tuple(verdict.end[: n - 1].tolist())
-    outcome = Outcome(Regime.EQUILIBRIUM, rest=rest, distance=0.0, names=system.field.components)
-    why = (
-        f"it comes to {replace(verdict, outcome=outcome).described()}, where friction holds it in "
-        "every phase of the clock"
-    )
-    exponents = np.where(np.arange(size) < n, 0.0, -np.inf)
-    return Fate(
-        "rest",
-        why,
-        verdict.t,
-        outcome,
-        exponents,
-        np.zeros(size),
-        0,
-        float("inf"),
-        "",
-        verdict.end,
     )
 
 

@@ -563,8 +563,9 @@ def questions() -> list[str]:
 
 def test_no_public_question_is_left_out() -> None:
     assert sorted(" ".join(TABLE.values()).split()) == sorted(questions())
+    common = inspect.getsource(vars(Asked)["jump"].func)
     for ask, names in TABLE.items():
-        source = inspect.getsource(Asked.__init__) + inspect.getsource(ask)
+        source = common + inspect.getsource(ask)
         assert all(
             f"ss.{name}" in source or f"ss.kang_nam.{name}" in source for name in names.split()
         )

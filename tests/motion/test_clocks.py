@@ -334,3 +334,25 @@ def test_what_is_not_answered_of_a_clock_is_refused_by_its_name() -> None:
         assert not answers(model, name, ask)
     with pytest.raises(ModelError, match="has no theta0, along which sensitivity looks"):
         ss.sensitivity(p)
+
+
+def test_basins_and_sweeps_tell_what_is_held_in_every_phase() -> None:
+    """Of a start at rest at x it is held for good where |x| + 1 <= μ f: one attractor, an interval;
+    beyond, the mass slips until it is there.
+    """
+    p = model_of(FRICTION, "forced").Parameters(f=5.0)
+    x = np.linspace(-0.98, 0.98, 7)
+    found = ss.basin(p, x=x, vx=[0.0], t_end=50.0, workers=1)
+    assert [regime for regime, *_ in found.attractors] == [ss.Regime.EQUILIBRIUM]
+    assert (found.attractor == 0).all()
+    assert not found.remarks
+    np.testing.assert_allclose(found.sweep["rest_x"][:, 0], x, atol=1e-12)
+    one = found.sweep.outcome((0, 0))
+    assert one.rest == pytest.approx([x[0]], abs=1e-12)
+    assert (one.equilibrium, one.distance, one.rate) == (-1, 0.0, np.inf)
+    for share in (0.999, 1.001):
+        swept = ss.rms_sweep(p.replace(f=share * 1.5 / p.mu), x0=0.5, phase0=np.pi, t_end=1.0)
+        assert (int(swept.regime) == ss.Regime.EQUILIBRIUM) == (share > 1)
+    beside = ss.simulate(p, x0=0.3, t_end=50.0).outcome()
+    assert beside.regime == ss.Regime.EQUILIBRIUM
+    assert beside["rest_x"] == pytest.approx(0.3, abs=1e-12)

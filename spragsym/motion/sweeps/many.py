@@ -438,7 +438,7 @@ def _made_of(
     else:
         places = np.array([columns[f"rest_{name}"] for name in model.coordinates])
         which = np.full(regime.shape, -1, dtype=np.int8)
-        if not np.isnan(places).all():  # under a clock nothing rests
+        if not (model.clock or np.isnan(places).all()):  # under a clock nothing is in balance
             p = model.Parameters(**{name: inputs[name] for name in model.parameters})
             which = rest_index(p, places)
     regime = np.nan_to_num(regime, nan=Regime.FAILED).astype(np.int8)

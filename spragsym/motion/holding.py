@@ -1,0 +1,99 @@
+"""Rest under a clock: friction holds a state in every phase, by forces enclosed over a turn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from ..models.field import Field, Mode, Values
+from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import Intervals, ends_around, quiet, rounded_outward
+from ..numerics.vectors import TURN, magnitude
+from ..statics.balance import NOTHING
+from ..statics.forces import as_intervals
+from ..statics.namespaces import XP
+from .scales import scales_of
+
+#: Parts of a turn of the clock over which forces are enclosed.
+PHASES = 1024
+
+#: Parts of a line between two places over which they are.
+PIECES = 32
+
+#: What is left of a motion that rests, in its units: all states within it are held.
+ROOM = 1e-9
+
+
+class _Enclosed(Intervals):
+    """Intervals that say to a field in which functions it is to be computed."""
+
+    namespace = XP
+
+
+def held_in_every_phase(field: Field, constants: Values, state: FloatArray) -> bool:
+    """Whether friction holds all coordinates but the clock's about a state, on belts that stand
+    still, in every phase; other contacts then keep their modes.
+    """
+    n, still = len(field.coordinates), state.copy()
+    still[n:-1] = 0.0
+    units = scales_of(field, constants, state.tolist()).states
+    if magnitude((state - still) / units) > ROOM:
+        return False
+    return held_along(field, constants, still, still, ROOM * units[:n])
+
+
+def held_along(
+    field: Field, constants: Values, one: FloatArray, other: FloatArray, room: FloatArray
+) -> bool:
+    """The same of all places within the room of the straight line between two states without
+    speeds.
+    """
+    n, mode = len(field.coordinates), field.initial_mode(one.tolist(), constants)
+    stays = field.stays(mode)
+    across = [border.slopes(one.tolist(), constants, mode) for border in stays if border.slopes]
+    if not across:
+        return False
+    speeds = np.array(across, dtype=float)[:, n : 2 * n - 1]
+    if np.linalg.matrix_rank(speeds) < n - 1:
+        return False
+    edges = np.linspace(0.0, rounded_outward(np.array(TURN)), PHASES + 1)
+    # Speeds are 0, and places and the clock's rate known to within the room.
+    reach = np.zeros(one.size)
+    reach[:n] = room
+    pieces = np.linspace(one, other, 2 if (one == other).all() else PIECES + 1)
+    given = [
+        Intervals(rounded_outward(np.array([[-number], [number]]), 64.0)) if number else number
+        for number in constants
+    ]
+    for begin, end in pairwise(pieces):
+        middle, half = (begin + end) / 2, np.abs(end - begin) / 2
+        ends = ends_around(
+            np.repeat(middle[:, None], PHASES, axis=1), (reach + half * (1 + ROOM))[:, None]
+        )
+        ends[:, n - 1] = -edges[:-1], edges[1:]
+        around = [_Enclosed(row) for row in np.moveaxis(ends, 1, 0)]
+        if not _is_held(field, mode, around, given):
+            return False
+    return True
+
+
+def _is_held(field: Field, mode: Mode, around: Sequence[Any], given: Sequence[Any]) -> bool:
+    """Whether a mode lasts over boxes of states: what stays on a border is on it, and all else is
+    inside.
+    """
+    stays = field.stays(mode)
+    with quiet():
+        for border in field.borders:
+            level = border.level(around, given, mode)
+            if border in stays:
+                if as_intervals(level, (PHASES,)).magnitude.max() > NOTHING:
+                    return False
+            elif (
+                border.kink
+                and not (as_intervals(level * border.sign(mode), (PHASES,)).low > 0).all()
+            ):
+                return False
+    return True

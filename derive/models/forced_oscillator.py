@@ -1,4 +1,4 @@
-r"""A mass on a floor with dry friction, driven by a harmonic force: it slides, or stops and goes on.
+r"""A mass on a floor with dry friction, driven by a harmonic force: it slides, or stops at turns.
 
 ::
 

@@ -578,7 +578,8 @@ class LowestEnd(Tabular, NDArrayOperatorsMixin):
         return format(self.value, spec)
 
     def __str__(self) -> str:
-        return str(self.value)
+        undecided = np.ndim(self.kind) == 0 and self.kind == "undecided"
+        return f"{self.value} or more, undecided" if undecided else str(self.value)
 
     def __len__(self) -> int:
         return len(self.value)

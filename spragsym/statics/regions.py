@@ -17,6 +17,7 @@ is needed of what is cut off, which has none at the border.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -27,7 +28,7 @@ from ..core.errors import ParameterError
 from ..models.model import Model
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors, jets
-from ..numerics.arithmetic import Number
+from ..numerics.arithmetic import Number, is_zero
 from ..numerics.interval_arrays import (
     HALF_TURN,
     TINY,
@@ -400,14 +401,9 @@ def _by_contact_force(at: Evaluation) -> FloatArray:
     at = replace(at, xp=FREE)
     shape, pressed = at.shape, _presses(at.balance)
     lifted = [0 if k in pressed else one for k, one in enumerate(at.balance.pushing)]
-    # Slopes by pushing, where that is 0: the force of a touch, and what of it goes along each
-    # coordinate.
-    pushing = jets.Jet.variable(Intervals(np.zeros((2, *shape))), 0, 1)
     along, forces = dict[int, Intervals](), dict[int, Intervals]()
     for k in pressed:
-        touch = jets.gradient(at.contact_force(k, pushing), 1)[0]
-        rows = at.rows("forces", [*lifted[:k], pushing, *lifted[k + 1 :]])
-        along[k] = stacked([jets.gradient(row, 1)[0] / touch for row in rows], shape)
+        along[k] = _along_force(at, k, lifted)
         forces[k] = _cut_off(as_intervals(at.contact_force(k, _Pressed()), shape))
     apart = stacked(at.rows("forces", lifted), shape)
     for k in pressed:
@@ -419,6 +415,34 @@ def _by_contact_force(at: Evaluation) -> FloatArray:
     given = sum((along[k] * forces[k] for k in pressed), at_near), slopes, near, reach
     found: FloatArray = np.fmin(contractors.by_rows(*given), contractors.newton(*given).ends)
     return np.fmin(found, at.box.ends)
+
+
+def _along_force(at: Evaluation, contact: int, lifted: Sequence[int]) -> Intervals:
+    """How much of a contact's force goes along each coordinate, with cosines and sines left free;
+    NaN where that is not known.
+
+    A force that does not vanish at the touch is not 0 where pushing begins: there the slopes of
+    rows and force by pushing have this ratio. One that is linear in the gap is: but along a
+    coordinate in which force and rows are linear, and the direction therefore constant, their
+    slopes have it too.
+    """
+    shape = at.shape
+    pushing = jets.Jet.variable(Intervals(np.zeros((2, *shape))), 0, 3)
+
+    def slopes(at: Evaluation, *variables: int) -> list[Any]:
+        rows = at.rows("forces", [*lifted[:contact], pushing, *lifted[contact + 1 :]])
+        parts = at.contact_force(contact, pushing), *rows
+        return [one.derivative(*variables) if isinstance(one, jets.Jet) else 0 for one in parts]
+
+    force, *rows = slopes(at, 0)
+    if np.any(as_intervals(force, shape).holds_zero()):
+        for place, value in enumerate(at.q):
+            along = jets.Jet.variable(value, 1, 3)
+            moved = replace(at, q=[*at.q[:place], along, *at.q[place + 1 :]])
+            if all(map(is_zero, slopes(moved, 0, 1, 1))) and not is_zero(slopes(moved, 0, 1)[0]):
+                force, *rows = slopes(moved, 0, 1)
+                break
+    return stacked([row / force for row in rows], shape)
 
 
 def _closed(at: Evaluation, contact: int) -> FloatArray:

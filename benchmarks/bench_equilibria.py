@@ -20,7 +20,7 @@ import numpy as np
 import spragsym as ss
 from benchmarks import rivals
 from benchmarks.timing import best_in_turn, in_process, on_backend, timed
-from spragsym.kang_nam import kernel
+from spragsym.generated import kernel
 from spragsym.kang_nam.parameters import NAMES
 from spragsym.kang_nam.quartic import compiled
 from spragsym.kang_nam.quartic.solver import BLOCK

@@ -41,6 +41,7 @@ from ..numerics.interval_arrays import (
     scale_of,
     stacked,
 )
+from ..numerics.jets import Jet
 from ..numerics.tape import NotRecorded
 from ..statics.balance import Balance
 from ..statics.forces import Evaluation, filled
@@ -563,27 +564,64 @@ class Tubes(ByColumn):
         """Sign of dv/ds for all states in places or tubes, 0 where it is not known; ``by_s`` is
         about dz/ds.
         """
-        slopes, size, direction = self.over(tube), np.abs(by_s[-1]), by_s.copy()
-        direction[self.pivot] = 0.0
-        known, reach = (
-            np.zeros(size.shape, dtype=np.bool_),
-            np.tile(0.1 * size + 1e-12, (self.n, 1)),
-        )
+        slopes, about = self.over(tube), by_s.copy()
+        about[self.pivot] = 0.0
+        known, _ = self._solved(slopes, [row[self.pivot] for row in slopes.rows], about)
+        return np.where(known, np.sign(by_s[-1]), 0.0)
+
+    def bends(self, tube: Place, by_s: FloatArray) -> FloatArray:
+        """Sign of d²v/ds² for all states in tubes of points, 0 where it is not known; ``by_s`` is
+        about dz/ds.
+
+        Where F has second derivatives over the box, F_z z″ + F_zz[z′, z′] = 0.
+        """
+        if self.free or self.balance.factors:
+            return np.zeros(tube.sure.size)
+        slopes, about, n = self.over(tube), by_s.copy(), self.n
+        about[self.pivot] = 0.0
+        _, off = self._solved(slopes, [row[self.pivot] for row in slopes.rows], about)
+        wide = np.zeros(by_s.shape)
+        wide[self.others] = off
+        by_z = Intervals(ends_around(by_s, wide + np.spacing(np.abs(by_s) + wide)))
+
+        def rows(z: Sequence[Any], by_z: Sequence[Any], parameters: Any) -> Sequence[Any]:
+            *q, v = (Jet({(): one, (0,): slope}, 2) for one, slope in zip(z, by_z, strict=True))
+            values = self.balance.arguments(parameters)
+            moved = self.balance.with_angles({self.vary: v}, XP)
+            at = self.balance.at(q, {**values, **moved}, parameters.shape[1:])
+            return [row.derivative(0, 0) for row in at.rows("forces")]
+
         with quiet():
-            left = [
-                slopes.taken(slopes.image(i, direction, row[self.pivot]))
-                for i, row in enumerate(slopes.rows)
-            ]
+            bent = self.balance.taped(
+                ("bent", self.vary), rows, tube.box(), by_z, Intervals(self.prepared)
+            )
+            entries = matrix([[row[j] for j in self.others] for row in slopes.rows], off.shape[1:])
+            about[self.others] = -np.einsum(
+                "ijN,jN->iN", contractors.inverse(entries.middle), bent.middle
+            )
+            known, _ = self._solved(slopes, [bent[i] for i in range(n)], about)
+        return np.where(known, np.sign(about[-1]), 0.0)
+
+    def _solved(
+        self, slopes: Slopes, starts: Sequence[Any], about: FloatArray
+    ) -> tuple[BoolArray, FloatArray]:
+        """Where the solutions of slopes · x + starts = 0, ``about`` so large, have a last one of
+        that sign; how far each but the pivot may be off, infinite where nothing is known.
+        """
+        size = np.abs(about[-1])
+        reach = np.tile(0.1 * size + 1e-12, (self.n, 1))
+        off = np.full(reach.shape, np.inf)
+        with quiet():
+            left = [slopes.taken(slopes.image(i, about, one)) for i, one in enumerate(starts)]
             for _ in range(self.options.inflations):
-                if known.all():
+                if np.isfinite(off).all():
                     break
-                # Of what dz/ds differs by from the slope in the middle; v is the last of what
-                # follows a coordinate.
+                # v is the last of what follows a coordinate.
                 step = slopes.newton(left, self.others, reach)
                 most = np.maximum(*step)
-                known |= contractors.inside(step, reach) & (most[-1] * UP < size)
+                off = np.where(contractors.inside(step, reach), np.fmin(off, most), off)
                 reach = (1 + self.options.inflation) * np.maximum(reach, most)
-        return np.where(known, np.sign(by_s[-1]), 0.0)
+        return off[-1] * UP < size, off
 
     # ---------------------------------------------------------------------------------------------
     # the way

@@ -11,9 +11,6 @@ from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, quiet
 from .tubes import Place, Tubes
 
-#: Share of the way to the fold of a segment at most.
-SHARE = 0.65
-
 
 @dataclass(frozen=True)
 class Turned(ByColumn):
@@ -196,14 +193,15 @@ def _proved(
     by_s = tubes.tangents(here.z)[0]
     open_ = tubes.rises(here, by_s) == moving
     # In the last segment v differs by the square of this.
-    last, share = 1e-6 * size_of(fold[tubes.pivot]), np.full(moving.size, SHARE)
+    last, share = 1e-6 * size_of(fold[tubes.pivot]), np.ones(moving.size)
     for _ in range(tubes.options.segments):
         rest = (fold - here.z)[tubes.pivot]
         rows = np.flatnonzero(open_ & (np.abs(rest) > last) & (share > 1e-4))
         if not rows.size:
             break
-        good = _moved_on(tubes, here, by_s, rows, share * rest, moving)
-        share[rows] = np.where(good, np.minimum(1.1 * share[rows], SHARE), 0.6 * share[rows])
+        step = np.sign(rest) * np.minimum(share * np.abs(rest), np.abs(rest) - 0.5 * last)
+        good = _moved_on(tubes, here, by_s, rows, step, moving)
+        share[rows] = np.where(good, np.minimum(1.5 * share[rows], 1.0), 0.6 * share[rows])
     open_ &= np.abs((fold - here.z)[tubes.pivot]) <= last
     good, end, tube = tubes.segment(here, fold + (fold - here.z))
     good &= open_ & (tubes.rises(end, tubes.tangents(end.z)[0]) == -moving)
@@ -226,7 +224,15 @@ def _moved_on(
     some, slope = tubes[rows], by_s[:, rows]
     good, end, tube = some.segment(here[rows], here.z[:, rows] + slope * step[rows])
     then = some.tangents(end.z)[0]
-    good[good] = some[good].rises(tube[good], 0.5 * (slope + then)[:, good]) == moving[rows[good]]
+    on = good.copy()
+    on[good] = some[good].rises(tube[good], 0.5 * (slope + then)[:, good]) == moving[rows[good]]
+    # Where dv/ds falls by half and more, and only grows or falls, its ends tell it.
+    left = np.flatnonzero(good & ~on & (np.abs(then[-1]) < 0.5 * np.abs(slope[-1])))
+    if left.size:
+        bent = some[left].bends(tube[left], 0.5 * (slope + then)[:, left]) != 0
+        ends = some[left].rises(end[left], then[:, left]) == moving[rows[left]]
+        on[left] = bent & ends
+    good = on
     here.scatter(rows[good], end[good])
     by_s[:, rows[good]] = then[:, good]
     return good

@@ -7,6 +7,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.bifurcation.tubes import Tubes
+from spragsym.bifurcation.turning_points import _moved_on
 from spragsym.numerics import plans
 from spragsym.statics.balance import Balance
 
@@ -58,3 +59,61 @@ def test_the_same_tubes_are_proved(name: str, monkeypatch: pytest.MonkeyPatch) -
         np.testing.assert_allclose(one.room, other.room, rtol=1e-9)
         np.testing.assert_allclose(one.off, other.off, rtol=1e-9, atol=1e-24)
         np.testing.assert_allclose(one.held, other.held, rtol=1e-9, atol=1e-24)
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_tubes_bend_as_their_slopes_change(name: str) -> None:
+    """The sign of d²v/ds² over a tube is that of each change of dv/ds, in floats, at places in it;
+    of wide tubes it is left open.
+    """
+    tubes, z = states(name, 400)
+    size = 10.0 ** np.random.default_rng(7).uniform(-6, -0.5, z.shape[1])
+    known = open_ = 0
+    for pivot in range(tubes.n):
+        of = replace(tubes, pivot=pivot)
+        by_s, _ = of.tangents(z)
+        none = np.zeros((tubes.n + 1, 0, size.size))
+        tube = of._one_state(z, by_s, none, size, 0.5 * np.abs(by_s) * size)
+        rows = np.flatnonzero(tube.sure & (size > 1e-5))
+        bent = of[rows].bends(tube[rows], by_s[:, rows])
+        places = [
+            of[rows].corrected((z + by_s * share * size)[:, rows]) for share in (-0.9, 0.0, 0.9)
+        ]
+        slopes = np.array([of[rows].tangents(place)[0][-1] for place in places])
+        clear = np.abs(np.diff(slopes, axis=0)) > 1e-11 * (1 + np.abs(slopes).max(axis=0))
+        signs = np.sign(np.diff(slopes, axis=0))
+        assert (signs == bent)[clear & (bent != 0)].all()
+        known, open_ = known + (bent != 0).sum(), open_ + (bent == 0).sum()
+    assert known > 0.1 * (known + open_)
+    assert open_ > 0
+
+
+@pytest.mark.parametrize("name", ["kang_nam", "hertz_contact", "two_springs"])
+def test_no_state_moves_on_over_its_fold(name: str) -> None:
+    """From beside a fold up to near it in one segment, by the sign of d²v/ds²; over it in none."""
+    p = ss.load(name).search.Parameters(theta0=np.radians(40.0))
+    found = ss.folds(p, "mu0", method="search")
+    fold = np.array([found[one][:1] for one in (*p.model.coordinates, "mu0")])
+    columns = np.array([np.atleast_1d(p[one]) for one in p.model.parameters])
+    of = replace(Tubes.of_points(Balance(p.model), "mu0", columns), pivot=0)
+    bent = 0
+    for way in (-0.01, 0.01):
+        start = fold.copy()
+        start[0] += way
+        here = of.place(start)
+        assert here.sure.all()
+        by_s = of.tangents(here.z)[0]
+        for share, on in ((0.97, True), (1.03, False), (1.5, False)):
+            step = -way * np.array([share])
+            good = _moved_on(
+                of,
+                here[np.arange(1)],
+                by_s.copy(),
+                np.arange(1),
+                step,
+                np.sign(by_s[-1]),
+            )
+            assert good[0] == on
+            tube = of.segment(here, here.z + by_s * step)[2]
+            bent += bool(of.rises(tube, by_s) == 0 and of.bends(tube, by_s) != 0)
+    assert bent == 6

@@ -193,7 +193,7 @@ def _proved(
     by_s = tubes.tangents(here.z)[0]
     open_ = tubes.rises(here, by_s) == moving
     # In the last segment v differs by the square of this.
-    last, share = 1e-6 * size_of(fold[tubes.pivot]), np.ones(moving.size)
+    last, share = 1e-6 * size_of(fold[tubes.pivot]), np.full(moving.size, 0.2)
     for _ in range(tubes.options.segments):
         rest = (fold - here.z)[tubes.pivot]
         rows = np.flatnonzero(open_ & (np.abs(rest) > last) & (share > 1e-4))

@@ -36,6 +36,7 @@ from .models.quantities import Scales as Scales
 from .motion import Event as Event
 from .motion import Regime as Regime
 from .motion import simulate as simulate
+from .motion.options import MotionOptions as MotionOptions
 from .motion.options import ShootingOptions as ShootingOptions
 from .motion.sweeps import basin as basin
 from .motion.sweeps import rms_sweep as rms_sweep

@@ -16,7 +16,7 @@ from .type_variables import T
 
 def option(default: T, low: float, high: float = math.inf, kind: type = Real) -> T:
     """Field of options, from ``low`` to ``high``, both included, and whatever its default is; whole
-    numbers with the ``kind`` Integral.
+    numbers with the ``kind`` Integral, and a tuple of numbers where the default is one.
     """
     made: Callable[..., T] = field
     return made(default=default, metadata={"low": low, "high": high, "kind": kind})
@@ -48,6 +48,12 @@ class Options:
 
 def _check(name: str, value: Any, default: Any, low: float, high: float, kind: Any) -> None:
     remedy = "leave it out" if default is None else f"leave it out for {default}"
+    if isinstance(default, tuple):
+        if not isinstance(value, tuple) or not value:
+            raise ParameterTypeError(f"{name} = {value!r:.60} is no tuple of numbers; {remedy}")
+        for i, each in enumerate(value):
+            _check(f"{name}[{i}]", each, None, low, high, kind)
+        return
     if isinstance(value, bool) or not isinstance(value, kind):
         what = "whole number" if kind is Integral else "number"
         raise ParameterTypeError(f"{name} = {value!r:.60} is no {what}; {remedy}")

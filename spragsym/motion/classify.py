@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..models.field import FLOATS, SETTLED, Field, Mode, Values
+from ..models.field import FLOATS, Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
 from ..numerics.vectors import in_one_turn, magnitude
@@ -24,24 +24,20 @@ from .holding import held_in_every_phase
 from .measures import KEPT, MotionStatistics
 from .problem import Event, Problem
 from .regimes import Outcome, Regime
-from .return_map import NOISE, Onward, leads, on_cycle
+from .return_map import Onward, leads, on_cycle
 
 #: Events of the contact.
 CONTACT = [Event.CONTACT_LOST, Event.CONTACT_REGAINED, Event.FACE_LEFT, Event.FACE_REGAINED]
-
-#: Fewest maxima of x in a window from which a decay is read.
-FEW = 8
-
 
 #: Newton's method has gone astray beyond this, in units of the motion.
 FAR = 1e6
 
 
-def classify(statistics: MotionStatistics, onward: Onward, tol: float = SETTLED) -> Outcome:
+def classify(statistics: MotionStatistics, onward: Onward) -> Outcome:
     """The outcome of a motion, from what was measured of it after its transient, and how it goes
     on.
 
-    ``tol`` is what may be left to the limit of a settled motion. All is judged in units of the
+    All is judged in units of the
     motion's own (:mod:`.scales`), and told in those of the model. The outcome is without
     ``equilibrium``, which :func:`~spragsym.statics.search.rest_index` finds for many at once.
     """
@@ -57,7 +53,7 @@ def classify(statistics: MotionStatistics, onward: Onward, tol: float = SETTLED)
     scales = problem.own_scales
     if not scales.trivial:
         there = replace(onward, problem=scales.problem(problem))
-        return scales.outcome(classify(scales.inverse.statistics(statistics), there, tol))
+        return scales.outcome(classify(scales.inverse.statistics(statistics), there))
     apart = not statistics.events[CONTACT].any()
     if (
         apart
@@ -67,7 +63,7 @@ def classify(statistics: MotionStatistics, onward: Onward, tol: float = SETTLED)
         found = Outcome(Regime.LIFT_OFF)
     else:
         sought = (
-            at_rest(each, other.problem, tol) or on_cycle(each, other, tol)
+            at_rest(each, other.problem) or on_cycle(each, other)
             for each, other in _led(statistics, onward)
         )
         found = next(filter(None, sought), Outcome())
@@ -90,15 +86,16 @@ def _led(statistics: MotionStatistics, onward: Onward) -> Iterator[tuple[MotionS
             )
 
 
-def at_rest(statistics: MotionStatistics, problem: Problem, tol: float) -> Outcome | None:
+def at_rest(statistics: MotionStatistics, problem: Problem) -> Outcome | None:
     """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
+    options, tol = problem.options, problem.options.settled
     still = (
         abs(statistics.last[statistics.lead] - statistics.first[statistics.lead]) <= 4 * tol
         and statistics.reach[1] - statistics.reach[0] <= 4 * tol
     )
     # On a belt that stands still the law of friction is smooth where x' changes its sign.
     kinks = bool((statistics.events if problem.belt > 0 else statistics.events[CONTACT]).any())
-    decaying = len(statistics.maxima) >= FEW and not kinks
+    decaying = len(statistics.maxima) >= options.decay_maxima and not kinks
     if not (still or decaying):
         return None
     n = len(statistics.last) // 2
@@ -115,10 +112,10 @@ def at_rest(statistics: MotionStatistics, problem: Problem, tol: float) -> Outco
         still
         and distance <= tol
         and growth <= rounding
-        and _stays(statistics, rest, problem.rtol, kinks)
+        and _stays(statistics, rest, options.noise * problem.rtol, kinks)
     ):
         return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(0.0, rest.rate), distance=distance)
-    if decaying and growth < 0 and _decays(statistics, rest):
+    if decaying and growth < 0 and _decays(statistics, rest, options.decay_maxima):
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
         return Outcome(regime, rest=place, rate=rest.rate, distance=distance)
     return None
@@ -221,7 +218,7 @@ def equilibrium_near(
     raise ConvergenceError("there is no equilibrium near")
 
 
-def _stays(statistics: MotionStatistics, rest: Equilibrium, rtol: float, kinks: bool) -> bool:
+def _stays(statistics: MotionStatistics, rest: Equilibrium, noise: float, kinks: bool) -> bool:
     """Whether as little is left as the linearization says: a cycle beside the equilibrium may be
     small too, in the model's units.
 
@@ -232,7 +229,7 @@ def _stays(statistics: MotionStatistics, rest: Equilibrium, rtol: float, kinks: 
         np.sum(np.abs(inverse @ (state - rest.state)) ** 2)
         for state in (statistics.first, statistics.last)
     )
-    noise = NOISE * rtol * (1e-3 + magnitude(rest.state)) * np.linalg.norm(inverse, 2)
+    noise *= (1e-3 + magnitude(rest.state)) * float(np.linalg.norm(inverse, 2))
     # Squares that are larger than this many times what a linear decay leaves of them have not
     # decayed.
     times_decayed = 4.0
@@ -244,7 +241,7 @@ def _stays(statistics: MotionStatistics, rest: Equilibrium, rtol: float, kinks: 
     return bool(after <= noise**2 or (after <= left and (left < before or not kinks)))
 
 
-def _decays(statistics: MotionStatistics, rest: Equilibrium) -> bool:
+def _decays(statistics: MotionStatistics, rest: Equilibrium, fewest: int) -> bool:
     """Whether the parts of the motion in the eigenvectors die out as their eigenvalues say, within
     a factor of two.
 
@@ -254,7 +251,7 @@ def _decays(statistics: MotionStatistics, rest: Equilibrium) -> bool:
     since = statistics.begin if len(statistics.maxima_t) < KEPT else float(statistics.maxima_t[0])
     window = statistics.end - since
     share = (statistics.maxima_t - since) / window
-    if not FEW // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - FEW // 2 + 1:
+    if not fewest // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - fewest // 2 + 1:
         return False
     hann = np.sin(2 * np.pi * share) ** 2
     first, second = (

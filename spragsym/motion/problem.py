@@ -18,6 +18,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from dataclasses import field as attribute
 from enum import IntEnum
 from functools import cached_property, partial
 from typing import Any
@@ -29,6 +30,7 @@ from ..models.field import Field, Values, field_of, undecorated
 from ..models.forces import of_statics
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, Range, as_count, as_number
+from .options import MotionOptions
 from .scales import MotionScales, scales_of
 
 RELATIVE_TOLERANCE = Range(
@@ -85,6 +87,7 @@ class Problem:
     field_of: Callable[[float], Field]
     #: Units of its numbers, where these are not the model's.
     scales: MotionScales | None = None
+    options: MotionOptions = attribute(default_factory=MotionOptions)
 
     @property
     def reach(self) -> float:

@@ -33,21 +33,6 @@ from .regimes import Outcome, Regime
 from .shooting import Iterate, Orbit, least_period, off_jumps, solved, through
 from .solution import Extremum, FlowMap, FlowResult
 
-#: Returns as close as this, relative to the extent of the motion, are worth a search for the cycle.
-CLOSE = 0.05
-
-#: Fewest maxima of x in a window in which a cycle can be seen.
-FEWEST = 3
-
-
-#: By how much the linearized map may be wrong about a return, relative to the distance at the
-#: return before.
-MISSED = 0.25
-
-#: What an integrator leaves of a motion at rest, in tolerances of a step.
-NOISE = 100.0
-
-
 #: Tolerance of flows that closed orbits are found with, where differences stand for
 #: derivatives.
 FINE = 1e-12
@@ -135,7 +120,8 @@ class Onward:
         """The closed orbit to all digits, with the derivative of its return; ConvergenceError
         without one near, in ``scale``.
         """
-        (rtol, near, precision), reach = PRECISIONS[self.backend], 4 * CLOSE * float(scale.max())
+        rtol, near, precision = PRECISIONS[self.backend]
+        reach = 4 * self.problem.options.close * float(scale.max())
         fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
         guess = Iterate(state[None], period, ())
         on_section = through(state, np.eye(state.size)[fixed], guess)
@@ -240,10 +226,10 @@ def leads(statistics: MotionStatistics, problem: Problem) -> bool:
     """Whether rounds of a motion may be seen where its leading coordinate is largest: it moves, and
     has not all but ceased to.
     """
-    low, high = statistics.reach
-    if high - low <= NOISE * problem.rtol * magnitude(statistics.last):
+    options, (low, high) = problem.options, statistics.reach
+    if high - low <= options.noise * problem.rtol * magnitude(statistics.last):
         return False
-    if len(statistics.passages) >= FEWEST:
+    if len(statistics.passages) >= options.returns:
         return True
     swings = [
         np.ptp(
@@ -255,19 +241,20 @@ def leads(statistics: MotionStatistics, problem: Problem) -> bool:
             slice(len(statistics.maxima) // 3),
             slice(-(len(statistics.maxima) // 3), None),
         )
-        if len(statistics.maxima) >= FEWEST
+        if len(statistics.maxima) >= options.returns
     ]
     return bool(swings and swings[1] > swings[0] / 2)
 
 
-def on_cycle(statistics: MotionStatistics, onward: Onward, tol: float) -> Outcome | None:
+def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:
     """The cycle that the motion is on, or winds onto."""
+    options, tol = onward.problem.options, onward.problem.options.settled
     periodic, lead = onward.problem.field.periodic, statistics.lead
     # An x that turns around and never back has no maxima.
-    turning = len(statistics.maxima) < FEWEST and makes_turns(lead, periodic)
+    turning = len(statistics.maxima) < options.returns and makes_turns(lead, periodic)
     fixed = lead if turning else len(statistics.last) // 2 + lead
     times, places = _marks(statistics, fixed)
-    if len(times) < FEWEST:
+    if len(times) < options.returns:
         return None
     places = _near(places, in_one_turn(places[-1], periodic), periodic)
     # A section is at x' = 0, or at a whole number of turns, which need not be the first one of an
@@ -281,7 +268,7 @@ def on_cycle(statistics: MotionStatistics, onward: Onward, tol: float) -> Outcom
     )
     scale = np.maximum(extent, 1e-2 * (TURN if turning else extent[lead]) + 1e-300)
     states /= scale
-    for k in _candidates(states):
+    for k in _candidates(states, options.close):
         period = float(times[-1] - times[-1 - k])
         with suppress(ConvergenceError):
             cycle = onward.closed(places[-1], fixed, period, scale)
@@ -292,7 +279,7 @@ def on_cycle(statistics: MotionStatistics, onward: Onward, tol: float) -> Outcom
             # A multiplier this close to 1 in size is told neither from a stable nor from an
             # unstable one.
             beside_one = 1e-6
-            if largest < 1 - beside_one and distance <= 4 * CLOSE and _nears(cycle, off, tol):
+            if largest < 1 - beside_one and distance <= 4 * options.close and _nears(cycle, off):
                 regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
                 rate = -math.log(largest) / cycle.orbit.period if largest else math.inf
                 return _described(cycle, regime, rate, distance)
@@ -304,7 +291,7 @@ def _near(states: FloatArray, place: FloatArray, periodic: WholeTurns) -> FloatA
     return place + apart(states, place, periodic)
 
 
-def _candidates(states: FloatArray) -> Iterator[int]:
+def _candidates(states: FloatArray, close: float) -> Iterator[int]:
     """Numbers of returns after which the last states came close to what they had been, and closer
     each time; fewest first.
 
@@ -320,12 +307,12 @@ def _candidates(states: FloatArray) -> Iterator[int]:
     for k in range(1, (len(states) - 1) // 2 + 1):
         last, before = apart(k), magnitude(states[-1 - k] - states[-1 - 2 * k])
         if (
-            max(last, before) > CLOSE
-            or last > 2 * before + CLOSE**3
+            max(last, before) > close
+            or last > 2 * before + close**3
             or _drifts_past(states[::-1][::k])
         ):
             continue
-        for number in (*(j for j in range(1, k) if k % j == 0 and apart(j) <= 4 * CLOSE), k):
+        for number in (*(j for j in range(1, k) if k % j == 0 and apart(j) <= 4 * close), k):
             multiple = any(number % j == 0 and apart(number) > 0.5 * apart(j) for j in tried)
             # Cycles that are looked for, of one motion.
             most_candidates = 3
@@ -355,21 +342,22 @@ def _drifts_past(states: FloatArray) -> bool:
     return bool(shrink >= 1 or sizes[0] * shrink / (1 - shrink) > farthest_end)
 
 
-def _nears(cycle: Closed, off: FloatArray, tol: float) -> bool:
+def _nears(cycle: Closed, off: FloatArray) -> bool:
     """Whether the motion is at the cycle, or nears it as the linearized map says and will go on
     doing so.
 
     ``off`` is what lacked at its returns, latest first.
     """
-    sizes = np.abs(off).max(axis=1)
+    options, sizes = cycle.onward.problem.options, np.abs(off).max(axis=1)
+    tol = options.settled
     if sizes[: max(2, len(sizes) // 2)].max() <= tol:
         return True
-    if len(off) < 2 or magnitude(off[0] - cycle.slope @ off[1]) > MISSED * sizes[1] + tol:
+    if len(off) < 2 or magnitude(off[0] - cycle.slope @ off[1]) > options.missed * sizes[1] + tol:
         return False
-    return _goes_on(cycle, off[0], tol)
+    return _goes_on(cycle, off[0])
 
 
-def _goes_on(cycle: Closed, off: FloatArray, tol: float) -> bool:
+def _goes_on(cycle: Closed, off: FloatArray) -> bool:
     """Whether the return map itself contracts wherever its linearization leads, half as fast at
     least on the average.
 
@@ -377,6 +365,8 @@ def _goes_on(cycle: Closed, off: FloatArray, tol: float) -> bool:
     themselves, and a motion that decays slowly turns through all of them. Motions have neared a
     cycle at its rate 0.04 of its extent away, and left it.
     """
+    options = cycle.onward.problem.options
+    tol = options.settled
     values, vectors = np.linalg.eig(cycle.slope)
     if (
         abs(np.linalg.det(vectors)) <= 1e-9
@@ -388,7 +378,7 @@ def _goes_on(cycle: Closed, off: FloatArray, tol: float) -> bool:
     place = cycle.scaled(cycle.state)
     images = cycle.returned(place + places) - place
     missed = np.abs(images - places @ cycle.slope.T).max(axis=1)
-    if not (missed <= MISSED * np.abs(places).max(axis=1) + tol).all():
+    if not (missed <= options.missed * np.abs(places).max(axis=1) + tol).all():
         return False
     growth = [
         math.log(max(part, tol) / max(left, tol))

@@ -16,7 +16,7 @@ from ..core.questions import model_of
 from ..display import Column, Table, caption
 from ..files import storage
 from ..models import forces
-from ..models.field import SETTLED, Field
+from ..models.field import Field
 from ..models.parameters import (
     NOT_NEGATIVE,
     POSITIVE,
@@ -34,6 +34,7 @@ from . import integrators
 from .classify import classify
 from .lobatto import PiecewisePolynomial
 from .measures import MotionStatistics, Spectrum, spectrum_of, statistics_of
+from .options import MotionOptions
 from .problem import MAX_STEPS, RELATIVE_TOLERANCE, Event, Problem, prepare
 from .regimes import Outcome, Regime
 from .return_map import Onward
@@ -436,7 +437,13 @@ class Trajectory(Named):
         extrema = late.samples(np.append(late._turns(row), late.t[[0, -1]]))[row]
         return magnitude(extrema - late._centre(of, about))
 
-    def outcome(self, transient: float | None = None, *, tol: float = SETTLED) -> Outcome:
+    def outcome(
+        self,
+        transient: float | None = None,
+        *,
+        tol: float | None = None,
+        options: MotionOptions | None = None,
+    ) -> Outcome:
         """Limit that the motion settles to or approaches, how fast, and what is left, judged by
         what follows ``transient``.
 
@@ -447,8 +454,10 @@ class Trajectory(Named):
         ----------
         transient : float, optional
             Time before which nothing counts, by default three quarters of the motion.
-        tol : float
-            Share of the motion's reach that may be left.
+        tol : float, optional
+            Share of the motion's reach that may be left, 1e-4 where it is left out.
+        options : MotionOptions, optional
+            Numbers by which a limit is told.
 
         Returns
         -------
@@ -470,16 +479,18 @@ class Trajectory(Named):
             t_end=length,
             rtol=max(self.rtol, RELATIVE_TOLERANCE.low),
         )
-        found = classify(
-            late.statistics(), Onward(problem, self.backend), as_number("tol", tol, POSITIVE)
-        )
+        options = options or MotionOptions()
+        if tol is not None:
+            options = replace(options, settled=as_number("tol", tol, POSITIVE))
+        problem = replace(problem, options=options)
+        found = classify(late.statistics(), Onward(problem, self.backend))
         return (
             replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest))))
             if found.rest and not self.model.clock
             else found
         )
 
-    def period(self, transient: float | None = None, *, tol: float = SETTLED) -> float:
+    def period(self, transient: float | None = None, *, tol: float | None = None) -> float:
         """Period of the cycle that the motion after ``transient`` has settled to; NaN if it has
         not, and at rest.
 
@@ -491,8 +502,8 @@ class Trajectory(Named):
         ----------
         transient : float, optional
             Time before which nothing counts, by default three quarters of the motion.
-        tol : float
-            Share of the motion's reach that may be left.
+        tol : float, optional
+            Share of the motion's reach that may be left, 1e-4 where it is left out.
 
         Returns
         -------
@@ -509,7 +520,7 @@ class Trajectory(Named):
         outcome = self.outcome(transient, tol=tol)
         return outcome.period if outcome.regime == Regime.LIMIT_CYCLE else float("nan")
 
-    def converged(self, transient: float | None = None, *, tol: float = SETTLED) -> bool:
+    def converged(self, transient: float | None = None, *, tol: float | None = None) -> bool:
         """Whether the motion after ``transient`` has settled to rest or to a cycle, within ``tol``
         (see :meth:`outcome`).
 
@@ -517,8 +528,8 @@ class Trajectory(Named):
         ----------
         transient : float, optional
             Time before which nothing counts, by default three quarters of the motion.
-        tol : float
-            Share of the motion's reach that may be left.
+        tol : float, optional
+            Share of the motion's reach that may be left, 1e-4 where it is left out.
 
         Returns
         -------

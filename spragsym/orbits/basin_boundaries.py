@@ -26,6 +26,7 @@ from ..models.parameters import (
     as_ranges,
 )
 from ..motion.integrators import Flow
+from ..motion.options import MotionOptions
 from ..motion.scales import MotionScales
 from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray
@@ -37,9 +38,6 @@ from .system import FateVerdict, Saddle, System, judged, saddle_near, verified
 if TYPE_CHECKING:
     from ..motion.simulation import Trajectory
     from .orbit import Cycle
-
-#: To either side of a point it is looked what motions come to.
-ASIDE = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,6 +94,7 @@ def basin_boundary(
     step: float | None = None,
     points: int = 80,
     backend: str | None = None,
+    options: MotionOptions | None = None,
 ) -> BasinBoundary:
     """The stable manifold of a divergent equilibrium in a plane of starts, and where it is the
     boundary of a basin.
@@ -123,6 +122,8 @@ def basin_boundary(
         range where it is left out.
     points : int
         Most points either way.
+    options : MotionOptions, optional
+        Numbers by which fates are told.
 
     Returns
     -------
@@ -154,7 +155,7 @@ def basin_boundary(
     >>> found.boundary.tolist(), found.sides[0].tolist()
     ([False, False, False], ['a cycle of period 34.0235', 'a cycle of period 34.0235'])
     """
-    system, model = System.of(p, backend, V=V, d=d), p.model
+    system, model = System.of(p, backend, options, V=V, d=d), p.model
     model.require_answered("basin_boundary")
     names = model.components
     plane = (model.coordinates[0], model.rates[0]) if plane is None else plane
@@ -425,13 +426,14 @@ class _Walk:
         """Whether the sides of a point lie in different basins, also nearer by, and what starts
         there come to, in words.
         """
-        both = self.sides(state, span, ASIDE)
+        aside = 1e-6
+        both = self.sides(state, span, aside)
         if not _differ(self.system, *both):
             return False, [each.described() for each in both]
         # Where they differ it is looked at this share of the distance too: basins may alternate
         # beside the curve.
         nearer_share = 0.25
-        nearer = self.sides(state, span, nearer_share * ASIDE)
+        nearer = self.sides(state, span, nearer_share * aside)
         other = [
             not near.decided or _differ(self.system, one, near)
             for one, near in zip(both, nearer, strict=True)

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from dataclasses import field as attribute
 from functools import cached_property
 
 import numpy as np
@@ -20,6 +21,7 @@ from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
 from ..core.questions import model_of
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
+from ..motion.options import MotionOptions
 from ..motion.scales import MotionScales
 from ..motion.shooting import rate
 from ..motion.simulation import state_of
@@ -28,27 +30,6 @@ from ..numerics.vectors import norm
 from ..results.result import Result
 from .attractors import settled
 from .system import System, judged
-
-#: Deviations of which one is smaller than another by more than this in an interval are lost in
-#: rounding: it is halved.
-LOST = 1e-10
-
-
-#: Numbers of equal parts by whose scatter the error is judged: the largest counts, as parts that
-#: are too short are correlated.
-PARTS = (6, 12, 24)
-
-#: An exponent is told from 0 by this many half-widths of its 95 % interval, some four standard
-#: errors.
-PROVED = 2.0
-
-
-#: What errors of integration may add to a rate, in one over the motion's unit of time: an exponent
-#: below is not told from 0, however little it scatters.
-FLOOR = 1e-10
-
-#: Slower than this, in the motion's units, the flow is no direction: the motion is at rest.
-STILL = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,6 +89,7 @@ def lyapunov(
     start: ArrayLike | None = None,
     t_end: float | None = None,
     backend: str | None = None,
+    options: MotionOptions | None = None,
 ) -> Lyapunov:
     """The Lyapunov exponents of a motion with their errors, and what they prove.
 
@@ -128,6 +110,8 @@ def lyapunov(
         Until when; 4000 times the motion's unit of time where it is left out: 1 over the
         fastest rate, rounded to a power of four, and 1 from 1/32 to 32.
     backend : {"heyoka", "scipy"}, optional
+    options : MotionOptions, optional
+        Numbers by which exponents are told from 0.
 
     Returns
     -------
@@ -156,17 +140,16 @@ def lyapunov(
     True
     """
     model_of(p).require_answered("lyapunov")
-    system = System.of(p, backend, V=V, d=d)
+    system = System.of(p, backend, options, V=V, d=d)
     state = state_of(p.model, start, p=p)
-    unit = system.scales(state).time
-    # How long a motion is followed where nobody says, in its unit of time.
-    default_length = 4000.0
-    t_end = as_number("t_end", default_length * unit if t_end is None else t_end, POSITIVE)
+    if t_end is None:
+        t_end = system.options.span * system.scales(state).time
+    t_end = as_number("t_end", t_end, POSITIVE)
     whole = rates_along(system, state, t_end)
     late = whole.after(len(whole.logs) // 2)
     times = late.interval * np.arange(1, len(late.logs) + 1)
     order = late.order
-    zero = np.abs(late.exponents) <= PROVED * late.error
+    zero = np.abs(late.exponents) <= late.options.told * late.error
     zero[0] |= late.moves
     why = late.undecided(t_end - late.span)
     kind, limit = "undecided" if why else "chaotic", np.full(system.field.deviations, np.nan)
@@ -211,6 +194,7 @@ class Rates:
     end: FloatArray
     change: float = math.inf
     unit: float = 1.0
+    options: MotionOptions = attribute(default_factory=MotionOptions)
 
     def after(self, begin: int) -> Rates:
         """Rates of the intervals from one on."""
@@ -233,6 +217,7 @@ class Rates:
             later.end,
             later.change,
             self.unit,
+            self.options,
         )
 
     @property
@@ -243,7 +228,7 @@ class Rates:
     @property
     def moves(self) -> bool:
         """Whether the motion is never at rest."""
-        return bool((self.flow > math.log(STILL)).all())
+        return bool((self.flow > math.log(self.options.still)).all())
 
     @cached_property
     def exponents(self) -> FloatArray:
@@ -263,7 +248,7 @@ class Rates:
         found = half_widths(self.lasting, self.interval)
         if self.moves:
             found[0] = np.ptp(self.flow) / self.span
-        return np.maximum(found, FLOOR / self.unit)
+        return np.maximum(found, self.options.least_error / self.unit)
 
     @property
     def order(self) -> IntArray:
@@ -279,20 +264,20 @@ class Rates:
         """Why these do not prove that the motion is chaotic, or nothing; ``before`` is how long it
         was followed before.
         """
-        across, error = self.exponents[1:], self.error[1:]
+        across, error, options = self.exponents[1:], self.error[1:], self.options
         if not self.moves:
             return "the motion is at rest, or all but"
         early, late = np.array_split(np.diff(self.flow), 2)
         if min(early.min(), late.min()) > 0 and late.sum() > 0.5 * early.sum():
             grown = math.exp(early.sum() + late.sum())
             return f"its speed grows all along, {grown:.3g} times: it runs away, or settles slowly"
-        open_ = np.flatnonzero(np.abs(across) <= PROVED * error)
+        open_ = np.flatnonzero(np.abs(across) <= options.told * error)
         if len(open_):
             worst = open_[np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300))]
             longer = "a longer motion narrows that as the root of its time; on a torus it stays"
             hope = (
                 longer
-                if error[worst] > FLOOR / self.unit
+                if error[worst] > options.least_error / self.unit
                 else "errors of integration may be as large"
             )
             return (
@@ -301,10 +286,7 @@ class Rates:
             )
         if across.max() < 0:
             attracts = "all exponents but the trivial one are negative: what it nears attracts, "
-            # A velocity that changes no more than this, relatively, while deviations decay by e: it
-            # drifts.
-            steady_change = 1e-6
-            if self.change <= steady_change * -across.max():
+            if self.change <= options.steady * -across.max():
                 return f"{attracts}a steady drift: at constant rates a coordinate grows for ever"
             return f"{attracts}a cycle or a drift, which a longer motion may reach"
         if len(across) == 1:
@@ -313,9 +295,7 @@ class Rates:
                 "motion tells what it comes to"
             )
         slowest = -across[across < 0].max(initial=-np.inf)
-        # A motion has settled once the slowest decay has made deviations smaller by exp of this.
-        settled_decays = 5.0
-        if before * slowest < settled_decays:
+        if before * slowest < options.decays:
             return (
                 f"it may not have settled: deviations decay as exp(−{slowest:.2g} τ), followed "
                 f"for {before:g} before"
@@ -323,7 +303,7 @@ class Rates:
         middle = len(self.logs) // 2
         logs = self.lasting[:, 1:]
         early, late = (half.mean(axis=0) / self.interval for half in (logs[:middle], logs[middle:]))
-        if (np.abs(late - early) > 2 * PROVED * error).any():
+        if (np.abs(late - early) > 2 * options.told * error).any():
             return "exponents of the two halves differ: it has not settled; a longer motion tells"
         return ""
 
@@ -342,7 +322,8 @@ def half_widths(logs: FloatArray, interval: float) -> FloatArray:
     sums = np.vstack([np.zeros(m), np.cumsum(logs, axis=0)])
     line = np.linspace(0, 1, count + 1)[:, None] * sums[-1]
     widest: FloatArray = np.ptp(sums - line, axis=0) / (count * interval)
-    for parts in PARTS:
+    # The widest counts, as parts that are too short are correlated.
+    for parts in (6, 12, 24):
         if count >= 4 * parts:
             ends = np.linspace(0, count, parts + 1).astype(int)
             means = np.diff(sums[ends], axis=0) / (np.diff(ends) * interval)[:, None]
@@ -374,10 +355,8 @@ def rates_along(
 
 def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
     """:func:`rates_along` of a system whose motion has units of order 1."""
-    field, constants = system.field, system.constants
-    # Time between two orthonormalizations, in the motion's unit of time.
-    interval_units = 5.0
-    m, count = field.deviations, max(16, math.ceil(span / interval_units))
+    field, constants, options = system.field, system.constants, system.options
+    m, count = field.deviations, max(16, math.ceil(span / options.interval))
     interval = span / count
     logs, volumes, states = np.empty((count, m)), np.empty(count), [state]
     flow = rate(field, state, constants)
@@ -391,16 +370,16 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         flow = rate(field, state, constants)
         flow_result = system.flow.flow_map(state, constants, span)
         ahead = flow_result.by_state @ frame
-        if norm(flow) > STILL:  # the flow is carried into itself
+        if norm(flow) > options.still:  # the flow is carried into itself
             ahead[:, 0] = rate(field, flow_result.state, constants) / norm(flow)
         norms = np.linalg.norm(ahead, axis=0)
         order = np.argsort(
-            norms <= LOST * norms.max(), kind="stable"
+            norms <= options.lost * norms.max(), kind="stable"
         )  # what has ended spans nothing, and comes last
         back = np.argsort(order)
         turned, triangle = np.linalg.qr(ahead[:, order])
         sizes = np.abs(np.diag(triangle))
-        lost = sizes <= LOST * sizes.max()
+        lost = sizes <= options.lost * sizes.max()
         met = (state, flow_result.state, *(crossing.state for crossing in flow_result.crossings))
         stuck = {border.place for each in met for border in field.stays(system.mode(each))}
         if lost.sum() <= len(stuck):
@@ -416,8 +395,8 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         if span < interval / 2**most_halvings:
             natural = span * (field.scales.time if field.scales else 1.0)
             raise ConvergenceError(
-                f"small deviations shrink by more than {1 / LOST:g} in {natural:g} time units: "
-                "too stiff"
+                f"small deviations shrink by more than {1 / options.lost:g} in {natural:g} time "
+                "units: too stiff"
             )
         middle, frame, first, shrunk = carried(state, frame, span / 2)
         end, frame, second, more = carried(middle, frame, span / 2)
@@ -425,7 +404,7 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
 
     with np.errstate(divide="ignore"):
         frame = np.eye(field.size)[:, np.argsort(-np.abs(flow[:m]))]
-        if norm(flow) > STILL:  # it is the first direction
+        if norm(flow) > options.still:  # it is the first direction
             frame[:, 0] = flow
         frame, _ = np.linalg.qr(frame)
         for i in range(count):
@@ -435,4 +414,4 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         velocity, acceleration = np.split(rate(field, state, constants), 2)
         velocity = velocity[: m // 2]  # a clock always drifts
         change = float(norm(acceleration) / norm(velocity)) if norm(velocity) else math.inf
-    return Rates(logs, volumes, span, speeds, state, change)
+    return Rates(logs, volumes, span, speeds, state, change, options=options)

@@ -21,6 +21,7 @@ from ..core.progress import doing
 from ..core.questions import model_of
 from ..models.field import Field
 from ..models.parameters import FloatArray, ParameterSet, Ranges, varied_range
+from ..motion.options import MotionOptions
 from ..motion.regimes import Outcome
 from ..motion.scales import MotionScales
 from ..motion.simulation import state_of
@@ -32,9 +33,6 @@ from .events import MERGES
 from .finding import cycle_at, returns
 from .orbit import distance, same_cycle
 from .system import (
-    JUDGED,
-    PARTED,
-    TOLERANCES,
     FateVerdict,
     Saddle,
     System,
@@ -43,41 +41,6 @@ from .system import (
     saddle_near,
     verified,
 )
-
-#: Shares of the bracket at which fates are looked at before it is narrowed.
-LOOKED_AT = (0.2, 0.4, 0.6, 0.8)
-#: Shares at which they are, too, where an end is undecided.
-MORE = (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)
-
-#: Where to look next in a bracket, as far as motions are undecided.
-NEXT = (0.5, 0.38, 0.62, 0.25, 0.75)
-
-#: Tolerance of the motions by which a bracket is narrowed, and how far the start is moved; by which
-#: that is done anew, and once more: the differences tell the error.
-ROUGH, FINE = ((rtol, 0.0) for rtol in TOLERANCES)
-MOVED = (TOLERANCES[1], TOLERANCES[1])
-
-#: A bracket is narrowed to this share of the values.
-NARROW = 1e-13
-#: No answer is given if it could not be narrowed to that.
-TOO_WIDE = 1e-8
-
-
-#: So many shares of the values to either side of what was found it is looked whether fates
-#: alternate.
-ASIDE = (1e-8, 1e-6)
-
-#: As many errors to either side of it both tolerances come to the same, and nearest to it to what
-#: was found.
-RESOLVED = (3, 6, 12)
-
-
-#: A motion that comes as close as this to a saddle, in its own units, hovers at it; of a cycle,
-#: relative to its extent.
-CLOSE = 0.05
-
-#: Units of time that the motions of a call are followed in all; what is open by then stays open.
-LONGEST = 5e6
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,6 +102,7 @@ def fate_boundary(
     d: float | None = None,
     start: ArrayLike | None = None,
     backend: str | None = None,
+    options: MotionOptions | None = None,
 ) -> FateBoundary:
     """The value of a parameter at which a start changes its fate, and which saddle it then hovers
     at.
@@ -161,6 +125,8 @@ def fate_boundary(
         In place of those of ``p``.
     start : array_like, optional
         Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
+    options : MotionOptions, optional
+        Numbers by which fates are told.
 
     Returns
     -------
@@ -195,14 +161,14 @@ def fate_boundary(
     model.require_answered("fate_boundary")
     model.require_parameter(vary)
     low, high = varied_range(vary, between, model.any_of(vary))
-    system = System.of(p.given(V=V, d=d).replace(**{vary: low}), backend)
+    system = System.of(p.given(V=V, d=d).replace(**{vary: low}), backend, options)
     samples = _FateSamples(system, vary, state_of(model, start))
     ends = samples.verified(samples.sample(low)), samples.verified(samples.sample(high))
-    for share in LOOKED_AT:
+    for share in (0.2, 0.4, 0.6, 0.8):
         samples.sample(low + share * (high - low))
     if ends[0].label == ends[1].label >= 0:
         raise samples.no_change(*ends)
-    for share in MORE:
+    for share in (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98):  # where an end is undecided
         if next(samples.changes(), None) is None:
             samples.sample(low + share * (high - low))
     found = _first(samples)
@@ -253,15 +219,29 @@ class _FateSamples:
         """The system at a value."""
         return self.system.at(self.vary, value)
 
-    def sample(self, value: float, precision: tuple[float, float] = ROUGH) -> _Fate:
+    @property
+    def rough(self) -> tuple[float, float]:
+        """Tolerance of the motions by which a bracket is narrowed, and how far the start is
+        moved.
+        """
+        return self.system.options.rtol, 0.0
+
+    @property
+    def fine(self) -> tuple[float, float]:
+        """Those by which that is done anew; the difference tells the error."""
+        return self.system.options.finer_rtol, 0.0
+
+    def sample(self, value: float, precision: tuple[float, float] | None = None) -> _Fate:
         """The fate at a value, by a tolerance, from a start that is moved by so much."""
+        precision = precision or self.rough
         for before in self.known:
             if (before.value, before.precision) == (value, precision):
                 return before
         scales = self.scales(value)
-        if sum(each.verdict.t for each in self.known) > LONGEST * scales.time:
+        longest = self.system.options.longest * scales.time
+        if sum(each.verdict.t for each in self.known) > longest:
             raise _TooLong(
-                f"motions of {LONGEST * scales.time:g} in all leave it open whether there are "
+                f"motions of {longest:g} in all leave it open whether there are "
                 "others; give a narrower range"
             )
         with doing(
@@ -367,7 +347,8 @@ class _FateSamples:
         """Neighbours of different fates, with nothing that is decided between; first those with
         nothing at all between.
         """
-        decided = [each for each in self.known if each.label >= 0 and each.precision == ROUGH]
+        rough = self.rough
+        decided = [each for each in self.known if each.label >= 0 and each.precision == rough]
         pairs = [(a, b) for a, b in pairwise(decided) if a.label != b.label]
         yield from sorted(
             pairs,
@@ -428,11 +409,11 @@ class _Bracket:
             each.label == self.kept if each.label >= 0 else None for each in (self.low, self.high)
         ]
 
-    def narrowed(self, width: float, precision: tuple[float, float] = ROUGH) -> _Bracket:
+    def narrowed(self, width: float, precision: tuple[float, float] | None = None) -> _Bracket:
         """A narrower bracket, as far as motions are decided."""
         found = self
         while found.width > width:
-            for share in NEXT:
+            for share in (0.5, 0.38, 0.62, 0.25, 0.75):  # as far as motions are undecided
                 middle = found.low.value + share * found.width
                 if not found.low.value < middle < found.high.value:
                     return found
@@ -450,7 +431,7 @@ class _Bracket:
         precision, narrowed.
         """
         size = self.samples.size
-        half, most = max(self.width, NARROW * size), most * size
+        half, most = max(self.width, self.samples.system.options.bracket * size), most * size
         while half < most:
             found = replace(
                 self,
@@ -462,23 +443,23 @@ class _Bracket:
             half *= 8
         raise self.alternating(near, most)
 
-    def resolved(self, value: float, error: float) -> bool:
+    def resolved(self, value: float, error: float, shares: tuple[int, ...]) -> bool:
         """Whether next to a value, and somewhat farther off, the fate is ``kept`` on its own side
-        only.
+        only: at ``shares`` of its error, the nearest first.
 
         Farther off it may be another one, but not by one tolerance only. What is undecided says
         nothing.
         """
-        for times in RESOLVED:
+        for times in shares:
             for sign, own in zip((-1, 1), self.sides, strict=True):
                 places = self.samples.inside(value + sign * times * error)
                 samples = [
                     self.samples.sample(place, precision)
                     for place in places
-                    for precision in (ROUGH, FINE)
+                    for precision in (self.samples.rough, self.samples.fine)
                 ]
                 found = {each.label == self.kept for each in samples if each.label >= 0}
-                if len(found) > 1 or (times == RESOLVED[0] and not found <= {own}):
+                if len(found) > 1 or (times == shares[0] and not found <= {own}):
                     return False
         return True
 
@@ -488,7 +469,7 @@ class _Bracket:
             f"{self.samples.described(self.low, self.high)}, and between the two fates alternate "
             "more closely than rounding can tell: "
             f"within {width:.1g} of {self.samples.vary} = {value:.15g} motions by the "
-            f"tolerances {ROUGH[0]:g} and {FINE[0]:g} do "
+            f"tolerances {self.samples.rough[0]:g} and {self.samples.fine[0]:g} do "
             "not have one and the same change"
         )
 
@@ -521,9 +502,11 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
     None where both sides turn out to have one attractor, which is known from then on.
     """
     samples = bracket.samples
-    bracket = bracket.narrowed(NARROW * samples.size)
+    bracket = bracket.narrowed(samples.system.options.bracket * samples.size)
     low, high = bracket.low, bracket.high
-    wide = bracket.width > TOO_WIDE * samples.size
+    # No answer is given beyond this share of the values.
+    too_wide = 1e-8
+    wide = bracket.width > too_wide * samples.size
     try:
         met = (
             _doubles(samples, low, high)
@@ -545,18 +528,21 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
         raise ConvergenceError(f"{samples.described(low, high)}, and between those it is undecided")
     # The middle by a finer tolerance; how much that, and a start moved by it, change it, with a
     # margin, is its error.
-    fine = bracket.rebracketed(bracket.middle, FINE, TOO_WIDE)
+    fine = bracket.rebracketed(bracket.middle, samples.fine, too_wide)
     # How far the place may lie that is found from a start which is moved, as a share of the values:
     # the error says how far.
     farthest_place = 1e-5
-    moved, value = bracket.rebracketed(fine.middle, MOVED, farthest_place), fine.middle
+    once_more = (samples.fine[0], samples.fine[0])
+    moved, value = bracket.rebracketed(fine.middle, once_more, farthest_place), fine.middle
     error = max(fine.width, moved.width) + 2 * (
         abs(value - bracket.middle) + abs(moved.middle - value)
     )
     error += 4 * float(np.spacing(abs(value)))
-    if not bracket.resolved(value, error):
-        raise bracket.alternating(value, RESOLVED[-1] * error)
-    asides = (sign * aside * samples.size for aside in ASIDE for sign in (-1, 1))
+    shares = (3, 6, 12)
+    if not bracket.resolved(value, error, shares):
+        raise bracket.alternating(value, shares[-1] * error)
+    # Beside the value it is looked whether fates alternate.
+    asides = (sign * aside * samples.size for aside in (1e-8, 1e-6) for sign in (-1, 1))
     for place in samples.inside(*(value + aside for aside in asides)):
         samples.sample(place)
     kind, state, growth, distance = _saddle(bracket)
@@ -625,14 +611,15 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     samples = bracket.samples
     system, periodic = samples.at(bracket.middle), samples.system.field.periodic
     scales = samples.scales(bracket.middle)
-    t_end = JUDGED[0] * scales.time
+    options = system.options
+    t_end = options.times[0] * scales.time
     one, other = (
-        samples.at(each.value).motion(samples.start, t_end, rtol=FINE[0])
+        samples.at(each.value).motion(samples.start, t_end, rtol=options.finer_rtol)
         for each in (bracket.low, bracket.high)
     )
-    times = np.linspace(0.0, t_end, int(10 * JUDGED[0]) + 1)
+    times = np.linspace(0.0, t_end, int(10 * options.times[0]) + 1)
     off_by = np.abs(one(times) - other(times)) / scales.states[:, None]
-    parted = times[off_by.max(axis=0) > PARTED]
+    parted = times[off_by.max(axis=0) > options.parted]
     own, until = system.scaled(scales), float(parted.min(initial=t_end)) / scales.time
     hovering = own.flow.plain(samples.start / scales.states, own.constants, until)
     states = np.array(
@@ -648,7 +635,7 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, scales.states * state)
             away = magnitude(apart(state, saddle.state / scales.states, periodic))
-            if saddle.attracts and away < CLOSE:
+            if saddle.attracts and away < options.hovers:
                 rests[away] = saddle
     if rests:
         off, rest = min(rests.items())
@@ -659,6 +646,6 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
             cycle = cycle_at(own, begin.state, end.t - begin.t)
             growth = growth_of_cycle(cycle)
             near = distance(cycle, scales.states * begin.state)
-            if growth is not None and near < CLOSE * extent:
+            if growth is not None and near < options.hovers * extent:
                 return "cycle", cycle.state, growth, near
     return "unknown", scales.states * states[-1], math.nan, math.nan

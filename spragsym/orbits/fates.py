@@ -25,6 +25,7 @@ from ..files.journal import Record
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import integrators
+from ..motion.options import MotionOptions
 from ..motion.regimes import Outcome, Regime
 from ..motion.scales import scales_of
 from ..motion.simulation import initial_state, state_of
@@ -36,18 +37,7 @@ from .attractors import settled
 from .exponents import rates_along
 from .finding import cycle_near, stands_still
 from .orbit import NEUTRAL, distance
-from .system import JUDGED, FateVerdict, System, judged, spectrum
-
-#: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest
-#: as well.
-SHARES = (0.2, 0.8)
-
-#: Motions beside an irregular one that are followed as well: one that settles tells of a
-#: transient.
-BESIDE = 4
-#: How far off they begin.
-OFF = 1e-6
-
+from .system import FateVerdict, System, judged, spectrum
 
 #: Said of a motion that no integrator carries on, as where steps have become too short.
 UNFOLLOWED = "the motion can't be followed"
@@ -107,6 +97,7 @@ def fate(
     start: ArrayLike | None = None,
     t_end: float | None = None,
     backend: str | None = None,
+    options: MotionOptions | None = None,
 ) -> Fate:
     """Long-run fate of a motion: rest, a cycle, chaos or lift-off, or undecided with the reason.
 
@@ -129,6 +120,8 @@ def fate(
         the fastest rate, rounded to a power of four, and 1 from 1/32 to 32. Exponents are looked at
         after that, for a fifth of it, and for as long as it where one may be positive.
     backend : {"heyoka", "scipy"}, optional
+    options : MotionOptions, optional
+        Numbers by which a fate is told.
 
     Returns
     -------
@@ -156,7 +149,7 @@ def fate(
     227000.0
     """
     model_of(p).require_answered("fate")
-    system = System.of(p, backend, V=V, d=d)
+    system = System.of(p, backend, options, V=V, d=d)
     state = state_of(p.model, start, p=p)
     if t_end is not None:
         t_end = as_number("t_end", t_end, POSITIVE)
@@ -173,9 +166,9 @@ def _undecided(system: System, why: str, t: float, scale: float, end: FloatArray
 
 
 def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
-    scales = system.scales(start)
-    t_end = JUDGED[-1] * scales.time if t_end is None else t_end
-    times = (*(t * scales.time for t in JUDGED if t * scales.time < t_end / 2), t_end)
+    scales, looks = system.scales(start), system.options.times
+    t_end = looks[-1] * scales.time if t_end is None else t_end
+    times = (*(t * scales.time for t in looks if t * scales.time < t_end / 2), t_end)
     verdict = judged(system, start, times=times)
     scale, place = _time_scale(system, verdict)
     if verdict.decided:
@@ -197,11 +190,13 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
                 scale,
                 verdict.end,
             )
-    rates = rates_along(system, verdict.end, SHARES[0] * t_end, scales)
+    # Exponents are looked at over a share of this time, and where one may be positive over the rest
+    # as well.
+    rates = rates_along(system, verdict.end, 0.2 * t_end, scales)
     if (
         rates.undecided(t_end) and (rates.exponents[1:] > rates.error[1:]).any()
     ):  # others are no chaos, however long
-        rates = rates.joined(rates_along(system, rates.end, SHARES[1] * t_end, scales))
+        rates = rates.joined(rates_along(system, rates.end, 0.8 * t_end, scales))
     why, near = rates.undecided(t_end) or _transient(system, start, t_end), ""
     if why:
         why, near = stands_still(system, rates.end) or why, _near(system, rates.end)
@@ -209,7 +204,7 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
             where = system.field.place(place, ".6g")
             why += f"; at steady sliding, {where}, deviations die out as exp(−τ / {scale:.3g})"
     lasting = (
-        (BESIDE + 1) * t_end / 3
+        (system.options.neighbours + 1) * t_end / 3
     )  # none of so many has settled: with 95 %, the mean life is above a third of their time
     told = why or (
         "every exponent but the trivial one is told from 0, and one at least is positive; as "
@@ -247,12 +242,12 @@ def _transient(system: System, start: FloatArray, t_end: float) -> str:
     """Whether motions that begin beside an irregular one settle, in words; empty where none
     does.
     """
-    for i in range(1, BESIDE + 1):
-        off = i * OFF * system.scales(start).states
-        beside = judged(system, start + off, times=(t_end,))
+    for i in range(1, system.options.neighbours + 1):
+        off = i * system.options.offset
+        beside = judged(system, start + off * system.scales(start).states, times=(t_end,))
         if beside.decided:
             return (
-                f"it is a transient: a motion that begins {i * OFF:.0e} beside it comes to "
+                f"it is a transient: a motion that begins {off:.0e} beside it comes to "
                 f"{beside.described()} by t = {t_end:g}"
             )
     return ""
@@ -311,6 +306,7 @@ class FateMap(Result):
     why : ndarray of str
         What decides the kind, or would.
     model : Model
+    options : MotionOptions
     """
 
     schema = (
@@ -335,6 +331,7 @@ class FateMap(Result):
     t: FloatArray
     why: NDArray[np.str_]
     model: Any = field(repr=False)
+    options: MotionOptions = field(default_factory=MotionOptions)
 
     def count(self) -> dict[str, int]:
         """Number of points of each kind.
@@ -363,7 +360,8 @@ class FateMap(Result):
             for name, value in zip(self.model.components, self.start, strict=False)
         }
         settings = {"t_end": self.t_end, "backend": self.backend}
-        key = fingerprint(self.model, self.inputs, {"start": self.start, **settings})
+        decides = {"start": self.start, "options": self.options, **settings}
+        key = fingerprint(self.model, self.inputs, decides)
         return {
             **storage.provenance(),
             "model": self.model.name,
@@ -388,6 +386,7 @@ def fate_map(
     start: ArrayLike | None = None,
     t_end: float | None = None,
     backend: str | None = None,
+    options: MotionOptions | None = None,
     workers: Workers = 1,
     progress: bool = False,
     store: str | os.PathLike[str] | None = None,
@@ -405,6 +404,8 @@ def fate_map(
     t_end : float, optional
         As for :func:`spragsym.fate`, of all points as long as of the slowest.
     backend : {"heyoka", "scipy"}, optional
+    options : MotionOptions, optional
+        As for :func:`spragsym.fate`.
     workers, progress
         As for :func:`~spragsym.rms_sweep`.
     store : path, optional
@@ -435,13 +436,16 @@ def fate_map(
     inputs = {name: p[name] for name in p.ranges}
     # The rate of a clock is that of each point.
     given = list(initial_state(model, start, {}, p).values())[: model.field.deviations]
-    begun = tuple(map(float, given))
+    begun, options = tuple(map(float, given)), options or MotionOptions()
     settings = {
         "start": begun,
         "t_end": as_number(
-            "t_end", _longest(model, inputs, begun) if t_end is None else t_end, POSITIVE
+            "t_end",
+            _longest(model, inputs, begun, options.times[-1]) if t_end is None else t_end,
+            POSITIVE,
         ),
         "backend": integrators.choose(backend, integrators.OF_ANY_MODEL),
+        "options": options,
     }
     if store is not None and Path(store).suffix != ".csv":
         raise ParameterError(f"store = {store} does not end in .csv")
@@ -450,7 +454,9 @@ def fate_map(
     return made_or_loaded(inputs, work, made, MEASURED, "why", key, workers, progress, store)
 
 
-def _longest(model: Model, inputs: Mapping[str, FloatArray], start: tuple[float, ...]) -> float:
+def _longest(
+    model: Model, inputs: Mapping[str, FloatArray], start: tuple[float, ...], longest: float
+) -> float:
     """Longest time that motions are followed where nobody says, by the largest unit of their
     times.
     """
@@ -461,7 +467,7 @@ def _longest(model: Model, inputs: Mapping[str, FloatArray], start: tuple[float,
                 model, start, p=model.Parameters(**dict(zip(inputs, point, strict=True)))
             )
             units.append(scales_of(model.field, model.field.constants(point), state.tolist()).time)
-    return JUDGED[-1] * max(units, default=1.0)
+    return longest * max(units, default=1.0)
 
 
 def _records(

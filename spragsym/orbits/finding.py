@@ -21,7 +21,7 @@ from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
 from ..motion import Trajectory
 from ..motion.integrators import Flow
-from ..motion.options import ShootingOptions
+from ..motion.options import MotionOptions, ShootingOptions
 from ..motion.regimes import Regime
 from ..motion.scales import scales_of
 from ..motion.shooting import (
@@ -41,7 +41,7 @@ from ..numerics.balls import UndecidedSign
 from ..numerics.vectors import WholeTurns, apart, in_one_turn, magnitude, norm
 from .arclength import differences
 from .orbit import Cycle, cycle_of
-from .system import JUDGED, System, judged
+from .system import System, judged
 
 #: Returns of a motion are looked at over this time, and over a longer one where it hardly has
 #: turned by then.
@@ -150,7 +150,8 @@ def cycle(
         return born_at(onset, index, amplitude, backend, options)
     if p is None:
         raise ParameterTypeError("p is missing; give parameters, or the onset of a model")
-    system = System.of(p, backend, options, V=V, d=d)
+    motions = None if options is None else MotionOptions(shooting=options)
+    system = System.of(p, backend, motions, V=V, d=d)
     if turns is not None:
         return _after_turns(system, near, as_count("turns", turns))
     return cycle_near(system, near, patient=patient)
@@ -213,7 +214,8 @@ def cycle_near(
                 return _checked(found)
             if len(flow_result.extrema) > 2:
                 break
-        verdict = judged(system, start, times=[t * scales.time for t in JUDGED[:looks]])
+        times = [t * scales.time for t in system.options.times[:looks]]
+        verdict = judged(system, start, times=times)
     except ConvergenceError as error:
         raise ConvergenceError(f"the motion can't be followed: {error}{_steep(system)}") from error
     if verdict.kind == Regime.LIMIT_CYCLE:

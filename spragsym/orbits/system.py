@@ -7,6 +7,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from dataclasses import field as attribute
 from functools import cached_property
 from itertools import combinations
 from typing import Any
@@ -20,7 +21,7 @@ from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
 from ..motion.integrators import Flow
-from ..motion.options import ShootingOptions
+from ..motion.options import MotionOptions
 from ..motion.regimes import Outcome, Regime, RestSets, same_limit
 from ..motion.scales import MotionScales, scaled, scales_of
 from ..motion.shooting import Conditions, Iterate, Orbit
@@ -29,16 +30,6 @@ from ..motion.solution import FlowResult
 from ..numerics.vectors import magnitude, norm
 from .arclength import BranchPoint, Setting, started
 from .orbit import Cycle
-
-#: A motion is judged at the first of these times, in its unit of time, and again at the next as
-#: long as it is undecided.
-JUDGED = (2000.0, 10_000.0, 40_000.0)
-
-#: Tolerances of motions, the second of which tells what rounding does to those of the first.
-TOLERANCES = (1e-12, 1e-13)
-
-#: Motions have parted beyond this, in their units.
-PARTED = 1e-3
 
 #: What a motion comes to, where that is told, and its word.
 KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}
@@ -50,18 +41,20 @@ class System:
 
     flow: Flow
     values: Values
+    options: MotionOptions = attribute(default_factory=MotionOptions)
 
     @classmethod
     def of(
         cls,
         p: ParameterSet,
         backend: str | None,
-        options: ShootingOptions | None = None,
+        options: MotionOptions | None = None,
         **belt: float | None,
     ) -> System:
         """The system of a set of parameters, with values in place of some of its own."""
-        flow = Flow.of(model_of(p).field, backend, options)
-        return cls(flow, p.given(**belt).scalars(*p.ranges))
+        options = options or MotionOptions()
+        flow = Flow.of(model_of(p).field, backend, options.shooting)
+        return cls(flow, p.given(**belt).scalars(*p.ranges), options)
 
     @property
     def field(self) -> Field:
@@ -168,15 +161,14 @@ def judged(
     start: FloatArray,
     *,
     times: Sequence[float] | None = None,
-    rtol: float = 1e-12,
+    rtol: float | None = None,
 ) -> FateVerdict:
     """Fate of the motion from a state, looked at later and later as long as that is undecided."""
-    state, begun = start, 0.0
-    for t_end in times or [t * system.scales(start).time for t in JUDGED]:
-        motion = system.motion(state, t_end - begun, rtol=rtol)
-        verdict = FateVerdict(
-            motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end
-        )
+    state, begun, options = start, 0.0, system.options
+    for t_end in times or [t * system.scales(start).time for t in options.times]:
+        motion = system.motion(state, t_end - begun, rtol=options.rtol if rtol is None else rtol)
+        outcome = motion.outcome(0.5 * (t_end - begun), options=options)
+        verdict = FateVerdict(outcome, motion.state[:, -1].copy(), t_end)
         if verdict.decided:
             break
         state, begun = verdict.end, t_end
@@ -193,19 +185,15 @@ def verified(
     """
     if not verdict.decided:
         return verdict
-    scales = system.scales(start)
+    scales, options = system.scales(start), system.options
     times = np.arange(0.0, verdict.t, scales.time)
-    one, other = (system.motion(start, verdict.t, rtol=rtol)(times) for rtol in TOLERANCES)
-    if not magnitude((one - other) / scales.states[:, None]) > PARTED:
+    rtols = options.rtol, options.finer_rtol
+    one, other = (system.motion(start, verdict.t, rtol=rtol)(times) for rtol in rtols)
+    if not magnitude((one - other) / scales.states[:, None]) > options.parted:
         return verdict
-    # Motions that begin within rounding of this one and are followed as well, where two part.
-    most_beside = 4
-    for i in range(most_beside + 1):
-        beside = judged(
-            system,
-            start + i * TOLERANCES[0] * scales.states,
-            rtol=TOLERANCES[0] if i else TOLERANCES[1],
-        )
+    for i in range(options.neighbours + 1):
+        off = i * options.rtol * scales.states
+        beside = judged(system, start + off, rtol=rtols[0 if i else 1])
         if not beside.decided:  # it may only take longer
             later = judged(system, beside.end)
             beside = replace(later, t=beside.t + later.t)

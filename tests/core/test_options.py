@@ -136,3 +136,46 @@ def test_a_closed_orbit_is_the_same_in_more_mesh_intervals_and_its_branch_keeps_
 def test_no_orbit_is_told_to_close_whose_derivatives_are_not_resolved_as_far_as_asked():
     with pytest.raises(ss.errors.ConvergenceError):
         ss.cycle(ss.load("stick_slip").Parameters(V=0.2), options=ss.ShootingOptions(trivial=0.0))
+
+
+@pytest.mark.parametrize("times", [5.0, (), (10.0, "long")])
+def test_times_are_a_tuple_of_numbers(times):
+    with pytest.raises(ss.errors.ParameterTypeError, match="times.* leave it out"):
+        ss.MotionOptions(times=times)
+
+
+def test_each_of_several_numbers_is_in_its_range():
+    with pytest.raises(ss.errors.ParameterError, match=r"times\[1\] = 0 is not 0\.001 or more"):
+        ss.MotionOptions(times=(10.0, 0))
+
+
+def test_an_exponent_of_a_contracting_plane_is_told_by_as_many_half_widths_as_are_asked_for():
+    # A damped oscillator: both exponents are the real part of its eigenvalues, and both decay.
+    p = ss.load("stick_slip").Parameters(V=2.5)
+    start = (0.3, 0.0)
+    few = ss.lyapunov(p, start=start, t_end=40.0)
+    many = ss.lyapunov(p, start=start, t_end=40.0, options=ss.MotionOptions(told=1e12))
+    assert np.array_equal(few.exponents, many.exponents)
+    assert many.zero.all()
+    assert not few.zero.all()
+
+
+def test_the_limit_of_a_motion_is_settled_by_the_share_that_is_asked_for():
+    p = ss.load("stick_slip").Parameters(V=2.5)
+    motion = ss.simulate(p, x0=0.5, t_end=400.0)
+    left = motion.outcome().distance
+    assert left > 0
+    for settled, there in ((2 * left, True), (left / 2, False)):
+        found = motion.outcome(options=ss.MotionOptions(settled=settled))
+        assert (found.regime == ss.Regime.EQUILIBRIUM) == there
+        assert motion.outcome(tol=settled).regime == found.regime
+
+
+def test_points_of_a_store_are_those_of_its_options(tmp_path):
+    p, store = ss.load("stick_slip").Parameters(V=np.array([0.2, 2.5])), tmp_path / "fates.csv"
+    found = ss.fate_map(p, t_end=100.0, store=store)
+    assert ss.fate_map(p, t_end=100.0, store=store, options=ss.MotionOptions()).why.tolist() == (
+        found.why.tolist()
+    )
+    with pytest.raises(ss.errors.SpragsymError, match="another"):
+        ss.fate_map(p, t_end=100.0, store=store, options=ss.MotionOptions(times=(50.0,)))

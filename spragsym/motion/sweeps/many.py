@@ -7,7 +7,8 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from dataclasses import field as attribute
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -36,6 +37,7 @@ from ...statics.search import rest_index
 from .. import integrators
 from ..classify import classify
 from ..measures import MotionStatistics
+from ..options import MotionOptions
 from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, Event, Problem, out_of_range, undirected
 from ..regimes import LIMITS, Outcome, Regime
 from ..return_map import Onward
@@ -65,6 +67,7 @@ def rms_sweep(
     rtol: float = 1e-10,
     backend: str | None = None,
     max_steps: int = MAX_STEPS,
+    options: MotionOptions | None = None,
     workers: Workers = 1,
     progress: bool = False,
     store: str | os.PathLike[str] | None = None,
@@ -90,6 +93,8 @@ def rms_sweep(
         As for :func:`~spragsym.simulate`.
     max_steps : int
         As for :func:`~spragsym.simulate`; a motion that needs more has failed.
+    options : MotionOptions, optional
+        Numbers by which a limit is told.
     workers : int or map-like callable
         Processes, −1 for one a core; or ``map(function, tasks)`` of an engine, which may give
         results or futures with a ``result()``, in any order. A task is a point; of many points that
@@ -154,6 +159,7 @@ def rms_sweep(
         "rtol": as_number("rtol", rtol, RELATIVE_TOLERANCE),
         "backend": integrators.choose(backend, integrators.offered_for(model)),
         "max_steps": as_count("max_steps", max_steps),
+        "options": options or MotionOptions(),
     }
     work, together = partial(measured, model, settings), partial(_together, settings)
     made, key = (
@@ -236,6 +242,8 @@ class Sweep(Named):
         Why a motion failed.
     model : Model
         The model.
+    options : MotionOptions
+        Numbers by which the limits were told.
     """
 
     schema = MEASURED
@@ -251,6 +259,7 @@ class Sweep(Named):
     equilibrium: Int8Array
     reason: NDArray[np.str_]
     model: Any
+    options: MotionOptions = attribute(default_factory=MotionOptions)
 
     @property
     def _items(self) -> dict[str, NDArray[Any]]:
@@ -337,7 +346,7 @@ class Sweep(Named):
             name: getattr(self, name)
             for name in ("t_end", "transient", "rtol", "backend", "max_steps")
         }
-        key = fingerprint(self.model, self.inputs, settings)
+        key = fingerprint(self.model, self.inputs, {**settings, "options": self.options})
         return {**storage.provenance(), "model": self.model.name, **settings, "fingerprint": key}
 
 
@@ -373,7 +382,7 @@ def measured(
     """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong
     is raised.
     """
-    count, names = len(model.parameters), ("t_end", "rtol", "max_steps")
+    count, names = len(model.parameters), ("t_end", "rtol", "max_steps", "options")
     given = {
         "t_record": settings["transient"],
         "field_of": partial(field_of, model),
@@ -476,4 +485,8 @@ def fingerprint(model: Model, inputs: Mapping[str, FloatArray], settings: Mappin
         "page": model.about["source"],
         "own": sorted(model.closed),
     }
-    return storage.fingerprint(inputs, {**settings, **decides})
+    chosen = {**settings, **decides}
+    options = chosen.pop("options")
+    if options != MotionOptions():
+        chosen["options"] = asdict(options)
+    return storage.fingerprint(inputs, chosen)

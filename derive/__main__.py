@@ -36,8 +36,6 @@ T = TypeVar("T")
 
 #: Where everything is written unless told otherwise.
 DEFAULT = Path(__file__).parent.parent / "generated"
-#: The page that functions without a model mean.
-ARTICLE = "kang_nam"
 
 
 def readable() -> None:
@@ -115,8 +113,10 @@ def models(*, variant: bool = False) -> dict[str, str]:
     files = {
         "models/__init__.py": f'"""Models from pages, one folder each.\n\n{write.header()}\n"""\n'
     }
+    # The page that functions without a model mean.
+    article = "kang_nam"
     for path in pages.shipped():
-        if variant and path.stem != ARTICLE:
+        if variant and path.stem != article:
             continue
         model = pages.read(path)
         files |= {
@@ -124,7 +124,7 @@ def models(*, variant: bool = False) -> dict[str, str]:
             for name, text in folder.render(model, write.header(), shared).items()
         }
         if (
-            model.name == ARTICLE and not variant
+            model.name == article and not variant
         ):  # its page of the explorer is written without SymPy
             module = f"models/{model.name}/{model.name}.mjs"
             files[module] = export.for_the_browser(model, write.header())

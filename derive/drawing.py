@@ -23,13 +23,8 @@ from .shapes import Axis, Drawing, arrow, damper, spring, wall
 #: Where the documentation has them.
 IMAGES = Path(__file__).parent.parent / "docs" / "images" / "models"
 
-_MASS = 48 + 30j  #: half its width and half its height
-_BALL = 32 + 32j
-_CONTACT = 34.0  #: between the mass and the belt
 _LENGTH = 190.0  #: of an inclined spring of undeformed length 1
 _WALL = -190.0
-_CEILING = -118.0
-_INCLINATION = math.radians(55.0)
 
 
 def render(page: Page, docstring: str = "") -> str:
@@ -133,9 +128,9 @@ def _has_one_mass(page: Page) -> bool:
 
 def _values(page: Page) -> dict[sp.Symbol, float]:
     """Base values, 1 for units of measure, and the mass at its origin."""
+    inclination = math.radians(55.0)
     values = {
-        datum.symbol: _INCLINATION if datum.base is None else datum.base
-        for datum in page.parameters
+        datum.symbol: inclination if datum.base is None else datum.base for datum in page.parameters
     }
     return values | {datum.symbol: 1.0 for datum in page.units} | dict.fromkeys(page.places, 0.0)
 
@@ -163,7 +158,10 @@ def _draw(
 
 
 def _half(page: Page) -> complex:
-    return _BALL if _is_ball(page) else _MASS
+    # half its width and half its height
+    mass = 48 + 30j
+    ball = 32 + 32j
+    return ball if _is_ball(page) else mass
 
 
 def _is_ball(page: Page) -> bool:
@@ -199,7 +197,9 @@ def _belt(drawing: Drawing, page: Page) -> None:
     """Belt and rollers, with the contact between them and the mass."""
     height = _half(page).imag
     elastic = page.normal is not None and page.normal.gap is not None
-    top = height + (_CONTACT if elastic else 0.0)
+    # between the mass and the belt
+    contact = 34.0
+    top = height + (contact if elastic else 0.0)
     drawing.box(complex(-130, top), complex(150, top + 14), style="ink belt")
     if page.sliding is not None:
         arrow(drawing, complex(60, top + 34), complex(140, top + 34))
@@ -210,7 +210,7 @@ def _belt(drawing: Drawing, page: Page) -> None:
         spring(drawing, Axis(complex(x, height), complex(x, top - 3)), turns=3, width=6.0)
     drawing.line(complex(-26, top - 3), complex(26, top - 3))
     letters = ", ".join(map(_letter, _terms(page.normal)))
-    drawing.name(letters, complex(-34, height + 0.5 * _CONTACT + 7), anchor="end")
+    drawing.name(letters, complex(-34, height + 0.5 * contact + 7), anchor="end")
 
 
 # ------------------------------------------------------------------------------------------------
@@ -234,12 +234,13 @@ def _tied_to_ground(drawing: Drawing, page: Page, coordinate: Coordinate) -> Non
     rows = _rows(len(parts), 40.0)
     arm = width + 78.0 + rows[-1]
     drawing.line(width, arm + rows[-1])
+    ceiling = -118.0
     for part, x in zip(parts, rows, strict=True):
         place, way = arm + x, -1 if x < 0 else 1
-        beside = complex(place + 14 * way, 0.5 * _CEILING + 6)
-        axis = Axis(place, complex(place, _CEILING))
+        beside = complex(place + 14 * way, 0.5 * ceiling + 6)
+        axis = Axis(place, complex(place, ceiling))
         _draw(drawing, part, axis, beside, "end" if x < 0 else "start")
-    wall(drawing, complex(arm, _CEILING), 18.0 + 0.5 * (rows[-1] - rows[0]), -1j)
+    wall(drawing, complex(arm, ceiling), 18.0 + 0.5 * (rows[-1] - rows[0]), -1j)
 
 
 def _rows(count: int, apart: float) -> list[float]:

@@ -25,45 +25,9 @@ from .model import Datum
 #: it is in SI.
 Data: TypeAlias = Mapping[str, tuple[float, str, float]]
 
-#: What the explorer's page of a model asks its algebra for: all that ``explorer/src`` calls.
-EXPLORED = frozenset(
-    {
-        "border_rates",
-        "borders",
-        "contact_force",
-        "contact_gap",
-        "damping",
-        "forces",
-        "forces_jacobian",
-        "friction_at_rest",
-        "geometry",
-        "grip",
-        "gyroscopic",
-        "mass_matrix",
-        "regime_rhs",
-        "spring_forces",
-        "turning_borders",
-        "turnings",
-    }
-)
-
 
 class UnknownInput(LookupError):
     """An input that is no quantity of the page."""
-
-
-#: Of forces, energy and power: what each is, its unit in SI, and the order of its derivative.
-_OUTPUTS = {
-    "force.normal": ("normal force of the contact", "N", 0),
-    "force.friction": ("force of friction, positive in the belt's direction", "N", 0),
-    "energy": ("kinetic and stored energy, contact and applied forces included", "J", 0),
-    "power": (
-        "rate at which friction, dampers and forces without a potential change the energy",
-        "J",
-        1,
-    ),
-}
-_TENSION = ("tension of a spring, negative where it pushes", "N", 0)
 
 
 def export(
@@ -87,7 +51,29 @@ def export(
 
 def for_the_browser(model: pages.PageModel, header: str) -> str:
     """The functions of a page that the explorer calls, as an ES module."""
-    files = targets.render("javascript", material(model, header, EXPLORED))
+    # What the explorer's page of a model asks its algebra for: all that ``explorer/src``
+    # calls.
+    explored = frozenset(
+        {
+            "border_rates",
+            "borders",
+            "contact_force",
+            "contact_gap",
+            "damping",
+            "forces",
+            "forces_jacobian",
+            "friction_at_rest",
+            "geometry",
+            "grip",
+            "gyroscopic",
+            "mass_matrix",
+            "regime_rhs",
+            "spring_forces",
+            "turning_borders",
+            "turnings",
+        }
+    )
+    files = targets.render("javascript", material(model, header, explored))
     return files[f"{library(model.name)}.mjs"]
 
 
@@ -213,6 +199,18 @@ def _motion(
         raise UnknownInput(
             f"{', '.join(unknown)} is no quantity of {model.name}; give {', '.join(known)}"
         )
+    # Of forces, energy and power: what each is, its unit in SI, and the order of its
+    # derivative.
+    outputs = {
+        "force.normal": ("normal force of the contact", "N", 0),
+        "force.friction": ("force of friction, positive in the belt's direction", "N", 0),
+        "energy": ("kinetic and stored energy, contact and applied forces included", "J", 0),
+        "power": (
+            "rate at which friction, dampers and forces without a potential change the energy",
+            "J",
+            1,
+        ),
+    }
     return targets.MotionMaterial(
         time=time,
         states=(
@@ -238,7 +236,12 @@ def _motion(
             *(f"turning{count}" for count, _ in enumerate(it.torsions, 1)),
         ),
         rooted=not it.contact.polynomial,
-        outputs=tuple(variable(name, *_OUTPUTS.get(name, _TENSION)) for name in moves.outputs),
+        outputs=tuple(
+            variable(
+                name, *outputs.get(name, ("tension of a spring, negative where it pushes", "N", 0))
+            )
+            for name in moves.outputs
+        ),
     )
 
 

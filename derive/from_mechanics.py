@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 
     from .model import Page
 
-#: What is said of contact and friction, by place or by name.
-_CONTACT = ("normal", "gap", "law", "unilateral", "force")
 _FRICTION = ("coefficient", "along", "belt", "law", "at_rest", "slip", "holds")
 #: What is left to say of friction whose loads have the law, as those of CoulombKineticFriction.
 _OF_LOADS = ("belt", "holds")
@@ -82,7 +80,11 @@ def page_from(
     """
     it = _MethodReader(_formed(method), page, coordinates)
     page.kinetic(it.kinetic)
-    said = it.named("contact", contact, _CONTACT), it.named("friction", friction, _FRICTION)
+    # What is said of contact and friction, by place or by name.
+    said = (
+        it.named("contact", contact, ("normal", "gap", "law", "unilateral", "force")),
+        it.named("friction", friction, _FRICTION),
+    )
     forces, still = it.split(*said), dict.fromkeys(it.rates, 0)
     it.dampers((forces - forces.subs(still)).applyfunc(it.expanded))
     it.springs((forces.subs(still) - it.gradient(it.stored)).applyfunc(it.expanded))

@@ -31,9 +31,6 @@ PUSHING = sp.Symbol("pushing", real=True)
 SIDE = sp.Symbol("side", real=True)
 #: The friction coefficient, where a function takes it as a number.
 MU = sp.Symbol("mu", real=True)
-#: Penetration in lift-off: small, so that no exponential of it is infinite, and not 0, where slopes
-#: of a root are.
-TOUCH = sp.Rational(1, 2**40)
 #: Penetration, positive, of a law that is no polynomial.
 DEPTH = sp.Symbol("_depth", positive=True)
 #: 1 while friction holds the mass to the belt, 0 while it slips; the force of a friction that
@@ -220,7 +217,10 @@ class NormalForce:
             return sp.S.Zero
         if not self.unilateral:
             return -self.gap
-        return self.pushing * (-self.gap) + (1 - self.pushing) ** 2 * TOUCH
+        # Penetration in lift-off: small, so that no exponential of it is infinite, and
+        # not 0, where slopes of a root are.
+        touch = sp.Rational(1, 2**40)
+        return self.pushing * (-self.gap) + (1 - self.pushing) ** 2 * touch
 
 
 @dataclass(frozen=True)

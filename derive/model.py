@@ -85,10 +85,6 @@ class PageError(ArithmeticError):
         return PageError(self.line, self.message, page)
 
 
-#: What a parameter may be to those who ask without naming one.
-ROLES = ("friction", "inclination")
-
-
 @dataclass(frozen=True)
 class Datum:
     """A quantity of the page: a unit of measure, which becomes 1, or a parameter, which becomes a
@@ -320,8 +316,10 @@ class Page:
         _check_texts(
             name=name, unit=unit, meaning=meaning, domain=domain, becomes=becomes, latex=latex
         )
-        if role not in ("", *ROLES):
-            raise refused(f"the role {role!r} of {name} is not one of {', '.join(ROLES)}")
+        # What a parameter may be to those who ask without naming one.
+        roles = ("friction", "inclination")
+        if role not in ("", *roles):
+            raise refused(f"the role {role!r} of {name} is not one of {', '.join(roles)}")
         if role and (other := next((it for it in self.parameters if it.role == role), None)):
             raise refused(f"{other.symbol} and {name} are both the {role}; give it to one of them")
         symbol = sp.Symbol(name, **_assumptions(domain))

@@ -14,8 +14,6 @@ from . import model as vocabulary
 from .mechanics import Mechanics
 from .model import Page, PageError
 
-#: Bytes; no page is larger.
-_LARGEST = 1 << 20
 #: What a page may be called: what is derived from it is loaded by no other name.
 _NAME = re.compile(r"\w[\w .-]*")
 #: Where the shipped pages stand.
@@ -54,9 +52,11 @@ def read(path: Path, name: str = "") -> PageModel:
         Where it can't be carried through, with the page's name and the line.
     """
     try:
-        if not path.is_file() or path.stat().st_size > _LARGEST:
+        # Bytes; no page is larger.
+        largest = 1 << 20
+        if not path.is_file() or path.stat().st_size > largest:
             raise PageError(
-                0, f"the page is no file, or has more than {_LARGEST} bytes; give a file of Python"
+                0, f"the page is no file, or has more than {largest} bytes; give a file of Python"
             )
         if not _NAME.fullmatch(name or path.stem):
             raise PageError(

@@ -14,11 +14,6 @@ from .model import Datum, Page, PageError
 from .statement_checks import PageExpression, statements
 from .units import Dimension, UnitsError, spelled
 
-#: Penetrations and speeds at which a law that can't be decided by its form is looked at.
-_PLACES = tuple(sp.Rational(10) ** power for power in range(-6, 3))
-#: The largest power: beyond it, derivatives and products of them take for ever.
-MOST_POWER = 20
-
 
 def check_units(page: Page) -> None:
     """Every sum of the page adds like to like, and every statement is what it says: an energy, a
@@ -47,11 +42,13 @@ def _check_dimension(it: PageExpression, known: dict[sp.Symbol, Dimension]) -> N
             f"above{time}",
         )
     power = max((abs(part.exp) for part in it.value.atoms(sp.Pow) if part.exp.is_number), default=0)
-    if power > MOST_POWER:
+    # The largest power: beyond it, derivatives and products of them take for ever.
+    most_power = 20
+    if power > most_power:
         raise PageError(
             it.line,
             f"{it.what} holds a power of {str(power)[:40]}; write one of at most "
-            f"{MOST_POWER}, or a function such as exp",
+            f"{most_power}, or a function such as exp",
         )
     try:
         found = units.of(it.value, known)
@@ -294,7 +291,9 @@ def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
     if law.is_nonnegative or sp.factor_terms(sp.expand(law)).is_nonnegative:
         return ""
     values = dict(_bases(model))
-    for place in _PLACES:
+    # Penetrations and speeds at which a law that can't be decided by its form is looked at.
+    places = tuple(sp.Rational(10) ** power for power in range(-6, 3))
+    for place in places:
         value = law.subs(values).subs(variable, place)
         if value.is_number and value.is_negative:
             return (

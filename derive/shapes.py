@@ -25,26 +25,6 @@ text{fill:#24292f;font:italic 20px 'STIX Two Text','Times New Roman',serif}\
 .force{stroke:#ff8a80}text{fill:#e6edf3}.force-name{fill:#ff8a80}}
 """.strip()
 
-_GREEK = {
-    "alpha": "α",
-    "beta": "β",
-    "delta": "δ",
-    "eta": "η",
-    "gamma": "γ",
-    "kappa": "κ",
-    "lambda": "λ",
-    "mu": "μ",
-    "nu": "ν",
-    "omega": "ω",
-    "phi": "φ",
-    "psi": "ψ",
-    "rho": "ρ",
-    "sigma": "σ",
-    "tau": "τ",
-    "theta": "θ",
-    "zeta": "ζ",
-}
-
 
 @dataclass
 class Drawing:
@@ -81,9 +61,28 @@ class Drawing:
     def name(self, text: str, place: complex, anchor: str = "middle", style: str = "") -> None:
         """A name, its index lowered; Greek letters by their English names."""
         words = []
+        greek = {
+            "alpha": "α",
+            "beta": "β",
+            "delta": "δ",
+            "eta": "η",
+            "gamma": "γ",
+            "kappa": "κ",
+            "lambda": "λ",
+            "mu": "μ",
+            "nu": "ν",
+            "omega": "ω",
+            "phi": "φ",
+            "psi": "ψ",
+            "rho": "ρ",
+            "sigma": "σ",
+            "tau": "τ",
+            "theta": "θ",
+            "zeta": "ζ",
+        }
         for word in text.split():
             stem, _, index = word.partition("_")
-            if stem not in _GREEK:
+            if stem not in greek:
                 name = stem.rstrip("0123456789")
                 stem, index = name, stem[len(name) :] + index
             lowered = (
@@ -91,7 +90,7 @@ class Drawing:
                 if index
                 else ""
             )
-            words.append(escape(_GREEK.get(stem, stem)) + lowered)
+            words.append(escape(greek.get(stem, stem)) + lowered)
         kind = f' class="{style}"' if style else ""
         at = f'x="{_number(place.real)}" y="{_number(place.imag)}"'
         self.elements.append(f'<text{kind} {at} text-anchor="{anchor}">{" ".join(words)}</text>')

@@ -15,8 +15,6 @@ from .mechanics import DEPTH, Angle, Mechanics, number
 _Ends = tuple[sp.Expr, sp.Expr]
 #: Places at which floats look for a witness.
 _TRIALS = 2000
-#: Sizes of what has no bounds.
-_SIZES = tuple(10.0**power for power in range(-6, 4))
 
 
 def is_nonnegative(model: Mechanics, expression: sp.Expr) -> bool:
@@ -156,11 +154,13 @@ def _placed(
 def _drawn(rng: random.Random, allowed: Interval, trial: int) -> float:
     """A number of a domain, with few digits: first those of common size, then of any."""
     low, high = allowed.low, allowed.high
+    # Sizes of what has no bounds.
+    sizes = tuple(10.0**power for power in range(-6, 4))
     while True:
         if math.isfinite(low) and math.isfinite(high):
             value = low + (high - low) * rng.random()
         else:
-            size = rng.uniform(0.1, 3.0) * (1.0 if trial < _TRIALS // 2 else rng.choice(_SIZES))
+            size = rng.uniform(0.1, 3.0) * (1.0 if trial < _TRIALS // 2 else rng.choice(sizes))
             away = low if math.isfinite(low) else high if math.isfinite(high) else 0.0
             sign = 1 if math.isfinite(low) else -1 if math.isfinite(high) else rng.choice((-1, 1))
             value = away + sign * size

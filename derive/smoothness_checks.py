@@ -15,9 +15,6 @@ from .mechanics import DEPTH, SLIP, Mechanics, NormalForce
 from .model import FUNCTIONS, WRITTEN, Contact, PageError, expression_of
 from .statement_checks import statements
 
-#: Functions with a kink or a step, of which a sum of smooth forces has none.
-_KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside, sp.floor, sp.ceiling)
-
 
 def check(model: Mechanics) -> None:
     """A :class:`~derive.model.PageError` for the first statement that generated code can't say."""
@@ -43,7 +40,9 @@ def _angles(value: sp.Expr, turning: set[sp.Symbol]) -> Iterator[str]:
 
 
 def _kinks(value: sp.Expr, moving: set[sp.Symbol]) -> Iterator[str]:
-    for node in sorted(value.atoms(*_KINKED), key=sp.default_sort_key):
+    # Functions with a kink or a step, of which a sum of smooth forces has none.
+    kinked = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside, sp.floor, sp.ceiling)
+    for node in sorted(value.atoms(*kinked), key=sp.default_sort_key):
         if node.free_symbols & moving:
             yield (
                 f"holds {node}, which is not smooth where its argument changes its sign; "

@@ -19,10 +19,6 @@ from .mechanics import DEPTH, SLIP
 from .model import Datum, Page, PageError, acceleration_of, expression_of, speed_of
 from .units import Dimension
 
-#: What a coordinate is called in errors.
-COORDINATE = "this coordinate"
-#: And a parameter.
-PARAMETER = "this parameter"
 #: So many letters has a name: MATLAB tells names apart by their first 63, of which generated code
 #: needs some.
 LONGEST = 40
@@ -132,7 +128,7 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
         for part in ("phi", "way"):
             yield f"{part}{count}", f"the turning of torsion spring {count}", 0
     for entry in page.coordinates:
-        yield str(entry.symbol), COORDINATE, entry.line
+        yield str(entry.symbol), "this coordinate", entry.line
     for entry in page.coordinates:
         yield str(entry.rate), f"the rate of {entry.symbol}", entry.line
         yield acceleration_of(entry.symbol), f"the acceleration of {entry.symbol}", entry.line
@@ -146,7 +142,7 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
         ):
             yield of_limit, f"a column of a sweep, for {entry.symbol}", entry.line
     for datum in page.parameters:
-        yield datum.becomes, PARAMETER, datum.line
+        yield datum.becomes, "this parameter", datum.line
         if datum.unit == "rad" and datum.becomes.isidentifier():
             for part, name in zip(("cos", "sin"), datum.cosine_and_sine, strict=True):
                 yield name, f"the {part} of {datum.becomes}", datum.line

@@ -24,16 +24,6 @@ def _of(kilograms: int, metres: int, seconds: int) -> Dimension:
 
 NONE, LENGTH, TIME, SPEED = _of(0, 0, 0), _of(0, 1, 0), _of(0, 0, 1), _of(0, 1, -1)
 FORCE, ENERGY, STIFFNESS = _of(1, 1, -2), _of(1, 2, -2), _of(1, 0, -2)
-_NAMED: dict[str, Dimension] = {
-    "1": NONE,
-    "rad": NONE,
-    "kg": _of(1, 0, 0),
-    "m": LENGTH,
-    "s": TIME,
-    "N": FORCE,
-    "J": ENERGY,
-    "Hz": _of(0, 0, -1),
-}
 
 
 class UnitsError(ArithmeticError):
@@ -49,6 +39,16 @@ def times(one: Dimension, other: Dimension, power: Fraction | int = 1) -> Dimens
 def read(text: str) -> Dimension:
     """The dimension of a unit as it is written: ``N/m``, ``N s/m``, ``kg m/s^2``, ``N/m^(3/2)``."""
     dimension, power = NONE, 1
+    named: dict[str, Dimension] = {
+        "1": NONE,
+        "rad": NONE,
+        "kg": _of(1, 0, 0),
+        "m": LENGTH,
+        "s": TIME,
+        "N": FORCE,
+        "J": ENERGY,
+        "Hz": _of(0, 0, -1),
+    }
     for part in re.findall(
         r"/|[^\s/]+(?:\^\([^)]*\))?", re.sub(r"\^\((\S+)/(\S+)\)", r"^\1|\2", text)
     ):
@@ -56,13 +56,11 @@ def read(text: str) -> Dimension:
             power = -1
             continue
         name, _, exponent = part.partition("^")
-        if name not in _NAMED or not re.fullmatch(r"-?\d+(\|\d+)?|", exponent):
+        if name not in named or not re.fullmatch(r"-?\d+(\|\d+)?|", exponent):
             raise UnitsError(
-                f"{text!r} is not a unit; write it with {', '.join(_NAMED)}, as N s/m or N/m^(3/2)"
+                f"{text!r} is not a unit; write it with {', '.join(named)}, as N s/m or N/m^(3/2)"
             )
-        dimension = times(
-            dimension, _NAMED[name], power * Fraction(exponent.replace("|", "/") or 1)
-        )
+        dimension = times(dimension, named[name], power * Fraction(exponent.replace("|", "/") or 1))
     return dimension
 
 

@@ -18,14 +18,6 @@ from .language import FLAG, REAL, KernelError, Source, parse
 from .routines import items, places
 
 WIDE = "Wide"
-_ROUTINES = {
-    "maximum": "dd_larger",
-    "minimum": "dd_smaller",
-    "absolute": "dd_absolute",
-    "sqrt": "dd_sqrt",
-    "where": "dd_where",
-}
-_OPERATIONS = {ast.Add: "dd_add", ast.Mult: "dd_multiply", ast.Div: "dd_divide"}
 #: An expression and its kind.
 Typed = tuple[ast.expr, str]
 
@@ -215,7 +207,8 @@ class _Writer:
             return ast.BinOp(one, op, other), kind
         if isinstance(op, ast.Sub):
             op, right = ast.Add(), (self.negative(other, other_kind), other_kind)
-        name = _OPERATIONS.get(type(op), "")
+        operations = {ast.Add: "dd_add", ast.Mult: "dd_multiply", ast.Div: "dd_divide"}
+        name = operations.get(type(op), "")
         if not name:
             raise KernelError(f"{ast.unparse(one)} and {ast.unparse(other)} have no such operation")
         if isinstance(op, ast.Div):
@@ -262,8 +255,15 @@ class _Writer:
             return _call(function, *values), returned
         if not wide:
             return _call(name, *values), kinds[1] if name == "where" else REAL
+        routines = {
+            "maximum": "dd_larger",
+            "minimum": "dd_smaller",
+            "absolute": "dd_absolute",
+            "sqrt": "dd_sqrt",
+            "where": "dd_where",
+        }
         function, returned = (
-            (_ROUTINES[name], WIDE) if name in _ROUTINES else self.program.algebra_call(name)
+            (routines[name], WIDE) if name in routines else self.program.algebra_call(name)
         )
         return _call(function, *(self.wide(*it) for it in typed)), returned
 

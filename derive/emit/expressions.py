@@ -9,8 +9,6 @@ from dataclasses import dataclass, field
 
 from .language import KernelError, Kinds, Routine, Source
 
-_ARITHMETIC = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
-_COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
 #: Binding strength of what is printed, to place brackets by.
 _CHOICE, _OR, _AND, _COMPARE, SUM, _PRODUCT, _UNARY, _ATOM = range(8)
 _STRENGTH = {
@@ -76,7 +74,8 @@ class Expressions:
             case ast.BinOp(left=left, op=op, right=right):
                 return self._binary(left, op, right)
             case ast.Compare(left=left, ops=[op], comparators=[right]):
-                sign = _COMPARISONS[type(op)]
+                comparisons = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
+                sign = comparisons[type(op)]
                 return (
                     f"{self.print(left, SUM)} {self.syntax.signs.get(sign, sign)} "
                     f"{self.print(right, SUM)}",
@@ -116,7 +115,8 @@ class Expressions:
             chained = isinstance(left, ast.BinOp) and type(left.op) is type(op)
             sides = self.print(left, strength if chained else _ATOM), self.print(right, _ATOM)
             return f"{sides[0]} {self.syntax.logic[type(op)]} {sides[1]}", strength
-        sign = _ARITHMETIC[type(op)]
+        arithmetic = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
+        sign = arithmetic[type(op)]
         return (
             f"{self.print(left, strength)} {self.syntax.signs.get(sign, sign)} "
             f"{self.print(right, strength + 1)}",

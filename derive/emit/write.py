@@ -23,8 +23,6 @@ DIGEST = "<digest-of-all>".ljust(64, "-")
 LIST = "files.json"
 #: Characters of a line of JSON.
 _WIDTH = 130
-#: Files that an error names.
-_NAMED = 5
 
 
 def header() -> str:
@@ -163,8 +161,10 @@ def _refuse_foreign(files: dict[str, str], before: Mapping[str, str], target: Pa
 
 def _some(names: list[str]) -> str:
     """The first names of a list, and how many more there are."""
-    more = len(names) - _NAMED
-    return ", ".join(names[:_NAMED]) + (f" and {more} more" if more > 0 else "")
+    # Files that an error names.
+    named = 5
+    more = len(names) - named
+    return ", ".join(names[:named]) + (f" and {more} more" if more > 0 else "")
 
 
 def _exchange(names: list[str], gone: list[str], fresh: Path, target: Path) -> None:

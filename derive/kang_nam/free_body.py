@@ -88,7 +88,13 @@ def equilibria(point: ParameterPoint, contact: int | Fraction = 1) -> list[tuple
         )
 
     found: list[tuple[mpf, mpf]] = []
-    for start in _STARTS:
+    # Spring vectors to start from: directions all around, two lengths.
+    starts = [
+        cmath.rect(length, (2 * step + 1) * cmath.pi / 8)
+        for length in (1, 0.5)
+        for step in range(8)
+    ]
+    for start in starts:
         position = anchor(point, mpmath.fp) - start
         try:
             rough = root(mpmath.fp, (position.real, position.imag), maxsteps=10)
@@ -99,12 +105,6 @@ def equilibria(point: ParameterPoint, contact: int | Fraction = 1) -> list[tuple
         ):
             found.append(tuple(root(mpmath.mp, tuple(map(mpf, rough)))))
     return sorted(found)
-
-
-#: Spring vectors to start from: directions all around, two lengths.
-_STARTS = [
-    cmath.rect(length, (2 * step + 1) * cmath.pi / 8) for length in (1, 0.5) for step in range(8)
-]
 
 
 def spring_length(point: ParameterPoint, x: mpf, y: mpf) -> mpf:

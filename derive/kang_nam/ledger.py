@@ -27,8 +27,6 @@ SOUND = ("confirmed", "misprint", "approximation", "definition")
 FAILED = "failed"
 #: Statuses of rows whose printed form is the derived one.
 _AS_PRINTED = ("confirmed", "definition")
-#: A formula in Markdown.
-_MATH = "```math\n{}\n```"
 
 
 @dataclass(frozen=True)
@@ -79,7 +77,6 @@ def run(paper: Paper | None = None) -> list[LedgerRow]:
 
 #: What becomes of a statement of the article, misprints repaired, with another page.
 HOLDS, FAILS, NO_MEANING = "holds", "fails", "no meaning"
-_BECOMES = dict.fromkeys(("confirmed", "definition", "approximation"), HOLDS) | {FAILED: FAILS}
 
 
 @dataclass(frozen=True)
@@ -99,8 +96,9 @@ def judge(model: pages.PageModel) -> list[Judgement]:
     article_page = pages.read(pages.SHIPPED / "kang_nam.py")
     paper = verdicts.repaired(article.printed(), article_page)
     found = []
+    becomes = dict.fromkeys(("confirmed", "definition", "approximation"), HOLDS) | {FAILED: FAILS}
     for row in verdicts.check(paper, model, repair=False).rows:
-        status = _BECOMES.get(row.status, NO_MEANING)
+        status = becomes.get(row.status, NO_MEANING)
         remark = {HOLDS: row.difference and row.evidence, FAILS: row.difference}
         found.append(Judgement(row.id, row.where, status, remark.get(status, row.evidence)))
     return found
@@ -242,14 +240,16 @@ def _mark(holds: bool) -> str:
 def _section(row: LedgerRow) -> list[str]:
     """A row in paragraphs; what differs, printed above derived, so that the eye compares them."""
     lines = [f"### {row.id}"]
+    # A formula in Markdown.
+    math = "```math\n{}\n```"
     if row.status in _AS_PRINTED:
-        lines.append(_MATH.format(row.printed))
+        lines.append(math.format(row.printed))
     else:
         both = rf"&\text{{printed:}} && {row.printed} \\" + "\n"
         both += rf"&\text{{derived:}} && {row.derived}"
         lines.append(f"{row.where}: **{row.status}**.")
-        lines.append(_MATH.format(f"\\begin{{aligned}}\n{both}\n\\end{{aligned}}"))
-        lines += ["Printed less derived:", _MATH.format(row.difference)]
+        lines.append(math.format(f"\\begin{{aligned}}\n{both}\n\\end{{aligned}}"))
+        lines += ["Printed less derived:", math.format(row.difference)]
     notes = {
         "Note": row.note,
         "Cause": row.cause,

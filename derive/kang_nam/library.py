@@ -12,68 +12,17 @@ from ..emit import definitions, double_double_kernel, language, targets, write
 from ..emit.definitions import Definition
 from ..emit.quantities import Interval, Quantity, written
 
-#: Algebra that a library in another language offers to its callers.
-PUBLIC = (
-    "contact_quartic",
-    "liftoff_quartic",
-    "f_coefficients",
-    "f",
-    "f_slope",
-    "f_curvature",
-    "t_quartic",
-    "resolvent",
-    "state",
-    "residuals",
-    "stiffness",
-    "invariants",
-    "damping",
-    "characteristic",
-    "spring_length",
-    "friction",
-    "rhs",
-    "regime_rhs",
-    "regime_jacobian",
-    "energy",
-)
 
-#: The functions of the page that the library has, and the equations that are in them.
-OF_PAGE = {
-    "rhs": "(8)–(11)",
-    "regime_rhs": "(8)–(10)",
-    "regime_jacobian": "(8)–(10)",
-    "regime_by_parameters": "(8)–(10)",
-    "energy": "(1), (2)",
-    "friction_force": "(8)",
-}
-#: Those that take no more than they read; the others take all that a motion is given.
-_SHORT = ("energy", "friction_force")
-
-#: What solvers call on double-double numbers: functions of the kernel with the kinds of their
-#: arguments.
-WIDELY = (
-    ("balance", ("Point",)),
-    ("moderate", ("Point",)),
-    ("representable", ("LineBalance",)),
-    ("guesses", ("Point", "LineBalance", "Real")),
-    ("at_root", ("Wide", "Point", "LineBalance", "Real")),
-    ("apart", ("Wide", "Real", "Wide", "Real")),
-)
-
-#: What spragsym/kang_nam/quartic/_compiled.c calls of the kernel besides.
-ASKED = ("one_or_three",)
-
-SUMMARY = "Equilibria, stability and motion of the sprag-slip oscillator, for real-time use."
-_NO_ALGEBRA = ("kernel", "double_double", "quantities")
 _HERE = Path(__file__).parent
 _GENERAL = Path(language.__file__).parent
-_GENERATED = _HERE.parent.parent / "generated"
 
 
 def exported(written_in: str) -> dict[str, str]:
     """The files of the library in a language, by their names, from the package that was generated
     beside this one.
     """
-    return render(written_in, lambda name: (_GENERATED / name).read_text(encoding="utf-8"))
+    generated = _HERE.parent.parent / "generated"
+    return render(written_in, lambda name: (generated / name).read_text(encoding="utf-8"))
 
 
 def render(written_in: str, generated: Callable[[str], str]) -> dict[str, str]:
@@ -88,11 +37,47 @@ def material(generated: Callable[[str], str]) -> targets.Material:
     package, table = generated("__init__.py"), _run(generated("quantities.py"))
     names = re.findall(r"^- :mod:`(\w+)`", package, re.MULTILINE)
     parts = [
-        definitions.of_module(generated(f"{name}.py")) for name in names if name not in _NO_ALGEBRA
+        definitions.of_module(generated(f"{name}.py"))
+        for name in names
+        if name not in ("kernel", "double_double", "quantities")
     ]
     modules = (*parts, _of_page(generated("models/kang_nam/algebra.py")))
     solver, arithmetic = kernel(), double_doubles()
     functions = {function.name: function for module in modules for function in module}
+    # Algebra that a library in another language offers to its callers.
+    public = (
+        "contact_quartic",
+        "liftoff_quartic",
+        "f_coefficients",
+        "f",
+        "f_slope",
+        "f_curvature",
+        "t_quartic",
+        "resolvent",
+        "state",
+        "residuals",
+        "stiffness",
+        "invariants",
+        "damping",
+        "characteristic",
+        "spring_length",
+        "friction",
+        "rhs",
+        "regime_rhs",
+        "regime_jacobian",
+        "energy",
+    )
+    # What solvers call on double-double numbers: functions of the kernel with the kinds of
+    # their arguments.
+    widely = (
+        ("balance", ("Point",)),
+        ("moderate", ("Point",)),
+        ("representable", ("LineBalance",)),
+        ("guesses", ("Point", "LineBalance", "Real")),
+        ("at_root", ("Wide", "Point", "LineBalance", "Real")),
+        ("apart", ("Wide", "Real", "Wide", "Real")),
+    )
+    # What spragsym/kang_nam/quartic/_compiled.c calls of the kernel besides.
     return targets.Material(
         modules=modules,
         kernel=solver,
@@ -108,10 +93,10 @@ def material(generated: Callable[[str], str]) -> targets.Material:
         },
         parameters=table["PARAMETERS"],
         base_values=table["BASE_VALUES"],
-        public=PUBLIC,
+        public=public,
         digest=write.DIGEST,
         header=package.split("\n\n")[2].partition("\n")[0],
-        summary=SUMMARY,
+        summary="Equilibria, stability and motion of the sprag-slip oscillator, for real-time use.",
         runtime={
             folder.name: {
                 path.name: path.read_text(encoding="utf-8")
@@ -120,9 +105,9 @@ def material(generated: Callable[[str], str]) -> targets.Material:
             }
             for folder in sorted((_HERE / "runtime").iterdir())
         },
-        asked=ASKED,
+        asked=("one_or_three",),
         arithmetic=arithmetic,
-        widened=double_double_kernel.widened(solver, arithmetic, functions, WIDELY),
+        widened=double_double_kernel.widened(solver, arithmetic, functions, widely),
     )
 
 
@@ -141,7 +126,16 @@ def _of_page(text: str) -> tuple[Definition, ...]:
     name begins with an underscore.
     """
     known = {function.name: function for function in definitions.of_module(text)}
-    return tuple(_library_form(known[name], equations) for name, equations in OF_PAGE.items())
+    # The functions of the page that the library has, and the equations that are in them.
+    of_page = {
+        "rhs": "(8)–(11)",
+        "regime_rhs": "(8)–(10)",
+        "regime_jacobian": "(8)–(10)",
+        "regime_by_parameters": "(8)–(10)",
+        "energy": "(1), (2)",
+        "friction_force": "(8)",
+    }
+    return tuple(_library_form(known[name], equations) for name, equations in of_page.items())
 
 
 def _library_form(function: Definition, equations: str) -> Definition:
@@ -150,7 +144,8 @@ def _library_form(function: Definition, equations: str) -> Definition:
         (name, value) for name, value in form.statements if not name.startswith("near")
     )
     arguments = tuple(name for name in form.arguments if not name.startswith("near"))
-    if function.name in _SHORT:
+    # Those that take no more than they read; the others take all that a motion is given.
+    if function.name in ("energy", "friction_force"):
         arguments = tuple(name for name in arguments if name in form.read)
     return replace(form, equations=equations, arguments=arguments, statements=statements)
 

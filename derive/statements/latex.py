@@ -29,13 +29,10 @@ _FRACTIONS = (r"\frac", r"\dfrac", r"\tfrac")
 _ROMAN = (r"\mathrm", r"\text", r"\mathit", r"\mathsf", r"\operatorname", r"\textrm", r"\rm")
 _BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
 _ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
-_MATRICES = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array", "cases")
 #: The matrix I, where it is not a name of the page.
 _IDENTITY = Name(r"\mathbf I")
 _TIMES = (r"\cdot", r"\times", "*", r"\ast")
 _EQUAL = ("=", ":=", r"\equiv", r"\triangleq", r"\coloneqq")
-#: What stands in the place of an exponent, and is an index.
-_STARS = ("*", "+", "-", "ast", "star")
 _PRINTED = {
     "Lt": r"< \lt",
     "Le": r"\le \leq \leqslant",
@@ -45,11 +42,6 @@ _PRINTED = {
     "Eq": "=",
 }
 _RELATIONS = {sign: name for name, signs in _PRINTED.items() for sign in signs.split()}
-_LETTERS = re.compile(
-    r"\\(?:var)?(?:alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho"
-    r"|sigma|tau|upsilon|phi|chi|psi|omega|Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega)"
-    r"|\\ell|[A-Za-z]"
-)
 
 
 @dataclass(frozen=True)
@@ -375,7 +367,8 @@ class _LatexReader:
             return Node("call", (self.number(inside),), "Abs", it.at)
         if it.text == r"\{" and [one.text for one in inside] in (["array"], ["matrix"]):
             it = inside[0]
-        if it.text in _MATRICES:
+        matrices = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array", "cases")
+        if it.text in matrices:
             return self.environment(it)
         if it.text not in ("(", "[", "{", r"\{"):
             raise Unread(f"{it.text} is not read", it.at[0])
@@ -556,6 +549,11 @@ class _LatexReader:
             return None, None
         here.take()
         name: Name | None = None
+        letters = re.compile(
+            r"\\(?:var)?(?:alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho"
+            r"|sigma|tau|upsilon|phi|chi|psi|omega|Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega)"
+            r"|\\ell|[A-Za-z]"
+        )
         if it.items is not None:
             name = self.only_name(it.items) if it.text == "{" else None
         elif it.text in (r"\dot", r"\ddot"):
@@ -570,7 +568,7 @@ class _LatexReader:
         elif count := self.names.word(here.items, begin):
             here.place = begin + count
             name = Name("".join(one.text for one in here.items[begin : here.place]))
-        elif _LETTERS.fullmatch(it.text):
+        elif letters.fullmatch(it.text):
             name = Name(it.text.removeprefix("\\"))
         if name is None:
             here.place = begin
@@ -586,6 +584,7 @@ class _LatexReader:
             texts = [one.text for one in _flat(argument)]
             label = "".join(text.removeprefix("\\") for text in texts)
             primes = texts.count(r"\prime") + texts.count("'")
+            # What stands in the place of an exponent, and is an index.
             if sign == "_":
                 if name.sub:
                     raise Unread("two indices", place)
@@ -593,7 +592,9 @@ class _LatexReader:
             elif primes and texts[:primes] == texts[:1] * primes:
                 name = replace(name, order=name.order + primes)
                 exponent = argument[primes:] or exponent
-            elif label in _STARS or (argument and argument[0].text in _ROMAN):
+            elif label in ("*", "+", "-", "ast", "star") or (
+                argument and argument[0].text in _ROMAN
+            ):
                 name = replace(name, sup=label)
             elif exponent is not None:
                 raise Unread("two exponents", place)

@@ -73,24 +73,11 @@ class Cursor:
 
 
 _ALIGNED = r"(?:aligned|align|alignat|equation|gather|gathered|multline|split|eqnarray)\*?"
-#: Parts of the source that print nothing, or only lay the equations out.
-_UNPRINTED = re.compile(
-    rf"""%[^\n]* | ^\s*(?:\$\$?|\\\[|\\\() | (?:\$\$?|\\\]|\\\))\s*$
-    | \\(?:label|tag|hspace|vspace|phantom)\*?\s*\{{[^{{}}]*\}}
-    | \\left\s*\\\{{(?=\s*\\begin\{{{_ALIGNED}\}}) | \\(?:begin|end)\{{{_ALIGNED}\}}
-    | \\(?:left|right)\s*\. | (?<=\\\\)\s*\[[^\]]*\]
-    | (?<!\\)\\(?:displaystyle|textstyle|limits|nonumber|notag|,|;|:|!|>|\s) | ~""",
-    re.VERBOSE,
-)
 _SIZE = r"\\(?:left|right|middle|(?:big|Big|bigg|Bigg)[lrm]?)(?![A-Za-z])\s*"
 _TOKEN = re.compile(
     rf"(?P<size>{_SIZE})?(?P<text>\\(?:begin|end)\{{\w+\*?\}}|\\[A-Za-z]+|\\.|:="
     r"|\d+(?:\.\d+)?|\.\d+|\S)"
 )
-_CLOSING = {"(": ")", "[": "]", r"\{": r"\}", "{": "}", "|": "|"}
-_BARS = {r"\vert": "|", r"\mid": "|", r"\lvert": "|", r"\rvert": "|"}
-#: Commands whose next argument is a single digit, if it is a number without braces.
-_DIGIT = ("^", "_", r"\frac", r"\dfrac", r"\tfrac", r"\sqrt")
 #: Operators that stand between two operands.
 BINARY = ("+", "/", r"\cdot", r"\times", "*", "=", ":=", ",", ";", "<", ">", "^", "_")
 
@@ -98,16 +85,17 @@ BINARY = ("+", "/", r"\cdot", r"\times", "*", "=", ":=", ",", ";", "<", ">", "^"
 def nested(text: str) -> tuple[Token, ...]:
     """Tokens of a print in LaTeX."""
     stack: list[tuple[str, int, list[Token], bool]] = [("", 0, [], False)]
+    closing = {"(": ")", "[": "]", r"\{": r"\}", "{": "}", "|": "|"}
     for token, start, stop, side in _tokens(text):
         opened, begin, inner, sized = stack[-1]
         bar = token == "|"
         closes = side == "right" if side else bool(inner) and not _awaits(inner)
-        if (token in _CLOSING and not bar) or (bar and not (opened == "|" and closes)):
+        if (token in closing and not bar) or (bar and not (opened == "|" and closes)):
             stack.append((token, start, [], bool(side)))
         elif token.startswith(r"\begin"):
             stack.append((token[7:-1].rstrip("*"), start, [], True))
-        elif token in _CLOSING.values() or token.startswith(r"\end"):
-            if not opened or token != _CLOSING.get(opened, rf"\end{{{opened}}}"):
+        elif token in closing.values() or token.startswith(r"\end"):
+            if not opened or token != closing.get(opened, rf"\end{{{opened}}}"):
                 raise Unread(f"{token} closes nothing that is open", start)
             stack.pop()
             _one_way(inner, start)
@@ -124,23 +112,39 @@ def nested(text: str) -> tuple[Token, ...]:
 
 def _tokens(text: str) -> list[tuple[str, int, int, str]]:
     """Tokens with their places, and for brackets the side that the source gives them."""
-    shown = _UNPRINTED.sub(lambda found: " " * len(found[0]), text).replace("−", "-")
+    # Parts of the source that print nothing, or only lay the equations out.
+    unprinted = re.compile(
+        rf"""%[^\n]* | ^\s*(?:\$\$?|\\\[|\\\() | (?:\$\$?|\\\]|\\\))\s*$
+        | \\(?:label|tag|hspace|vspace|phantom)\*?\s*\{{[^{{}}]*\}}
+        | \\left\s*\\\{{(?=\s*\\begin\{{{_ALIGNED}\}}) | \\(?:begin|end)\{{{_ALIGNED}\}}
+        | \\(?:left|right)\s*\. | (?<=\\\\)\s*\[[^\]]*\]
+        | (?<!\\)\\(?:displaystyle|textstyle|limits|nonumber|notag|,|;|:|!|>|\s) | ~""",
+        re.VERBOSE,
+    )
+    shown = unprinted.sub(lambda found: " " * len(found[0]), text).replace("−", "-")
     tokens: list[tuple[str, int, int, str]] = []
     place, single = 0, 0
+    bars = {r"\vert": "|", r"\mid": "|", r"\lvert": "|", r"\rvert": "|"}
     while found := _TOKEN.search(shown, place):
         token, (start, place) = found["text"], found.span()
         if single and token[0].isdigit():
             token, place = token[0], found.start("text") + 1
             single -= 1
         else:
-            single = (1 + ("frac" in token)) if token in _DIGIT else 0
+            # Commands whose next argument is a single digit, if it is a number
+            # without braces.
+            single = (
+                (1 + ("frac" in token))
+                if token in ("^", "_", r"\frac", r"\dfrac", r"\tfrac", r"\sqrt")
+                else 0
+            )
         size = found["size"] or ""
         side = (
             {"l": "left", "r": "right"}.get(size.strip()[-1:], "") if "big" in size.lower() else ""
         )
         side = size.strip()[1:] if size.strip() in (r"\left", r"\right") else side
         side = {r"\lvert": "left", r"\rvert": "right"}.get(token, side)
-        tokens.append((_BARS.get(token, token), start, place, side))
+        tokens.append((bars.get(token, token), start, place, side))
     return tokens
 
 

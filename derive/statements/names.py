@@ -12,7 +12,6 @@ from .tree import Node, Unread, Vocabulary, printed
 
 #: Names of a law: what stands in brackets behind them may be their argument.
 LAWS = ("mu", "N")
-TIMES = ("t", "tau")
 
 
 @dataclass(frozen=True)
@@ -48,7 +47,7 @@ class Names:
 
     def times(self) -> set[str]:
         """Names of time, which the page gives to nothing else."""
-        return {*TIMES} - self.symbols
+        return {*("t", "tau")} - self.symbols
 
     def of(self, name: Name, at: tuple[int, int]) -> Node:
         """Meaning of a name on the page."""

@@ -9,18 +9,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeAlias
 
-#: Verdicts on a statement.
-VERDICTS = (
-    "confirmed",
-    "definition",
-    "approximation",
-    "misprint",
-    "failed",
-    "unread",
-    "other",
-)
-_KEYS = {"id", "where", "about", "latex", "sympy", "form", "limit", "expect", "note"}
-_LARGEST = 1 << 20
 
 Table: TypeAlias = Mapping[str, object]
 
@@ -76,8 +64,9 @@ def read(path: Path) -> Paper:
         Where the file is none of statements, with line, key and remedy.
     """
     try:
-        if path.stat().st_size > _LARGEST:
-            raise PaperError(f"{path.name} has more than {_LARGEST} bytes; split the paper")
+        largest = 1 << 20
+        if path.stat().st_size > largest:
+            raise PaperError(f"{path.name} has more than {largest} bytes; split the paper")
         text = path.read_text(encoding="utf-8-sig")
         data = tomllib.loads(text)
     except OSError as error:
@@ -133,9 +122,10 @@ def _begins(line: str, key: str) -> bool:
 
 def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:
     """The key of a statement that is wrong, and why."""
+    keys = {"id", "where", "about", "latex", "sympy", "form", "limit", "expect", "note"}
     for key, value in entry.items():
-        if key not in _KEYS:
-            return key, f"is unknown; allowed are {', '.join(sorted(_KEYS))}"
+        if key not in keys:
+            return key, f"is unknown; allowed are {', '.join(sorted(keys))}"
         if not isinstance(value, str):
             return key, f"{value!r} is no text; write it in quotation marks"
     for key in ("id", "about"):
@@ -145,7 +135,17 @@ def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:
         return "id", f"{entry['id']} stands twice; give the second statement another id"
     if not {"latex", "sympy"} & entry.keys() and entry["about"] != "other":
         return "id", f"{entry['id']} has to have latex, or sympy, or both"
-    for key, allowed in (("form", ("units", "scaled")), ("expect", VERDICTS)):
+    # Verdicts on a statement.
+    verdicts = (
+        "confirmed",
+        "definition",
+        "approximation",
+        "misprint",
+        "failed",
+        "unread",
+        "other",
+    )
+    for key, allowed in (("form", ("units", "scaled")), ("expect", verdicts)):
         if key in entry and entry[key] not in allowed:
             return key, f"{entry[key]!r} is none of {', '.join(allowed)}"
     return None

@@ -66,9 +66,6 @@ FEW_NUMBERS, POWERS = ("1", "2", "3", "4"), (*map(Fraction, ("2", "3", "-1", "1/
 NEAR_HALF, LARGEST_POWER, MOST_ATOMS = 1e-6, 4, 7
 #: Least share of its squares that is new in a row of logarithms; samples that are no factors.
 DEPENDENT, SPARE = 1e-12, 4
-#: Functions that are no factors of a product.
-_NOT_FACTORS = ("Abs", "Tuple", "Piecewise", "And", *RELATIONS)
-_SWAPS = {"sin": ("cos",), "cos": ("sin",), "sinh": ("cosh",), "cosh": ("sinh",)}
 
 
 @dataclass(frozen=True)
@@ -222,7 +219,8 @@ def _others(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
         for value in FEW_NUMBERS:
             if value != part.value:
                 edit(_number_kind(part, above), Node("number", value=value, at=part.at))
-    for name in _SWAPS.get(part.value, ()) if part.kind == "call" else ():
+    swaps = {"sin": ("cos",), "cos": ("sin",), "sinh": ("cosh",), "cosh": ("sinh",)}
+    for name in swaps.get(part.value, ()) if part.kind == "call" else ():
         edit("function", Node("call", part.args, name, part.at))
     if part.kind in ("symbol", "call"):
         for power in POWERS:
@@ -360,7 +358,13 @@ class _Products:
         atoms += [Node("symbol", value=name) for name in pool.values]
         angles = [(Node("symbol", value=name),) for name in pool.angles if name in pool.values]
         atoms += [Node("call", angle, way) for angle in angles for way in ("cos", "sin")]
-        atoms += [it for it in inside if it.kind == "call" and it.value not in _NOT_FACTORS]
+        # Functions that are no factors of a product.
+        atoms += [
+            it
+            for it in inside
+            if it.kind == "call"
+            and it.value not in ("Abs", "Tuple", "Piecewise", "And", *RELATIONS)
+        ]
         # Symbols in a bracket that may be a factor.
         largest_bracket = 3
         atoms += [it for it in inside if it.kind == "add" and len(symbols(it)) <= largest_bracket]

@@ -13,9 +13,6 @@ from ..mechanics import PUSHING
 from .objects import BOTH, CONTACT, TIME, Derivation, NoObject, Object
 from .repair import Values
 
-#: Pairs of samples with the same parameters.
-PAIRS = 24
-
 
 def drawn(it: Derivation, held: Object, is_base: bool = False) -> dict[str, Values]:
     """Values of all names, in contact or in lift-off as the object says, in units of order 1.
@@ -29,10 +26,12 @@ def drawn(it: Derivation, held: Object, is_base: bool = False) -> dict[str, Valu
 def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
     rng = np.random.default_rng(20201)
     base = {it.name_of(entry): entry.base for entry in it.page.parameters}
-    size = 2 * PAIRS
+    # Pairs of samples with the same parameters.
+    pairs = 24
+    size = 2 * pairs
     found: dict[str, Values] = {}
     for name, symbol in it.parameters.items():
-        value = np.repeat(rng.uniform(0.3, 1.4, PAIRS), 2)
+        value = np.repeat(rng.uniform(0.3, 1.4, pairs), 2)
         found[name] = value if symbol.is_nonnegative else value * _signs(rng, size, 2)
         if is_base:
             found[name] = np.full(size, 1.0 if base.get(name) is None else base[name])
@@ -42,7 +41,7 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
     pushing = np.ones(size)
     if gap is not None:
         if held.side != CONTACT and it.model.contact.unilateral:
-            pushing = np.repeat(np.arange(PAIRS) % 2 if held.side == BOTH else [0] * PAIRS, 2)
+            pushing = np.repeat(np.arange(pairs) % 2 if held.side == BOTH else [0] * pairs, 2)
         most_tries = 200
         for _ in range(most_tries):
             level = numeric(gap, {**found, **states})

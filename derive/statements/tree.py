@@ -48,15 +48,13 @@ class Unread(ValueError):
         self.reason, self.place, self.readings = reason, place, readings
 
 
-_STRENGTH = {"add": 1, "neg": 1, "mul": 2, "div": 2, "pow": 3}
-
-
 def printed(node: Node) -> str:
     """Text of a tree in SymPy's syntax."""
 
     def inside(part: Node, above: int) -> str:
         text = printed(part)
-        return f"({text})" if _STRENGTH.get(part.kind, 9) < above else text
+        strength = {"add": 1, "neg": 1, "mul": 2, "div": 2, "pow": 3}
+        return f"({text})" if strength.get(part.kind, 9) < above else text
 
     match node.kind:
         case "number" | "symbol":
@@ -189,17 +187,15 @@ def _read_one(text: str, begin: int, vocabulary: Vocabulary) -> list[Equation]:
     return [Equation(left, right) for left, right in itertools.pairwise(trees)]
 
 
-_BINARY: dict[type[ast.operator], str] = {
-    ast.Add: "add",
-    ast.Sub: "add",
-    ast.Mult: "mul",
-    ast.Div: "div",
-    ast.Pow: "pow",
-}
-
-
 def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
     at = (begin + part.col_offset, begin + (part.end_col_offset or 0))
+    binary: dict[type[ast.operator], str] = {
+        ast.Add: "add",
+        ast.Sub: "add",
+        ast.Mult: "mul",
+        ast.Div: "div",
+        ast.Pow: "pow",
+    }
     match part:
         case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
             return Node("number", value=str(value), at=at)
@@ -214,8 +210,8 @@ def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
             return Node("neg", (_tree(inner, begin, vocabulary),), at=at)
         case ast.UnaryOp(op=ast.UAdd(), operand=inner):
             return _tree(inner, begin, vocabulary)
-        case ast.BinOp(left=left, op=op, right=right) if type(op) in _BINARY:
-            kind = _BINARY[type(op)]
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in binary:
+            kind = binary[type(op)]
             one, other = (_tree(side, begin, vocabulary) for side in (left, right))
             if kind in ("mul", "div") and one.kind == "neg":  # -a b is -(a b)
                 return Node("neg", (_joined(kind, one.args[0], other, at),), at=at)

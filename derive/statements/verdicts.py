@@ -25,8 +25,6 @@ from .samples import numeric
 from .tree import Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols
 from .tree import to_latex, to_sympy
 
-#: Symbols of a term with brackets that may be lost, and terms that it may have without them.
-LONGEST_TERM = 8
 _SMALL, _LINEAR = sp.Dummy("small", positive=True), "linear in "
 
 
@@ -352,7 +350,10 @@ def _proved_first(
 def _with_lost_term(it: Comparison, part: Component, exact: sp.Expr) -> Repair | None:
     """A print with what it lacks, where that is one term, of brackets as well."""
     term = normal_form(exact - it.exactly(part.tree))
-    if len(sp.Add.make_args(sp.numer(term))) > LONGEST_TERM:
+    # Symbols of a term with brackets that may be lost, and terms that it may have without
+    # them.
+    longest_term = 8
+    if len(sp.Add.make_args(sp.numer(term))) > longest_term:
         return None
     vocabulary = Vocabulary(frozenset(it.item.values), (), {})
     try:
@@ -360,7 +361,7 @@ def _with_lost_term(it: Comparison, part: Component, exact: sp.Expr) -> Repair |
     except Unread:
         return None
     bare = tree.args[0] if tree.kind == "neg" else tree
-    if bare.kind == "add" or sum(one.kind == "symbol" for one in nodes(tree)) > LONGEST_TERM:
+    if bare.kind == "add" or sum(one.kind == "symbol" for one in nodes(tree)) > longest_term:
         return None
     args = part.tree.args if part.tree.kind == "add" else (part.tree,)
     new = Node("add", (*args, tree), at=part.tree.at)

@@ -8,8 +8,6 @@ from ..language import Source
 from ..quantities import Quantity
 from . import algebra, kernel
 
-_RUNTIME = Path(__file__).parent / "runtime"
-
 
 def render(
     modules: tuple[Module, ...],
@@ -35,7 +33,8 @@ def render(
 
 def beside(name: str, header: str) -> str:
     """A file of ``runtime/``."""
-    return (_RUNTIME / name).read_text(encoding="utf-8").replace("@header@", header)
+    runtime = Path(__file__).parent / "runtime"
+    return (runtime / name).read_text(encoding="utf-8").replace("@header@", header)
 
 
 def _package(

@@ -12,8 +12,6 @@ from .. import Material, runtime, spoken
 from . import algebra, cost, kernel
 from .layout import WIDTH, plain
 
-_EXAMPLE = "main.c"
-
 
 def render(material: Material) -> dict[str, str]:
     """The header and the source, and for a model that has an example the example with its
@@ -21,8 +19,9 @@ def render(material: Material) -> dict[str, str]:
     """
     library = material.library
     own = material.runtime.get("c", {})
+    example = "main.c"
     definitions = "\n".join(
-        text for name, text in sorted(own.items()) if name.endswith(".c") and name != _EXAMPLE
+        text for name, text in sorted(own.items()) if name.endswith(".c") and name != example
     )
     known = material.algebra
     calls = {
@@ -58,8 +57,8 @@ def render(material: Material) -> dict[str, str]:
         **_costs(header + source, {name: it.operations for name, it in inside.items()}),
     }
     files = {f"{library}.h": header, f"{library}.c": source}
-    if _EXAMPLE in own:
-        files |= {"Makefile": spoken(runtime(__file__, "Makefile"), names), _EXAMPLE: own[_EXAMPLE]}
+    if example in own:
+        files |= {"Makefile": spoken(runtime(__file__, "Makefile"), names), example: own[example]}
     return {name: spoken(text, words) for name, text in files.items()}
 
 

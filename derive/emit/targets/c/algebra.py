@@ -10,7 +10,6 @@ from .. import Angles, taken
 from .layout import WIDTH, broken, comment, definition, plain
 
 _FUNCTIONS = {name: name for name in NAMES} | {"abs": "fabs", "pi": "3.14159265358979323846"}
-_LARGEST_EXACT = 2**53
 
 
 def _expression(text: str) -> str:
@@ -24,7 +23,8 @@ def _expression(text: str) -> str:
 
 
 def _whole(found: re.Match[str]) -> str:
-    if int(found[1]) > _LARGEST_EXACT:
+    largest_exact = 2**53
+    if int(found[1]) > largest_exact:
         raise ArithmeticError(f"the integer {found[1]} would be rounded")
     return f"{found[1]}.0"
 

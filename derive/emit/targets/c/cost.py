@@ -8,27 +8,23 @@ from collections import Counter
 #: Calls that are listed by name; ``fabs`` and ``isfinite`` count as one operation each.
 LIBM = ("sqrt", "exp", "sin", "cos", "atan")
 
-_OPERATOR = re.compile(r"(?<=\s)(?:[-+*/<>]|[<>]=|[-+*/]=)(?=\s)")
 _LOOP = re.compile(r"for \(int \w+ = \w+; \w+ < (\w+); \w+\+\+\) \{")
-#: The loop over blocks of points: costs are stated for one block.
-_BLOCKS = re.compile(r"for \(size_t \w+ = 0; \w+ < points; \w+ \+= BLOCK\)")
-_CALL = re.compile(r"\b([a-z]\w*)\(")
-_FUNCTION = re.compile(r"^(?!typedef)[\w *]*?\b(\w+)\([^;{]*\) \{", re.MULTILINE)
-
-#: Length of the longest array that the algorithms pass to a loop over all items of an array: the
-#: passes counted for such a loop.
-_LONGEST_ARRAY = 4
 
 
 def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
     """Cost of each function of ``source``; ``emitted`` gives the operations of those functions that
     were counted before.
     """
-    named = constants(source) | {"length": _LONGEST_ARRAY}
-    source = _BLOCKS.sub("", re.sub(r"/\*.*?\*/", "", source, flags=re.DOTALL))
+    # Length of the longest array that the algorithms pass to a loop over all items of an
+    # array: the passes counted for such a loop.
+    named = constants(source) | {"length": 4}
+    # The loop over blocks of points: costs are stated for one block.
+    blocks = re.compile(r"for \(size_t \w+ = 0; \w+ < points; \w+ \+= BLOCK\)")
+    source = blocks.sub("", re.sub(r"/\*.*?\*/", "", source, flags=re.DOTALL))
     known: dict[str, Counter[str]] = {name: Counter({name: 1}) for name in LIBM}
     known |= {name: Counter({"operations": 1}) for name in ("fabs", "isfinite")}
-    for match in _FUNCTION.finditer(source):
+    function = re.compile(r"^(?!typedef)[\w *]*?\b(\w+)\([^;{]*\) \{", re.MULTILINE)
+    for match in function.finditer(source):
         name, body = match[1], source[match.end() : _closing(source, match.end())]
         if name in emitted:
             known[name] = Counter({"operations": emitted[name]}) + _calls(
@@ -71,8 +67,10 @@ def _block(text: str, known: dict[str, Counter[str]], constants: dict[str, int])
         text = text[: loop.start()] + text[end + 1 :]
     if re.search(r"\b(for|while|do|goto)\b", text):
         raise ArithmeticError("the C template has a loop whose passes can't be counted")
-    return total + Counter({"operations": len(_OPERATOR.findall(text))}) + _calls(text, known)
+    operator = re.compile(r"(?<=\s)(?:[-+*/<>]|[<>]=|[-+*/]=)(?=\s)")
+    return total + Counter({"operations": len(operator.findall(text))}) + _calls(text, known)
 
 
 def _calls(text: str, known: dict[str, Counter[str]]) -> Counter[str]:
-    return sum((known.get(name, Counter()) for name in _CALL.findall(text)), Counter())
+    call = re.compile(r"\b([a-z]\w*)\(")
+    return sum((known.get(name, Counter()) for name in call.findall(text)), Counter())

@@ -12,15 +12,6 @@ from ...language import FLAG, REAL, Kinds, Record, Routine
 from ...routines import Printer, places
 from .layout import broken, comment, definition
 
-#: Doubles: of one number or two.
-PRIMITIVES = {
-    "maximum": "larger",
-    "minimum": "smaller",
-    "absolute": "fabs",
-    "sqrt": "sqrt",
-    "cube_root": "cube_root",
-}
-
 
 def structure(record: Record) -> str:
     """A record's definition."""
@@ -52,8 +43,16 @@ class _CPrinter(Printer):
             ast.BitOr: "|",
             ast.Invert: "!",
         }
+        # Doubles: of one number or two.
+        primitives = {
+            "maximum": "larger",
+            "minimum": "smaller",
+            "absolute": "fabs",
+            "sqrt": "sqrt",
+            "cube_root": "cube_root",
+        }
         super().__init__(
-            it, kinds.source, Syntax(PRIMITIVES, logic, algebra=lambda name: f"{prefix}{name}")
+            it, kinds.source, Syntax(primitives, logic, algebra=lambda name: f"{prefix}{name}")
         )
         self.kinds = kinds
         self.names: dict[str, str] = dict(it.arguments)

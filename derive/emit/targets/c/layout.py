@@ -13,45 +13,11 @@ import unicodedata
 from collections.abc import Iterator
 
 WIDTH = 130
-_INDENT = "    "
-#: Operators, by how weakly they bind: a line is broken only after the weakest that it has.
-_OPERATORS = (r"&|\|", r"\+|-", r"\*|/")
-_UNBREAKABLE = re.compile(r" (\?|[<>]=?|==|!=) ")
-#: Signs as C sources have them, and what would end a comment or begin one; letters are spelled by
-#: their names.
-_SPELLED = {
-    "n̄": "nbar",
-    "√": "sqrt ",
-    "≠": "!=",
-    "≤": "<=",
-    "≥": ">=",
-    "−": "-",
-    "′": "'",
-    "″": "''",
-    "ℓ": "l",
-    "×": "*",
-    "·": "*",
-    "±": "+-",
-    "``": "`",
-    "–": "-",
-    "—": "-",
-    "∂": "d",
-    "…": "...",
-    "°": " degrees",
-    "∞": "infinity",
-    "\u0303": "~",
-    "λ": "lambda",
-    "Λ": "Lambda",
-    "*/": "* /",
-    "/*": "/ *",
-    "??": "? ?",
-}
-_SUPERSCRIPTS = str.maketrans({power: f"^{number}" for number, power in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")})
 
 
 def broken(line: str) -> str:
     """A statement, or the head of a function, on as many lines as it needs."""
-    indent = line[: len(line) - len(line.lstrip())] + _INDENT
+    indent = line[: len(line) - len(line.lstrip())] + "    "
     lines = [""]
     for start, end in itertools.pairwise([0, *_places(line), len(line)]):
         part = line[start:end]
@@ -74,14 +40,17 @@ def _places(line: str) -> list[int]:
         character if depth == 0 else "_" for character, depth in zip(line, depths, strict=True)
     )
     first = max(outside.find(" = "), 0) + 1
-    for operator in _OPERATORS:
+    unbreakable = re.compile(r" (\?|[<>]=?|==|!=) ")
+    # Operators, by how weakly they bind: a line is broken only after the weakest that it
+    # has.
+    for operator in (r"&|\|", r"\+|-", r"\*|/"):
         if places := [
             match.end()
             for match in re.finditer(rf" (?:{operator}) ", outside)
             if match.start() > first
         ]:
             return places
-        if _UNBREAKABLE.search(outside):
+        if unbreakable.search(outside):
             return []
     return [match.end() for match in re.finditer(", ", line) if depths[match.start()] == 1]
 
@@ -106,9 +75,39 @@ def comment(text: str, indent: str = "") -> str:
 
 def plain(text: str) -> str:
     """The words with letters and signs that every compiler reads."""
-    for sign, words in _SPELLED.items():
+    # Signs as C sources have them, and what would end a comment or begin one; letters are
+    # spelled by their names.
+    spelled = {
+        "n̄": "nbar",
+        "√": "sqrt ",
+        "≠": "!=",
+        "≤": "<=",
+        "≥": ">=",
+        "−": "-",
+        "′": "'",
+        "″": "''",
+        "ℓ": "l",
+        "×": "*",
+        "·": "*",
+        "±": "+-",
+        "``": "`",
+        "–": "-",
+        "—": "-",
+        "∂": "d",
+        "…": "...",
+        "°": " degrees",
+        "∞": "infinity",
+        "\u0303": "~",
+        "λ": "lambda",
+        "Λ": "Lambda",
+        "*/": "* /",
+        "/*": "/ *",
+        "??": "? ?",
+    }
+    for sign, words in spelled.items():
         text = text.replace(sign, words)
-    return "".join(map(_ascii, text.translate(_SUPERSCRIPTS)))
+    superscripts = str.maketrans({power: f"^{number}" for number, power in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")})
+    return "".join(map(_ascii, text.translate(superscripts)))
 
 
 def _ascii(character: str) -> str:

@@ -4,10 +4,8 @@ optimizers and integrators.
 
 from .. import Material, python
 
-#: What stands for ``numpy``.
-NAMESPACE = "casadi"
-
 
 def render(material: Material) -> dict[str, str]:
     """The module."""
-    return python.render(material, NAMESPACE, "if_else", {})
+    # What stands for ``numpy``.
+    return python.render(material, "casadi", "if_else", {})

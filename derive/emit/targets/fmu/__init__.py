@@ -28,17 +28,6 @@ from ...expressions import number
 from .. import Material, MotionMaterial, Variable, c, runtime, spoken, taken
 from ..c.layout import plain
 
-_SYSTEMS = {"linux": ("linux", ".so"), "darwin": ("darwin", ".dylib"), "win32": ("windows", ".dll")}
-_MACHINES = {"amd64": "x86_64", "arm64": "aarch64"}
-_FLAGS = (
-    "-std=c99",
-    "-O2",
-    "-Werror=implicit",
-    "-ffp-contract=off",
-    "-fPIC",
-    "-fvisibility=hidden",
-    "-shared",
-)
 #: Functions of the library that the motion calls, and what they are given: state, accelerations,
 #: parameters, numbers of the mode.
 _CALLED = {
@@ -57,15 +46,7 @@ _CALLED = {
     "outputs": "spm",
     "output_slopes": "spm",
 }
-#: Outputs that a border brings.
-_FLAGGED = {
-    "gap": ("mode.contact", "whether there is contact"),
-    "face": ("mode.face", "whether the normal force is not negative"),
-    "slip": ("mode.belt_ahead", "whether the belt is ahead"),
-    "ahead": ("mode.sticks", "whether friction holds the mass"),
-}
 _PARTS = ("Output", "ContinuousStateDerivative", "InitialUnknown", "EventIndicator")
-_STEPS = 1000
 
 
 def render(material: Material) -> dict[str, str]:
@@ -115,7 +96,12 @@ def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
     """The shared library for this machine, by its path, from the compiler that CC names or the
     usual ones.
     """
-    system, ending = _SYSTEMS[sys.platform]
+    systems = {
+        "linux": ("linux", ".so"),
+        "darwin": ("darwin", ".dylib"),
+        "win32": ("windows", ".dll"),
+    }
+    system, ending = systems[sys.platform]
     machine = platform.machine().lower()
     compiler = _compiler(os.environ.get("CC", "").strip())
     sources = [Path(name).name for name in members if name.endswith(".c")]
@@ -123,7 +109,16 @@ def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
     with tempfile.TemporaryDirectory() as folder:
         for name, data in members.items():
             (Path(folder) / Path(name).name).write_bytes(data)
-        command = [*compiler, *_FLAGS, "-o", library, *sources, "-lm"]
+        flags = (
+            "-std=c99",
+            "-O2",
+            "-Werror=implicit",
+            "-ffp-contract=off",
+            "-fPIC",
+            "-fvisibility=hidden",
+            "-shared",
+        )
+        command = [*compiler, *flags, "-o", library, *sources, "-lm"]
         try:
             done = subprocess.run(command, cwd=folder, check=False, capture_output=True)
         except OSError as error:
@@ -137,9 +132,8 @@ def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
                 "give CC a "
                 "compiler of C99, as CC=gcc"
             )
-        return {
-            f"binaries/{_MACHINES.get(machine, machine)}-{system}/{library}": built.read_bytes()
-        }
+        machines = {"amd64": "x86_64", "arm64": "aarch64"}
+        return {f"binaries/{machines.get(machine, machine)}-{system}/{library}": built.read_bytes()}
 
 
 def _compiler(given: str) -> list[str]:
@@ -328,7 +322,14 @@ def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
         add("", one, start=repr(one.start), min=least, max=most, **kind)
     for one in seen.outputs:
         add("Output InitialUnknown", one, causality="output", initial="calculated")
-    for flag in (_FLAGGED[name] for name in seen.borders if name in _FLAGGED):
+    # Outputs that a border brings.
+    flagged = {
+        "gap": ("mode.contact", "whether there is contact"),
+        "face": ("mode.face", "whether the normal force is not negative"),
+        "slip": ("mode.belt_ahead", "whether the belt is ahead"),
+        "ahead": ("mode.sticks", "whether friction holds the mass"),
+    }
+    for flag in (flagged[name] for name in seen.borders if name in flagged):
         add(
             "Output InitialUnknown",
             Variable(*flag),
@@ -340,7 +341,7 @@ def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
         "summary": quoteattr(summary),
         "names": "structured" if all(one.name.isascii() for one in everything) else "flat",
         "units": _units({one.unit: one for one in everything if one.unit}.values()),
-        "duration": repr(_STEPS * seen.step),
+        "duration": repr(1000 * seen.step),
         "step": repr(seen.step),
         "variables": "\n    ".join(ET.tostring(one, encoding="unicode") for one in variables),
         "structure": "\n    ".join(line for lines in structure.values() for line in lines),

@@ -10,27 +10,15 @@ import textwrap
 from .. import Material, ranges, runtime
 from . import algebra, kernel
 
-_EXAMPLE = "example"
-_OF_A_SOLVER = (
-    "Names are those of the Python package and of the C library. The solver throws at bad "
-    "input: TypeError for what is no number or has "
-    "an unknown name, RangeError for a number out of its range."
-)
-_OF_A_PAGE = (
-    "Names are those of the page; as arguments of functions they end with an underscore. "
-    "Functions compute with any numbers: whether "
-    "parameters are in RANGES is for the caller to see to."
-)
-_DECLARATIONS = "declarations.d.ts"
-
 
 def render(material: Material) -> dict[str, str]:
     """The module, its declarations, and an example."""
     own = material.runtime.get("javascript", {})
+    example = "example"
     parts = [
         text
         for name, text in sorted(own.items())
-        if name.endswith(".mjs") and not name.startswith(_EXAMPLE)
+        if name.endswith(".mjs") and not name.startswith(example)
     ]
     solver = (
         [runtime(__file__, "kernel.mjs"), kernel.render(material)]
@@ -43,13 +31,13 @@ def render(material: Material) -> dict[str, str]:
         *([runtime(__file__, "input.mjs")] if parts else []),
         *parts,
     ]
-    words = {**_words(material), "declarations": own.get(_DECLARATIONS, "")}
+    words = {**_words(material), "declarations": own.get("declarations.d.ts", "")}
     library = material.library
     texts = {
         f"{library}.mjs": "\n".join(module),
         f"{library}.d.ts": runtime(__file__, "library.d.ts"),
         f"{library}.d.mts": runtime(__file__, "library.d.mts"),
-        **{name: text for name, text in own.items() if name.startswith(_EXAMPLE)},
+        **{name: text for name, text in own.items() if name.startswith(example)},
     }
     marked = re.compile(r"// @(\w+)@\n|@(\w+)@")
     return {
@@ -67,7 +55,19 @@ def _words(material: Material) -> dict[str, str]:
             material.summary.replace("*/", "* /"), 121, subsequent_indent=" * "
         ),
         "names_and_errors": textwrap.fill(
-            _OF_A_PAGE if material.of_a_page else _OF_A_SOLVER, 127, subsequent_indent=" * "
+            (
+                "Names are those of the page; as arguments of functions they end with an "
+                "underscore. Functions compute with any numbers: whether parameters are in "
+                "RANGES is for the caller to see to."
+            )
+            if material.of_a_page
+            else (
+                "Names are those of the Python package and of the C library. The solver throws "
+                "at bad input: TypeError for what is no number or has an unknown name, "
+                "RangeError for a number out of its range."
+            ),
+            127,
+            subsequent_indent=" * ",
         ),
         "header": material.header.replace("``", "`"),
         "source": material.digest[:16],

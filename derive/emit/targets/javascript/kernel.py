@@ -12,19 +12,6 @@ from ...routines import Printer
 from .. import Material
 from .algebra import comment, wrapped
 
-_SYNTAX = Syntax(
-    primitives={
-        "maximum": "larger",
-        "minimum": "smaller",
-        "absolute": "Math.abs",
-        "sqrt": "Math.sqrt",
-        "cube_root": "cube_root",
-    },
-    logic={ast.BitAnd: "&&", ast.BitOr: "||", ast.Invert: "!"},
-    algebra=lambda name: f"algebra.{name}",
-    signs={"==": "==="},
-)
-
 
 def render(material: Material) -> str:
     """Constants, then every routine."""
@@ -56,7 +43,19 @@ class _JavaScriptPrinter(Printer):
     begin = "for (let pass = 0; pass < {}; pass++) {{"
 
     def __init__(self, it: Routine, source: Source) -> None:
-        super().__init__(it, source, _SYNTAX)
+        syntax = Syntax(
+            primitives={
+                "maximum": "larger",
+                "minimum": "smaller",
+                "absolute": "Math.abs",
+                "sqrt": "Math.sqrt",
+                "cube_root": "cube_root",
+            },
+            logic={ast.BitAnd: "&&", ast.BitOr: "||", ast.Invert: "!"},
+            algebra=lambda name: f"algebra.{name}",
+            signs={"==": "==="},
+        )
+        super().__init__(it, source, syntax)
         self.declared = {name for name, _ in it.arguments}
 
     def definition(self) -> str:

@@ -4,10 +4,10 @@ set to.
 
 from .. import Material, python
 
-#: What stands for ``numpy``.
-NAMESPACE = "jax.numpy"
-
 
 def render(material: Material) -> dict[str, str]:
     """The module."""
-    return python.render(material, NAMESPACE, "where", {"atan": "xp.arctan", "atan2": "xp.arctan2"})
+    # What stands for ``numpy``.
+    return python.render(
+        material, "jax.numpy", "where", {"atan": "xp.arctan", "atan2": "xp.arctan2"}
+    )

@@ -20,9 +20,6 @@ from . import algebra, kernel
 
 #: The model's files that begin with this stand beside the package folder.
 _EXAMPLE = "example_"
-_ALGEBRA = "Generated algebra, for arrays of any one size; nested results come one after the other."
-_PRIMITIVES = ("where.m", "larger.m", "smaller.m", "cube_root.m")
-_INPUT = ("parameters.m", "numbers.m", "shown.m")
 
 
 def render(material: Material) -> dict[str, str]:
@@ -37,14 +34,26 @@ def render(material: Material) -> dict[str, str]:
     }
     texts = {
         f"{package}/algebra.m": _namespace(
-            "algebra", _ALGEBRA, map(algebra.definition, material.algebra.values())
+            "algebra",
+            "Generated algebra, for arrays of any one size; nested results come one after the "
+            "other.",
+            map(algebra.definition, material.algebra.values()),
         )
     }
     if material.kernel.routines:
-        routines = (*kernel.render(material), *(runtime(__file__, name) for name in _PRIMITIVES))
+        routines = (
+            *kernel.render(material),
+            *(
+                runtime(__file__, name)
+                for name in ("where.m", "larger.m", "smaller.m", "cube_root.m")
+            ),
+        )
         texts[f"{package}/kernel.m"] = _namespace("kernel", material.kernel.summary, routines)
     if any(not name.startswith(_EXAMPLE) for name in own):
-        checks = (*(runtime(__file__, name) for name in _INPUT), _ranges(material))
+        checks = (
+            *(runtime(__file__, name) for name in ("parameters.m", "numbers.m", "shown.m")),
+            _ranges(material),
+        )
         texts[f"{package}/checks.m"] = _namespace("checks", "Checks of what is given.", checks)
     texts |= {
         f"{package}/{name}": text for name, text in own.items() if not name.startswith(_EXAMPLE)

@@ -14,14 +14,12 @@ from .. import Material
 from .algebra import WIDTH, comment, wrapped
 
 
-#: Names of functions that MATLAB and Octave have: Octave warns of others by that name, even in a
-#: package.
-_TAKEN = frozenset({"single", "balance"})
-
-
 def method_name(name: str) -> str:
     """Name of a routine in the package."""
-    return f"{name}_" if name in _TAKEN else name
+    # Names of functions that MATLAB and Octave have: Octave warns of others by that name,
+    # even in a package.
+    taken = frozenset({"single", "balance"})
+    return f"{name}_" if name in taken else name
 
 
 def render(material: Material) -> list[str]:

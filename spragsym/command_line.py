@@ -5,9 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-#: Options whose names are not those of their parameters.
-_OPTIONS = {"V": ("--speed", "-V"), "d": ("--creep", "-d")}
-
 #: What commands call their own options, and the values of these.
 OF_COMMANDS = frozenset(
     (
@@ -49,7 +46,9 @@ def options_of(about: Mapping[str, Any], name: str) -> tuple[str, ...]:
     """Options by which commands call a parameter: as for the article's model, unless another
     parameter has that name.
     """
-    known = _OPTIONS.get(name)
+    # Options whose names are not those of their parameters.
+    options = {"V": ("--speed", "-V"), "d": ("--creep", "-d")}
+    known = options.get(name)
     if known and known[0][2:] not in {entry["name"] for entry in about["parameters"]}:
         return known
     return (f"--{option_name(name)}",)

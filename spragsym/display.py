@@ -24,8 +24,6 @@ from .numerics.interval_arrays import IntArray
 if TYPE_CHECKING:
     from .models.model import Model
 
-#: Columns of the parameter that varies; the first two have its name.
-VARIED = ("value", "values", "to", "others")
 #: Most rows that a table shows; of a longer table it shows the first and the last ones.
 ROWS = 20
 
@@ -194,7 +192,12 @@ class Schema:
     def column(self, key: str) -> Column:
         """The column of a name, with what a table adds to it behind a blank."""
         name = key.partition(" ")[0]
-        name = self.vary if name in VARIED and self.vary in self.columns else name
+        # Columns of the parameter that varies; the first two have its name.
+        name = (
+            self.vary
+            if name in ("value", "values", "to", "others") and self.vary in self.columns
+            else name
+        )
         return self.columns.get(name, Column(name))
 
     def heading(self, key: str) -> str:

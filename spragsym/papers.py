@@ -20,20 +20,6 @@ if TYPE_CHECKING:
     from .derive.pages import PageModel as Page
     from .derive.statements.verdicts import Row
 
-#: Fields of a row under titles, as a referee reads them.
-_TITLES = {
-    "print": "Printed",
-    "read": "Read as",
-    "derived": "Derived",
-    "derived_by": "Derived by",
-    "difference": "Printed less derived",
-    "marked": "Edited at",
-    "repaired": "Right",
-    "evidence": "Evidence",
-    "cost": "Size",
-    "note": "Note",
-}
-
 
 @dataclass(frozen=True)
 class PaperCheck:
@@ -188,7 +174,20 @@ class PaperCheck:
 
 def fields(row: Row) -> Mapping[str, str]:
     """Fields of a row, under titles."""
-    said = {title: str(getattr(row, name)) for name, title in _TITLES.items()}
+    # Fields of a row under titles, as a referee reads them.
+    titles = {
+        "print": "Printed",
+        "read": "Read as",
+        "derived": "Derived",
+        "derived_by": "Derived by",
+        "difference": "Printed less derived",
+        "marked": "Edited at",
+        "repaired": "Right",
+        "evidence": "Evidence",
+        "cost": "Size",
+        "note": "Note",
+    }
+    said = {title: str(getattr(row, name)) for name, title in titles.items()}
     if row.edits:
         edits = (f"{it['kind']}: {it['old']} becomes {it['new']}" for it in row.edits)
         said["Edit"] = "; ".join(edits)

@@ -40,14 +40,6 @@ if TYPE_CHECKING:
 #: What is taken exactly.
 Exact: TypeAlias = int | float | str | Fraction | mpmath.mpf
 
-#: Digits beyond which a request is taken for a mistake.
-MOST_DIGITS = 1000
-#: Arguments of the functions here, whose names parameters of a page may have.
-_ARGUMENTS = frozenset(("p", "contact", "dps", "method", "vary", "between"))
-_NUMBER = re.compile(
-    r"\s*[+-]?(\d{1,400}(/\d{1,400})?|(\d{1,400}\.?\d{0,400}|\.\d{1,400})([eE][+-]?\d{1,3})?)\s*"
-)
-
 
 @dataclass(frozen=True)
 class Degrees:
@@ -70,7 +62,10 @@ def as_exact(name: str, value: Exact, allowed: Range) -> Fraction:
             "Fraction, an mpf or a float"
         )
     if isinstance(value, str):
-        if not _NUMBER.fullmatch(value):
+        number = re.compile(
+            r"\s*[+-]?(\d{1,400}(/\d{1,400})?|(\d{1,400}\.?\d{0,400}|\.\d{1,400})([eE][+-]?\d{1,3})?)\s*"
+        )
+        if not number.fullmatch(value):
             raise ParameterTypeError(
                 f"{name} = {value[:40]!r} is not a number such as '0.007' or '7/1000'"
             )
@@ -95,9 +90,11 @@ def as_digits(dps: int) -> int:
         raise ParameterTypeError(
             f"dps = {dps!r} is not an integer; give a number of decimal digits"
         )
-    if not 1 <= dps <= MOST_DIGITS:
+    # Digits beyond which a request is taken for a mistake.
+    most_digits = 1000
+    if not 1 <= dps <= most_digits:
         raise ParameterError(
-            f"dps = {dps} is not in [1, {MOST_DIGITS}]; give a number of decimal digits"
+            f"dps = {dps} is not in [1, {most_digits}]; give a number of decimal digits"
         )
     return dps
 
@@ -260,7 +257,9 @@ def _exactly(
 
     ``unasked`` are parameters on which the answer does not depend.
     """
-    spelled = {name: f"{name}_" if name in _ARGUMENTS else name for name in model.parameters}
+    # Arguments of the functions here, whose names parameters of a page may have.
+    arguments = frozenset(("p", "contact", "dps", "method", "vary", "between"))
+    spelled = {name: f"{name}_" if name in arguments else name for name in model.parameters}
     known = {
         **{called: name for name, called in spelled.items()},
         **{f"{name}_deg": name for name in model.about["angles"]},

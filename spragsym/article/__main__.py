@@ -14,17 +14,16 @@ from typing import Any
 
 from . import STATEMENTS, record_text, run
 
-#: Commands that the report names.
-_COMMANDS: tuple[tuple[str, ...], ...] = (
-    ("check", "--again"),
-    ("check", "--claims", "--again"),
-    ("figures", "--out", "figures"),
-)
-
 
 def _measurements() -> str:
     """The content of measured.json: of the machine where this runs."""
-    rows = [_measured(arguments) for arguments in _COMMANDS]
+    # Commands that the report names.
+    commands: tuple[tuple[str, ...], ...] = (
+        ("check", "--again"),
+        ("check", "--claims", "--again"),
+        ("figures", "--out", "figures"),
+    )
+    rows = [_measured(arguments) for arguments in commands]
     machine = f"{os.cpu_count()} cores, {platform.machine()}, Python {platform.python_version()}"
     return json.dumps({"machine": machine, "rows": rows}, indent=1) + "\n"
 

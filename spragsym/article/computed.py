@@ -40,22 +40,10 @@ Outcome: TypeAlias = tuple[Any, dict[str, Any]]
 #: Largest friction of Figures 11 to 14.
 MU0_MAX = MU0_RANGE[1]
 
-#: Inclinations far below the fold, degrees.
-FAR_BELOW = (10.0, 20.0, 30.0, 40.0)
-#: Inclination at which the cycle is looked for with other belts, degrees.
-WITH_OTHERS = 30.0
 #: V and d of other belts, of which the article states neither: between rest and oscillation the
 #: motions of these are regular.
 OTHER_BELTS = ((0.3, 10.0), (0.5, 5.0), (0.4, 12.5))
-#: Inclinations, degrees, at which the motion from rest comes to rest and at which it goes on: of
-#: our belt, and of each of these.
-FATES_CHANGE = ((41.0, 42.0), (41.2, 43.0), (41.2, 43.7), (41.2, 42.0))
 
-#: Inclinations, degrees, at which equilibria are compared with those under dry friction; one, and a
-#: state, on cycles under it.
-OF_STATICS = (10.0, 30.0, 49.0, 90.0, 160.0)
-ON_DRY_CYCLE = (42.0, (2.9429144682, 3.3611284180, 0.0, 0.3671196394))
-ON_STICKING = (60.0, (2.818, 1.213, 0.0, 0.22))
 
 _article = Parameters.article
 #: Inclinations of grids, degrees.
@@ -431,19 +419,23 @@ def amplitude_jump() -> Outcome:
 def lives_below() -> Outcome:
     """Stable cycles beside stable sliding, far below the fold."""
     near, found = cycle(_at(42.0), near=ON_CYCLE, patient=False), dict[tuple[float, ...], Cycle]()
-    for place in [(degrees, V, D) for degrees in FAR_BELOW[::-1]] + [
-        (WITH_OTHERS, *belt) for belt in OTHER_BELTS
+    # Inclinations far below the fold, degrees.
+    far_below = (10.0, 20.0, 30.0, 40.0)
+    # Inclination at which the cycle is looked for with other belts, degrees.
+    with_others = 30.0
+    for place in [(degrees, V, D) for degrees in far_below[::-1]] + [
+        (with_others, *belt) for belt in OTHER_BELTS
     ]:
         degrees, speed, creep = place
         near = found[place] = cycle(
             _at(degrees, V=speed, d=creep), near=found.get((degrees, V, D), near)
         )
     ours, others = (
-        [found[degrees, V, D] for degrees in FAR_BELOW],
-        [found[WITH_OTHERS, *belt] for belt in OTHER_BELTS],
+        [found[degrees, V, D] for degrees in far_below],
+        [found[with_others, *belt] for belt in OTHER_BELTS],
     )
     return all(one.stable and _slides_stably(*place) for place, one in found.items()), {
-        "theta0_deg": FAR_BELOW,
+        "theta0_deg": far_below,
         "periods": [one.period for one in ours],
         "largest multipliers": [np.abs(one.multipliers[1]) for one in ours],
         **_of_others(),
@@ -473,9 +465,13 @@ def fate_of_rest() -> Outcome:
     there.
     """
     belts = [_article(V=speed, d=creep) for speed, creep in ((V, D), *OTHER_BELTS)]
+    # Inclinations, degrees, at which the motion from rest comes to rest and at which it goes
+    # on: of our belt, and of each of these.
     found, *others = [
         fate_boundary(p, "theta0", between={"theta0": (low, high)})
-        for p, (low, high) in zip(belts, np.radians(FATES_CHANGE), strict=True)
+        for p, (low, high) in zip(
+            belts, np.radians(((41.0, 42.0), (41.2, 43.0), (41.2, 43.7), (41.2, 42.0))), strict=True
+        )
     ]
     at, *changes = _deg([one.value for one in (found, *others)])
     sliding = (folds(p.replace(mu0=float(_working(p)))).theta0[0] for p in belts[1:])
@@ -503,13 +499,16 @@ def _dry(degrees: ArrayLike) -> ParameterSet:
 
 
 def statics_without_d() -> Outcome:
-    eq, dry = (equilibria(p) for p in (_at(OF_STATICS), _dry(OF_STATICS)))
+    # Inclinations, degrees, at which equilibria are compared with those under dry friction;
+    # one, and a state, on cycles under it.
+    of_statics = (10.0, 30.0, 49.0, 90.0, 160.0)
+    eq, dry = (equilibria(p) for p in (_at(of_statics), _dry(of_statics)))
     same = np.array_equal(eq.undamped, dry.undamped) and np.allclose(
         eq.x, dry.x, rtol=0.0, atol=1e-12, equal_nan=True
     )
     undamped = np.abs(dry.growth[dry.undamped == EquilibriumType.STABLE]).max() < 1e-15
     return same and undamped, {
-        "theta0_deg": OF_STATICS,
+        "theta0_deg": of_statics,
         "counts for every d": dry.count,
         "x of the first state": dry.x[:, 0],
         "its growth with our d": eq.growth[:, 0],
@@ -517,19 +516,21 @@ def statics_without_d() -> Outcome:
 
 
 def oscillation_without_d() -> Outcome:
+    on_dry_cycle = (42.0, (2.9429144682, 3.3611284180, 0.0, 0.3671196394))
+    on_sticking = (60.0, (2.818, 1.213, 0.0, 0.22))
     near, sticking = (
         cycle(_dry(degrees), near=state, patient=False)
-        for degrees, state in (ON_DRY_CYCLE, ON_STICKING)
+        for degrees, state in (on_dry_cycle, on_sticking)
     )
     found = [near, cycle(_dry(49.0), near=near)]
     held = sticking.phases.duration[sticking.phases.side == 0].sum()
     return all(
         one.stable and one.phases.side.all() for one in found
     ) and held > 0 and not sticking.stable, {
-        "theta0_deg": (ON_DRY_CYCLE[0], 49.0),
+        "theta0_deg": (on_dry_cycle[0], 49.0),
         "periods": [one.period for one in found],
         "largest multipliers": [np.abs(one.multipliers[1]) for one in found],
-        "theta0_deg of one that sticks": ON_STICKING[0],
+        "theta0_deg of one that sticks": on_sticking[0],
         "its period": sticking.period,
         "it sticks for": held,
         "its largest multiplier": np.abs(sticking.multipliers[1]),

@@ -54,13 +54,6 @@ from .folds import cusps, folds
 from .options import ContinuationOptions
 from .points import OVER_BORDER, Found, isolated, listed, search, which
 
-#: Extrema and ends of curves, as remarks call them.
-_WHERE = {
-    "cusp": "of cusps",
-    "turn": "where curves turn back",
-    "end": "where curves end",
-    "border": "where curves leave the contact",
-}
 #: How near a line counts as on it, over the range of the parameter.
 ON_LINE = 1e-9
 
@@ -181,9 +174,16 @@ def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator
     """
     yield from cut
     said: dict[str, dict[str, None]] = {}
+    # Extrema and ends of curves, as remarks call them.
+    where = {
+        "cusp": "of cusps",
+        "turn": "where curves turn back",
+        "end": "where curves end",
+        "border": "where curves leave the contact",
+    }
     for kind, points in known:
         for text in points.remarks:
-            said.setdefault(text, {})[_WHERE[kind]] = None
+            said.setdefault(text, {})[where[kind]] = None
     yield from (
         Remark("{}: {}", ", ".join(kinds), text) for text, kinds in said.items() if text not in cut
     )

@@ -31,9 +31,6 @@ from .paths import ModelEnd, first_end
 from .points import INFINITY, OVER_BORDER, escapes
 from .tubes import Tubes
 
-#: How far beside a cusp its folds are looked for, over the range.
-ASIDE = (1e-3, 1e-4, 1e-5)
-
 
 @dataclass(frozen=True)
 class _Candidate:
@@ -435,8 +432,9 @@ class _CandidateSearch:
         sides, ever nearer to it.
         """
         length = float(np.ptp(self.spans[0]))
+        # How far beside a cusp its folds are looked for, over the range.
         return (
-            [[one.where - far * length, one.where + far * length] for far in ASIDE]
+            [[one.where - far * length, one.where + far * length] for far in (1e-3, 1e-4, 1e-5)]
             if one.kind == "cusp"
             else [[one.where]]
         )

@@ -58,29 +58,12 @@ from .points import Found, arranged, matrices, nothing, of_ends, search
 if TYPE_CHECKING:
     from .normal_forms import Coefficient, NormalForm
 
-#: Why an onset of a model with several contacts has none.
-OF_SEVERAL = "the motion of a page with several contacts is not answered yet"
-#: Why an onset of (27) has no coefficient.
-NO_DAMPING = (
-    "without damping two frequencies meet there, and all eigenvalues stay on the imaginary "
-    "axis up to it: no generic Hopf point; "
-    "ask for the onsets of the damped model, damping=True"
-)
 #: Why none is searched for without damping.
 NEVER_STABLE = (
     "without damping no state is stable where gyroscopic terms act beside friction, or another "
     "force without a potential, so that no flutter sets in; ask for the onsets of the damped "
     "model, damping=True"
 )
-#: Why one has that is not told from 0, and one that is smaller than what its law can mean.
-NEAR_ZERO = "the first Lyapunov coefficient is not told from 0 by its bound"
-BELOW_THE_LAW = (
-    "the first Lyapunov coefficient is below the smoothing of the friction law: up to "
-    "amplitudes at which sliding stops it "
-    "changes the growth rate by less than {:.0e} ω; what happens there decides"
-)
-#: Change of the growth rate over ω below which a coefficient is the tail of a smoothed law.
-MEANT = 1e-9
 #: Width of a box whose middle is as good as a root, and growth of a λ on the imaginary axis, over
 #: their sizes.
 SMALL = 1e-6
@@ -565,9 +548,13 @@ class Onsets(Points):
 
     def _normal_form(self, row: int) -> NormalForm | str:
         if self.kind[row] != "hopf":
-            return NO_DAMPING
+            return (
+                "without damping two frequencies meet there, and all eigenvalues stay on the "
+                "imaginary axis up to it: no generic Hopf point; ask for the onsets of the "
+                "damped model, damping=True"
+            )
         if len(self.parameters.model.contacts) > 1:
-            return OF_SEVERAL
+            return "the motion of a page with several contacts is not answered yet"
         state, vary = self.state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.
         radii = self.error[row] * scale_of([*state, self[vary][row]]) * (1 + 2.0**-50)
@@ -637,7 +624,14 @@ def criticality_of(form: NormalForm | Coefficient | str) -> tuple[str, str]:
     if isinstance(form, str):
         return "undecided", form
     if not abs(form.lyapunov) > form.lyapunov_error:
-        return "undecided", NEAR_ZERO
-    if abs(form.lyapunov) * form.reach**2 < MEANT:
-        return "undecided", BELOW_THE_LAW.format(MEANT)
+        return "undecided", "the first Lyapunov coefficient is not told from 0 by its bound"
+    # Change of the growth rate over ω below which a coefficient is the tail of a smoothed
+    # law.
+    meant = 1e-9
+    if abs(form.lyapunov) * form.reach**2 < meant:
+        return "undecided", (
+            "the first Lyapunov coefficient is below the smoothing of the friction law: up to "
+            "amplitudes at which sliding stops it "
+            f"changes the growth rate by less than {meant:.0e} ω; what happens there decides"
+        )
     return "supercritical" if form.lyapunov < 0 else "subcritical", ""

@@ -57,18 +57,6 @@ from .points import arranged, matrices, nothing, search
 UNPROVED = "no generic Hopf point is proved there"
 #: C over K below which a state is as good as undamped.
 UNDAMPED = 1e-6
-#: What is said of slopes of the friction law that vanish, and of boxes in whose middle hardly
-#: anything damps.
-NO_SLOPE_HERE = (
-    "where the slope of the friction law is 0 nothing damps and every pair crosses: "
-    "flutter_onsets lists these onsets; "
-    "the slope is between {:.3g} and {:.3g} here"
-)
-HARDLY = (
-    "on lines: in {} of {} undecided boxes C is at most {:g} times K: where it vanishes every "
-    "pair crosses at once, "
-    "and such onsets are not isolated"
-)
 
 
 @dataclass(frozen=True, eq=False)
@@ -234,7 +222,12 @@ class _Plane(Family):
             if damping and len(undecided)
             else 0
         )
-        said += (HARDLY.format(hardly, len(undecided), UNDAMPED),) if hardly else ()
+        if hardly:
+            said += (
+                f"on lines: in {hardly} of {len(undecided)} undecided boxes C is at most "
+                f"{UNDAMPED:g} times K: where it vanishes every pair crosses at once, and such "
+                "onsets are not isolated",
+            )
         said += tuple(Remark("of points: {}", it) for it in points.remarks) if damping else ()
         own = own_name(self.balance.model, "error")
         names = (*self.vary, *self.balance.coordinates, own)
@@ -289,7 +282,11 @@ class _Plane(Family):
         slope = slope_over(balance, self.over)
         low, high = float(slope.low[0]), float(slope.high[0])
         # An end of the range at which friction vanishes is none.
-        return points, sought, (NO_SLOPE_HERE.format(low, high),) if low < 0 < high else ()
+        said = (
+            "where the slope of the friction law is 0 nothing damps and every pair crosses: "
+            f"flutter_onsets lists these onsets; the slope is between {low:.3g} and {high:.3g} here"
+        )
+        return points, sought, (said,) if low < 0 < high else ()
 
     def points(self, only: int | None) -> Points:
         """All points of all kinds; ``only`` one coordinate is damped, if it is given."""

@@ -37,8 +37,6 @@ from ..statics.balance import PreciseBalance
 from ..statics.forces import Evaluation
 from .defining_systems import FOLD, Augmented, Family
 
-#: Bits at an end.
-BITS = 192
 #: What is left where states may form lines.
 LINES_OF_STATES = "where det K is 0 in every state: equilibria there form lines, or there are none"
 
@@ -126,14 +124,16 @@ def _none_from(
 
     ``signs`` are those of the derivatives of all determinants by that parameter over the box.
     """
-    precise = PreciseBalance(system, given, BITS)
-    with balls.precision(BITS):
+    # Bits at an end.
+    bits = 192
+    precise = PreciseBalance(system, given, bits)
+    with balls.precision(bits):
         varied: list[Any] = [
             balls.between(Fraction(-low), Fraction(high)) for low, high in box.T.tolist()
         ]
-    varied[k] = Jet.variable(ball(end, BITS), k, system.balance.n)
+    varied[k] = Jet.variable(ball(end, bits), k, system.balance.n)
     try:
-        K, f = _affine(precise.state([ball(0, BITS)] * system.balance.n + varied))
+        K, f = _affine(precise.state([ball(0, bits)] * system.balance.n + varied))
         minors = _minors(K, f)
     except (UndecidedSign, ZeroDivisionError):
         return False

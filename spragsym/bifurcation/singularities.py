@@ -72,10 +72,6 @@ if TYPE_CHECKING:
 
 #: Undecided boxes beyond which they lie around no points.
 MANY = 500
-#: Bits of the forces around a pitchfork.
-BITS = 120
-#: Where two states meet and nothing more is known.
-UNDECIDED = "undecided"
 
 
 def folds_of(
@@ -196,9 +192,11 @@ def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
     if not np.isfinite(slopes).all():
         return False
     *whole, span = exact_ends(np.concatenate([wide, box[:, -1:]], axis=1))
-    precise = PreciseBalance(balance, family.given[:, 0], BITS, {vary: span})
+    # Bits of the forces around a pitchfork.
+    bits = 120
+    precise = PreciseBalance(balance, family.given[:, 0], bits, {vary: span})
     try:
-        return bool(balls.sign(third_derivative(precise.values, whole, slopes, BITS, mirror.odd)))
+        return bool(balls.sign(third_derivative(precise.values, whole, slopes, bits, mirror.odd)))
     except UndecidedSign:
         return False
 
@@ -369,7 +367,8 @@ def ended(points: Points) -> Ended:
         try:
             found.ends[row], found.when[row] = _at(points, int(row))
         except ConvergenceError:
-            found.ends[row] = found.when[row] = UNDECIDED
+            # Where two states meet and nothing more is known.
+            found.ends[row] = found.when[row] = "undecided"
     return found
 
 

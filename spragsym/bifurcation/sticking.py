@@ -43,8 +43,6 @@ from .sticking_regions import line, region
 
 #: The share of the static friction coefficient that is used, a parameter of its own.
 HELD = "held"
-#: A small box in contact: what is 0 all over it is 0 for all states.
-SMALL = -0.5 - 2.0**-20, -0.5
 
 
 @question
@@ -213,7 +211,8 @@ def _turns(own: ParameterSet, place: int) -> Points:
         return (determinant([[slope(row, column) for column in columns] for row in at.forces()]),)
 
     system = Augmented(family, Condition(equations, order=1))
-    small = Intervals.between(*(np.full((system.n, 1), end) for end in SMALL))
+    # A small box in contact: what is 0 all over it is 0 for all states.
+    small = Intervals.between(*(np.full((system.n, 1), end) for end in (-0.5 - 2.0**-20, -0.5)))
     if (
         system.values(small, system.fixed(1), ()).magnitude[-1, 0] <= NOTHING
     ):  # the others and h do not move it

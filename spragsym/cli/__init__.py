@@ -49,19 +49,6 @@ COMMANDS = {
     "export": ("export", "Write the solver in another language."),
 }
 
-#: Module that may be missing → the extra that brings it.
-EXTRAS = {
-    "sympy": "derive",
-    "matplotlib": "plot",
-    "heyoka": "fast",
-    "flint": "certify",
-    "xarray": "sweep",
-    "h5netcdf": "sweep",
-    "h5py": "sweep",
-    "dask": "sweep",
-    "distributed": "sweep",
-}
-
 
 class LazyGroup(click.Group):
     """A group whose commands are imported when called, so that ``spragsym --help`` is quick."""
@@ -195,6 +182,18 @@ def _run(arguments: list[str], debug: bool) -> int:
 
 def _message_and_code(error: BaseException, arguments: list[str]) -> tuple[str, int]:
     """Message of an error, and its exit code."""
+    # Module that may be missing → the extra that brings it.
+    extras = {
+        "sympy": "derive",
+        "matplotlib": "plot",
+        "heyoka": "fast",
+        "flint": "certify",
+        "xarray": "sweep",
+        "h5netcdf": "sweep",
+        "h5py": "sweep",
+        "dask": "sweep",
+        "distributed": "sweep",
+    }
     match error:
         case click.Abort() | KeyboardInterrupt():
             return "; ".join(["interrupted", *map(str, error.args)]), 130
@@ -207,8 +206,8 @@ def _message_and_code(error: BaseException, arguments: list[str]) -> tuple[str, 
             return _message(error, arguments).rstrip(".") + where, error.exit_code
         case SpragsymError():
             return str(error), 2 if isinstance(error, ParameterError | ParameterTypeError) else 1
-        case ModuleNotFoundError() if (module := (error.name or "").partition(".")[0]) in EXTRAS:
-            return str(MissingExtraError(f"spragsym {arguments[0]}", module, EXTRAS[module])), 1
+        case ModuleNotFoundError() if (module := (error.name or "").partition(".")[0]) in extras:
+            return str(MissingExtraError(f"spragsym {arguments[0]}", module, extras[module])), 1
         case OSError() if not error.strerror:
             return str(error), 1
         case OSError() if error.filename is None:

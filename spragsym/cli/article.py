@@ -305,26 +305,24 @@ def _print_rows(
         click.echo(f"{styled}{' ' * (begin - len(line))}{wrapped(remark, begin)}".rstrip())
 
 
-#: Fields of a row of the article's equations under titles.
-_TITLES = {
-    "where": "Where",
-    "printed": "Printed",
-    "derived": "Derived",
-    "derivation": "As derived",
-    "derived_by": "Derived by",
-    "difference": "Printed less derived",
-    "limit": "Limit",
-    "cause": "Cause",
-    "evidence": "Evidence",
-    "consequence": "Consequence",
-    "note": "Note",
-}
-
-
 def _fields(row: Mapping[str, Any]) -> dict[str, str]:
     """Fields of a row of the article's equations, under titles; what is derived is printed so."""
     whole = {"derived": row["printed"], **row} if row.get("derived_by") else row
-    return {title: str(whole[key]) for key, title in _TITLES.items() if whole.get(key)}
+    # Fields of a row of the article's equations under titles.
+    titles = {
+        "where": "Where",
+        "printed": "Printed",
+        "derived": "Derived",
+        "derivation": "As derived",
+        "derived_by": "Derived by",
+        "difference": "Printed less derived",
+        "limit": "Limit",
+        "cause": "Cause",
+        "evidence": "Evidence",
+        "consequence": "Consequence",
+        "note": "Note",
+    }
+    return {title: str(whole[key]) for key, title in titles.items() if whole.get(key)}
 
 
 def _print_in_full(row: str, status: str, said: Mapping[str, str]) -> None:

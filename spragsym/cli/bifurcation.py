@@ -242,10 +242,6 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> object:
     return {"parameters": case.parameter_row(), **told}, tables
 
 
-#: Of an onset what JSON has besides the table.
-BESIDE = tuple(each.name for each in ss.results.Onsets.schema if each.row == "beside")
-
-
 def points_of(case: Case, found: Points, after: bool = False) -> Row:
     """A row for each point, whether these are all, what was searched, and the undecided boxes;
     ``after`` at any cost.
@@ -282,7 +278,9 @@ def print_points(title: str, told: Mapping[str, Any], where: Sequence[str]) -> N
     """A table of points, and where it is not known whether there are more."""
     rows = told["points"]
     if rows or told["complete"]:
-        shown = [{name: value for name, value in row.items() if name not in BESIDE} for row in rows]
+        # Of an onset what JSON has besides the table.
+        beside = tuple(each.name for each in ss.results.Onsets.schema if each.row == "beside")
+        shown = [{name: value for name, value in row.items() if name not in beside} for row in rows]
         names = [*shown[0]] if shown else []
         after = [name for name in names if "_after" in name]
         angles = (name for name in after if name.startswith("theta"))

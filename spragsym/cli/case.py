@@ -33,8 +33,6 @@ Row: TypeAlias = dict[str, Any]
 Titled: TypeAlias = tuple[str, float]
 #: Values from one end of a range to the other, unless told otherwise.
 COUNT = 11
-#: How far an end may be, in the model's units.
-LARGEST = 1e6
 
 
 @dataclass(frozen=True)
@@ -179,12 +177,14 @@ class Case:
                 "of the two out"
             )
         allowed, angle = self.model.Parameters.ranges[name], self.model.is_angle(name)
+        # How far an end may be, in the model's units.
+        largest = 1e6
         for end in span.ends:
             value = end / unit
-            if abs(value) > LARGEST and allowed.low <= value <= allowed.high:
+            if abs(value) > largest and allowed.low <= value <= allowed.high:
                 raise ParameterError(
                     f"--vary {span.typed}: {title} = {end:g} is too far; give at most "
-                    f"{LARGEST * unit:g} in size"
+                    f"{largest * unit:g} in size"
                 )
             if not (allowed.contains(value) if values else allowed.low <= value <= allowed.high):
                 own = "" if angle or unit == 1 else f" is {name} = {value:g}, which"

@@ -32,9 +32,6 @@ from .output import drawn, print_rows
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
 
-#: Points of a table.
-MOST = 10_000
-
 
 @o.of_model(kind=o.NumberList, statics=True, values=True)
 @o.vary(
@@ -77,9 +74,11 @@ def equilibria(case: Case, plot: Path | None) -> object:
         _draw(case, plot, many)
     lists = [np.ravel(value).tolist() for value in values.values()]
     size = math.prod(map(len, lists))
-    if size > MOST:
+    # Points of a table.
+    most = 10_000
+    if size > most:
         raise click.UsageError(
-            f"{size} points are more than the {MOST} of a table; in Python ss.equilibria "
+            f"{size} points are more than the {most} of a table; in Python ss.equilibria "
             "takes any number"
         )
     with show_progress(

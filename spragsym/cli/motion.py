@@ -27,9 +27,6 @@ from .output import drawn, print_rows, refuse, resumed
 if TYPE_CHECKING:
     from ..orbits import Cycle
 
-#: Longest motion that a command follows, in the model's unit of time: one is kept whole, those of a
-#: sweep followed to the end.
-LONGEST = 2e6
 
 #: What a phase of a cycle is called by the sign of its sliding speed.
 SLIPS = {1: "belt ahead", -1: "mass ahead", 0: "sticks"}
@@ -123,8 +120,11 @@ def _times(case: Case, t_end: float, transient: float | None, why: str) -> tuple
             "measure"
         )
     unit = case.model.about["scales"]["time"].replace("**", "^")
-    if t_end > LONGEST:
-        limit = f"{LONGEST:g} {unit}" + (f", which is {LONGEST * second:.3g} s" if of_file else "")
+    # Longest motion that a command follows, in the model's unit of time: one is kept whole,
+    # those of a sweep followed to the end.
+    longest = 2e6
+    if t_end > longest:
+        limit = f"{longest:g} {unit}" + (f", which is {longest * second:.3g} s" if of_file else "")
         raise ParameterError(f"--t-end is {t_end:g} {unit}, and {why}: give at most {limit}")
     return t_end, transient
 

@@ -39,9 +39,6 @@ if TYPE_CHECKING:
 #: What makes an option of a command.
 Decorator: TypeAlias = Callable[[Any], Any]
 
-#: Numbers of an axis.
-MOST = 1_000_000
-
 
 class Command(click.Command):
     """A command that refuses what is empty or given twice, of which click takes the last, and whose
@@ -135,9 +132,11 @@ class NumberList(OneNumber):
                 numbers = np.array([float(number) for number in text.split(",")])
             else:
                 start, stop, count = text.split(":")
-                if not 1 < int(count) <= MOST:
+                # Numbers of an axis.
+                most = 1_000_000
+                if not 1 < int(count) <= most:
                     self.fail(
-                        f"{value!r}: equal steps with both ends are 2 to {MOST} numbers; for "
+                        f"{value!r}: equal steps with both ends are 2 to {most} numbers; for "
                         "one give it alone"
                     )
                 with np.errstate(all="ignore"):  # an infinite end, which the range refuses
@@ -272,25 +271,6 @@ def workers(default: int) -> Decorator:
     )
 
 
-#: Options that say what a command is about, which are looked at before the others.
-ABOUT = [
-    click.Option(
-        ["--model"],
-        metavar="NAME|DIR",
-        help=f"{TEXT} Its parameters become options.",
-        expose_value=False,
-    ),
-    click.Option(
-        ["--data"],
-        metavar="FILE",
-        expose_value=False,
-        help="Take the parameters, and the model, from the data of a brake, and answer in the "
-        "units of that file.",
-    ),
-    click.Option(["--trust"], is_flag=True, help=TRUST, expose_value=False),
-]
-
-
 class OfModel(Command):
     """A command whose options are its own and one for each parameter of a model; its work is given
     a :class:`Case`.
@@ -349,11 +329,29 @@ class OfModel(Command):
             for name in model.starting
             if self.start
         ]
+        # Options that say what a command is about, which are looked at before the
+        # others.
+        about = [
+            click.Option(
+                ["--model"],
+                metavar="NAME|DIR",
+                help=f"{TEXT} Its parameters become options.",
+                expose_value=False,
+            ),
+            click.Option(
+                ["--data"],
+                metavar="FILE",
+                expose_value=False,
+                help="Take the parameters, and the model, from the data of a brake, and answer "
+                "in the units of that file.",
+            ),
+            click.Option(["--trust"], is_flag=True, help=TRUST, expose_value=False),
+        ]
         self.params = [
             *self._parameters(),
             *start,
             *(_worded(option, words) for option in self.own),
-            *ABOUT,
+            *about,
         ]
         of = (
             ""

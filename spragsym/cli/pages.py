@@ -157,10 +157,6 @@ def _picture_over(found: Verdicts) -> Figure:
     return verdict_figure(found)
 
 
-#: Lines of either parameter on which onsets are sought.
-_LINES = 20
-
-
 @o.command()
 @o.file(
     "--out",
@@ -274,8 +270,10 @@ def _map(model: Model, p: ParameterSet, study: Study | None) -> tuple[str, str]:
             f"--onsets: {model.name} has no two parameters of its equilibria; leave it out"
         )
     ends = window(model, model.plane, {})
+    # Lines of either parameter on which onsets are sought.
+    lines = 20
     with show_progress("searching for onsets (--onsets)"):
-        found = ss.onset_curves(p, model.plane, _LINES, between=ends)
+        found = ss.onset_curves(p, model.plane, lines, between=ends)
     taken = (
         f"--model {shlex.quote(model.where)}"
         if study is None
@@ -287,7 +285,7 @@ def _map(model: Model, p: ParameterSet, study: Study | None) -> tuple[str, str]:
         for one in model.plane
     )
     command = " ".join(
-        ["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {_LINES} --json"]
+        ["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {lines} --json"]
     )
     return picture(lambda ax: draw_onset_curves(found, ax)), command
 

@@ -74,16 +74,6 @@ class UndecidedWarning(UserWarning):
     """Some of many points have no answer; the others do."""
 
 
-#: Other ways to write the symbols of the model.
-_WORDS = {
-    "theta": "theta0",
-    "mu": "mu0",
-    "inclination": "theta0",
-    "friction": "mu0",
-    "preload": "kappa",
-}
-
-
 def closest(given: str, allowed: Iterable[str]) -> str | None:
     """The allowed name that was most likely meant, or None.
 
@@ -97,8 +87,16 @@ def closest(given: str, allowed: Iterable[str]) -> str | None:
     """
     plain = {_plain(name): name for name in allowed}
     word = _plain(given)
+    # Other ways to write the symbols of the model.
+    words = {
+        "theta": "theta0",
+        "mu": "mu0",
+        "inclination": "theta0",
+        "friction": "mu0",
+        "preload": "kappa",
+    }
     for candidate in (word, word.removesuffix("deg"), word.removesuffix("rad")):
-        if (known := _WORDS.get(candidate, candidate)) in plain:
+        if (known := words.get(candidate, candidate)) in plain:
             return plain[known]
     # A one-letter name resembles every short name, so only its exact spelling counts.
     found = (

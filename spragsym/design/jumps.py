@@ -39,9 +39,6 @@ from ..statics.forces import filled
 from ..statics.reference_state import reference_state
 from ..statics.search import balances_of, number_of
 
-#: Points at a time.
-BLOCK = 8192
-
 
 @question
 def first_ends(
@@ -330,7 +327,9 @@ class Followed:
 
     def _blocks(self) -> Iterator[Any]:
         every = np.arange(self.begin.size)
-        return (every[first : first + BLOCK] for first in range(0, every.size, BLOCK))
+        # Points at a time.
+        block = 8192
+        return (every[first : first + block] for first in range(0, every.size, block))
 
     def ends(self) -> Ends:
         """End of the state of each point."""

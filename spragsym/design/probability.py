@@ -302,11 +302,6 @@ def _chunk_text(task: Sequence[Chunk]) -> str:
 
 #: The share of a distribution up to some values.
 Shares: TypeAlias = Callable[[FloatArray], Any]
-#: Share of a distribution without an end that is left out of the proof on either side, and counts
-#: as not decided.
-TAIL = 1e-9
-#: What sums of shares are rounded outward by.
-ROUNDING = 1e-12
 
 
 @in_usual_state
@@ -508,7 +503,9 @@ def measured(
         of_free = _share_of_free(box.free, laws, done)
         least += float((of_free * (1.0 - up_to[1](done.top))).sum())
         most -= float((of_free * up_to[0](done.safe)).sum())
-    return max(0.0, least - ROUNDING), min(1.0, most + ROUNDING)
+    # What sums of shares are rounded outward by.
+    rounding = 1e-12
+    return max(0.0, least - rounding), min(1.0, most + rounding)
 
 
 def _open_share(
@@ -527,7 +524,10 @@ def _share_of_free(free: Sequence[str], laws: Mapping[str, Shares], pieces: Piec
 
 def _end(law: Quantiles, share: float) -> float:
     end = float(law.ppf(share))
-    return end if np.isfinite(end) else float(law.ppf(TAIL if share == 0 else 1 - TAIL))
+    # Share of a distribution without an end that is left out of the proof on either side,
+    # and counts as not decided.
+    tail = 1e-9
+    return end if np.isfinite(end) else float(law.ppf(tail if share == 0 else 1 - tail))
 
 
 def _variables(model: Model, kind: Quantities | None, distribution: Distribution) -> dict[str, Any]:

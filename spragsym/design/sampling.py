@@ -93,16 +93,8 @@ def _sums(values: FloatArray, own: int) -> list[float]:
 #: Pairs of quantities → how they are correlated, from −1 to 1.
 Correlation: TypeAlias = Mapping[tuple[str, str], float]
 
-_ALLOWED = Range(
-    -1.0,
-    1.0,
-    closed_high=True,
-    remedy="1 where one decides the other, 0 where they have nothing in common",
-)
 #: Eigenvalue of a correlation matrix that counts as 0.
 _SINGULAR = 1e-12
-#: The least share that has a normal score to speak of.
-_LEAST = 2.0**-40
 
 
 @dataclass(frozen=True)
@@ -121,9 +113,11 @@ class Dependence:
         from scipy.special import ndtr, ndtri
 
         result = np.array(points)
+        # The least share that has a normal score to speak of.
+        least = 2.0**-40
         for group, factor in self.factors.items():
             if len(group) > 1:
-                scores = ndtri(np.clip(points[:, group], _LEAST, 1 - _LEAST))
+                scores = ndtri(np.clip(points[:, group], least, 1 - least))
                 result[:, group] = ndtr(scores @ factor.T)
         return result
 
@@ -158,6 +152,12 @@ def dependence(names: Sequence[str], correlation: Correlation | None) -> Depende
     (('k, k_x', 'mu0'), [[0.0, 0.0], [0.0, 0.0], [1.0, 1.0], [1.0, 1.0]])
     """
     matrix = np.eye(len(names))
+    allowed = Range(
+        -1.0,
+        1.0,
+        closed_high=True,
+        remedy="1 where one decides the other, 0 where they have nothing in common",
+    )
     for pair, given in (correlation or {}).items():
         if not (
             isinstance(pair, tuple)
@@ -172,9 +172,7 @@ def dependence(names: Sequence[str], correlation: Correlation | None) -> Depende
         i, j = (names.index(name) for name in pair)
         if matrix[i, j]:
             raise ParameterError(f"correlation of {pair!r} is there twice; keep one of the two")
-        matrix[i, j] = matrix[j, i] = as_number(
-            f"correlation of {', '.join(pair)}", given, _ALLOWED
-        )
+        matrix[i, j] = matrix[j, i] = as_number(f"correlation of {', '.join(pair)}", given, allowed)
     together = np.linalg.matrix_power(matrix != 0, len(names))  # by chains of pairs
     factors = {}
     for group in dict.fromkeys(tuple(np.flatnonzero(row).tolist()) for row in together):

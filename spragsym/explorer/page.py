@@ -26,8 +26,6 @@ from ..models.parameters import ParameterSet
 
 _ASSETS = resources.files("spragsym.explorer") / "assets"
 
-_LINES = ("solid", "dashed", "dotted", "dash-dotted")
-
 
 @dataclass(frozen=True)
 class ExplorerPage:
@@ -133,7 +131,9 @@ def explorer_page(
         "units": units,
     }
     beside = f'<p class="note" id="units">{_escaped(source)}</p>' if units else ""
-    lines = map(" ".join, zip(model.coordinates, _LINES, strict=False))
+    lines = map(
+        " ".join, zip(model.coordinates, ("solid", "dashed", "dotted", "dash-dotted"), strict=False)
+    )
     return _filled(
         "page.html",
         {

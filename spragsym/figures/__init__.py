@@ -156,10 +156,6 @@ __all__ = [
 ]
 
 
-#: Marks of equilibria by their stability.
-_MARKS = {"stable": "o", "neutral": "d", "unstable": "x"}
-
-
 @styled
 def plot(result: Result, ax: Axes | None = None, **options: Any) -> Any:
     """Draw a result as its kind is drawn elsewhere; of others the first column over the first that
@@ -254,7 +250,9 @@ def _equilibria(
         given = np.broadcast_to(eq.parameters[across], eq.count.shape)[~eq.decided]
         shade(ax, model, across, np.stack([given, given], axis=1))
     lines = []
-    for kind, mark in _MARKS.items():
+    # Marks of equilibria by their stability.
+    marks = {"stable": "o", "neutral": "d", "unstable": "x"}
+    for kind, mark in marks.items():
         here = rows["stability"] == kind
         if here.any():
             style = {

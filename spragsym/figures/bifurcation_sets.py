@@ -52,8 +52,6 @@ from .style import (
 if TYPE_CHECKING:
     from mpl_toolkits.mplot3d import Axes3D
 
-_VIOLET = "#5b2a86"
-
 
 @styled
 def figure_11(*, detail: float = 1.0) -> Sheet:
@@ -62,7 +60,7 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
     ax = space_axes(figure, (0.0, 0.02, 0.97, 0.98), 1.02)
     p = Parameters.article()
     lines = []
-    for (name, angle), color in zip(PATHS_DEG.items(), (BLACK, _VIOLET), strict=True):
+    for (name, angle), color in zip(PATHS_DEG.items(), (BLACK, "#5b2a86"), strict=True):
         up = ss.quasi_static_path(
             p.replace(theta0=np.radians(angle)), "mu0", np.linspace(*MU0_RANGE, 201)
         )
@@ -164,21 +162,12 @@ def _regions(ax: Axes, p: Parameters, counts: Mapping[tuple[float, float], str])
     )
 
 
-_SHEET_COLORS = {
-    EquilibriumType.STABLE: "#b3d9f0",
-    EquilibriumType.DIVERGENT: "#f7b78f",
-    EquilibriumType.FLUTTER: "#96dcc0",
-}
 #: Proportions of the box.
 _ASPECT = (1.25, 1.1, 0.9)
-#: What its sides go over in θ₀ in degrees, μ₀ and x.
-_RANGE = (180.0, 1.0, 4.0)
 #: Elevation under which it is seen, degrees.
 _ELEVATION = 24.0
 #: Azimuth under which it is seen, degrees.
 _AZIMUTH = -118.0
-#: Columns of points.
-POINT = ("theta0_deg", "mu0", "x")
 
 
 def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, Int8Array]:
@@ -266,12 +255,18 @@ def draw_surface(
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     cells, kinds = sheets(p, np.linspace(0.5, 179.5, round(160 * detail)), round(160 * detail))
-    size, (up, turn) = np.divide(_RANGE, _ASPECT), np.radians((_ELEVATION, _AZIMUTH))
+    # What its sides go over in θ₀ in degrees, μ₀ and x.
+    size, (up, turn) = np.divide((180.0, 1.0, 4.0), _ASPECT), np.radians((_ELEVATION, _AZIMUTH))
     towards = np.array([np.cos(up) * np.cos(turn), np.cos(up) * np.sin(turn), np.sin(up)])
     first, second = ((cells[:, i] - cells[:, j]) / size for i, j in ((2, 0), (3, 1)))
     normal = np.cross(first, second)
     upright = np.abs(normal[:, 2]) / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)
-    colors = to_rgba_array([_SHEET_COLORS[EquilibriumType(kind)] for kind in kinds])
+    sheet_colors = {
+        EquilibriumType.STABLE: "#b3d9f0",
+        EquilibriumType.DIVERGENT: "#f7b78f",
+        EquilibriumType.FLUTTER: "#96dcc0",
+    }
+    colors = to_rgba_array([sheet_colors[EquilibriumType(kind)] for kind in kinds])
     colors[:, :3] *= 0.72 + 0.28 * upright[:, None]  # darker the steeper
     found = ss.bifurcation_set(p)
     folds = [on_surface(curve.mu0, curve.theta0, curve.x) for curve in found.curves]
@@ -307,10 +302,12 @@ def draw_surface(
 
 def table_of_lines(lines: Iterable[FloatArray]) -> Table:
     """The points of lines that are shown."""
+    # Columns of points.
+    point = ("theta0_deg", "mu0", "x")
     return stacked(
-        [dict(zip(POINT, line[np.isfinite(line[:, 1])].T, strict=True)) for line in lines],
+        [dict(zip(point, line[np.isfinite(line[:, 1])].T, strict=True)) for line in lines],
         "curve",
-        POINT,
+        point,
     )
 
 

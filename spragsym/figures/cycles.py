@@ -312,15 +312,6 @@ def figure_cycles_plane(
     )
 
 
-#: Kinds of a map that have one colour, and its name.
-PLAIN = {
-    FateKind.REST: ("#d9d9d9", "rest"),
-    FateKind.CHAOTIC: (VERMILION, "chaotic"),
-    FateKind.LIFT_OFF: (SKY, "lift-off"),
-    FateKind.UNDECIDED: ("white", "undecided"),
-}
-
-
 @styled
 def fate_map_figure(found: FateMap) -> Sheet:
     """Map of fates over two parameters: rest, cycles coloured by their period, chaos, undecided
@@ -363,7 +354,14 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
     )  # once each
     kind, period = found.kind.ravel()[place], found.period.ravel()[place]
     patches = []
-    for code, (colour, word) in PLAIN.items():
+    # Kinds of a map that have one colour, and its name.
+    plain = {
+        FateKind.REST: ("#d9d9d9", "rest"),
+        FateKind.CHAOTIC: (VERMILION, "chaotic"),
+        FateKind.LIFT_OFF: (SKY, "lift-off"),
+        FateKind.UNDECIDED: ("white", "undecided"),
+    }
+    for code, (colour, word) in plain.items():
         if (kind == code).any():
             patches.append(Patch(facecolor=colour, edgecolor=GREY, label=word))
         ax.pcolormesh(
@@ -388,10 +386,6 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
     ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches))
     ax.set(xlabel=label(model.column(varied[0])), ylabel=label(model.column(varied[1])))
     return every
-
-
-#: Of labels; those that are not here are left to the table.
-LABEL_MARKERS = {"LP": "s", "H": "D", "LPC": "s", "PD": "o", "NS": "^", "BPC": "x", "HC": "*"}
 
 
 def diagram_figure(found: Diagram) -> Sheet:
@@ -457,12 +451,14 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
     ax.autoscale_view()
     inside = Affine2D(ax.transLimits.get_matrix())
     named: list[tuple[str, float, float]] = []
+    # Of labels; those that are not here are left to the table.
+    label_markers = {"LP": "s", "H": "D", "LPC": "s", "PD": "o", "NS": "^", "BPC": "x", "HC": "*"}
     for one_label in found.labels:
         name, at = one_label.label, (unit * one_label.value, one * one_label.height)
-        if name not in LABEL_MARKERS:
+        if name not in label_markers:
             continue
         ax.plot(
-            *at, LABEL_MARKERS[name], color=BLACK, markersize=4, markerfacecolor="white", zorder=4
+            *at, label_markers[name], color=BLACK, markersize=4, markerfacecolor="white", zorder=4
         )
         x, y = inside.transform(at)
         # Two labels of one kind nearer than this share of the frame are written once.

@@ -223,10 +223,6 @@ def draw_spectrum(
     return line
 
 
-#: Samples of one period.
-_SAMPLES = 1024
-
-
 def draw_harmonics(
     cycle: Cycle,
     of: str = "x",
@@ -241,8 +237,10 @@ def draw_harmonics(
     """
     require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
     ax, model = own_axes(ax), cycle.field.model
-    row = cycle.samples(np.arange(_SAMPLES) * cycle.period / _SAMPLES)[model.components.index(of)]
-    amplitude = 2 * length * np.abs(np.fft.rfft(row))[1:] / _SAMPLES
+    # Samples of one period.
+    samples = 1024
+    row = cycle.samples(np.arange(samples) * cycle.period / samples)[model.components.index(of)]
+    amplitude = 2 * length * np.abs(np.fft.rfft(row))[1:] / samples
     # Least amplitude of a harmonic that is drawn, as a share of the largest.
     least_share = 0.005
     last = int(np.flatnonzero(amplitude >= least_share * amplitude.max())[-1]) + 1
@@ -398,10 +396,6 @@ def _beside_a_step(rms: FloatArray) -> BoolArray:
     return np.maximum(above, below) > step_of_rms
 
 
-#: Of the smaller, the assumed and the larger value.
-_SHADES = (BLUE, BLACK, VERMILION)
-
-
 @styled
 def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     """Sensitivity of the article's Figure 7b to V and d, which it does not state: a decade of
@@ -412,10 +406,12 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     angles = np.arange(20.0, 70.0 + step_deg / 2, step_deg)
     along = p.replace(theta0=np.radians(angles))
     speeds, creeps = (value * np.sqrt(10.0) ** np.array([-1, 0, 1]) for value in (V, D))
+    # Of the smaller, the assumed and the larger value.
+    shades = (BLUE, BLACK, VERMILION)
     for letter, ax, name, values in zip("ab", axes[:2], "Vd", (speeds, creeps), strict=True):
         sweep = rms_sweep(along.replace(**{name: values[:, None]}), workers=workers)
         figure.tables[letter] = columns = {"theta0_deg": angles}
-        for rms, value, color in zip(sweep.rms, values, _SHADES, strict=True):
+        for rms, value, color in zip(sweep.rms, values, shades, strict=True):
             ax.plot(angles, rms, color=color, linewidth=0.9, label=f"${name} = {value:.3g}$")
             columns[f"rms_x_{name}_{value:.4g}"] = rms
         angle_axis(ax, 20, 70, 10, ylabel=r"RMS of $x$", ylim=(0, None))
@@ -426,7 +422,7 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
         coarse, V * 10.0 ** np.linspace(-0.5, 0.5, 5), creeps, refine=4, workers=workers
     )
     places = np.degrees(jumps.theta0)
-    for place, creep, color in zip(places.T, creeps, _SHADES, strict=True):
+    for place, creep, color in zip(places.T, creeps, shades, strict=True):
         ax.semilogx(
             jumps.V,
             place,

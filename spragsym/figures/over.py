@@ -9,15 +9,6 @@ from matplotlib.figure import Figure
 
 from ..report.over import OUTCOMES, Verdicts
 
-#: Of each outcome, from the worst on.
-_COLOURS = dict(
-    zip(
-        OUTCOMES.values(),
-        ("#D55E00", "#E69F00", "#CC79A7", "#0072B2", "#56B4E9", "#999999"),
-        strict=True,
-    )
-)
-
 
 def verdict_figure(found: Verdicts) -> Figure:
     """Jump and margin over one quantity; or the outcomes in the plane of two, hollow where sliding
@@ -29,13 +20,21 @@ def verdict_figure(found: Verdicts) -> Figure:
     first, jumps = (np.array(column, dtype=float) for column in columns[:2])
     none = bool(np.isnan(jumps).all())  # it never jumps: there is nothing but the state to show
     panels = figure.subplots(1 if several or none else 2, sharex=True, squeeze=False)[:, 0]
+    # Of each outcome, from the worst on.
+    colours = dict(
+        zip(
+            OUTCOMES.values(),
+            ("#D55E00", "#E69F00", "#CC79A7", "#0072B2", "#56B4E9", "#999999"),
+            strict=True,
+        )
+    )
     for row, ax in enumerate(panels):
         values = np.array(columns[1 + row], dtype=float)
         if none:
             ax.set_yticks([])
         for word, state in dict.fromkeys(told):
             here = np.array([each == (word, state) for each in told])
-            style = {"color": _COLOURS[word], "markersize": 4, "label": f"{word}, {state}"}
+            style = {"color": colours[word], "markersize": 4, "label": f"{word}, {state}"}
             if state == "unstable":
                 style["markerfacecolor"] = "white"
             missing = here & np.isnan(values)  # at the upper edge: it would jump at no value

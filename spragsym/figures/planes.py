@@ -42,11 +42,6 @@ from .style import (
     write_along,
 )
 
-#: Colour of a part of a plane in which states are unstable.
-UNSTABLE = "#f7dfd0"
-#: Colour of a part in which their oscillations hardly grow.
-HARDLY = "#fcf1ea"
-
 
 def _table(found: BifurcationSet | OnsetCurves, *names: str) -> Table:
     """Columns of curves, one after the other, and their numbers."""
@@ -136,8 +131,6 @@ def draw_onset_curves(
 
 #: Values of either parameter at which growth rates are computed.
 _VALUES = 48
-#: Parts of a cell on whose corners they differ in sign.
-_PARTS = 6
 
 
 def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ranges) -> None:
@@ -165,7 +158,11 @@ def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ran
         return
     sizes = (p.model.column(name).size for name in vary)
     places = [size * values for size, values in zip(sizes, (across, up), strict=True)]
-    ax.contourf(*places, growth, levels=[0.0, NEUTRAL, np.inf], colors=[HARDLY, UNSTABLE], zorder=0)
+    # Colour of a part of a plane in which states are unstable.
+    # Colour of a part in which their oscillations hardly grow.
+    ax.contourf(
+        *places, growth, levels=[0.0, NEUTRAL, np.inf], colors=["#fcf1ea", "#f7dfd0"], zorder=0
+    )
     # The name stands where the shade reaches farthest around.
     depth = distance_transform_edt(np.pad(growth > 0, 1))[1:-1, 1:-1]
     row, column = np.unravel_index(np.argmax(depth), depth.shape)
@@ -191,13 +188,15 @@ def sampled_by_sign(
         Values across, values up, and those of the function, of shape (up, across).
     """
     coarse = [np.linspace(*ends, _VALUES) for ends in (across, up)]
-    fine = [np.linspace(*ends, (_VALUES - 1) * _PARTS + 1) for ends in (across, up)]
+    # Parts of a cell on whose corners they differ in sign.
+    parts = 6
+    fine = [np.linspace(*ends, (_VALUES - 1) * parts + 1) for ends in (across, up)]
     values = function(coarse[0], coarse[1][:, None])
     corners = np.stack([values[:-1, :-1], values[1:, :-1], values[:-1, 1:], values[1:, 1:]]) > 0
     mixed = corners.any(axis=0) & ~corners.all(axis=0)
     near = binary_dilation(mixed, np.ones((3, 3)))  # the cells beside it may hold a tip
-    every = np.arange((_VALUES - 1) * _PARTS + 1)
-    cell = np.minimum(every // _PARTS, _VALUES - 2)
+    every = np.arange((_VALUES - 1) * parts + 1)
+    cell = np.minimum(every // parts, _VALUES - 2)
     rows, columns = np.nonzero(near[np.ix_(cell, cell)])
     result = zoom(values, len(every) / _VALUES, order=1)
     result[rows, columns] = function(fine[0][columns], fine[1][rows])

@@ -58,33 +58,11 @@ from .style import picture as content
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
 
-#: Letters of a picture in a page: text in the page's own family, 13.6 pixels as its captions.
-_AS_TEXT: Any = {
-    "svg.fonttype": "none",
-    "font.family": "sans-serif",
-    "mathtext.fontset": "dejavusans",
-} | dict.fromkeys(
-    (
-        "font.size",
-        "axes.labelsize",
-        "axes.titlesize",
-        "xtick.labelsize",
-        "ytick.labelsize",
-        "legend.fontsize",
-    ),
-    10.2,
-)
 #: Kinds of onsets: how a line is drawn, and the words for it.
 ONSETS = {
     "supercritical": ("full line", "it begins with a small amplitude (supercritical)"),
     "subcritical": ("dashed", "with a large one at once (subcritical)"),
     "undecided": ("dotted", "which of the two is not decided"),
-}
-#: Points of two conditions, in plain words.
-MEETINGS = {
-    "BT": "BT: a line ends where two states meet",
-    "ZH": "ZH: a line touches one on which two states meet",
-    "HH": "HH: two lines cross, and two frequencies set in",
 }
 
 
@@ -257,7 +235,13 @@ def _kinds_of(onsets: OnsetCurves) -> str:
     lines = [f"{line}: {words}" for kind, (line, words) in ONSETS.items() if kind in kinds]
     if len(onsets.changes["error"]):
         lines.append("GH: where that changes")
-    lines += [text for kind, text in MEETINGS.items() if kind in onsets.points.kind]
+    # Points of two conditions, in plain words.
+    meetings = {
+        "BT": "BT: a line ends where two states meet",
+        "ZH": "ZH: a line touches one on which two states meet",
+        "HH": "HH: two lines cross, and two frequencies set in",
+    }
+    lines += [text for kind, text in meetings.items() if kind in onsets.points.kind]
     text = "; ".join(lines)
     return f"{text[:1].upper()}{text[1:]}." if text else ""
 
@@ -296,7 +280,24 @@ def picture(draw: Callable[[Any], Any]) -> str:
     """A picture of one panel, without the head of a file; its ids are made from itself, so that no
     other has them.
     """
-    with house_style(), rc_context(_AS_TEXT):
+    # Letters of a picture in a page: text in the page's own family, 13.6 pixels as its
+    # captions.
+    as_text: Any = {
+        "svg.fonttype": "none",
+        "font.family": "sans-serif",
+        "mathtext.fontset": "dejavusans",
+    } | dict.fromkeys(
+        (
+            "font.size",
+            "axes.labelsize",
+            "axes.titlesize",
+            "xtick.labelsize",
+            "ytick.labelsize",
+            "legend.fontsize",
+        ),
+        10.2,
+    )
+    with house_style(), rc_context(as_text):
         figure, ax = single(4.6, 3.3)
         draw(ax)
         text = content(figure, "svg").decode()

@@ -243,27 +243,6 @@ RANGE_TEXT = "The ranges of the axes are our choice."
 HIDDEN_TEXT = "Thin dashes lie behind a sheet."
 
 
-#: Names that are letters.
-GREEK = {
-    "alpha",
-    "beta",
-    "gamma",
-    "delta",
-    "zeta",
-    "eta",
-    "theta",
-    "kappa",
-    "lambda",
-    "mu",
-    "nu",
-    "rho",
-    "sigma",
-    "tau",
-    "phi",
-    "psi",
-}
-
-
 def symbol(name: str) -> str:
     """A name as mathematics writes it, without the dollars: ``\\kappa``, ``k_{\\rm c}``,
     ``\\theta_0``.
@@ -275,7 +254,26 @@ def symbol(name: str) -> str:
             if not index
             else f"{symbol(numbered[1])}_{{{numbered[2]}, {index}}}"
         )
-    return (rf"\{base}" if base in GREEK else base) + (rf"_{{\rm {index}}}" if index else "")
+    # Names that are letters.
+    greek = {
+        "alpha",
+        "beta",
+        "gamma",
+        "delta",
+        "zeta",
+        "eta",
+        "theta",
+        "kappa",
+        "lambda",
+        "mu",
+        "nu",
+        "rho",
+        "sigma",
+        "tau",
+        "phi",
+        "psi",
+    }
+    return (rf"\{base}" if base in greek else base) + (rf"_{{\rm {index}}}" if index else "")
 
 
 def in_letters(scale: str) -> str:

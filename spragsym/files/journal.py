@@ -29,9 +29,6 @@ from .text import printed
 #: One point of a sweep: its measured values and, if it failed, why.
 Record: TypeAlias = tuple[list[float], str]
 
-#: The file system has no locks: some network and cluster file systems, as they are mounted.
-_NO_LOCKS = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL)
-
 
 def path_of(target: Path) -> Path:
     """Path of the journal of a result."""
@@ -123,7 +120,9 @@ def _locked(file: FileIO, path: Path) -> bool:
                 "another path"
             )
     except OSError as error:
-        if error.errno not in _NO_LOCKS:
+        # The file system has no locks: some network and cluster file systems, as they
+        # are mounted.
+        if error.errno not in (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL):
             raise
         warnings.warn(
             f"{path} lies on a file system without locks ({error.strerror}): nothing keeps a "

@@ -260,9 +260,6 @@ def _read_csv(text: str) -> tuple[dict[str, Any], dict[str, Any]]:
 # ----------------------------------------------------------------------------------- whole or not
 # at all
 
-#: Name of a temporary file, with the number of its process.
-_LEFT = re.compile(r"\.spragsym-(\d{1,9})-[0-9a-f]{16}")
-
 
 def resolved(path: FilePath) -> Path:
     """The file that a path leads to through links, even if it does not exist yet."""
@@ -385,8 +382,10 @@ def _opened(path: Path) -> int:
 def _remove_left(folder: Path) -> None:
     """Remove what killed writes left in a folder."""
     with suppress(OSError), os.scandir(folder) as entries:
+        # Name of a temporary file, with the number of its process.
+        left = re.compile(r"\.spragsym-(\d{1,9})-[0-9a-f]{16}")
         for entry in entries:
-            found = _LEFT.fullmatch(entry.name)
+            found = left.fullmatch(entry.name)
             if found and entry.is_file(follow_symlinks=False):
                 # Seconds after which a write has ended, wherever its process runs.
                 age = 3600.0

@@ -15,8 +15,6 @@ from ..core.errors import MissingExtraError, ParameterError, ParameterTypeError
 
 #: What says where a file is.
 FilePath: TypeAlias = str | os.PathLike[str]
-#: Categories of Unicode: controls, formats, surrogates, ends of lines and of paragraphs.
-_NOT_PRINTED = ("Cc", "Cf", "Cs", "Zl", "Zp")
 #: Bytes of a file that a user writes by hand, at most.
 BY_HAND = 1 << 20
 #: Bytes of a table that an instrument writes, at most.
@@ -99,7 +97,9 @@ def printed(where: str, held: object, allowed: str = "") -> Any:
     """
     if isinstance(held, str):
         for one in sorted(set(held) - {*allowed}):
-            if unicodedata.category(one) in _NOT_PRINTED:
+            # Categories of Unicode: controls, formats, surrogates, ends of lines and
+            # of paragraphs.
+            if unicodedata.category(one) in ("Cc", "Cf", "Cs", "Zl", "Zp"):
                 line = held[: held.index(one)].count("\n") + 1
                 at = f", line {line}" if line > 1 else ""
                 raise ParameterError(

@@ -51,15 +51,6 @@ from .folds import folds
 from .kernel import FIXED, Fixed
 from .parameters import RANGES, Parameters
 
-#: What a fold on the end of a range may lie beyond it by rounding.
-_ON_BORDER = 1e-11
-#: Fewest directions.
-_LEAST = 2000
-#: Frictions at which curves are compared with proved folds.
-_SAMPLED = (0.11, 1.3, 7.1)
-#: Logarithm of the largest t = tan(θ/2) in which folds are looked for.
-_FAR = 17.0
-
 
 def bifurcation_set(
     p: Parameters,
@@ -81,7 +72,9 @@ def bifurcation_set(
         raise NotInClosedForm
     between = between or {}
     ranges(p.model, ("theta0", "mu0"), between)  # an error where they make no sense
-    n = max(_LEAST, as_count("n", _LEAST if n is None else n, 2))
+    # Fewest directions.
+    least = 2000
+    n = max(least, as_count("n", least if n is None else n, 2))
     fixed = Fixed(*p.scalars(*FIXED))
     preload = fixed.kappa / max(fixed.sigma, 1 + fixed.beta)
     # Where κ over the larger of σ and 1 + β is below this, float64 loses curves: they are refused.
@@ -93,8 +86,10 @@ def bifurcation_set(
     on_them = on_them.select(ahead)
     found, begin = [], directions(fixed)
     places = np.concatenate([on_them.theta, *_on_borders(p, between)])
+    # Logarithm of the largest t = tan(θ/2) in which folds are looked for.
+    far = 17.0
     t = np.concatenate(
-        [np.exp(np.linspace(-_FAR, _FAR, n // 4)), begin.t, np.abs(np.tan(places / 2))]
+        [np.exp(np.linspace(-far, far, n // 4)), begin.t, np.abs(np.tan(places / 2))]
     )
     for points in curves(
         CurveCondition(fold_polynomial, _friction, begin.folds_at), fixed, t, 3 / n
@@ -123,9 +118,11 @@ def _on_borders(p: Parameters, between: Ranges) -> Iterator[FloatArray]:
 
 def _within(between: Ranges, found: Curve | Points) -> BoolArray:
     inside = np.ones(len(found), dtype=np.bool_)
+    # What a fold on the end of a range may lie beyond it by rounding.
+    on_border = 1e-11
     for name, (low, high) in between.items():
         column = getattr(found, name)
-        inside &= (low - _ON_BORDER <= column) & (column <= high + _ON_BORDER)
+        inside &= (low - on_border <= column) & (column <= high + on_border)
     return inside
 
 
@@ -148,7 +145,8 @@ def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) ->
 
 def _compare(curves: list[Curve], p: Parameters) -> None:
     """Refuse curves that do not cross some frictions as often as folds are proved to be there."""
-    for mu0 in _SAMPLED:
+    # Frictions at which curves are compared with proved folds.
+    for mu0 in (0.11, 1.3, 7.1):
         crossings = sum(int(np.count_nonzero(np.diff(curve.mu0 > mu0))) for curve in curves)
         proved = folds(p.replace(mu0=mu0)).theta0.size
         if crossings != proved:
@@ -198,10 +196,6 @@ def _curve(points: FloatArray, fixed: Fixed) -> Curve:
     )
 
 
-#: tan(θ₀/2) that is taken for 0.
-_NEAR = 1e-12
-
-
 class CurveCondition(NamedTuple):
     """Condition that holds on a curve: coefficients in tan(θ₀/2), lowest power first, at cos θ, sin
     θ, and friction at θ₀ there.
@@ -248,8 +242,10 @@ def _positive_roots(coefficients: FloatArray, number: IntArray | None) -> FloatA
     """
     roots = eigenvalues(coefficients)
     if number is None:
+        # tan(θ₀/2) that is taken for 0.
+        near = 1e-12
         # LAPACK gives the complex ones in pairs, and those that are real with the imaginary part 0.
-        inside = (roots.imag == 0) & (roots.real > _NEAR) & (roots.real < 1 / _NEAR)
+        inside = (roots.imag == 0) & (roots.real > near) & (roots.real < 1 / near)
     else:
         # Rounding moves roots off the real axis, and below 0: those that lie closest to where they
         # must are the ones. It also moves two that are all but one onto it: of those that lie there
@@ -337,8 +333,6 @@ def _pairs(theta0: FloatArray, side: IntArray) -> Iterator[tuple[int, int]]:
             yield pair[0], pair[1]
 
 
-#: Degrees in sin θ of what is 0 at an event, at most.
-_DEGREES = 15, 6, 6
 #: How far beside an event directions are taken, over t.
 _BESIDE = 4e-14
 
@@ -425,7 +419,8 @@ def _conditions(exact: Fixed) -> list[Polynomial]:
         return values(s)[place]
 
     found: list[Polynomial] = []
-    for place, degree in enumerate(_DEGREES):
+    # Degrees in sin θ of what is 0 at an event, at most.
+    for place, degree in enumerate((15, 6, 6)):
         in_sine = polynomials.interpolate(partial(one, place), degree)
         if in_sine:  # else the same at every θ
             condition = polynomials.squarefree(of_sine_in_t(in_sine))

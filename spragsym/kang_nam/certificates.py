@@ -103,10 +103,6 @@ class ClosedClaim(Claim):
 _MU0 = NAMES.index("mu0")
 #: A little more than π, beyond which no direction is in contact.
 _ALL = math.pi + 1e-15
-#: How far a trial direction lies from the state it stands for, in units of how far that state moves
-#: within the box: the wide one leaves room for terms of second order, the narrow one is for boxes
-#: near a fold.
-_MARGINS = (0.7, 0.25)
 
 
 # -----------------------------------------------------------------------------------------------
@@ -145,7 +141,10 @@ def _no_jump(boxes: ParameterBoxes) -> Proved:
     on how.
     """
     result, weight = np.zeros(len(boxes), dtype=np.bool_), np.zeros_like(boxes.low)
-    for margin in _MARGINS:
+    # How far a trial direction lies from the state it stands for, in units of how far that
+    # state moves within the box: the wide one leaves room for terms of second order, the
+    # narrow one is for boxes near a fold.
+    for margin in (0.7, 0.25):
         left = np.flatnonzero(~result)
         if left.size:
             result[left], weight[:, left] = _followed_with(boxes[left], margin)
@@ -302,12 +301,6 @@ CLAIMS: dict[str, tuple[Callable[[ParameterBoxes], Proved], Callable[[Parameters
 }
 
 
-#: Cells of a box to begin with.
-_CELLS = 4
-#: How often one is halved, at most.
-_HALVINGS = 40
-
-
 @dataclass(frozen=True)
 class ParameterBoxes(ProvedParts):
     """Parts of a box of parameters, in the order of ``NAMES``, and then of units of measure over
@@ -426,11 +419,15 @@ def covered(
     """
     size = len(boxes)
     weight = np.zeros_like(boxes.low)
-    box = np.tile(np.arange(size), _CELLS)
-    begin = np.repeat(np.arange(_CELLS) / _CELLS, size)
-    end = begin + 1.0 / _CELLS
+    # Cells of a box to begin with.
+    cells = 4
+    box = np.tile(np.arange(size), cells)
+    begin = np.repeat(np.arange(cells) / cells, size)
+    end = begin + 1.0 / cells
     result = np.ones(size, dtype=np.bool_)
-    for halving in range(_HALVINGS + 1):
+    # How often one is halved, at most.
+    halvings = 40
+    for halving in range(halvings + 1):
         if not box.size:
             break
         with quiet():
@@ -443,7 +440,7 @@ def covered(
         # Cells are halved so often in any case.
         least_halvings = 4
         useless = ~np.logical_or.reduce(useful) & (halving >= least_halvings)
-        abandoned = useless | (halving == _HALVINGS)
+        abandoned = useless | (halving == halvings)
         box, begin, end = box[~done], begin[~done], end[~done]
         for part in parts:
             sizes = part[:-1, abandoned]

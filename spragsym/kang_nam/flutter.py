@@ -48,10 +48,6 @@ from .kernel import FIXED, Fixed
 from .only import of_article
 from .parameters import Parameters
 
-#: Logarithm of how far from t = tan(θ/2) = 1 onsets are looked for, at most, and minus that at
-#: least.
-_FAR = 20.0
-
 
 def flutter_onsets(
     p: Parameters,
@@ -157,8 +153,12 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     as_count("n", n, 2)
     fixed = Fixed(*p.scalars(*FIXED))
     found = []
-    directions = 1 + np.exp(np.linspace(-_FAR, _FAR, n // 2))  # flutter needs π/2 < θ < π
-    for number, (t, theta0, mu0) in enumerate(curves(_ONSET, fixed, directions, 6 / n)):
+    # Logarithm of how far from t = tan(θ/2) = 1 onsets are looked for, at most, and minus
+    # that at least.
+    far = 20.0
+    directions = 1 + np.exp(np.linspace(-far, far, n // 2))  # flutter needs π/2 < θ < π
+    onset = CurveCondition(_polynomial, _friction)
+    for number, (t, theta0, mu0) in enumerate(curves(onset, fixed, directions, 6 / n)):
         with quiet():
             L, x, y = kernel.state_of(*on_circle(t)[:2], *kernel.cos_sin(theta0), *fixed)
         good = (y < 0) & (mu0 > 0)
@@ -189,9 +189,6 @@ def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray,
 def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
     L, _, _ = kernel.state_of(c, s, *kernel.cos_sin(theta0), *fixed)
     return _stability.flutter_friction(c, s, L, *fixed[1:])
-
-
-_ONSET = CurveCondition(_polynomial, _friction)
 
 
 def _rank(

@@ -134,12 +134,6 @@ def listed(
     return every.between(ranges(p.model, vary, between))
 
 
-#: Degree in t of the fold condition that is eliminated where θ₀ varies.
-_DEGREE = 12
-#: Its degree in cos θ, sin θ, two cubics.
-_HALF = 6
-
-
 @dataclass(frozen=True)
 class Fold:
     """A point at which equilibria meet along one parameter, and what the signs of f's derivatives
@@ -240,17 +234,15 @@ def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials
     """
     others = [exact[name] for name in LINEAR if name != vary]
     common: polynomials.Polynomial = ()
-    for v in _SAMPLES:
+    # Five different values of v, none of them special.
+    samples = tuple(Fraction(number, 7) for number in range(1, 6))
+    for v in samples:
         c0, s0, _ = on_circle(v)
         polynomial = polynomials.primitive(lines_and_sextic(vary, c0, s0, others)[2])
         if common and polynomial and polynomial not in (common, tuple(-value for value in common)):
             return None
         common = common or polynomial
     return common
-
-
-#: Five different values of v, none of them special.
-_SAMPLES = tuple(Fraction(number, 7) for number in range(1, 6))
 
 
 def _curvature(vary: str, exact: dict[str, Fraction]) -> list[polynomials.Polynomial]:
@@ -328,12 +320,16 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
     def sine(c: Number, s: Number) -> Number:
         return _catastrophe.fold_sine(c, s, *given)
 
-    polynomial = polynomials.interpolate(in_t(eliminated, _HALF), _DEGREE)
+    # Degree in t of the fold condition that is eliminated where θ₀ varies.
+    degree = 12
+    # Its degree in cos θ, sin θ, two cubics.
+    half = 6
+    polynomial = polynomials.interpolate(in_t(eliminated, half), degree)
     values = tuple(map(balls.exact, given))
     for direction in with_multiplicity(polynomial, _curvature("theta0", exact), bits):
         c, s, _ = on_circle(direction.t)
         s0 = _catastrophe.fold_sine(c, s, *values)
-        if direction.root.sign_of(s0, in_t(sine, _HALF), _DEGREE, "sin θ₀ = 0 on a fold") <= 0:
+        if direction.root.sign_of(s0, in_t(sine, half), degree, "sin θ₀ = 0 on a fold") <= 0:
             continue
         if alpha:
             cosines = [_catastrophe.fold_angles(c, s, *values)[1]]
@@ -342,8 +338,8 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
             # where μ₀ > 0, and μ₀ s (κ/σ − (1 − s)) = −c (B (1 − s) + κ) < 0: not in contact. For
             # μ₀ = 0 f = σ c (B s − B − κ) is 0 at c = 0 only, where f′ = σ κ.
             gap = 1 - s0 * s0
-            short = in_t(lambda c, s: 1 - sine(c, s), _HALF)
-            inside = direction.root.sign_of(gap, short, _DEGREE, "sin θ₀ = 1 on a fold") > 0
+            short = in_t(lambda c, s: 1 - sine(c, s), half)
+            inside = direction.root.sign_of(gap, short, degree, "sin θ₀ = 1 on a fold") > 0
             cosines = [balls.sqrt(gap), -balls.sqrt(gap)] if inside else []
         for c0 in cosines:
             angles = Angles(c, s, c0, s0)

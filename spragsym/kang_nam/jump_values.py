@@ -39,10 +39,6 @@ from .quartic.solver import equilibria
 #: below that of θ₀ are looked for exactly.
 FROM_LOWER_END = {"theta0": 2.0**-40, "mu0": 0.0}
 
-#: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to
-#: stay in cache.
-BLOCK = 1 << 13
-
 
 def first_ends(
     p: Parameters, vary: str | None = None, *, direction: str = "up", begin: float | None = None
@@ -111,8 +107,11 @@ def _blocks(p: Parameters) -> Iterator[tuple[slice, dict[str, FloatArray]]]:
         for name, column in columns
         if column is not None
     }
-    for begin in range(0, math.prod(p.shape), BLOCK):
-        here = slice(begin, begin + BLOCK)
+    # Points at a time: enough to forget the calls' overhead, few enough for the arrays in
+    # between to stay in cache.
+    block = 1 << 13
+    for begin in range(0, math.prod(p.shape), block):
+        here = slice(begin, begin + block)
         yield here, selected_rows(given, here)
 
 

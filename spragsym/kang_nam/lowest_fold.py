@@ -18,9 +18,6 @@ from .folds import Angles, SurfacePoint, in_contact, lines_and_sextic, unfolded,
 from .kernel import FIXED
 from .parameters import Parameters
 
-#: Degree of sin θ₀ in sin θ.
-_DEGREE = 6
-
 
 def critical_friction(p: Parameters, vary: str | None = None, over: str | None = None) -> LowestEnd:
     """The closed form of :func:`spragsym.critical_friction` as friction rises at any 0 < θ₀ < π; of
@@ -112,10 +109,12 @@ def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePo
     def ratio(s: Fraction) -> tuple[Fraction, Fraction]:
         return _catastrophe.turning_sine(s, *exact)
 
-    if sine.sign_of(s0, lambda s: ratio(s)[0], _DEGREE, "sin θ₀ = 0 at a turn") <= 0:
+    # Degree of sin θ₀ in sin θ.
+    degree = 6
+    if sine.sign_of(s0, lambda s: ratio(s)[0], degree, "sin θ₀ = 0 at a turn") <= 0:
         return
     if (
-        sine.sign_of(1 - s0, lambda s: ratio(s)[1] - ratio(s)[0], _DEGREE, "sin θ₀ = 1 at a turn")
+        sine.sign_of(1 - s0, lambda s: ratio(s)[1] - ratio(s)[0], degree, "sin θ₀ = 1 at a turn")
         <= 0
     ):
         return

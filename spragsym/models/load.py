@@ -136,10 +136,6 @@ def load(name: str | os.PathLike[str]) -> Model:
 
 #: Digest of a folder in ``model.json``, of all else in it, those of the other files included.
 _DIGEST = re.compile(rb'"digest": "([0-9a-f]{64})"')
-#: What stands in its place while it is taken.
-_UNSEALED = b"<digest-of-all>".ljust(64, b"-")
-#: Bytes; no file that is derived is larger.
-_LARGEST = 64 << 20
 
 
 def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
@@ -152,11 +148,15 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
             f"{folder} holds no model.json; give a folder that `spragsym derive PAGE.py --out "
             "DIR` wrote"
         )
-    data = contents(path, _LARGEST)
+    # Bytes; no file that is derived is larger.
+    largest = 64 << 20
+    data = contents(path, largest)
     digest = _DIGEST.search(data)
+    # What stands in its place while it is taken.
+    unsealed = b"<digest-of-all>".ljust(64, b"-")
     if (
         digest is None
-        or hashlib.sha256(data.replace(digest[1], _UNSEALED)).hexdigest().encode() != digest[1]
+        or hashlib.sha256(data.replace(digest[1], unsealed)).hexdigest().encode() != digest[1]
     ):
         raise StoreError(
             f"{path} is damaged: it is not as it was written; derive its model page again"
@@ -172,7 +172,7 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
     for name, digest_of_file in about["files"].items():
         if not (folder / name).is_file():
             raise StoreError(f"{folder / name} is missing; derive its model page again")
-        files[name] = contents(folder / name, _LARGEST)
+        files[name] = contents(folder / name, largest)
         if hashlib.sha256(files[name]).hexdigest() != digest_of_file:
             raise StoreError(
                 f"{folder / name} is not as it was written; derive its model page again"

@@ -422,10 +422,12 @@ class Model:
         if own := self.closed_form("cases"):
             return own()
         values = {}
+        # What an angle without a base value is, as in the article's cases.
+        inclination = math.radians(30.0)
         for entry in self.about["parameters"]:
             low, high, angle = entry["low"], entry["high"], entry["name"] in self.about["angles"]
             middle = (
-                _INCLINATION
+                inclination
                 if angle
                 else 0.5 * (low + high)
                 if low is not None and high is not None
@@ -517,10 +519,6 @@ class Model:
         from .load import load
 
         return (load, (self.where,)) if self.whole is self else (getattr, (self.whole, "search"))
-
-
-#: What an angle without a base value is, as in the article's cases.
-_INCLINATION = math.radians(30.0)
 
 
 def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:

@@ -84,14 +84,6 @@ POSITIVE = Range(0.0, open_low=True)
 NOT_NEGATIVE = Range(0.0)
 FINITE = Range(-math.inf)
 ANGLE = Range(-math.inf, unit="rad")
-#: What NumPy's kinds of arrays hold that are no real numbers.
-_KINDS = {
-    "U": "text",
-    "S": "bytes",
-    "b": "booleans",
-    "c": "complex numbers",
-    "O": "objects or ragged lists",
-}
 
 
 def as_numbers(
@@ -122,8 +114,16 @@ def as_numbers(
             f"{name} is not an array of numbers ({error}); give one number or a regular array"
         ) from error
     if array.dtype.kind not in "iuf":
+        # What NumPy's kinds of arrays hold that are no real numbers.
+        kinds = {
+            "U": "text",
+            "S": "bytes",
+            "b": "booleans",
+            "c": "complex numbers",
+            "O": "objects or ragged lists",
+        }
         raise ParameterTypeError(
-            f"{name} = {_short(value)} is {_KINDS.get(array.dtype.kind, array.dtype)}; it must be "
+            f"{name} = {_short(value)} is {kinds.get(array.dtype.kind, array.dtype)}; it must be "
             "real numbers"
         )
     array = array.astype(np.float64)

@@ -79,8 +79,6 @@ _ALONE: dict[str, tuple[str, tuple[str, ...]]] = {
     "minute": ("60 second", ("min", "minute", "minutes")),
     "hour": ("3600 second", ("h", "hr", "hour", "hours")),
 }
-#: Words of no unit.
-_FACTORS = {"%": "percent", "percent": "percent", "ppm": "ppm"}
 #: Words with several meanings, none of which is taken, and what says each of them.
 _TWO_MEANINGS = {
     "grad": "deg and gon",
@@ -125,12 +123,6 @@ def _registry() -> pint.UnitRegistry[Any]:
     return registry
 
 
-#: What a unit may be written with; pint's parser sees nothing else.
-_LETTERS = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,60}")
-_WORD = re.compile(r"(?:(?![²³¹])[^\W\d])+|[%°]")
-_TORQUE = {"[length]": 2, "[mass]": 1, "[time]": -2}
-
-
 @lru_cache(maxsize=256)
 def factor(unit: str, si: str) -> float:
     """Size of one ``unit`` in the SI unit ``si``; an error if it is unknown, or of another
@@ -146,8 +138,9 @@ def factor(unit: str, si: str) -> float:
         return 0.01 if unit == "%" else 1.0
     given, wanted = dimension(unit), dimension(si)
     off = {axis for axis in {*wanted, *given} if wanted.get(axis, 0) != given.get(axis, 0)}
+    torque = {"[length]": 2, "[mass]": 1, "[time]": -2}
     # A torque is N m, and its stiffness N m or N m/rad: the radian is 1.
-    if all(wanted.get(axis, 0) == power for axis, power in _TORQUE.items()):
+    if all(wanted.get(axis, 0) == power for axis, power in torque.items()):
         off.discard("[angle]")
     if off:
         long = re.sub(r"\s*([*/])\s*", r" \1 ", spelled(unit))
@@ -185,22 +178,27 @@ def spelled(unit: str) -> str:
     # A power of a power may be larger than any number: of several each is of a word.
     of_words = re.sub(r"(?<=[^\W\d])\s*(\^|\*\*)\s*-?\d+", "", unit)
     powers = re.search(r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", of_words)
+    # What a unit may be written with; pint's parser sees nothing else.
+    letters = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,60}")
     if (
-        not _LETTERS.fullmatch(unit)
+        not letters.fullmatch(unit)
         or powers
         or any(len(digits) > 2 for digits in re.findall(r"\d+", unit))
     ):
         raise ParameterError(f"the unit {unit!r} can't be read")
-    return _WORD.sub(lambda found: _named(found[0], unit), unit)
+    word = re.compile(r"(?:(?![²³¹])[^\W\d])+|[%°]")
+    return word.sub(lambda found: _named(found[0], unit), unit)
 
 
 def _named(word: str, unit: str) -> str:
     """Long name of a word of a unit; an error that says what else it may be."""
     if word in _TWO_MEANINGS:
         raise ParameterError(f"the unit {word!r} has two meanings, {_TWO_MEANINGS[word]}")
-    if word in _FACTORS:
+    # Words of no unit.
+    factors = {"%": "percent", "percent": "percent", "ppm": "ppm"}
+    if word in factors:
         raise ParameterError(
-            f"{_FACTORS[word]} in the unit {unit!r} is a factor and no unit; multiply the number "
+            f"{factors[word]} in the unit {unit!r} is a factor and no unit; multiply the number "
             "by it"
         )
     if word not in _words():
@@ -219,7 +217,6 @@ _UNDERSTOOD = {
 }
 #: Texts of no unit, and of percent.
 _NO_UNIT = ("", "1", "dimensionless", "None", "()")
-_PERCENT = ("percent", "%")
 #: Parts of names of attributes by which an object of any other library is known to have a unit.
 _HINTS = re.compile("unit|dimensionality", re.IGNORECASE)
 
@@ -326,7 +323,9 @@ class Carried:
         if not plain or given.dtype.kind not in "iuf":
             return given
         try:
-            return given.astype(float) * factor("%" if plain in _PERCENT else plain, self.si)
+            return given.astype(float) * factor(
+                "%" if plain in ("percent", "%") else plain, self.si
+            )
         except ParameterError as error:
             raise ParameterTypeError(
                 f"{self.name} is in {plain}: {error}; give its number {self._wanted()}"

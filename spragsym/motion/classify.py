@@ -29,9 +29,6 @@ from .return_map import Onward, leads, on_cycle
 #: Events of the contact.
 CONTACT = [Event.CONTACT_LOST, Event.CONTACT_REGAINED, Event.FACE_LEFT, Event.FACE_REGAINED]
 
-#: Newton's method has gone astray beyond this, in units of the motion.
-FAR = 1e6
-
 
 def classify(statistics: MotionStatistics, onward: Onward) -> Outcome:
     """The outcome of a motion, from what was measured of it after its transient, and how it goes
@@ -194,6 +191,8 @@ def equilibrium_near(
     q, n = np.array(place, dtype=float), len(place)
     # Steps of Newton's method, at most.
     most_steps = 40
+    # Newton's method has gone astray beyond this, in units of the motion.
+    far = 1e6
     for _ in range(most_steps):
         state = [*q.tolist(), *[0.0] * n]
         mode = kept or field.initial_mode(state, constants)
@@ -211,9 +210,9 @@ def equilibrium_near(
         except np.linalg.LinAlgError as error:
             raise ConvergenceError("there is no equilibrium near") from error
         q = q + step
-        if not magnitude(q) < FAR or magnitude(step) < 1e-15 * (1 + magnitude(q)):
+        if not magnitude(q) < far or magnitude(step) < 1e-15 * (1 + magnitude(q)):
             break
-    if magnitude(q) < FAR and magnitude(step) < 1e-12:
+    if magnitude(q) < far and magnitude(step) < 1e-12:
         return np.concatenate([q, np.zeros(n)])
     raise ConvergenceError("there is no equilibrium near")
 

@@ -38,11 +38,6 @@ BACKENDS = ("heyoka", "compiled", "scipy")
 #: Those that take the field of any model; what is compiled on installation is the article's.
 OF_ANY_MODEL = ("heyoka", "scipy")
 
-_INTEGRATORS: dict[str, ModuleType] = {
-    "heyoka": with_heyoka,
-    "compiled": with_compiled,
-    "scipy": with_scipy,
-}
 
 #: No directions of parameters.
 NONE = np.empty((0, 0))
@@ -103,8 +98,13 @@ def integrate(problem: Problem, backend: str) -> Solution:
     if problem.scales and backend == "compiled":
         backend = "scipy"  # which makes the same steps, and takes a field in any units
     try:
-        solution: Solution = _INTEGRATORS[backend].integrate(problem)
-        used: float = _INTEGRATORS[backend].tolerance(problem)
+        integrators: dict[str, ModuleType] = {
+            "heyoka": with_heyoka,
+            "compiled": with_compiled,
+            "scipy": with_scipy,
+        }
+        solution: Solution = integrators[backend].integrate(problem)
+        used: float = integrators[backend].tolerance(problem)
     except StiffError:
         solution = Flight(replace(problem, max_steps=None), stiff=True).motion()
         used = with_scipy.tolerance(problem, stiff=True)

@@ -58,13 +58,6 @@ class Regime(IntEnum):
     """Winds onto a cycle at the rate of the cycle's multipliers, and is still on its way."""
 
 
-#: The attractor behind a regime.
-ATTRACTOR = {
-    Regime.APPROACHES_EQUILIBRIUM: Regime.EQUILIBRIUM,
-    Regime.APPROACHES_CYCLE: Regime.LIMIT_CYCLE,
-}
-
-
 #: Columns of what motions come to.
 LIMITS: tuple[Column, ...] = (
     Column("regime", "1", "what the motion settles to or approaches", Regime),
@@ -166,7 +159,12 @@ class Outcome(Named):
     @property
     def limit(self) -> Regime:
         """The attractor behind the regime."""
-        return ATTRACTOR.get(self.regime, self.regime)
+        # The attractor behind a regime.
+        attractor = {
+            Regime.APPROACHES_EQUILIBRIUM: Regime.EQUILIBRIUM,
+            Regime.APPROACHES_CYCLE: Regime.LIMIT_CYCLE,
+        }
+        return attractor.get(self.regime, self.regime)
 
     def _shown(self) -> dict[str, Any]:
         values = named_fields(self)

@@ -39,18 +39,8 @@ FINE = 1e-12
 #: heyoka's finest.
 FINEST = 1e-15
 
-#: Differences of a flow are taken over this.
-STEP = 1e-5
 #: By how much an orbit that is found with them may stay open.
 OPEN = 1e-9
-
-#: For each integrator the tolerance of its plain flow, how nearly orbits close by cheap
-#: derivatives, and how closely in the end.
-PRECISIONS = {
-    "heyoka": (FINEST, ShootingOptions.closed, ShootingOptions.closed),
-    "compiled": (FINE, OPEN, OPEN),
-    "scipy": (FINE, OPEN, ShootingOptions.closed),
-}
 
 
 @dataclass(frozen=True)
@@ -94,7 +84,9 @@ class Onward:
         """``flow_map`` by differences of the plain flow, to one or to both ``sides``; crossings are
         not reported.
         """
-        m, off = state.size, STEP * np.eye(state.size)
+        # Differences of a flow are taken over this.
+        step = 1e-5
+        m, off = state.size, step * np.eye(state.size)
         statistics, *others = self.statistics(
             np.vstack([state, state + off, state - off])[: 1 + sides * m], duration
         )
@@ -109,7 +101,7 @@ class Onward:
         integrals = shift + begin * duration, square + begin * (2 * shift + begin * duration)
         return FlowResult(
             statistics.last,
-            (last[:m] - before).T / (sides * STEP),
+            (last[:m] - before).T / (sides * step),
             none,
             (),
             tuple(extrema),
@@ -120,7 +112,14 @@ class Onward:
         """The closed orbit to all digits, with the derivative of its return; ConvergenceError
         without one near, in ``scale``.
         """
-        rtol, near, precision = PRECISIONS[self.backend]
+        # For each integrator the tolerance of its plain flow, how nearly orbits close by
+        # cheap derivatives, and how closely in the end.
+        precisions = {
+            "heyoka": (FINEST, ShootingOptions.closed, ShootingOptions.closed),
+            "compiled": (FINE, OPEN, OPEN),
+            "scipy": (FINE, OPEN, ShootingOptions.closed),
+        }
+        rtol, near, precision = precisions[self.backend]
         reach = 4 * self.problem.options.close * float(scale.max())
         fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
         guess = Iterate(state[None], period, ())

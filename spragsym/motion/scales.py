@@ -29,9 +29,6 @@ if TYPE_CHECKING:
     from .regimes import Outcome
     from .solution import Crossing, Extremum, FlowResult, Solution
 
-#: Binary digits between one unit and the next.
-DIGITS = 2
-
 
 @dataclass(frozen=True)
 class MotionScales:
@@ -303,7 +300,9 @@ def _power(value: float) -> float:
     common_digits = 5
     if not 0.0 < value < math.inf or abs(math.log2(value)) <= common_digits:
         return 1.0
-    return math.ldexp(1.0, DIGITS * round(math.log2(value) / DIGITS))
+    # Binary digits between one unit and the next.
+    digits = 2
+    return math.ldexp(1.0, digits * round(math.log2(value) / digits))
 
 
 @cache

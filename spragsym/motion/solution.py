@@ -25,10 +25,6 @@ from .problem import Event, Problem, kinds_of
 #: A border that was passed no longer ago is met to first order: the square of that, in the
 #: motion's unit of time, is below rounding.
 AT_ONCE = 1e-8
-#: Steps that are farther apart than this where a border was noticed meet so far behind it.
-BEHIND = 4 * GAP
-#: Newton's method leads back to a border that was passed no longer ago than this.
-LATEST = 1.0
 
 
 class Crossing(NamedTuple):
@@ -191,7 +187,9 @@ def _back(
     if not rate:
         return None
     late = first
-    if AT_ONCE < abs(late) < LATEST:
+    # Newton's method leads back to a border that was passed no longer ago than this.
+    latest = 1.0
+    if AT_ONCE < abs(late) < latest:
         # Steps of Newton's method, at most.
         most_steps = 5
         for _ in range(most_steps):
@@ -200,7 +198,7 @@ def _back(
             if abs(more) <= AT_ONCE:
                 return late, there, along, rate_there
             late += more
-            if not abs(late) < LATEST:
+            if not abs(late) < latest:
                 break
     return first, state, own, rate
 
@@ -387,9 +385,12 @@ def _met_in_time(t: FloatArray, states: FloatArray, crossing: Crossing) -> Sampl
     if row + 1 >= len(t):
         return t, states
     apart, late = magnitude(states[row + 1, :, 0] - states[row, :, -1]), t[row, -1] - crossing.t
-    if apart <= BEHIND or not late < min(t[row, -1] - t[row, 0], t[row + 1, -1] - t[row, -1]):
+    # Steps that are farther apart than this where a border was noticed meet so far behind
+    # it.
+    behind = 4 * GAP
+    if apart <= behind or not late < min(t[row, -1] - t[row, 0], t[row + 1, -1] - t[row, -1]):
         return t, states
-    t, states, met = t.copy(), states.copy(), crossing.t + BEHIND / apart * late
+    t, states, met = t.copy(), states.copy(), crossing.t + behind / apart * late
     for which, ends in ((row, (t[row, 0], met)), (row + 1, (met, t[row + 1, -1]))):
         own, t[which] = PiecewisePolynomial(t[which].copy(), states[which]), sample_times(*ends)
         states[which] = own(t[which])

@@ -56,10 +56,6 @@ TOLERANCE = 1e-17
 UNIT = 1e-4
 
 
-#: Minus the exponent from which on an exponential of the place is felt: there it is below rounding.
-FELT = 37.0
-
-
 @dataclass(frozen=True)
 class Approach:
     """End of a step because of what its Taylor series does not see: ``watched`` passes zero upward
@@ -90,6 +86,9 @@ class Approach:
         names, found = [name for name, _ in system], list[Approach]()
         rates = {str(name) for name in names[len(names) // 2 :]}
         units = itertools.chain(roots, itertools.repeat(1.0))
+        # Minus the exponent from which on an exponential of the place is felt: there it
+        # is below rounding.
+        felt = 37.0
         for name, given in called:
             z = given * next(units) ** -2 if name == "sqrt" else given
             seen = set(hy.get_variables(z))
@@ -101,8 +100,8 @@ class Approach:
                 steps_to_anchor = 10.0
                 found.append(cls(1e-3 * (rate - steps_to_anchor * z), z, names))
             elif name in ("exp", "tanh") and seen and not seen & rates:
-                outside = z + FELT if name == "exp" else (FELT**2 - 4.0 * z * z) / FELT
-                found.append(cls(1e-3 * FELT * outside / (FELT**2 + z * z)))
+                outside = z + felt if name == "exp" else (felt**2 - 4.0 * z * z) / felt
+                found.append(cls(1e-3 * felt * outside / (felt**2 + z * z)))
         return found
 
 

@@ -39,8 +39,6 @@ RTOL = 2.3e-14
 
 #: Steps after which a flow is abandoned.
 MAX_STEPS = 200_000
-#: Steps between two looks at whether they have collapsed.
-LOOK = 2000
 
 
 @dataclass(frozen=True)
@@ -151,6 +149,8 @@ class Flight:
             0.0,
             0,
         )
+        # Steps between two looks at whether they have collapsed.
+        look = 2000
         while clock < duration:
             # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
             bound = duration - clock
@@ -183,8 +183,8 @@ class Flight:
                 found = self._first_crossing(piece)
                 if found is None:
                     yield piece
-                if steps % LOOK == 0 and not self.stiff:
-                    step, looked, left = (clock + end - looked) / LOOK, clock + end, bound - end
+                if steps % look == 0 and not self.stiff:
+                    step, looked, left = (clock + end - looked) / look, clock + end, bound - end
                     check_stiffness(self.problem, solver.y[:m], step, left, MOST / 10)
             if found is None:
                 return

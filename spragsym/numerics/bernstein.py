@@ -21,8 +21,6 @@ from .interval_arrays import BoolArray, FloatArray, IndexArray, Int8Array, quiet
 
 #: Halvings after which a row is undecided: roots closer than 2^-30 are for exact arithmetic.
 DEPTH = 30
-#: Halvings of a part after which its signs are left open.
-HALVINGS = 6
 #: τ: no round number, so that roots of symmetric polynomials, at t = 1, lie inside of a part and
 #: not at an end.
 SCALE = 1.0703125
@@ -110,12 +108,14 @@ def signs_between(
     negative, positive = np.isfinite(noise), np.zeros(size, dtype=np.bool_)
     row = np.flatnonzero(negative)
     value = value[:, row]
-    for halving in range(HALVINGS + 1):
+    # Halvings of a part after which its signs are left open.
+    halvings = 6
+    for halving in range(halvings + 1):
         limit = noise[row] * (1 + 0.1 * halving)
         positive[row[(value[0] > limit) | (value[-1] > limit)]] = True
         pending = ~((value < -limit).all(axis=0) | positive[row])
         row = row[pending]
-        if halving == HALVINGS or not row.size:
+        if halving == halvings or not row.size:
             break
         value = np.concatenate(_cut(value[:, pending]), axis=1)
         row = np.tile(row, 2)

@@ -51,8 +51,6 @@ _TINY = np.array(TINY)
 #: Bound, in units of EPS relative, on the error of NumPy's exp, log, tanh and arctan; what NumPy's
 #: own tests allow is 4.
 FUNCTION_ULPS = 8
-#: What an upper end −∞ is given as, a bound like it with which one can go on.
-_LEAST = -1e300
 
 
 def rounded_outward(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
@@ -281,9 +279,10 @@ class Intervals(Arithmetic):
         0.
         """
         values = self._at_ends(np.log)
+        # What an upper end −∞ is given as, a bound like it with which one can go on.
         return Intervals(
             np.where(
-                self.ends == 0, np.maximum(values, _LEAST), rounded_outward(values, FUNCTION_ULPS)
+                self.ends == 0, np.maximum(values, -1e300), rounded_outward(values, FUNCTION_ULPS)
             )
         )
 
@@ -428,9 +427,6 @@ LARGEST_ANGLE = 1e5
 #: Upper bound of π, and an interval around it.
 HALF_TURN = float(np.nextafter(np.pi, 4.0))
 PI = Intervals.between([np.pi], [HALF_TURN])
-#: More than the error of an angle over 2π: an extremum so near to an end counts as inside, where it
-#: hardly widens anything.
-TURN_ERROR = 1e-10
 
 #: As functions.
 sqrt, exp, log, tanh, atan, cos, sin = map(
@@ -448,9 +444,12 @@ def _wave(angle: Intervals, function: np.ufunc, peak: float) -> Intervals:
     ends = pair(-np.minimum(one, other), np.maximum(one, other)) + trigonometric_error
     turns_low, turns_high = low / (2 * np.pi) - peak, high / (2 * np.pi) - peak
     unknown = ~((angle.magnitude <= LARGEST_ANGLE) & np.isfinite(one) & np.isfinite(other))
+    # More than the error of an angle over 2π: an extremum so near to an end counts as
+    # inside, where it hardly widens anything.
+    turn_error = 1e-10
     for place, shift in ((1, 0.0), (0, 0.5)):
-        inside = np.floor(turns_high + (shift + TURN_ERROR)) >= np.ceil(
-            turns_low + (shift - TURN_ERROR)
+        inside = np.floor(turns_high + (shift + turn_error)) >= np.ceil(
+            turns_low + (shift - turn_error)
         )
         ends[place] = np.where(inside | unknown, 1.0, np.minimum(ends[place], 1.0))
     return Intervals(ends)

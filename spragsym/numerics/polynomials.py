@@ -180,13 +180,6 @@ class RootOf:
         return balls.sign_or_zero(value, what, vanishes)
 
 
-#: Lower end of both charts where roots are positive: no round number, where roots of symmetric
-#: parameters are.
-_BELOW = Fraction(-1, 7)
-#: Where the charts meet, no round number either.
-_BETWEEN = Fraction(13, 11)
-
-
 def roots_on_the_line(
     polynomial: tuple[Any, ...], bits: int, *, positive: bool = False
 ) -> list[RootOf]:
@@ -201,11 +194,16 @@ def roots_on_the_line(
     found: list[RootOf] = []
     if not polynomial:
         return found
+    # Lower end of both charts where roots are positive: no round number, where roots of
+    # symmetric parameters are.
+    below = Fraction(-1, 7)
+    # Where the charts meet, no round number either.
+    between = Fraction(13, 11)
     for chart, limit, backward in (
-        (polynomial, _BETWEEN, False),
-        (tuple(reversed(polynomial)), 1 / _BETWEEN, True),
+        (polynomial, between, False),
+        (tuple(reversed(polynomial)), 1 / between, True),
     ):
-        for low, high in real_roots(chart, _BELOW if positive else -limit, limit, bits):
+        for low, high in real_roots(chart, below if positive else -limit, limit, bits):
             at_the_end = backward and low == limit  # which the first chart has
             if not at_the_end and (high > 0 or not positive):
                 found.append(RootOf(polynomial, low, high, backward))

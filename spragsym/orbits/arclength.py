@@ -37,10 +37,6 @@ SURE = 100.0
 #: A zero of a test function is located to this, in units of the arc.
 LOCATED = 1e-11
 
-#: Options of the way to a value of the parameter, in shares of it: all of it at once where the
-#: branch is straight.
-ON_THE_WAY = BranchOptions(first_step=2.0, longest_step=np.inf, shortest_step=1e-3, kink=0.0)
-
 
 def in_phase(_: Setting, near: Orbit, target: FloatArray) -> Conditions:
     """The first state stays in the plane across the flow at an orbit, through a target."""
@@ -366,10 +362,15 @@ def along(point: BranchPoint, value: float) -> BranchPoint:
         return found
 
     try:
+        # Options of the way to a value of the parameter, in shares of it: all of it at
+        # once where the branch is straight.
+        on_the_way = BranchOptions(
+            first_step=2.0, longest_step=np.inf, shortest_step=1e-3, kink=0.0
+        )
         for found in steps(
             point.oriented(direction * math.copysign(1.0, turning(point))),
             ahead,
-            ON_THE_WAY,
+            on_the_way,
         ):
             point = found
             if point.value == value:

@@ -30,33 +30,24 @@ from .ball_flow import (
     polynomial,
 )
 
-#: Digits beyond those that are known, with which the next round works: what it gains.
-AHEAD = 12
-
-
-#: Digits up to which more of them are tried than were asked for.
-ENOUGH = 25
-
-
-#: A border that is crossed at less than this speed is touched.
-SLOWEST = 1e-7
-
 
 def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     """Proved parts of a claim: where its digits leave the box of starts too wide, with more of
-    them, up to :data:`ENOUGH`.
+    them, up to 25.
     """
     digits = claim["digits"]
+    # Digits up to which more of them are tried than were asked for.
+    enough = 25
     while True:
         try:
             with bits(accuracy_for(digits).bits):
                 return {"digits": digits, **proved(field, claim | {"digits": digits})}
         except TooWide as reason:
-            if digits >= ENOUGH:
+            if digits >= enough:
                 raise NotProved(
                     f"{reason} (of half width 1e-{digits}); give more digits"
                 ) from reason
-            digits = min(math.ceil(1.5 * digits), ENOUGH)
+            digits = min(math.ceil(1.5 * digits), enough)
 
 
 def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
@@ -150,7 +141,9 @@ def _refined(
     state[len(begun.field.coordinates)] = arb(
         0
     )  # exactly: the section is where the first coordinate is largest
-    missed, slow, now = 1.0, 0, min(digits, 2 * AHEAD)
+    # Digits beyond those that are known, with which the next round works: what it gains.
+    ahead = 12
+    missed, slow, now = 1.0, 0, min(digits, 2 * ahead)
     # Rounds of Newton's method with the slopes of double precision.
     first_rounds = 14
     # Digits that each gains at least.
@@ -171,7 +164,7 @@ def _refined(
         slow = slow + 1 if missed >= before / 3 else 0
         if slow > 1 or missed >= 1:
             break
-        now = min(digits, max(now, math.ceil(AHEAD - math.log10(missed)) if missed else digits))
+        now = min(digits, max(now, math.ceil(ahead - math.log10(missed)) if missed else digits))
     raise NotProved(
         "Newton's method in many digits does not converge from the cycle as given: it stays "
         f"open by {missed:.1e}"
@@ -190,6 +183,8 @@ def _traced(
     """The end of one round to many digits, and when it crosses which border; not rigorous."""
     clock, now, times, order = arb(0), state, [], accuracy_for(digits).order
     least = arb(10) ** -(1.1 * digits + 16)
+    # A border that is crossed at less than this speed is touched.
+    slowest = 1e-7
     for about, border in [*crossings, (period, -1)]:
         target = arb(about)
         if not target > clock:
@@ -217,12 +212,12 @@ def _traced(
             for _ in range(10):
                 there = [polynomial(jet, left).mid() for jet in jets]
                 change, level = piece.level_rate(that, there), piece.level(that, there)
-                if not abs(change) > SLOWEST:
+                if not abs(change) > slowest:
                     raise NotProved(
                         f"{that.name} is touched, or crossed at hardly any speed: next to a "
                         "grazing the return has no derivative "
                         "to stand on; move a parameter"
-                        if abs(level) < SLOWEST
+                        if abs(level) < slowest
                         else uncrossed
                     )
                 left = (left - level / change).mid()

@@ -62,34 +62,11 @@ from .options import BranchOptions
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import NEAREST, halved, meets, switched
 
-#: Options of curves of events.
-OF_EVENTS = BranchOptions(first_step=0.01, longest_step=0.1, shortest_step=1e-6, kink=1e-4)
-
-#: Error of an end by rounding, where a size vanishes, in ranges of the parameter.
-ROUNDED = 1e-12
-
 #: Kind of an end at which an arrival becomes tangent.
 CATASTROPHIC = "catastrophic-sliding"
 
-#: Kinds of event, those first at which stability may change.
-TOLD = (*CRITERIA, "grazing", *SLIDING, "homoclinic", CATASTROPHIC, "end")
-
-VERTICAL = (
-    "the parameter stays what it is along the branch: there is a whole family of cycles at this "
-    "one value"
-)
 
 FAMILIES = "there is a whole family of cycles at every value of the parameter from there on"
-
-TOUCHES = (
-    "it touches a border there, or a phase of sticking shrinks to nothing, and no cycle was found "
-    "beyond"
-)
-
-TANGENT = (
-    "its arrival at {} becomes tangent: beyond, the orbit does not come there, and no cycle was "
-    "found"
-)
 
 
 @dataclass(frozen=True, eq=False)
@@ -262,7 +239,9 @@ class CycleBranch(Result):
         >>> len(branch.of("end"))
         2
         """
-        chosen = [one_of("kinds", kind, TOLD) for kind in kinds]
+        # Kinds of event, those first at which stability may change.
+        told = (*CRITERIA, "grazing", *SLIDING, "homoclinic", CATASTROPHIC, "end")
+        chosen = [one_of("kinds", kind, told) for kind in kinds]
         return tuple(event for event in self.events if event.kind in chosen)
 
 
@@ -460,7 +439,8 @@ def _vanishing(
     ]
     each = ((float(np.ptp(ends[i - 2 : i + 1])), ends[i]) for i in range(2, len(ends)))
     off, value = min(each, default=(abs(points[-1].value), points[-1].value))
-    error = SCATTER * off + ROUNDED * points[-1].setting.spans[0]
+    # Error of an end by rounding, where a size vanishes, in ranges of the parameter.
+    error = SCATTER * off + 1e-12 * points[-1].setting.spans[0]
     return DetectedEvent(kind, points[-1].orbit, error, how=how, value=value)
 
 
@@ -488,8 +468,19 @@ def _at_border(followed: Sequence[BranchPoint]) -> DetectedEvent | None:
     last = followed[-1]
     _, name = min(approaches(last), default=(np.inf, ""))
     ends = (
-        _vanishing(followed, off, TOUCHES),
-        _vanishing(followed, slowest, TANGENT.format(name), CATASTROPHIC),
+        _vanishing(
+            followed,
+            off,
+            "it touches a border there, or a phase of sticking shrinks to nothing, and no "
+            "cycle was found beyond",
+        ),
+        _vanishing(
+            followed,
+            slowest,
+            f"its arrival at {name} becomes tangent: beyond, the orbit does not come there, "
+            "and no cycle was found",
+            CATASTROPHIC,
+        ),
     )
     # A branch has come to an end that lies so near to its last point, in shares of the range.
     near_share = 1e-4
@@ -512,7 +503,15 @@ def _ends(
     """The end of the branch at a point, if it is one."""
     orbit, moved = ahead.orbit, abs(ahead.value - point.value)
     if vertical(point, ahead, length):
-        yield DetectedEvent("end", orbit, moved, how=VERTICAL)
+        yield DetectedEvent(
+            "end",
+            orbit,
+            moved,
+            how=(
+                "the parameter stays what it is along the branch: there is a whole family of "
+                "cycles at this one value"
+            ),
+        )
     elif ahead.value in to:
         yield DetectedEvent("end", orbit, 0.0, how="the range ends")
     elif orbit.period > options.long_period * point.setting.period and (
@@ -709,7 +708,11 @@ def cycle_events(
     def followed(direction: float) -> tuple[list[Orbit], str]:
         found: list[Orbit] = []
         try:
-            for point in islice(steps(first.oriented(direction), ahead, OF_EVENTS), points):
+            # Options of curves of events.
+            of_events = BranchOptions(
+                first_step=0.01, longest_step=0.1, shortest_step=1e-6, kink=1e-4
+            )
+            for point in islice(steps(first.oriented(direction), ahead, of_events), points):
                 if not all(
                     low <= value <= high
                     for value, (low, high) in zip(point.orbit.guess.varied, bounds, strict=True)

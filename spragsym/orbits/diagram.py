@@ -51,19 +51,6 @@ if TYPE_CHECKING:
 OF_EQUILIBRIA = BranchOptions(first_step=0.0025, longest_step=0.02, shortest_step=1e-7, kink=0.0)
 
 
-#: A label for each kind of event: as AUTO and MatCont have them.
-LABELS = {
-    "fold": "LPC",
-    "period_doubling": "PD",
-    "torus": "NS",
-    "grazing": "GR",
-    "homoclinic": "HC",
-    "catastrophic-sliding": "CT",
-    "crossing": "BPC",
-    **dict(zip(SLIDING, ("GS", "CS", "SS", "AS"), strict=True)),
-}
-
-
 @dataclass(frozen=True, eq=False)
 class EquilibriumBranch(Result):
     """A branch of equilibria of the motion, from one of its ends to the other.
@@ -539,10 +526,21 @@ def _doubled(
 
 
 def _of_cycles(branches: Sequence[CycleBranch]) -> Iterator[Label]:
+    # A label for each kind of event: as AUTO and MatCont have them.
+    labels = {
+        "fold": "LPC",
+        "period_doubling": "PD",
+        "torus": "NS",
+        "grazing": "GR",
+        "homoclinic": "HC",
+        "catastrophic-sliding": "CT",
+        "crossing": "BPC",
+        **dict(zip(SLIDING, ("GS", "CS", "SS", "AS"), strict=True)),
+    }
     for number, branch in enumerate(branches):
         for event in branch.events:
             kind = "crossing" if event.found.crossed is not None else event.kind
-            if kind in LABELS:
+            if kind in labels:
                 yield Label(
-                    LABELS[kind], event.value, float(event.cycle.state[0]), "cycles", number
+                    labels[kind], event.value, float(event.cycle.state[0]), "cycles", number
                 )

@@ -32,24 +32,12 @@ from .arclength import (
     zero_of,
 )
 
-#: What test functions tell, a grazing apart.
-KINDS = (*CRITERIA, "crossing")
-
 #: Sliding bifurcations of cycles: M. di Bernardo, C. Budd, A. Champneys, P. Kowalczyk 2008.
 SLIDING = ("grazing-sliding", "crossing-sliding", "switching-sliding", "adding-sliding")
 
 
-#: Test functions that tell something there.
-APART_FROM_ONES = CRITERIA[1:]
-
-#: Said of a fold at which the parameter does not turn back.
-CROSSES = "another branch of cycles crosses this one"
-
 #: Said of the end of a branch of doubled cycles.
 MERGES = "it meets the cycle of half its period, which doubles there"
-
-#: Said of an event that is none of a multiplier that is continuous.
-JUMPED = "a multiplier jumps past its value there, as it does at a grazing"
 
 
 #: Few orbits scatter less than rounding may: their scatter counts so many times.
@@ -109,7 +97,10 @@ def detected_events(
     A test function changes its sign since the point ``before`` where that at the first of the two
     is not known.
     """
-    kinds = APART_FROM_ONES if vertical(one, other, length) else KINDS
+    # Test functions that tell something there.
+    apart_from_ones = CRITERIA[1:]
+    # What test functions tell, a grazing apart.
+    kinds = apart_from_ones if vertical(one, other, length) else (*CRITERIA, "crossing")
     since = {kind: one if known(kind, one) else before or one for kind in kinds}
     changed = [kind for kind in kinds if known(kind, since[kind]) * known(kind, other) < 0]
     pairs, came = (
@@ -346,9 +337,18 @@ def _located(
             raise ConvergenceError(f"a {kind} was not located")
         if kind in SLIDING:
             return
-        off, how = max(off, width), JUMPED
+        off, how = (
+            max(off, width),
+            "a multiplier jumps past its value there, as it does at a grazing",
+        )
     if kind == "crossing":
-        yield DetectedEvent("fold", point.orbit, off, crossed=point.tangent, how=CROSSES)
+        yield DetectedEvent(
+            "fold",
+            point.orbit,
+            off,
+            crossed=point.tangent,
+            how="another branch of cycles crosses this one",
+        )
     else:
         yield DetectedEvent(kind, point.orbit, off, how=how)
 

@@ -43,23 +43,11 @@ from .arclength import differences
 from .orbit import Cycle, cycle_of
 from .system import System, judged
 
-#: Returns of a motion are looked at over this time, and over a longer one where it hardly has
-#: turned by then.
-LOOKED_AT = (400.0, 3000.0, 20000.0)
-
-
-#: Least half-width of the box that is taken around the Hopf point of the motion, over its numbers,
-#: which are no less than 1 in units of the motion and of the parameter.
-AROUND = 1e-13
-
-
 #: Share of the amplitude at which a motion first comes to a border of the field.
 SHARE = 0.1
 
 #: Most steps to it, and to the Hopf point.
 TRIALS = 20
-#: The longest of these steps, as a factor.
-FARTHEST = 2.0
 
 
 @in_usual_state
@@ -208,7 +196,9 @@ def cycle_near(
     scales = system.scales(start)
     own = system.scaled(scales)
     try:
-        for time in () if approached else LOOKED_AT[:looks]:
+        # Returns of a motion are looked at over this time, and over a longer one where
+        # it hardly has turned by then.
+        for time in () if approached else (400.0, 3000.0, 20000.0)[:looks]:
             flow_result = own.flow.plain(start / scales.states, own.constants, time, loose=True)
             if (found := _by_returns(own, flow_result.extrema)) is not None:
                 return _checked(found)
@@ -430,6 +420,8 @@ def born_at(
     least, remedy = 2 * reach * size, "give a smaller one, and go on from it with cycle_branch"
     if asked > least:
         remedy += f"; to first order only amplitudes below {least:.3g} do not come to {border}"
+    # The longest of these steps, as a factor.
+    farthest = 2.0
     for _ in range(TRIALS):
         try:
             found = _along(system, rest, place, form, z)
@@ -442,7 +434,7 @@ def born_at(
         met_within = 1e-3
         if amplitude is None or abs(reached / asked - 1) < met_within:
             return found
-        z *= min(max(asked / reached, 1 / FARTHEST), FARTHEST)
+        z *= min(max(asked / reached, 1 / farthest), farthest)
     raise ConvergenceError(
         f"no cycle of the amplitude {asked:g} was found: the last one has {reached:.6g}; {remedy}"
     )
@@ -506,10 +498,13 @@ def _of_the_motion(
 
     found = np.append(state, given[place]) / units
     scale = 1 + magnitude(found)
+    # Least half-width of the box that is taken around the Hopf point of the motion, over its
+    # numbers, which are no less than 1 in units of the motion and of the parameter.
+    around = 1e-13
     for _ in range(TRIALS):
         step = np.linalg.lstsq(differences(residual, found, 1e-6 * scale), residual(found))[0]
         found, width = found - step, magnitude(step)
-        if not AROUND * scale < width < scale:
+        if not around * scale < width < scale:
             break
     if not width <= 1e-7 * scale:
         vary = model.parameters[place]
@@ -520,7 +515,7 @@ def _of_the_motion(
         )
     there = given.copy()
     *q, there[place] = units * found
-    return there, np.array(q), 4 * max(width, AROUND * scale) * units
+    return there, np.array(q), 4 * max(width, around * scale) * units
 
 
 def _first_border(system: System, rest: FloatArray, form: NormalForm) -> tuple[str, float]:

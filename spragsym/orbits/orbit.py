@@ -52,10 +52,6 @@ if TYPE_CHECKING:
 NEUTRAL = 1e-7
 
 
-#: Periods, and averages as shares of the extent, that differ by less may be of one cycle.
-ALIKE = 1e-6
-
-
 @dataclass(frozen=True, eq=False)
 class Cycle(Result):
     """A cycle: a motion that repeats itself.
@@ -344,7 +340,9 @@ def same_cycle(one: Cycle, other: Cycle) -> bool:
     units = units_of(one)
     size = max(extent(one.orbit, units), extent(other.orbit, units))
     averages = np.abs([one.rms - other.rms, one.mean - other.mean]) / units[0]
-    if abs(one.period / other.period - 1) >= ALIKE or averages.max() >= ALIKE * size:
+    # Periods, and averages as shares of the extent, that differ by less may be of one cycle.
+    alike = 1e-6
+    if abs(one.period / other.period - 1) >= alike or averages.max() >= alike * size:
         return False
     # They are if the state of one lies as near the other's samples, as a share of the extent.
     near_share = 0.05

@@ -30,8 +30,6 @@ from .orbit import Cycle, cycle_of
 if TYPE_CHECKING:
     from .branch import CycleBranch, CycleEvent
 
-#: First steps off a branch, in states.
-STEPS = (0.02, 0.005, 0.05, 0.0015, 0.12, 4e-4, 1e-4, 2e-5)
 
 #: Halves that come closer than this share of the orbit's extent are one.
 NEAREST = 1e-3
@@ -63,7 +61,9 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
         return _beyond(branch, event, step)
     rounds = 2 if event.kind == "period_doubling" else 1
     point = _aside(point_of(setting, setting.integrated(orbit.guess)), crossed, rounds)
-    for size in (step, *STEPS):
+    # First steps off a branch, in states.
+    steps = (0.02, 0.005, 0.05, 0.0015, 0.12, 4e-4, 1e-4, 2e-5)
+    for size in (step, *steps):
         for sign in (1.0, -1.0):
             try:
                 aside = corrected(point, sign * size, reach=20 * size, iterations=12).orbit
@@ -74,8 +74,8 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
                 return found
     raise ConvergenceError(
         f"no cycle of the other branch was found near {branch.vary} = {event.value:.10g}, by "
-        f"steps from {max(step, *STEPS):g} "
-        f"down to {min(step, *STEPS):g}"
+        f"steps from {max(step, *steps):g} "
+        f"down to {min(step, *steps):g}"
     )
 
 

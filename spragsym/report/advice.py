@@ -20,12 +20,6 @@ from .units import hertz
 #: Pairs of texts: a name and a value, or a picture and its caption.
 Rows: TypeAlias = Iterator[tuple[str, str]]
 
-#: Penetration over the length of the spring beyond which a linear contact means nothing.
-DEEP = 0.05
-#: d times the slowest measured speed from which on no measurement is on the rising part of the
-#: friction law.
-STEEP = 8.0
-
 
 def warnings(report: Facts) -> tuple[str, ...]:
     """Sentences on where an answer would mislead, or is not known."""
@@ -45,14 +39,16 @@ def _contact(study: Brake, found: Sequence[State]) -> Iterator[str]:
     if not {"L_0", "F_L", "k_c"} <= set(study.values):
         return
     length = 1e3 * study.values["L_0"]
+    # Penetration over the length of the spring beyond which a linear contact means nothing.
+    deep = 0.05
     for current, where in ((True, ""), (False, " in another state")):
         deepest = max(
             (-state.places.get("y_mm", 0.0) for state in found if state.current == current),
             default=0.0,
         )
-        if deepest > DEEP * length:
+        if deepest > deep * length:
             yield (
-                f"the contact is {deepest:.3g} mm deep{where}; it is linear up to {DEEP:.0%} of "
+                f"the contact is {deepest:.3g} mm deep{where}; it is linear up to {deep:.0%} of "
                 "L_0: check F_L and k_c"
             )
 
@@ -113,15 +109,18 @@ def _fit(study: Brake) -> Iterator[str]:
         return
     # Rms of what a fitted friction law leaves, over μ₀, from which on another law is needed.
     poor_fit = 0.1
+    # d times the slowest measured speed from which on no measurement is on the rising part
+    # of the friction law.
+    steep = 8.0
     if fit.rms > poor_fit * fit.mu0:
         yield (
             f"the law mu0 (1 - exp(-d v)) is {fit.rms / fit.mu0:.0%} off the measured friction: "
             "choose a model with another law"
         )
-    elif fit.d * fit.slowest > STEEP:
+    elif fit.d * fit.slowest > steep:
         level = f"friction is level from {fit.slowest:.3g} m/s on"
         yield (
-            f"{level}, so any d above {STEEP / fit.slowest:.3g} s/m fits: measure at slower sliding"
+            f"{level}, so any d above {steep / fit.slowest:.3g} s/m fits: measure at slower sliding"
         )
     if fit.points == 2:
         yield (
@@ -186,10 +185,6 @@ def _damping(report: Facts) -> Iterator[str]:
         f"{less} damps here, practically neutral: the real brake's damping decides; "
         f"{remedy(report.study.kind)}"
     )
-
-
-#: Quantities that one of them names, at most.
-NAMED = 4
 
 
 def next_steps(report: Facts) -> Rows:
@@ -277,10 +272,12 @@ def _measurements(report: Facts) -> Rows:
         name for name in deciding(study) if not study.quantities[name].varies and study.values[name]
     ]
     if exact:
-        more = f" and {len(exact) - NAMED} more" if len(exact) > NAMED else ""
+        # Quantities that one of them names, at most.
+        named = 4
+        more = f" and {len(exact) - named} more" if len(exact) > named else ""
         yield (
             "measure",
-            f"how far {', '.join(exact[:NAMED])}{more} may be off: without a tolerance they "
+            f"how far {', '.join(exact[:named])}{more} may be off: without a tolerance they "
             "are taken as exact",
         )
 

@@ -55,10 +55,6 @@ class LoadParameter:
         return self
 
 
-#: The loading parameter where none is named.
-_NOTHING = LoadParameter("", "", math.nan, False)
-
-
 def check_load(kind: Quantities, vary: object) -> None:
     """Refuse a loading parameter, if one is named, on which no state depends."""
     if not isinstance(vary, str | None):
@@ -320,7 +316,9 @@ class Brake:
     @property
     def loading(self) -> LoadParameter:
         """The loading parameter; one without a name where nothing is said to rise."""
-        return self.load or _NOTHING
+        # The loading parameter where none is named.
+        nothing = LoadParameter("", "", math.nan, False)
+        return self.load or nothing
 
     @property
     def of_friction(self) -> bool:

@@ -13,8 +13,6 @@ from ..models.quantities import Quantities
 from .example import example_of
 from .units import Measured
 
-#: What the damping matrix of the dampers may be off that of the ratio, as a share of its size.
-_ROUNDING = 1e-9
 #: Damping ratios that are allowed.
 RATIO = Range(0.0, 1.0)
 
@@ -78,7 +76,10 @@ def modal_dampers(
     sizes = np.linalg.norm(columns, axis=0)
     found = np.linalg.lstsq(columns / sizes, asked.reshape(-1), rcond=None)[0]
     off = np.linalg.norm(columns / sizes @ found - asked.reshape(-1))
-    if off > _ROUNDING * np.linalg.norm(asked) or found.min() < -_ROUNDING * found.max():
+    # What the damping matrix of the dampers may be off that of the ratio, as a share of its
+    # size.
+    rounding = 1e-9
+    if off > rounding * np.linalg.norm(asked) or found.min() < -rounding * found.max():
         raise ParameterError(
             f"{told} has {' and '.join(names)}, which cannot give all {size} modes one ratio; "
             f"write {_lines(kind)}"

@@ -27,22 +27,6 @@ from .friction_fit import FrictionFit, fit_friction
 from .trust import trusted_model
 from .units import ENDS, WITHIN, Measured, Numbers, check_words, read, remedy, shown_in
 
-#: What begins a tolerance.
-_TOLERANCE = re.compile(r"±|\+/?-|\bsd\b")
-#: Keys of a file that are no quantities.
-_KEYS = [
-    "friction",
-    "damping_ratio",
-    "correlation",
-    "model",
-    "vary",
-    "begin",
-    "state",
-    "may_change",
-    "title",
-    "date",
-]
-
 
 def read_brake(path: FilePath, trust: bool | str = False) -> Brake:
     """The data of a brake from a TOML file with one table, ``[brake]``.
@@ -92,7 +76,20 @@ class _FileReader:
         table = self._table()
         for key, value in table.items():
             printed(self.of(key), {key: value})
-        own = {key: table.pop(key, None) for key in _KEYS}
+        # Keys of a file that are no quantities.
+        keys = [
+            "friction",
+            "damping_ratio",
+            "correlation",
+            "model",
+            "vary",
+            "begin",
+            "state",
+            "may_change",
+            "title",
+            "date",
+        ]
+        own = {key: table.pop(key, None) for key in keys}
         with self.at("model", "model = "):
             model = trusted_model(USUAL if own["model"] is None else own["model"], trust)
         kind, damped = quantities(model), quantities(WITH_DAMPERS.get(model, model))
@@ -104,7 +101,7 @@ class _FileReader:
         for key, value in table.items():
             with self.at(key):
                 if key not in kind.units:
-                    known = [*kind.units, *_KEYS]
+                    known = [*kind.units, *keys]
                     remark = hint(key, known) or f"; the keys are {', '.join(known)}"
                     raise ParameterError(
                         f"{key} = {value!r} is not a quantity of the model {model}{remark}"
@@ -276,7 +273,9 @@ def _exact(name: str, text: object, unit: str, allowed: Range = FINITE) -> float
     """The value of a place, of where a load begins, or of a ratio; an error for one with a
     tolerance.
     """
-    alone = _TOLERANCE.split(text)[0].strip() if isinstance(text, str) else text
+    # What begins a tolerance.
+    tolerance = re.compile(r"±|\+/?-|\bsd\b")
+    alone = tolerance.split(text)[0].strip() if isinstance(text, str) else text
     try:
         found = _quantity(name, alone, unit, allowed)
     except ParameterError:  # its unit stands behind the tolerance, if it has one

@@ -16,7 +16,6 @@ from .units import EXAMPLES, PLAIN_UNITS
 OWN_EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
 #: Of a file to begin with: what one of a unit of measure is, by its unit in SI, and tolerances.
 _SIZES = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038, "N": 400.0, "N/m^(3/2)": 8e6}
-_TOLERANCES = {"k": " +- 10 %", "k_t": " +- 10 %", "theta0": " +- 1 deg", "mu0": " +- 10 %"}
 
 
 def example_of(key: str, unit: str) -> str:
@@ -55,8 +54,9 @@ def example(model: Model) -> str:
         )
 
     rises, lines = kind.rises, list[str]()
+    tolerances = {"k": " +- 10 %", "k_t": " +- 10 %", "theta0": " +- 1 deg", "mu0": " +- 10 %"}
     for name in kind.units:
-        off = "" if name == rises else _TOLERANCES.get(name, "")
+        off = "" if name == rises else tolerances.get(name, "")
         key = name if name.isascii() else json.dumps(name, ensure_ascii=False)
         entry = f'{key} = "{written(name, values[name])}{off}"'
         lines.append(f"{entry:<32}# {kind.meanings[name]}")

@@ -62,21 +62,12 @@ FRICTION = frozenset(
         "coefficient de frottement",
     )
 )
-#: Characters between columns; blanks last.
-_BETWEEN = (";", "\t", ",", "|", " ")
-_COMMENT = ("#", "%", "//")
 #: Name and unit: v [m/s], v (m/s), v in m/s, v / (m/s), v/m/s, v_m/s, and v, m/s.
 _HEAD = re.compile(
     r"(?P<name>[^\[\](/]*?)\s*(?:\[(?P<a>[^\[\]]*)\]|/?\s*\((?P<b>.*)\)|\s+in\s+(?P<c>\S+)"
     r"|/\s*(?P<d>\S+)|[_\s,]\s*(?P<e>[cdkmµμ]?m/(?:s|min|h)))?"
 )
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
-#: A number with marks that stand before thousands only.
-_GROUPED = re.compile(r"[+-]?\d{1,3}(?:['’\u202f\u00a0]\d{3})+(?:[.,]\d*)?")
-#: A number whose mark may stand before thousands.
-_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
-#: A sliding speed in m/s that is smaller is none.
-_SLOWEST = 1e-15
 #: Lines of a file, at most.
 _LINES = 20_000
 #: What a head looks like.
@@ -103,7 +94,7 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     lines = [
         (number, line)
         for number, line in stripped
-        if line.strip() and not line.strip().startswith(_COMMENT)
+        if line.strip() and not line.strip().startswith(("#", "%", "//"))
     ]
     if len(lines) > _LINES:
         raise ParameterError(
@@ -111,7 +102,8 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
         )
     found, failures = set[tuple[Span, ...]](), list[_RefusedError]()
     said = re.fullmatch(r"sep=(.)", lines[0][1]) if lines else None  # as spreadsheets write it
-    for between in (said[1],) if said else _BETWEEN:
+    # Characters between columns; blanks last.
+    for between in (said[1],) if said else (";", "\t", ",", "|", " "):
         try:
             found.add(tuple(_rows(lines[1:] if said else lines, between)))
         except _RefusedError as error:
@@ -130,7 +122,9 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
         raise ParameterError(
             f"{few}; at least two at different sliding speeds are needed to fit mu0 and d"
         )
-    if not ((speed == 0) | ((speed > _SLOWEST) & (speed < 1 / _SLOWEST))).all():
+    # A sliding speed in m/s that is smaller is none.
+    slowest = 1e-15
+    if not ((speed == 0) | ((speed > slowest) & (speed < 1 / slowest))).all():
         ends = f"{speed.min():g} to {speed.max():g} m/s"
         raise ParameterError(
             f"{path}: no sliding speeds are from {ends}; look at the unit in the head"
@@ -183,8 +177,10 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
                 said = f"{texts[number]!r} is not a sliding speed and a coefficient"
                 raise _RefusedError(f"{said}, such as 0.5;0.41 or 0,5;0,41", number, 4)
     marks = {mark for mark in ".," for cell in used if mark in cell}
+    # A number whose mark may stand before thousands.
+    thousands = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
     if len(marks) > 1 or any(
-        all(_THOUSANDS.fullmatch(cell) for cell in used if mark in cell) for mark in marks
+        all(thousands.fullmatch(cell) for cell in used if mark in cell) for mark in marks
     ):
         said = (
             "points and commas may stand before decimals or thousands; write all numbers with a "
@@ -241,7 +237,9 @@ def _number(cell: str) -> str:
     Python writes it.
     """
     text = cell.replace("\N{MINUS SIGN}", "-")
-    text = re.sub(r"['’\u202f\u00a0]", "", text) if _GROUPED.fullmatch(text) else text
+    # A number with marks that stand before thousands only.
+    grouped = re.compile(r"[+-]?\d{1,3}(?:['’\u202f\u00a0]\d{3})+(?:[.,]\d*)?")
+    text = re.sub(r"['’\u202f\u00a0]", "", text) if grouped.fullmatch(text) else text
     return re.sub(r"^([+-]?[\d.,]+)[dD]([+-]?\d+)$", r"\1e\2", text)
 
 

@@ -138,16 +138,14 @@ class _Law:
         return np.where(low[side] < high[side], found.high - found.low, -1.0)
 
 
-#: Some roundings of half a unit each.
-ROUNDED = 2.0**-48
-
-
 def parameter_ends(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
     """Two sets of parameters at the study's own units, rounded outward, and units of measure that
     have tolerances too.
     """
     kind, low, high = study.kind, dict[str, float](), dict[str, float]()
     of_units: dict[str, dict[str, float]] = {name: {} for name in kind.bases}
+    # Some roundings of half a unit each.
+    rounded = 2.0**-48
     for quantity, name in kind.parameters.items():
         if quantity not in study.quantities:
             continue
@@ -155,11 +153,11 @@ def parameter_ends(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
         for base, power in powers.items():
             if power:
                 of_units[base][name] = -power
-        off = ROUNDED if any(powers.values()) else 0.0
+        off = rounded if any(powers.values()) else 0.0
         ends = outward(study.quantities[quantity], study.scale(kind.units[quantity]), off)
         low[name], high[name] = max(ends[0], allowed.low), min(ends[1], allowed.high)
     units = {
-        f"{base}/{base}_0": Unit(*outward(study.quantities[base], study.values[base], ROUNDED), of)
+        f"{base}/{base}_0": Unit(*outward(study.quantities[base], study.values[base], rounded), of)
         for base, of in of_units.items()
         if of and study.quantities[base].varies
     }

@@ -41,10 +41,6 @@ _ANGLE = math.radians(1.0)
 #: A quantity is changed by up to this factor either way, where the data do not say how far it may
 #: change.
 FACTOR = 3.0
-#: Shares of what is left of the way at which corners of the tolerances are looked at.
-_SHARES = (0.0, 0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 1.0)
-#: Digits of a new value.
-_DIGITS = 3
 
 
 @dataclass(frozen=True)
@@ -268,7 +264,9 @@ class _RedesignSearch:
         def at(share: float) -> Numbers:
             return {name: before[name] + (1 + share * left) * step for name, step in way.items()}
 
-        tried, high = np.array(_SHARES), 0.0
+        # Shares of what is left of the way at which corners of the tolerances are looked
+        # at.
+        tried, high = np.array((0.0, 0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 1.0)), 0.0
         for _ in range(3):
             kept = self._keep([at(share) for share in tried.tolist()])
             if not kept.any():
@@ -365,10 +363,12 @@ def _rounded(study: Brake, name: str, after: float, further: int) -> float:
     """
     before, unit = study.values[name], factor(study.quantities[name].unit, study.kind.units[name])
     old, new = before / unit, after / unit
-    step = 10.0 ** (math.floor(math.log10(abs(new))) - _DIGITS + 1) if new else 1.0
+    # Digits of a new value.
+    digits = 3
+    step = 10.0 ** (math.floor(math.log10(abs(new))) - digits + 1) if new else 1.0
     if abs(new - old) < 0.5 * step:
         return before
     away = math.copysign(1.0, new - old)
     steps = (math.ceil if away > 0 else math.floor)(new / step) + away * further
-    shown = float(f"{steps * step:.{_DIGITS + 2}g}")
+    shown = float(f"{steps * step:.{digits + 2}g}")
     return math.radians(shown) if unit == math.pi / 180 else shown * unit

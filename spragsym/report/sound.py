@@ -7,13 +7,6 @@ import math
 from ..orbits import Cycle
 from .brake import Brake
 
-#: Density of air in kg/m³ times its speed of sound in m/s, at 20 °C and 101325 Pa.
-IMPEDANCE = 1.204 * 343.2
-#: Reference pressure of ISO 1683 in air, Pa.
-PRESSURE = 20e-6
-#: Reference speed of ISO 1683, m/s.
-SPEED = 50e-9
-
 
 def surface_levels(study: Brake, found: Cycle) -> list[dict[str, str | float]]:
     """Speeds and levels of a cycle: a row for each coordinate that is a length.
@@ -50,10 +43,13 @@ def surface_levels(study: Brake, found: Cycle) -> list[dict[str, str | float]]:
     names = found.field.model.components
     motion = found.trajectory()
     rows: list[dict[str, str | float]] = []
+    # Density of air in kg/m³ times its speed of sound in m/s, at 20 °C and 101325 Pa.
+    impedance = 1.204 * 343.2
     for name, rate in zip(names, names[len(names) // 2 :], strict=False):
         if study.kind.coordinates[name] == "m":
             speed = one * motion.rms(0.0, of=rate)
-            level, pressure = _decibels(speed / SPEED), _decibels(IMPEDANCE * speed / PRESSURE)
+            # Over the references of ISO 1683, of speed in m/s and of pressure in air in Pa.
+            level, pressure = _decibels(speed / 50e-9), _decibels(impedance * speed / 20e-6)
             row = {"speed_m_per_s": speed, "speed_level_dB": level, "pressure_level_dB": pressure}
             rows.append({"of": name, **row})
     return rows

@@ -35,8 +35,6 @@ if TYPE_CHECKING:
 
 #: Share of the way from the fold to the state that is left, at which the motion is let go.
 AWAY = 1e-2
-#: Times, in the model's unit, over which it is followed until it is half way.
-_T_END = (1500.0, 24_000.0)
 #: Largest time over which a motion from rest is followed.
 T_END = 3000.0
 #: Where a motion that is far out begins: its first two coordinates.
@@ -353,7 +351,8 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
     )
     held = int(np.abs(end - begin).argmax())
     start = _balanced(p.replace(**{load.name: value}), begin + AWAY * (end - begin), held)
-    for t_end in _T_END:
+    # Times, in the model's unit, over which it is followed until it is half way.
+    for t_end in (1500.0, 24_000.0):
         try:
             motion = simulate(at, start=(*start, *np.zeros(start.size)), t_end=t_end)
             comes_to = motion.outcome(0.5 * t_end).regime

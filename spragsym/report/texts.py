@@ -21,10 +21,6 @@ from .units import ENDS, Numbers, hertz
 
 #: An object in JSON.
 Json: TypeAlias = dict[str, Any]
-#: Their width where all are short.
-SHORT = 8
-#: Digits of a sentence at most.
-MOST_DIGITS = 8
 
 
 def verdict(report: Facts) -> Iterator[str]:
@@ -155,12 +151,14 @@ def _ends(kind: str) -> str:
 
 def _apart(study: Brake, jump: float, ends: Sequence[float]) -> int:
     """The digits, from four on, in which the jump and what it is compared with are told apart."""
-    for digits in range(4, MOST_DIGITS):
+    # Digits of a sentence at most.
+    most_digits = 8
+    for digits in range(4, most_digits):
         if study.load_text(jump, digits) not in {
             study.load_text(end, digits) for end in ends if end != jump
         }:
             return digits
-    return MOST_DIGITS
+    return most_digits
 
 
 def _unknown(report: Facts) -> str:
@@ -249,7 +247,9 @@ def lines(rows: Sequence[tuple[str, str]]) -> list[str]:
     """Rows of a name and a value, under each other where the name is long."""
     # Width of the names of rows.
     wide_names = 32
-    wide = wide_names if any(len(name) >= SHORT for name, _ in rows) else SHORT
+    # Their width where all are short.
+    short = 8
+    wide = wide_names if any(len(name) >= short for name, _ in rows) else short
     return [
         f"  {name:<{wide}}{value}" if len(name) < wide else f"  {name}\n  {'':<{wide}}{value}"
         for name, value in rows
@@ -620,18 +620,6 @@ def _changes(report: Facts) -> Rows:
         yield values, f"{then}; {known}"
 
 
-#: Attributes of a report, of a state, and of the jump as a motion that stand in JSON as they are.
-_PLAIN = (
-    "mu_jump",
-    "theta0_jump_deg",
-    "mu0_jump",
-    "mu_lowest",
-    "theta0_lowest_deg",
-    "kind_lowest",
-    "mu_cusp",
-    "mu_effective",
-    "margin_percent",
-)
 _STATE = (
     "current",
     "stability",
@@ -644,7 +632,6 @@ _STATE = (
     "damping_ratio",
     "growth_per_s",
 )
-_PEAK = ("spring_force_N", "contact_force_N", "lifts_off", "settles", "followed_s")
 
 
 def as_json(report: Facts) -> Json:
@@ -681,7 +668,21 @@ def as_json(report: Facts) -> Json:
     def both(name: str) -> Json:
         return {"rest": getattr(state, name, None), "oscillation": getattr(alive, name, None)}
 
-    return _some(report, _PLAIN) | {
+    # Attributes of a report, of a state, and of the jump as a motion that stand in JSON as
+    # they are.
+    plain = (
+        "mu_jump",
+        "theta0_jump_deg",
+        "mu0_jump",
+        "mu_lowest",
+        "theta0_lowest_deg",
+        "kind_lowest",
+        "mu_cusp",
+        "mu_effective",
+        "margin_percent",
+    )
+    peak = ("spring_force_N", "contact_force_N", "lifts_off", "settles", "followed_s")
+    return _some(report, plain) | {
         "states": [{**_some(each, _STATE), **each.places} for each in report.states],
         "frequencies_hz": state and list(state.frequencies_hz),
         "spring_force_N": both("spring_force_N"),
@@ -736,7 +737,7 @@ def as_json(report: Facts) -> Json:
             f"from_{unit}": jump.before[first],
             f"to_{unit}": jump.after[first],
             **jump.ranges,
-            **_some(jump, _PEAK),
+            **_some(jump, peak),
         },
         "verdict": " ".join(verdict(report)),
         "folds": [

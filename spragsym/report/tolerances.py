@@ -22,11 +22,6 @@ from .brake import Brake
 from .friction_law import friction_bounds, friction_depends_on, parameter_ends
 from .units import Measured, Numbers
 
-#: Parts of them.
-_PARTS = 200
-#: A share of the friction that is none.
-_NOTHING = 1e-300
-
 
 @dataclass(frozen=True)
 class SamplingBudget:
@@ -47,24 +42,22 @@ class SamplingBudget:
     further: tuple[float, ...] = (0.0, 0.03, 0.3)
 
 
-#: Where a jump is looked for without end, and so by closed forms, thousands of points in a second:
-#: more.
-_ENDLESS = SamplingBudget(
-    samples=4096,
-    boxes=20_000,
-    points=1024,
-    boxes_of_change=1000,
-    points_of_change=1024,
-    shares=1 << 10,
-    many=1 << 17,
-    most=16,
-    further=(0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0),
-)
-
-
 def sampling_budget(study: Brake) -> SamplingBudget:
     """SamplingBudget for the study's model."""
-    return _ENDLESS if math.isinf(study.upper_limit) else SamplingBudget()
+    # Where a jump is looked for without end, and so by closed forms, thousands of points in
+    # a second: more.
+    endless = SamplingBudget(
+        samples=4096,
+        boxes=20_000,
+        points=1024,
+        boxes_of_change=1000,
+        points_of_change=1024,
+        shares=1 << 10,
+        many=1 << 17,
+        most=16,
+        further=(0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0),
+    )
+    return endless if math.isinf(study.upper_limit) else SamplingBudget()
 
 
 def deciding(study: Brake) -> tuple[str, ...]:
@@ -256,11 +249,13 @@ def bracket(study: Brake) -> Span:
     laws = {side: law(*of[side]) for side in whole.free}
     (quantity, size), (least, most) = of[study.loading.name], _shares_that_work(study)
     up_to = law(quantity, size / most), law(quantity, size / least)
-    below, above = measured(whole, laws, up_to, _PARTS)
+    # Parts of them.
+    parts = 200
+    below, above = measured(whole, laws, up_to, parts)
     ends = [study.quantities[name] for name in names]
     # What a share of a distribution is rounded by, where values go over its width.
     rounding = 2.0**-50
-    off = _PARTS * rounding * max(abs(one.high) / (one.high - one.low) for one in ends)
+    off = parts * rounding * max(abs(one.high) / (one.high - one.low) for one in ends)
     return max(0.0, below - off), min(1.0, above + off)
 
 
@@ -273,7 +268,9 @@ def _shares_that_work(study: Brake) -> Span:
             {**study.quantities, str(study.kind.friction): Measured(1.0, 1.0, 1.0, "")}
         )
     )
-    return max(_NOTHING, least), max(_NOTHING, most)
+    # A share of the friction that is none.
+    nothing = 1e-300
+    return max(nothing, least), max(nothing, most)
 
 
 def sides(study: Brake) -> dict[str, tuple[str, float]]:

@@ -57,12 +57,7 @@ _PLAIN = re.compile(
     rf"(?P<value>{_NUMBER})\s*(?P<unit>{_UNIT})?"
     rf"(?:\s*{_SIGN}\s*(?P<off>{_POSITIVE})\s*(?P<of>{_UNIT})?)?"
 )
-#: (180 ± 15) N/mm
-_BRACKETED = re.compile(
-    rf"\(\s*(?P<value>{_NUMBER})\s*{_SIGN}\s*(?P<off>{_POSITIVE})\s*\)\s*(?P<unit>{_UNIT})?"
-)
 _RANGE = re.compile(rf"\[\s*(?P<low>{_NUMBER})\s*,\s*(?P<high>{_NUMBER})\s*\]\s*(?P<unit>{_UNIT})?")
-_PERCENT = {"percent": "%", "per cent": "%", "pct": "%"}
 
 
 @dataclass(frozen=True)
@@ -189,7 +184,11 @@ def _matched(text: str, si: str) -> tuple[re.Match[str], re.Match[str] | None]:
     plain = text.replace("\N{MINUS SIGN}", "-").strip()
     cut = re.fullmatch(r"(.*\bsd\b.*)\bin\s*(\[.*)", plain)
     body, ends = (cut[1].strip(), _RANGE.fullmatch(cut[2])) if cut else (plain, None)
-    found = _RANGE.fullmatch(plain) or _BRACKETED.fullmatch(body) or _PLAIN.fullmatch(body)
+    # (180 ± 15) N/mm
+    bracketed = re.compile(
+        rf"\(\s*(?P<value>{_NUMBER})\s*{_SIGN}\s*(?P<off>{_POSITIVE})\s*\)\s*(?P<unit>{_UNIT})?"
+    )
+    found = _RANGE.fullmatch(plain) or bracketed.fullmatch(body) or _PLAIN.fullmatch(body)
     if found is None or bool(cut) != bool(ends):
         raise ParameterError("not a number with a point and its unit, alone or with a tolerance")
     for part in (found, ends):
@@ -206,7 +205,8 @@ def _matched(text: str, si: str) -> tuple[re.Match[str], re.Match[str] | None]:
 def _units(found: re.Match[str]) -> tuple[str, str]:
     """Unit of a number and that of its tolerance, as written; the same where there is one."""
     words = [(found[name] or "").strip() for name in found.re.groupindex if name in ("unit", "of")]
-    return _PERCENT.get(words[0], words[0]), _PERCENT.get(words[-1], words[-1])
+    percent = {"percent": "%", "per cent": "%", "pct": "%"}
+    return percent.get(words[0], words[0]), percent.get(words[-1], words[-1])
 
 
 def _read(text: str, si: str, allowed: Range) -> Measured:

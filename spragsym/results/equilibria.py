@@ -76,8 +76,6 @@ class ColumnSource(Protocol):
         """The source with these columns made, for a file."""
 
 
-#: Columns that every result has.
-_KNOWN = ("undamped", "marginal", "eigenvalues", "error", "region", "whole")
 #: Columns of the full linearization: what it calls them, and what stands in an empty slot.
 _LINEARIZED: Mapping[str, tuple[str, Any]] = {
     "damped_eigenvalues": ("eigenvalues", np.nan),
@@ -92,7 +90,9 @@ def _names(model: Model, more: tuple[str, ...]) -> tuple[str, ...]:
     """Names of all columns: where states are, forces, and ours."""
     made = (each.name for each in Equilibria.schema if each.of is not None)
     several = ["touching"] if model.has_regimes else []
-    ours = (own_name(model, name) for name in (*several, *_KNOWN, *_LINEARIZED, *made, *more))
+    # Columns that every result has.
+    known = ("undamped", "marginal", "eigenvalues", "error", "region", "whole")
+    ours = (own_name(model, name) for name in (*several, *known, *_LINEARIZED, *made, *more))
     return tuple(dict.fromkeys([*model.places, *forces_of(model), *model.parameters, *ours]))
 
 

@@ -57,16 +57,6 @@ FORMER_FIELDS: Mapping[str, str] = {
     "flow_results": "passages",
     "extrema": "turns",
 }
-#: What a file raises that is not as :func:`save` writes it now.
-_WRONG = (
-    ValueError,
-    TypeError,
-    LookupError,
-    AttributeError,
-    ImportError,
-    ArithmeticError,
-    RecursionError,
-)
 
 
 #: Endings of files of columns alone, and what reads them.
@@ -123,6 +113,16 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     # Bytes of a file that is read back, at most.
     largest = 1 << 30
     text = text_of(path, largest, "a *.json that save() wrote", remedy)
+    # What a file raises that is not as :func:`save` writes it now.
+    wrong = (
+        ValueError,
+        TypeError,
+        LookupError,
+        AttributeError,
+        ImportError,
+        ArithmeticError,
+        RecursionError,
+    )
     try:
         held = printed(name, json.loads(text))
         version, body = held["spragsym"], _text(held["result"])
@@ -131,7 +131,7 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
             raise ValueError("it is not as it was written")
     except ParameterError:
         raise
-    except _WRONG as error:
+    except wrong as error:
         raise ParameterError(
             f"{name} holds no result of spragsym ({error!r:.80}); give a *.json that save() wrote"
         ) from error
@@ -141,7 +141,7 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
             return json.loads(body, object_hook=partial(_read, model))
         except ParameterError:
             raise
-        except _WRONG as error:
+        except wrong as error:
             why = f"when results had other parts than now ({error!r:.80})"
     raise ParameterError(f"{name} was written by spragsym {version}, {why}; compute it anew")
 

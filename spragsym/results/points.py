@@ -47,10 +47,6 @@ def nowhere(points: Points) -> dict[str, FloatArray]:
     return {name: np.full(len(points), np.nan) for name in points.state_columns}
 
 
-#: Columns of a model with several contacts.
-_OF_SEVERAL = ("touching", "at_border")
-
-
 @dataclass(frozen=True, eq=False)
 class Points(OfStates, Rows):
     """Points at which equilibria change, sorted by the first parameter that varies.
@@ -174,7 +170,10 @@ class Points(OfStates, Rows):
         >>> found.data()["theta0"].round(4)
         array([0.7777, 2.7063])
         """
-        several = [name for name in map(self._own, _OF_SEVERAL) if name in self._values]
+        # Columns of a model with several contacts.
+        several = [
+            name for name in map(self._own, ("touching", "at_border")) if name in self._values
+        ]
         where = {name: self[name] for name in (*self.vary, *self.state_columns, *several)}
         ours = {self._own(name): getattr(self, name) for name in (*self._of_each, "error")}
         return where | ours | following(self)
@@ -469,10 +468,6 @@ class Jump(Result):
     error: float  #: bound on the error of ``value``
 
 
-#: Columns of the full linearization, as of :class:`spragsym.results.Equilibria`.
-_OF_STATES = ("stability", "growth", "growth_sign")
-
-
 @dataclass(frozen=True, eq=False)
 class Path(OfStates, Rows):
     """States along the values of the parameter, in the order in which they are passed, and the
@@ -505,7 +500,8 @@ class Path(OfStates, Rows):
 
     @property
     def _items(self) -> Items:
-        ours = {self._own(name): name for name in _OF_STATES}
+        # Columns of the full linearization, as of :class:`spragsym.results.Equilibria`.
+        ours = {self._own(name): name for name in ("stability", "growth", "growth_sign")}
         places = {self.vary: self.values, **self.places, self._own("undamped"): self.undamped}
 
         def made(name: str) -> Any:

@@ -167,8 +167,6 @@ class _ScaledFunctions:
 
 #: ``xp`` at infinity.
 SCALED: Any = _ScaledFunctions()
-#: Functions that are even.
-EVEN = ("cos", "cosh")
 #: Functions that are odd.
 ODD = ("sin", "sinh", "tanh", "atan")
 
@@ -215,7 +213,8 @@ class _ParityFunctions:
     def __getattr__(self, name: str) -> Callable[..., Parity]:
         def parity(*values: Any) -> Parity:
             known = [value.odd if isinstance(value, Parity) else False for value in values]
-            if None in known or len(known) > 1 or (known[0] and name not in EVEN + ODD):
+            # Functions that are even.
+            if None in known or len(known) > 1 or (known[0] and name not in ("cos", "cosh", *ODD)):
                 return Parity(False if not any(odd is not False for odd in known) else None)
             return Parity(known[0] and name in ODD)
 

@@ -70,10 +70,6 @@ from .namespaces import XP
 from .precise_balance import reduced_by_turns, refined, refined_in_digits
 from .systems import StateSystem
 
-#: What is searched beyond φ = ±π, more than where a turn is cut, and beyond l = 0 in parts of the
-#: largest length.
-BEYOND = 2.0**-6
-
 
 @dataclass(frozen=True)
 class Polar(StateSystem):
@@ -359,10 +355,13 @@ def _sides(
     most = np.where(np.isfinite(most) & (k.low > 0), most, np.inf)
     tight = most < 0.5 * rest.low
     longest = np.fmin(length, rounded_outward(rest.high + most))
-    shortest = np.maximum(-BEYOND * longest, -rounded_outward(most - rest.low))
+    # What is searched beyond φ = ±π, more than where a turn is cut, and beyond l = 0 in
+    # parts of the largest length.
+    beyond = 2.0**-6
+    shortest = np.maximum(-beyond * longest, -rounded_outward(most - rest.low))
     scale = np.where(tight, most, longest)
     scale = np.where(scale > 0, scale, 1.0)
-    turn = np.full(shape, HALF_TURN + BEYOND)
+    turn = np.full(shape, HALF_TURN + beyond)
     ends = np.where(tight, 1.0, -shortest / scale), np.ones(shape)
     others = [around[:, i] for i in range(balance.n) if i not in system.chart]
     return (

@@ -33,9 +33,6 @@ from ..numerics.vectors import BEGIN, TURN
 from .balance import PreciseBalance
 from .systems import StateSystem
 
-#: Where the turn ends; the search goes beyond it at both ends.
-END = BEGIN + TURN
-
 
 def refined(
     system: StateSystem, given: FloatArray, found: Roots, among: BoolArray | bool = False
@@ -230,6 +227,8 @@ def _parted(ends: FloatArray, around: Sequence[int]) -> tuple[BoolArray, BoolArr
     it.
     """
     low, high = -ends[0, around], ends[1, around]
-    beyond = np.logical_or.reduce((low > END) | (high < BEGIN))
-    across = np.logical_or.reduce((low <= END) & (high >= END) | (low <= BEGIN) & (high >= BEGIN))
+    # Where the turn ends; the search goes beyond it at both ends.
+    end = BEGIN + TURN
+    beyond = np.logical_or.reduce((low > end) | (high < BEGIN))
+    across = np.logical_or.reduce((low <= end) & (high >= end) | (low <= BEGIN) & (high >= BEGIN))
     return np.asarray(beyond), np.asarray(across)

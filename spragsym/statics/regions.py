@@ -47,13 +47,9 @@ from .namespaces import FREE
 
 #: The plane, as far as it is looked at.
 FAR = 1e60
-#: Bound on lengths of the model.
-FARTHEST = 1e6
 #: Length of the line of a torsion spring from which on its force is bounded, in units of the scale
 #: of length.
 LENGTH = 1.0
-#: Ends of the cells of a coordinate, on either side of 0.
-CELLS = (*(10.0**k for k in range(-6, 5)), 1e8, 1e15, 1e30)
 #: No more rounds where one leaves so much of all widths, and all are bounded: the search contracts
 #: on its own.
 BOUNDED = 0.8
@@ -162,7 +158,9 @@ def _in_halves(bounds: Intervals, group: IntArray) -> list[IntArray]:
 def _cut_in_cells(balance: Balance, bounds: Intervals, ends: FloatArray) -> FloatArray:
     """Smaller boxes with the same states: each coordinate in turn is cut into cells."""
     count = bounds.shape[1]
-    edges = np.array([-FAR, *(-edge for edge in CELLS[::-1]), *CELLS, FAR])
+    # Ends of the cells of a coordinate, on either side of 0.
+    cells = (*(10.0**k for k in range(-6, 5)), 1e8, 1e15, 1e30)
+    edges = np.array([-FAR, *(-edge for edge in cells[::-1]), *cells, FAR])
     low, high = edges[:-1], edges[1:]
     with quiet():
         parameters = balance.prepared(bounds)
@@ -284,6 +282,8 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
     """
     scale = np.ones(bounds.shape[1])
     with quiet():
+        # Bound on lengths of the model.
+        farthest = 1e6
         for given in (bounds.low, bounds.middle, bounds.high):
             parameters = balance.prepared_at(given)
             origin = np.zeros((balance.n, bounds.shape[1]))
@@ -293,14 +293,14 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
                 for part in line
             ]
             sizes = stacked(lengths, scale.shape).magnitude
-            reach = np.where(sizes < FARTHEST, sizes, 1.0).max(axis=0, initial=1.0)
+            reach = np.where(sizes < farthest, sizes, 1.0).max(axis=0, initial=1.0)
             scale = np.maximum(scale, reach)
             for start in (origin, *(way * reach for way in _ways(balance.n))):
                 near = balance.guessed(start, parameters)
                 place = balance.guessed(near, parameters)
                 rests = np.abs(place - near).max(axis=0) <= 1e-9 * np.abs(place).max(axis=0)
                 size = np.abs(place).max(axis=0)
-                scale = np.where(rests & (size < FARTHEST), np.maximum(scale, size), scale)
+                scale = np.where(rests & (size < farthest), np.maximum(scale, size), scale)
     return scale
 
 

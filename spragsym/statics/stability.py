@@ -47,18 +47,12 @@ from .forces import Evaluation, Pushing, as_intervals, filled
 
 #: Imaginary part of a λ that is real to floats, over its size.
 REAL = 1e-9
-#: Real or imaginary part of a λ without damping beside a λ that is 0, over the largest size.
-MOVED = 1e-7
 #: Growth rate over the frequency below which a state is practically neutral.
 NEUTRAL = 1e-4
-#: States that are looked at together: arrays of intervals of millions would take gigabytes.
-TOGETHER = 1 << 14
 #: Bits of the numbers where intervals of floats do not tell a sign.
 BITS = 256
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
 FAR = 1.0
-#: Number of states at which it is looked at whether anything damps: some are in contact.
-PLACES = 64
 #: A matrix with all entries of one number type, intervals or balls.
 Taken: TypeAlias = Callable[[Matrix], Matrix]
 #: Numbers whose signs are asked for at a state.
@@ -126,10 +120,13 @@ def linearized(
     sign = np.where(eq.undamped[states] == EquilibriumType.STABLE, 1, -1)
     undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
     groups = [np.flatnonzero(which == k) for k in range(len(keys))]
+    # States that are looked at together: arrays of intervals of millions would take
+    # gigabytes.
+    together = 1 << 14
     parts = [
         _linearized(one, *(part[..., some] for part in (q, given, ends, undamped)))
         for one, group in zip(balances, groups, strict=True)
-        for some in np.split(group, range(TOGETHER, group.size, TOGETHER))
+        for some in np.split(group, range(together, group.size, together))
     ]
     back = np.argsort(np.concatenate(groups), kind="stable")
     return Linearized(*(np.concatenate(part)[back] for part in zip(*parts, strict=True)))
@@ -241,8 +238,11 @@ def _by_floats(every: ComplexArray) -> int:
     in pairs ± λ.
     """
     others = every[np.argsort(np.abs(every))][1:]
-    grow = others[others.real > MOVED * np.abs(others).max(initial=0.0)]
-    if (np.abs(grow.imag) > MOVED * np.abs(grow)).any():
+    # Real or imaginary part of a λ without damping beside a λ that is 0, over the largest
+    # size.
+    moved = 1e-7
+    grow = others[others.real > moved * np.abs(others).max(initial=0.0)]
+    if (np.abs(grow.imag) > moved * np.abs(grow)).any():
         return int(EquilibriumType.FLUTTER)
     return int(EquilibriumType.DIVERGENT if grow.size else EquilibriumType.STABLE)
 
@@ -525,9 +525,11 @@ def _damping(balance: Balance, over: Intervals, pushing: Pushing | None = None) 
 
 def is_damped(balance: Balance, over: Intervals) -> bool:
     """Whether C is not 0 at generic states on the contact's side, where its laws have values."""
-    point = np.repeat(0.5 * over.low + 0.5 * over.high, PLACES, axis=1)
-    states = np.random.default_rng(0).uniform(-FAR, FAR, (balance.n, PLACES)) * np.geomspace(
-        0.01, 3.0, PLACES
+    # Number of states at which it is looked at whether anything damps: some are in contact.
+    places = 64
+    point = np.repeat(0.5 * over.low + 0.5 * over.high, places, axis=1)
+    states = np.random.default_rng(0).uniform(-FAR, FAR, (balance.n, places)) * np.geomspace(
+        0.01, 3.0, places
     )
     at = balance.at(list(states), balance.floats(point), states.shape[1:], np)
     with quiet():

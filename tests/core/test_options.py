@@ -140,7 +140,7 @@ def test_no_orbit_is_told_to_close_whose_derivatives_are_not_resolved_as_far_as_
 
 @pytest.mark.parametrize("times", [5.0, (), (10.0, "long")])
 def test_times_are_a_tuple_of_numbers(times):
-    with pytest.raises(ss.errors.ParameterTypeError, match="times.* leave it out"):
+    with pytest.raises(ss.errors.ParameterTypeError, match=r"times.* leave it out"):
         ss.MotionOptions(times=times)
 
 

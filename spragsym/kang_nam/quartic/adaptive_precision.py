@@ -25,9 +25,6 @@ from ..parameters import NAMES, Parameters
 
 #: Bits of the first try, unless parameters are farther apart than that.
 FIRST_BITS = 128
-#: Bits beside the spread of the parameters: where one is far below the others, so is what
-#: decides.
-ROOM = 96
 #: Bits at which a discriminant that holds 0 is taken for a fold.
 MAXIMUM_BITS = 4096
 #: Bits as many again for each power of two between the parameters, since the discriminant is
@@ -50,8 +47,10 @@ def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> PreciseEq
     """
     theta0, rational = exact[0], [Fraction(value) for value in exact[1:]]
     spread = _spread(theta0, rational)
+    # Bits beside the spread of the parameters: where one is far below the others, so is what
+    # decides.
     bits, most = (
-        max(FIRST_BITS, ROOM + spread, int(3.4 * digits) + 64),
+        max(FIRST_BITS, 96 + spread, int(3.4 * digits) + 64),
         MAXIMUM_BITS + BITS_A_SPREAD * spread,
     )
     while True:

@@ -36,8 +36,6 @@ from .block import COLUMNS, Slots
 #: NumPy to compute in place, which it does in arrays of 256 KB and more; few enough for the arrays
 #: in between to stay in cache.
 BLOCK = 1 << 15
-#: Points solved at a time in double-double arithmetic, which has more in between.
-WIDE_BLOCK = 1 << 12
 
 
 @dataclass(frozen=True)
@@ -250,8 +248,10 @@ def _solve_widely(given: list[FloatArray], contact: bool, out: Slots, rows: IntA
     backend = chosen()
     again = Slots(rows.size, out.slots)
     left = []
-    for begin in range(0, rows.size, WIDE_BLOCK):
-        values = [value[begin : begin + WIDE_BLOCK] for value in given]
+    # Points solved at a time in double-double arithmetic, which has more in between.
+    wide_block = 1 << 12
+    for begin in range(0, rows.size, wide_block):
+        values = [value[begin : begin + wide_block] for value in given]
         left.append(begin + backend.solve_widely(values, contact, again, begin, values[0].size))
     out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
     return np.concatenate(left)

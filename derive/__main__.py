@@ -34,9 +34,6 @@ except ArithmeticError as error:  # what the article's page says can't be carrie
 
 T = TypeVar("T")
 
-#: Where everything is written unless told otherwise.
-DEFAULT = Path(__file__).parent.parent / "generated"
-
 
 def readable() -> None:
     """On a console that can't print Greek letters, their names instead of an exception."""
@@ -50,7 +47,9 @@ def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         prog="python -m derive", description="Derive the model, check the article, emit generated/."
     )
-    parser.add_argument("--out", type=Path, default=DEFAULT, help="folder to write")
+    # Where everything is written unless told otherwise.
+    default = Path(__file__).parent.parent / "generated"
+    parser.add_argument("--out", type=Path, default=default, help="folder to write")
     parser.add_argument(
         "--variant",
         action="store_true",

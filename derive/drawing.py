@@ -24,7 +24,6 @@ from .shapes import Axis, Drawing, arrow, damper, spring, wall
 IMAGES = Path(__file__).parent.parent / "docs" / "images" / "models"
 
 _LENGTH = 190.0  #: of an inclined spring of undeformed length 1
-_WALL = -190.0
 
 
 def render(page: Page, docstring: str = "") -> str:
@@ -226,10 +225,11 @@ def _tied_to_ground(drawing: Drawing, page: Page, coordinate: Coordinate) -> Non
         return
     if coordinate == page.coordinates[0]:
         rows = _rows(len(parts), 46.0)
+        ground = -190.0
         for part, y in zip(parts, rows, strict=True):
-            beside = complex(0.5 * (_WALL - width), y - 17)
-            _draw(drawing, part, Axis(complex(_WALL, y), complex(-width, y)), beside)
-        wall(drawing, _WALL, 18.0 + 0.5 * (rows[-1] - rows[0]), -1)
+            beside = complex(0.5 * (ground - width), y - 17)
+            _draw(drawing, part, Axis(complex(ground, y), complex(-width, y)), beside)
+        wall(drawing, ground, 18.0 + 0.5 * (rows[-1] - rows[0]), -1)
         return
     rows = _rows(len(parts), 40.0)
     arm = width + 78.0 + rows[-1]

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
     from .model import Page
 
-_FRICTION = ("coefficient", "along", "belt", "law", "at_rest", "slip", "holds")
 #: What is left to say of friction whose loads have the law, as those of CoulombKineticFriction.
 _OF_LOADS = ("belt", "holds")
 #: What holds the mechanics of a system.
@@ -83,7 +82,11 @@ def page_from(
     # What is said of contact and friction, by place or by name.
     said = (
         it.named("contact", contact, ("normal", "gap", "law", "unilateral", "force")),
-        it.named("friction", friction, _FRICTION),
+        it.named(
+            "friction",
+            friction,
+            ("coefficient", "along", "belt", "law", "at_rest", "slip", "holds"),
+        ),
     )
     forces, still = it.split(*said), dict.fromkeys(it.rates, 0)
     it.dampers((forces - forces.subs(still)).applyfunc(it.expanded))

@@ -14,8 +14,6 @@ from . import model as vocabulary
 from .mechanics import Mechanics
 from .model import Page, PageError
 
-#: What a page may be called: what is derived from it is loaded by no other name.
-_NAME = re.compile(r"\w[\w .-]*")
 #: Where the shipped pages stand.
 SHIPPED = Path(__file__).parent / "models"
 
@@ -58,7 +56,9 @@ def read(path: Path, name: str = "") -> PageModel:
             raise PageError(
                 0, f"the page is no file, or has more than {largest} bytes; give a file of Python"
             )
-        if not _NAME.fullmatch(name or path.stem):
+        # What a page may be called: what is derived from it is loaded by no other name.
+        a_name = re.compile(r"\w[\w .-]*")
+        if not a_name.fullmatch(name or path.stem):
             raise PageError(
                 0,
                 f"its name {name or path.stem!a} holds more than letters, digits, blanks and "

@@ -24,9 +24,6 @@ from .numerics.interval_arrays import IntArray
 if TYPE_CHECKING:
     from .models.model import Model
 
-#: Most rows that a table shows; of a longer table it shows the first and the last ones.
-ROWS = 20
-
 
 @dataclass(frozen=True)
 class Column:
@@ -368,10 +365,12 @@ def in_rows(
     """A row for each of so many things, the first and the last ones of many; ``columns`` are those
     of some rows, by name.
     """
-    some, half = np.arange(count), ROWS // 2
-    taken = columns(some if count <= ROWS else np.delete(some, slice(half, -half)))
+    # Most rows that a table shows; of a longer table it shows the first and the last ones.
+    most_rows = 20
+    some, half = np.arange(count), most_rows // 2
+    taken = columns(some if count <= most_rows else np.delete(some, slice(half, -half)))
     rows = [tuple(map(said.cell, taken, row)) for row in zip(*taken.values(), strict=True)]
-    if count > ROWS:
+    if count > most_rows:
         rows.insert(half, ("…",) * len(taken))
     return Table(title, tuple(map(said.heading, taken)), tuple(rows))
 

@@ -21,8 +21,6 @@ SPELLED = {"cos": "cos_theta", "sin": "sin_theta"}
 #: Nested results: the text of an expression, or a tuple of such.
 Results = str | tuple["Results", ...]
 
-_SAID = re.compile(r"(.*?) Returns (.*?)\.(?: Source: (.*)\.)? Operations: (\d+)\.")
-
 
 @dataclass(frozen=True)
 class Definition:
@@ -110,7 +108,8 @@ def definition(text: str) -> Definition:
     """A function from its text, without decorators."""
     (node,) = ast.parse(text).body
     assert isinstance(node, ast.FunctionDef)
-    said = _SAID.fullmatch(" ".join((ast.get_docstring(node) or "").split()))
+    docstring = re.compile(r"(.*?) Returns (.*?)\.(?: Source: (.*)\.)? Operations: (\d+)\.")
+    said = docstring.fullmatch(" ".join((ast.get_docstring(node) or "").split()))
     assert said is not None, node.name
     names = [argument.arg for argument in node.args.args]
     count = len(names) - len(node.args.defaults)

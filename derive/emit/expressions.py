@@ -11,14 +11,6 @@ from .language import KernelError, Kinds, Routine, Source
 
 #: Binding strength of what is printed, to place brackets by.
 _CHOICE, _OR, _AND, _COMPARE, SUM, _PRODUCT, _UNARY, _ATOM = range(8)
-_STRENGTH = {
-    ast.BitOr: _OR,
-    ast.BitAnd: _AND,
-    ast.Add: SUM,
-    ast.Sub: SUM,
-    ast.Mult: _PRODUCT,
-    ast.Div: _PRODUCT,
-}
 
 
 @dataclass(frozen=True)
@@ -108,7 +100,15 @@ class Expressions:
         )
 
     def _binary(self, left: ast.expr, op: ast.operator, right: ast.expr) -> tuple[str, int]:
-        strength = _STRENGTH[type(op)]
+        strengths = {
+            ast.BitOr: _OR,
+            ast.BitAnd: _AND,
+            ast.Add: SUM,
+            ast.Sub: SUM,
+            ast.Mult: _PRODUCT,
+            ast.Div: _PRODUCT,
+        }
+        strength = strengths[type(op)]
         if isinstance(op, ast.BitAnd | ast.BitOr):
             # Brackets on both sides, except in a chain of the same sign: no reader needs to know
             # which binds more strongly.

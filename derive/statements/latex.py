@@ -29,8 +29,6 @@ _FRACTIONS = (r"\frac", r"\dfrac", r"\tfrac")
 _ROMAN = (r"\mathrm", r"\text", r"\mathit", r"\mathsf", r"\operatorname", r"\textrm", r"\rm")
 _BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
 _ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
-#: The matrix I, where it is not a name of the page.
-_IDENTITY = Name(r"\mathbf I")
 _TIMES = (r"\cdot", r"\times", "*", r"\ast")
 _EQUAL = ("=", ":=", r"\equiv", r"\triangleq", r"\coloneqq")
 _PRINTED = {
@@ -295,7 +293,8 @@ class _LatexReader:
                 readings = (f"exp({printed(exponent)})", f"e**({printed(exponent)})")
                 raise Unread("e is Euler's number or a name of the page", at[0], readings)
             return Factor(Node("call", (exponent,), "exp", at))
-        if name == _IDENTITY and known is None and power is None:
+        # The matrix I, where it is not a name of the page.
+        if name == Name(r"\mathbf I") and known is None and power is None:
             return Factor(identity(self.size))
         node = self.names.of(name, at)
         if not isinstance(matrix := self.matrix(node), Node):

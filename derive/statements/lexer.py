@@ -74,10 +74,6 @@ class Cursor:
 
 _ALIGNED = r"(?:aligned|align|alignat|equation|gather|gathered|multline|split|eqnarray)\*?"
 _SIZE = r"\\(?:left|right|middle|(?:big|Big|bigg|Bigg)[lrm]?)(?![A-Za-z])\s*"
-_TOKEN = re.compile(
-    rf"(?P<size>{_SIZE})?(?P<text>\\(?:begin|end)\{{\w+\*?\}}|\\[A-Za-z]+|\\.|:="
-    r"|\d+(?:\.\d+)?|\.\d+|\S)"
-)
 #: Operators that stand between two operands.
 BINARY = ("+", "/", r"\cdot", r"\times", "*", "=", ":=", ",", ";", "<", ">", "^", "_")
 
@@ -125,7 +121,11 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
     tokens: list[tuple[str, int, int, str]] = []
     place, single = 0, 0
     bars = {r"\vert": "|", r"\mid": "|", r"\lvert": "|", r"\rvert": "|"}
-    while found := _TOKEN.search(shown, place):
+    a_token = re.compile(
+        rf"(?P<size>{_SIZE})?(?P<text>\\(?:begin|end)\{{\w+\*?\}}|\\[A-Za-z]+|\\.|:="
+        r"|\d+(?:\.\d+)?|\.\d+|\S)"
+    )
+    while found := a_token.search(shown, place):
         token, (start, place) = found["text"], found.span()
         if single and token[0].isdigit():
             token, place = token[0], found.start("text") + 1

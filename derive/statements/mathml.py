@@ -9,8 +9,6 @@ from collections.abc import Sequence
 
 from .tree import FUNCTIONS, Node, Unread, Vocabulary, read_sympy
 
-_NAME = re.compile(r"([^\W\d_]+)_?(\w*)")
-
 
 def rendered(text: str, coordinates: Sequence[str]) -> str | None:
     """MathML of equations between semicolons, with dots on rates; nothing where they can't be read.
@@ -80,7 +78,8 @@ def _bracketed(node: Node, text: str, kinds: tuple[str, ...]) -> str:
 
 def _name(name: str) -> str:
     """A name with its index, Greek where it is a Greek letter."""
-    found = _NAME.fullmatch(name)
+    letters_and_index = re.compile(r"([^\W\d_]+)_?(\w*)")
+    found = letters_and_index.fullmatch(name)
     base, index = (found[1], found[2]) if found else (name, "")
     letter = f"<mi>{html.escape(_greek(base))}</mi>"
     if not index:

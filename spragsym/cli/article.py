@@ -30,17 +30,6 @@ _GOOD = {"fg": "green"}
 _OPEN = {"fg": "cyan"}
 _BAD = {"fg": "red", "bold": True}
 _DIM = {"dim": True}
-_STYLES: Mapping[str, Style] = {
-    "confirmed": _GOOD,
-    "misprint": {"fg": "yellow"},
-    "approximation": _OPEN,
-    "definition": _DIM,
-    "failed": _BAD,
-    "reproduced": _GOOD,
-    "corrected": {"fg": "magenta"},
-    "input not stated": _OPEN,
-    "not reproduced": _BAD,
-}
 
 
 @o.command()
@@ -290,7 +279,19 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
 
 
 def _print_rows(
-    last: str, rows: Sequence[tuple[str, str, str, str]], styles: Mapping[str, Style] = _STYLES
+    last: str,
+    rows: Sequence[tuple[str, str, str, str]],
+    styles: Mapping[str, Style] = {
+        "confirmed": _GOOD,
+        "misprint": {"fg": "yellow"},
+        "approximation": _OPEN,
+        "definition": _DIM,
+        "failed": _BAD,
+        "reproduced": _GOOD,
+        "corrected": {"fg": "magenta"},
+        "input not stated": _OPEN,
+        "not reproduced": _BAD,
+    },
 ) -> None:
     """Rows with their status; the last column, of which a cell may be long, is wrapped on a
     terminal.

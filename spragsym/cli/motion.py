@@ -28,10 +28,6 @@ if TYPE_CHECKING:
     from ..orbits import Cycle
 
 
-#: What a phase of a cycle is called by the sign of its sliding speed.
-SLIPS = {1: "belt ahead", -1: "mass ahead", 0: "sticks"}
-
-
 @o.of_model(start=True)
 @o.t_end
 @o.transient
@@ -331,7 +327,9 @@ def cycles(
         },
         type(found),
     )
-    modes, slips = found.phases, SLIPS if case.model.frictions else {1: "none"}
+    # What a phase of a cycle is called by the sign of its sliding speed.
+    words = {1: "belt ahead", -1: "mass ahead", 0: "sticks"}
+    modes, slips = found.phases, words if case.model.frictions else {1: "none"}
     phases = case.rows(
         {"t": modes.t, "duration": modes.duration},
         type(modes),

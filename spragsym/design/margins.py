@@ -173,10 +173,6 @@ def safe_within(
     return all((parts.outcome[last] == SAFE).all() for parts, last, _ in run)
 
 
-#: A design on the target is moved outward by the first of these shares at which it is verified.
-_OUTWARD = np.array([0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6])
-
-
 @dataclass(frozen=True)
 class Redesign(Result):
     """The least change that keeps a jump beyond its target.
@@ -290,10 +286,13 @@ def redesign(
     def on_target(z: FloatArray) -> FloatArray | None:
         """The nearest design on a fold at one of the targets, verified."""
         candidates = []
+        # A design on the target is moved outward by the first of these shares at which
+        # it is verified.
+        nudges = np.array([0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6])
         for border in borders:
             better = border.near(z, options.steps)
             if better is not None:
-                outward = better * (1 + _OUTWARD)[:, None]
+                outward = better * (1 + nudges)[:, None]
                 candidates += list(outward[keeps(outward)][:1])
         return min(candidates, key=norm, default=None)
 

@@ -50,10 +50,6 @@ Event: TypeAlias = Callable[[dict[str, Any]], FloatArray]
 
 #: Points from which on parts of the box are asked first.
 MANY = 1 << 12
-#: Points of a set that are asked together.
-TOGETHER = 1 << 16
-#: Points by default, of which the indices take as many again for every two variables.
-POINTS = 1 << 16
 
 
 @dataclass(frozen=True)
@@ -172,8 +168,10 @@ def estimated(
     work = partial(
         sums, partial(_at_points, variables, together, event), [*together.factors], sobol
     )
+    # Points of a set that are asked together.
+    points_together = 1 << 16
     # Alone a process answers many chunks at once.
-    most = max(1, TOGETHER // parts[0].size) if workers == 1 else 1
+    most = max(1, points_together // parts[0].size) if workers == 1 else 1
     tasks = [parts[first : first + most] for first in range(0, len(parts), most)]
     done: dict[int, list[list[float]]] = {}
     results = processes.results(workers, work, dict(enumerate(tasks)), _chunk_text)
@@ -313,7 +311,7 @@ def jump_probability(
     begin: float | None = None,
     max_boxes: int = 0,
     correlation: Correlation | None = None,
-    n: int = POINTS,
+    n: int = 1 << 16,
     rng: int | np.random.Generator | None = None,
     confidence: float = 0.95,
     sobol: bool = True,

@@ -243,8 +243,6 @@ CURVES: dict[str, tuple[str, str, float, int, str, tuple[float, float]]] = {
     "fold": ("theta0", "fold", np.radians(69.8), 20, "fold of cycles", (78.0, 0.515)),
     "lower_fold": ("mu0", "fold", 0.096, 36, "fold of cycles", (20.0, 0.04)),
 }
-#: At which the fate of rest is looked for.
-FRICTIONS = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8)
 
 
 def _along(vary: str) -> CycleBranch:
@@ -257,7 +255,9 @@ def _along(vary: str) -> CycleBranch:
 
 @styled
 def figure_cycles_plane(
-    *, frictions: tuple[float, ...] = FRICTIONS, curves: tuple[str, ...] = tuple(CURVES)
+    *,
+    frictions: tuple[float, ...] = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8),
+    curves: tuple[str, ...] = tuple(CURVES),
 ) -> Sheet:
     """Events of the cycle of period 34, folds of the statics and fates of rest in the plane of θ₀
     and μ₀.

@@ -129,10 +129,6 @@ def draw_onset_curves(
     return [*artists, *_plane(ax, model, found)]
 
 
-#: Values of either parameter at which growth rates are computed.
-_VALUES = 48
-
-
 def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ranges) -> None:
     """Shade where a state in contact oscillates with a growing amplitude, by its eigenvalues with
     all damping, lightly where it hardly grows, and name the shaded part.
@@ -187,18 +183,20 @@ def sampled_by_sign(
     tuple of array
         Values across, values up, and those of the function, of shape (up, across).
     """
-    coarse = [np.linspace(*ends, _VALUES) for ends in (across, up)]
+    # Values of either parameter at which growth rates are computed.
+    count = 48
+    coarse = [np.linspace(*ends, count) for ends in (across, up)]
     # Parts of a cell on whose corners they differ in sign.
     parts = 6
-    fine = [np.linspace(*ends, (_VALUES - 1) * parts + 1) for ends in (across, up)]
+    fine = [np.linspace(*ends, (count - 1) * parts + 1) for ends in (across, up)]
     values = function(coarse[0], coarse[1][:, None])
     corners = np.stack([values[:-1, :-1], values[1:, :-1], values[:-1, 1:], values[1:, 1:]]) > 0
     mixed = corners.any(axis=0) & ~corners.all(axis=0)
     near = binary_dilation(mixed, np.ones((3, 3)))  # the cells beside it may hold a tip
-    every = np.arange((_VALUES - 1) * parts + 1)
-    cell = np.minimum(every // parts, _VALUES - 2)
+    every = np.arange((count - 1) * parts + 1)
+    cell = np.minimum(every // parts, count - 2)
     rows, columns = np.nonzero(near[np.ix_(cell, cell)])
-    result = zoom(values, len(every) / _VALUES, order=1)
+    result = zoom(values, len(every) / count, order=1)
     result[rows, columns] = function(fine[0][columns], fine[1][rows])
     return fine[0], fine[1], result
 

@@ -58,13 +58,6 @@ from .style import picture as content
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
 
-#: Kinds of onsets: how a line is drawn, and the words for it.
-ONSETS = {
-    "supercritical": ("full line", "it begins with a small amplitude (supercritical)"),
-    "subcritical": ("dashed", "with a large one at once (subcritical)"),
-    "undecided": ("dotted", "which of the two is not decided"),
-}
-
 
 def report_page(report: Facts) -> str:
     """A report as one page of HTML, which needs no other file (extra ``plot``): the text of it."""
@@ -232,7 +225,13 @@ def _around(onsets: OnsetCurves, name: str, ends: Span) -> Span:
 def _kinds_of(onsets: OnsetCurves) -> str:
     """Kinds of lines and points of the map, in plain words."""
     kinds = {str(kind) for curve in onsets.curves for kind in curve.criticality}
-    lines = [f"{line}: {words}" for kind, (line, words) in ONSETS.items() if kind in kinds]
+    # Kinds of onsets: how a line is drawn, and the words for it.
+    looks = {
+        "supercritical": ("full line", "it begins with a small amplitude (supercritical)"),
+        "subcritical": ("dashed", "with a large one at once (subcritical)"),
+        "undecided": ("dotted", "which of the two is not decided"),
+    }
+    lines = [f"{line}: {words}" for kind, (line, words) in looks.items() if kind in kinds]
     if len(onsets.changes["error"]):
         lines.append("GH: where that changes")
     # Points of two conditions, in plain words.

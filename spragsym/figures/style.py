@@ -56,34 +56,6 @@ LINES: Mapping[EquilibriumType, Any] = {
     EquilibriumType.FLUTTER: (0, (6, 1.5, 1.2, 1.5)),
 }
 
-STYLE: dict[str, Any] = {
-    "font.family": "STIXGeneral",
-    "mathtext.fontset": "stix",
-    "font.size": 9,
-    "axes.labelsize": 9,
-    "axes.titlesize": 9,
-    "axes.linewidth": 0.6,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "xtick.labelsize": 8,
-    "ytick.labelsize": 8,
-    "xtick.major.width": 0.6,
-    "ytick.major.width": 0.6,
-    "lines.linewidth": 1.3,
-    "lines.solid_capstyle": "butt",
-    "legend.frameon": False,
-    "grid.linewidth": 0.3,  # there is one in three dimensions
-    "grid.color": "#cccccc",
-    "axes3d.xaxis.panecolor": "none",
-    "axes3d.yaxis.panecolor": "none",
-    "axes3d.zaxis.panecolor": "none",
-    "legend.fontsize": 8,
-    "figure.dpi": 150,
-    "savefig.dpi": 300,
-    "pdf.fonttype": 42,
-    "svg.hashsalt": "spragsym",  # without a salt the ids in an SVG file are random
-    "svg.fonttype": "path",
-}
 
 #: Columns of numbers or words by name: what one panel shows.
 Table: TypeAlias = Mapping[str, ArrayLike]
@@ -114,7 +86,35 @@ class Sheet(Figure):
 @contextmanager
 def house_style() -> Iterator[None]:
     """The house style for as long as the context lasts."""
-    style: Any = STYLE  # matplotlib's type for it lists every setting by name
+    settings: dict[str, Any] = {
+        "font.family": "STIXGeneral",
+        "mathtext.fontset": "stix",
+        "font.size": 9,
+        "axes.labelsize": 9,
+        "axes.titlesize": 9,
+        "axes.linewidth": 0.6,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "xtick.labelsize": 8,
+        "ytick.labelsize": 8,
+        "xtick.major.width": 0.6,
+        "ytick.major.width": 0.6,
+        "lines.linewidth": 1.3,
+        "lines.solid_capstyle": "butt",
+        "legend.frameon": False,
+        "grid.linewidth": 0.3,  # there is one in three dimensions
+        "grid.color": "#cccccc",
+        "axes3d.xaxis.panecolor": "none",
+        "axes3d.yaxis.panecolor": "none",
+        "axes3d.zaxis.panecolor": "none",
+        "legend.fontsize": 8,
+        "figure.dpi": 150,
+        "savefig.dpi": 300,
+        "pdf.fonttype": 42,
+        "svg.hashsalt": "spragsym",  # without a salt the ids in an SVG file are random
+        "svg.fonttype": "path",
+    }
+    style: Any = settings  # matplotlib's type for it lists every setting by name
     with matplotlib.rc_context(style):
         yield
         interactive = matplotlib.is_interactive()

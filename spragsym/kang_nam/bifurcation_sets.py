@@ -333,10 +333,6 @@ def _pairs(theta0: FloatArray, side: IntArray) -> Iterator[tuple[int, int]]:
             yield pair[0], pair[1]
 
 
-#: How far beside an event directions are taken, over t.
-_BESIDE = 4e-14
-
-
 class Directions(NamedTuple):
     """t = tan(θ/2) in 0 < θ < π on both sides of each event, of θ = π/2, and between two
     neighbours.
@@ -374,7 +370,9 @@ def directions(fixed: Fixed) -> Directions:
     number = [_number(t, exact) for t in inside]
     at = np.array([float((root.low + root.high) / 2) for root in found])
     beside = np.append(at, 1.0)
-    low = np.concatenate([beside * (1 - _BESIDE), beside * (1 + _BESIDE), list(map(float, inside))])
+    # How far beside an event directions are taken, over t.
+    offset = 4e-14
+    low = np.concatenate([beside * (1 - offset), beside * (1 + offset), list(map(float, inside))])
     return Directions(
         np.append(low, 1 / low), np.append(at, 1 / at[::-1]), np.array(number + number[-2::-1])
     )

@@ -134,10 +134,6 @@ def load(name: str | os.PathLike[str]) -> Model:
         return _LOADED[where]
 
 
-#: Digest of a folder in ``model.json``, of all else in it, those of the other files included.
-_DIGEST = re.compile(rb'"digest": "([0-9a-f]{64})"')
-
-
 def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
     """Content of ``model.json``, and the bytes of all files that it names, each as it was
     written.
@@ -151,7 +147,10 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
     # Bytes; no file that is derived is larger.
     largest = 64 << 20
     data = contents(path, largest)
-    digest = _DIGEST.search(data)
+    # Digest of a folder in ``model.json``, of all else in it, those of the other files
+    # included.
+    sealed = re.compile(rb'"digest": "([0-9a-f]{64})"')
+    digest = sealed.search(data)
     # What stands in its place while it is taken.
     unsealed = b"<digest-of-all>".ljust(64, b"-")
     if (

@@ -19,8 +19,6 @@ from .affine import UNIT, Rounded, as_number
 from .columns import ByColumn
 from .interval_arrays import BoolArray, FloatArray, IndexArray, Int8Array, quiet
 
-#: Halvings after which a row is undecided: roots closer than 2^-30 are for exact arithmetic.
-DEPTH = 30
 #: τ: no round number, so that roots of symmetric polynomials, at t = 1, lie inside of a part and
 #: not at an end.
 SCALE = 1.0703125
@@ -58,13 +56,16 @@ def positive_roots(coefficients: Sequence[Any], size: int) -> PolynomialRoots:
     pending = _beginning(coefficients, size)
     undecided = np.asarray(~np.isfinite(pending.value + pending.error).all(axis=0))
     found = []
-    for depth in range(DEPTH + 1):
+    # Halvings after which a row is undecided: roots closer than 2^-30 are for exact
+    # arithmetic.
+    most_halvings = 30
+    for depth in range(most_halvings + 1):
         none, one = _descartes(pending)
         found.append(pending[np.flatnonzero(one)])
         pending = pending[np.flatnonzero(~(none | one | undecided[pending.row]))]
         if not pending.row.size:
             break
-        if depth == DEPTH:
+        if depth == most_halvings:
             undecided[pending.row] = True
             break
         pending = _halved(pending)

@@ -19,12 +19,6 @@ from ..numerics.decimals import Decimal, around, float_above
 from ..results.result import Result
 from .orbit import Cycle
 
-#: Seconds after which a proof is given up, unless asked otherwise.
-PATIENCE = 1800.0
-
-#: Digits to which a proof is done: the box of the starts is 10^−digits.
-DIGITS = 25
-
 
 @dataclass(frozen=True, eq=False)
 class CycleProof(Result):
@@ -103,7 +97,7 @@ class CycleProof(Result):
         )
 
 
-def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENCE) -> CycleProof:
+def prove_cycle(cycle: Cycle, *, digits: int = 25, patience: float = 1800.0) -> CycleProof:
     """Prove that a cycle exists, that it is the only one near, and where its multipliers are.
 
     A box of starts of half width 10^−digits is carried once around by Taylor polynomials in ball

@@ -14,8 +14,6 @@ from .units import EXAMPLES, PLAIN_UNITS
 
 #: Quantities that are not of the size that others of the same unit have.
 OWN_EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
-#: Of a file to begin with: what one of a unit of measure is, by its unit in SI, and tolerances.
-_SIZES = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038, "N": 400.0, "N/m^(3/2)": 8e6}
 
 
 def example_of(key: str, unit: str) -> str:
@@ -34,7 +32,10 @@ def example(model: Model) -> str:
     if model.where == USUAL:
         return shipped_text("spragsym.report", "brake.toml")
     kind, (_, p) = quantities(model.where), model.cases()[0]
-    sizes = {name: _SIZES.get(unit, 1.0) for name, unit in kind.bases.items()}
+    # Of a file to begin with: what one of a unit of measure is, by its unit in SI, and
+    # tolerances.
+    common = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038, "N": 400.0, "N/m^(3/2)": 8e6}
+    sizes = {name: common.get(unit, 1.0) for name, unit in kind.bases.items()}
     values = sizes | {
         quantity: float(p[name]) * kind.scale(kind.units[quantity], sizes)
         for quantity, name in kind.parameters.items()

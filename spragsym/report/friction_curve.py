@@ -67,9 +67,6 @@ _HEAD = re.compile(
     r"(?P<name>[^\[\](/]*?)\s*(?:\[(?P<a>[^\[\]]*)\]|/?\s*\((?P<b>.*)\)|\s+in\s+(?P<c>\S+)"
     r"|/\s*(?P<d>\S+)|[_\s,]\s*(?P<e>[cdkmµμ]?m/(?:s|min|h)))?"
 )
-_NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
-#: Lines of a file, at most.
-_LINES = 20_000
 #: What a head looks like.
 EXAMPLE = "v [m/s],mu"
 
@@ -96,9 +93,12 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
         for number, line in stripped
         if line.strip() and not line.strip().startswith(("#", "%", "//"))
     ]
-    if len(lines) > _LINES:
+    # Lines of a file, at most.
+    most_lines = 20_000
+    if len(lines) > most_lines:
         raise ParameterError(
-            f"{path} has {len(lines)} lines, and at most {_LINES} are read; give every tenth or so"
+            f"{path} has {len(lines)} lines, and at most {most_lines} are read; give every tenth "
+            "or so"
         )
     found, failures = set[tuple[Span, ...]](), list[_RefusedError]()
     said = re.fullmatch(r"sep=(.)", lines[0][1]) if lines else None  # as spreadsheets write it
@@ -150,14 +150,15 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
     words = [{_word(name) for name in row} for _, row in cells[:head_lines]]
     begin = next((at for at, row in enumerate(words) if row & SPEED and row & FRICTION), 0)
     (number, names), *data = cells[begin:]
-    if any(_NUMBER.fullmatch(name) for name in names):
+    a_number = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
+    if any(a_number.fullmatch(name) for name in names):
         said = "this is no head: it does not say which column is which, and in what unit"
         raise _RefusedError(f"{said}; put a line such as {EXAMPLE} above it", number, 3)
     units = [""] * len(names)
     if (
         data
         and len(data[0][1]) == len(names)
-        and not any(_NUMBER.match(cell) for cell in data[0][1] if cell not in ("1", ""))
+        and not any(a_number.match(cell) for cell in data[0][1] if cell not in ("1", ""))
     ):
         units, data = [cell.strip("[]()") for cell in data[0][1]], data[1:]
     speed, friction = (
@@ -173,7 +174,7 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
             )
         used += [row[speed[0]], row[friction[0]]]
         for cell in used[-2:]:
-            if not _NUMBER.fullmatch(cell) or not math.isfinite(float(cell.replace(",", "."))):
+            if not a_number.fullmatch(cell) or not math.isfinite(float(cell.replace(",", "."))):
                 said = f"{texts[number]!r} is not a sliding speed and a coefficient"
                 raise _RefusedError(f"{said}, such as 0.5;0.41 or 0,5;0,41", number, 4)
     marks = {mark for mark in ".," for cell in used if mark in cell}

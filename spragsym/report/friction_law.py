@@ -22,9 +22,6 @@ from .units import Measured
 if TYPE_CHECKING:
     from .brake import Brake
 
-#: Boxes that are looked at at once.
-MOST = 1 << 12
-
 
 def friction_depends_on(study: Brake) -> tuple[str, ...]:
     """Quantities on which the friction that works depends."""
@@ -107,7 +104,7 @@ class _Law:
         found = as_intervals(self.balance.at((), arguments).frictions[0], low.shape[1:])
         return found if sign > 0 else -found
 
-    def largest(self, sign: int = 1, most: int = MOST) -> float:
+    def largest(self, sign: int = 1, most: int = 1 << 12) -> float:
         """A bound of ± the law over the box: parts are halved along the side over which it moves
         most, until it is close.
         """

@@ -37,8 +37,6 @@ if TYPE_CHECKING:
 AWAY = 1e-2
 #: Largest time over which a motion from rest is followed.
 T_END = 3000.0
-#: Where a motion that is far out begins: its first two coordinates.
-_FAR = (1.5, 0.5)
 #: What a motion comes to.
 _COMES_TO = {
     Regime.EQUILIBRIUM: "rest",
@@ -427,7 +425,9 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
     n = len(p.model.coordinates)
     beside = {"stable": True, "unstable": False}.get(stability or "")
     rest, far = np.zeros((2, 2 * n))
-    far[:n][: len(_FAR)] = _FAR[:n]
+    # Where a motion that is far out begins: its first two coordinates.
+    far_out = (1.5, 0.5)
+    far[:n][: len(far_out)] = far_out[:n]
     followed = {}
     for word, start in (("rest", rest), ("far out", far)):
         with suppress(ConvergenceError):

@@ -620,20 +620,6 @@ def _changes(report: Facts) -> Rows:
         yield values, f"{then}; {known}"
 
 
-_STATE = (
-    "current",
-    "stability",
-    "undamped",
-    "direction_deg",
-    "spring_length_mm",
-    "spring_force_N",
-    "contact_force_N",
-    "frequencies_hz",
-    "damping_ratio",
-    "growth_per_s",
-)
-
-
 def as_json(report: Facts) -> Json:
     """The keys of the report; numbers that don't exist are NaN, which the command writes as
     null.
@@ -682,8 +668,20 @@ def as_json(report: Facts) -> Json:
         "margin_percent",
     )
     peak = ("spring_force_N", "contact_force_N", "lifts_off", "settles", "followed_s")
+    of_state = (
+        "current",
+        "stability",
+        "undamped",
+        "direction_deg",
+        "spring_length_mm",
+        "spring_force_N",
+        "contact_force_N",
+        "frequencies_hz",
+        "damping_ratio",
+        "growth_per_s",
+    )
     return _some(report, plain) | {
-        "states": [{**_some(each, _STATE), **each.places} for each in report.states],
+        "states": [{**_some(each, of_state), **each.places} for each in report.states],
         "frequencies_hz": state and list(state.frequencies_hz),
         "spring_force_N": both("spring_force_N"),
         "contact_force_N": both("contact_force_N"),

@@ -52,11 +52,6 @@ _POSITIVE = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 _NUMBER = rf"[+-]?{_POSITIVE}"
 _UNIT = r"(?:1\s*/\s*)?(?!sd\b)[^\d\s±\[\],+.-][^±\[\],]*?"
 _SIGN = r"(?P<sign>±|\+/-|\+-|\bsd\b)"
-#: 180 N/mm ± 15 %, or with sd a standard deviation
-_PLAIN = re.compile(
-    rf"(?P<value>{_NUMBER})\s*(?P<unit>{_UNIT})?"
-    rf"(?:\s*{_SIGN}\s*(?P<off>{_POSITIVE})\s*(?P<of>{_UNIT})?)?"
-)
 _RANGE = re.compile(rf"\[\s*(?P<low>{_NUMBER})\s*,\s*(?P<high>{_NUMBER})\s*\]\s*(?P<unit>{_UNIT})?")
 
 
@@ -188,7 +183,12 @@ def _matched(text: str, si: str) -> tuple[re.Match[str], re.Match[str] | None]:
     bracketed = re.compile(
         rf"\(\s*(?P<value>{_NUMBER})\s*{_SIGN}\s*(?P<off>{_POSITIVE})\s*\)\s*(?P<unit>{_UNIT})?"
     )
-    found = _RANGE.fullmatch(plain) or bracketed.fullmatch(body) or _PLAIN.fullmatch(body)
+    # 180 N/mm ± 15 %, or with sd a standard deviation
+    bare = re.compile(
+        rf"(?P<value>{_NUMBER})\s*(?P<unit>{_UNIT})?"
+        rf"(?:\s*{_SIGN}\s*(?P<off>{_POSITIVE})\s*(?P<of>{_UNIT})?)?"
+    )
+    found = _RANGE.fullmatch(plain) or bracketed.fullmatch(body) or bare.fullmatch(body)
     if found is None or bool(cut) != bool(ends):
         raise ParameterError("not a number with a point and its unit, alone or with a tolerance")
     for part in (found, ends):

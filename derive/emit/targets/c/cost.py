@@ -8,8 +8,6 @@ from collections import Counter
 #: Calls that are listed by name; ``fabs`` and ``isfinite`` count as one operation each.
 LIBM = ("sqrt", "exp", "sin", "cos", "atan")
 
-_LOOP = re.compile(r"for \(int \w+ = \w+; \w+ < (\w+); \w+\+\+\) \{")
-
 
 def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
     """Cost of each function of ``source``; ``emitted`` gives the operations of those functions that
@@ -59,7 +57,8 @@ def _closing(text: str, start: int) -> int:
 
 def _block(text: str, known: dict[str, Counter[str]], constants: dict[str, int]) -> Counter[str]:
     total: Counter[str] = Counter()
-    while loop := _LOOP.search(text):
+    counted = re.compile(r"for \(int \w+ = \w+; \w+ < (\w+); \w+\+\+\) \{")
+    while loop := counted.search(text):
         end = _closing(text, loop.end())
         once = _block(text[loop.end() : end], known, constants)
         passes = int(loop[1]) if loop[1].isdigit() else constants[loop[1]]

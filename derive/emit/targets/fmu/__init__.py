@@ -28,26 +28,6 @@ from ...expressions import number
 from .. import Material, MotionMaterial, Variable, c, runtime, spoken, taken
 from ..c.layout import plain
 
-#: Functions of the library that the motion calls, and what they are given: state, accelerations,
-#: parameters, numbers of the mode.
-_CALLED = {
-    "rhs": "sp",
-    "regime_rhs": "spm",
-    "regime_jacobian": "spm",
-    "regime_by_parameters": "spm",
-    "borders": "sp",
-    "border_rates": "sap",
-    "layers": "spl",
-    "layer_rates": "sapl",
-    "turning_borders": "spw",
-    "turning_rates": "sapw",
-    "grip": "spm",
-    "grip_slopes": "spm",
-    "outputs": "spm",
-    "output_slopes": "spm",
-}
-_PARTS = ("Output", "ContinuousStateDerivative", "InitialUnknown", "EventIndicator")
-
 
 def render(material: Material) -> dict[str, str]:
     """The texts of the archive by their paths: the description and all sources."""
@@ -191,9 +171,27 @@ def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -
         "m": [f"m[{i}]" for i in range(2 + layers + turnings)],
         "w": [f"m[{i}]" for i in range(2 + layers, 2 + layers + turnings)],
     }
+    # Functions of the library that the motion calls, and what they are given: state,
+    # accelerations, parameters, numbers of the mode.
+    in_c = {
+        "rhs": "sp",
+        "regime_rhs": "spm",
+        "regime_jacobian": "spm",
+        "regime_by_parameters": "spm",
+        "borders": "sp",
+        "border_rates": "sap",
+        "layers": "spl",
+        "layer_rates": "sapl",
+        "turning_borders": "spw",
+        "turning_rates": "sapw",
+        "grip": "spm",
+        "grip_slopes": "spm",
+        "outputs": "spm",
+        "output_slopes": "spm",
+    }
     called = [
         _adapter(material, algebra[name], kinds, places)
-        for name, kinds in _CALLED.items()
+        for name, kinds in in_c.items()
         if name in algebra
     ]
     geometry = algebra.get("geometry")  # none where there are no springs along lines
@@ -270,7 +268,10 @@ def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
     """
     everything = (seen.time, *seen.states, *seen.accelerations, *seen.given, *seen.outputs)
     variables = list[ET.Element]()
-    structure = {part: list[str]() for part in _PARTS}
+    structure = {
+        part: list[str]()
+        for part in ("Output", "ContinuousStateDerivative", "InitialUnknown", "EventIndicator")
+    }
 
     def add(parts: str, one: Variable, kind: str = "Float64", **more: str) -> None:
         place = str(len(variables))

@@ -119,8 +119,8 @@ class MotionOptions(Options):
     >>> import spragsym as ss
     >>> options = ss.MotionOptions(times=(50.0,))
     >>> p = ss.load("stick_slip").Parameters(V=2.5)
-    >>> ss.fate(p, t_end=100.0, options=options).kind, ss.fate(p, options=options).kind
-    ('undecided', 'rest')
+    >>> ss.fate(p).kind, ss.fate(p, options=options).kind
+    ('rest', 'undecided')
     """
 
     shooting: ShootingOptions = field(default_factory=ShootingOptions)

@@ -14,7 +14,7 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.bifurcation.paths import first_end
-from spragsym.kang_nam.jump_values import have_jumped
+from spragsym.kang_nam.jump_values import limit_point_passed
 from spragsym.kang_nam.parameters import NAMES
 from tests.oracles import families
 
@@ -113,7 +113,7 @@ def probability(rng: np.random.Generator) -> dict[str, Any]:
     """
     many, hits = 1_000_000, 0
     p = ss.Parameters(**{name: rng.uniform(*ends, many) for name, ends in TOLERANCES.items()})
-    hits = int((have_jumped(p) == 1).sum())
+    hits = int((limit_point_passed(p) == 1).sum())
     share = hits / many
     found = ss.jump_probability(TOLERANCES, n=1 << 17, rng=rng, confidence=0.9999)
     far = 4 * (share * (1 - share) / many) ** 0.5

@@ -17,7 +17,7 @@ from ..core.questions import Method, question
 from ..core.remarks import At, Remark
 from ..models.parameters import FloatArray, ParameterSet, Ranges, as_ranges, varied_range
 from ..numerics.columns import selected_rows
-from ..results import LowestEnd, Points
+from ..results import CriticalLoad, Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.reference_state import nearest_state, reference_place
@@ -55,7 +55,7 @@ def critical_friction(
     *,
     between: Ranges | None = None,
     method: Method = "auto",
-) -> LowestEnd:
+) -> CriticalLoad:
     """The least friction at which the followed state ends at any inclination, or the least ``vary``
     for any value of ``over``.
 
@@ -75,7 +75,7 @@ def critical_friction(
 
     Returns
     -------
-    LowestEnd
+    CriticalLoad
         To be used as the number or array ``mu0``, with its angle, kind and error; infinite where no
         fold ends that state.
 
@@ -117,7 +117,7 @@ def critical_friction(
     try:
         found = search_of.lowest()
     except ConvergenceError as error:
-        return LowestEnd(
+        return CriticalLoad(
             vary, over, search_of.low, math.nan, "undecided", math.nan, False, (str(error),)
         )
     remarks, open_from = search_of.remarks, search_of.open_from
@@ -130,7 +130,7 @@ def critical_friction(
     cut = [name for name in search_of.endless if name == over or not math.isfinite(found.value)]
     remarks += of_ranges(cut, (over, vary), search_of.spans)
     complete = not remarks and found.kind != "undecided"
-    return LowestEnd(
+    return CriticalLoad(
         vary, over, found.value, found.where, found.kind, found.error, complete, tuple(remarks)
     )
 

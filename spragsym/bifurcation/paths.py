@@ -157,28 +157,28 @@ def quasi_static_path(
             "values do not go one way; give one axis of one or more, strictly increasing or "
             "strictly decreasing"
         )
-    way = Way(p, vary, along, options)
-    place = way.begin(start)
-    out, touching = [way.state(0, place)], [way.touching(0, place)]
+    continuation = QuasiStaticContinuation(p, vary, along, options)
+    place = continuation.begin(start)
+    out, touching = [continuation.state(0, place)], [continuation.touching(0, place)]
     jumps = []
-    for stop in range(1, way.stops.size):
-        place = way.followed(stop, place)
-        if way.ended(stop, place):
+    for node in range(1, continuation.mesh.size):
+        place = continuation.followed(node, place)
+        if continuation.ended(node, place):
             # No state is the nearest to infinity.
-            if way.far[~place] and (after_jump is None or not way.eq.count[stop]):
-                jumps.append(way.escape(~place))
+            if continuation.far[~place] and (after_jump is None or not continuation.eq.count[node]):
+                jumps.append(continuation.escape(~place))
                 break
-            place, jump = way.jump(stop, ~place, after_jump)
+            place, jump = continuation.jump(node, ~place, after_jump)
             jumps.append(jump)
-        if way.stops[stop] in along:
-            out.append(way.state(stop, place))
-            touching.append(way.touching(stop, place))
+        if continuation.mesh[node] in along:
+            out.append(continuation.state(node, place))
+            touching.append(continuation.touching(node, place))
     *q, undamped, error = np.array(out).T
     along = along[: len(out)]
-    coordinates: dict[str, Any] = dict(zip(way.balance.coordinates, q, strict=True))
-    coordinates |= {name: np.array(touching) for name in way.contact_columns}
+    coordinates: dict[str, Any] = dict(zip(continuation.balance.coordinates, q, strict=True))
+    coordinates |= {name: np.array(touching) for name in continuation.contact_columns}
     states = one_each(p.replace(**{vary: along}), coordinates, undamped.astype(np.int8), error)
-    named = (*states.state_columns, *way.contact_columns)
+    named = (*states.state_columns, *continuation.contact_columns)
     places = {name: states[name][:, 0] for name in named}
     return Path(p, vary, along, states.undamped[:, 0], tuple(jumps), places, states)
 
@@ -192,17 +192,17 @@ def first_end(
     Arguments and errors as for :func:`quasi_static_path`; whether there is another state behind it
     is not asked.
     """
-    way = Way(p, vary, np.array(span))
-    place = way.begin(start)
-    for stop in range(1, way.stops.size):
-        place = way.followed(stop, place)
-        if way.ended(stop, place):
-            return way.end(~place)
+    continuation = QuasiStaticContinuation(p, vary, np.array(span))
+    place = continuation.begin(start)
+    for node in range(1, continuation.mesh.size):
+        place = continuation.followed(node, place)
+        if continuation.ended(node, place):
+            return continuation.end(~place)
     return None
 
 
 @question
-def open_ends(
+def border_ends(
     p: ParameterSet,
     vary: str,
     span: Span,
@@ -235,12 +235,12 @@ def open_ends(
     return found
 
 
-class Way:
-    """Values and the stops beside each fold, the equilibria at all of them, and which of two
+class QuasiStaticContinuation:
+    """Values and the nodes beside each fold, the equilibria at all of them, and which of two
     neighbours lie on one branch.
 
-    A place is a slot of the equilibria at a stop, or ``~number`` of the point at which a state has
-    vanished: where that is a fold and the stop itself, the path goes on from the state in which two
+    A place is a slot of the equilibria at a node, or ``~number`` of the point at which a state has
+    vanished: where that is a fold and the node itself, the path goes on from the state in which two
     meet.
     """
 
@@ -275,10 +275,10 @@ class Way:
         self.q = np.array([self.turns[name] for name in self.balance.coordinates])
         self.error = self.turns.error * scale_of(self.at)
         self.far = np.char.startswith(self.kinds.astype(str), INFINITY)
-        self.stops = self._stops(along)
-        self.eq = self._with_meetings(self._equilibria(self.stops))
+        self.mesh = self._mesh(along)
+        self.eq = self._with_meetings(self._equilibria(self.mesh))
         if not self.eq.decided.all():
-            first = self.stops[np.flatnonzero(~self.eq.decided)[0]]
+            first = self.mesh[np.flatnonzero(~self.eq.decided)[0]]
             raise ConvergenceError(
                 f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out"
             )
@@ -311,7 +311,7 @@ class Way:
         contacts into another included.
         """
         (found,) = self._in_combinations(most=None, only=step)
-        low, high = sorted(self.stops[step : step + 2])
+        low, high = sorted(self.mesh[step : step + 2])
         passed = self.passes.select(
             (self.passes[self.vary] >= low) & (self.passes[self.vary] <= high)
         )
@@ -327,11 +327,11 @@ class Way:
             )
         return found | {gone[0]: begun[0]}
 
-    def _balance(self, stop: int, slot: int) -> Balance:
+    def _balance(self, node: int, slot: int) -> Balance:
         """The balance of the combination of contacts that touch in a state."""
         if len(self.balances) == 1:
             return self.balance
-        return self.balances[str(self.eq["touching"][stop, slot])]
+        return self.balances[str(self.eq["touching"][node, slot])]
 
     def _with_meetings(self, eq: Equilibria) -> Equilibria:
         """States along the path with those at values where states meet and the digits do not
@@ -341,11 +341,11 @@ class Way:
         stands in no slot. That no other is there is known once all states beside the value are
         joined to those on it.
         """
-        for stop in np.flatnonzero(~eq.decided).tolist():
-            here = np.flatnonzero((self.at == self.stops[stop]) & ~self.far)
+        for node in np.flatnonzero(~eq.decided).tolist():
+            here = np.flatnonzero((self.at == self.mesh[node]) & ~self.far)
             states = self.q[:, here].T
             room = self.options.fold_distance * scale_of(states)
-            boxes = [box for box in eq.undecided if box.index == (stop,)]
+            boxes = [box for box in eq.undecided if box.index == (node,)]
             around = np.array(
                 [
                     ((states - box.low <= room) & (box.high - states <= room)).all(axis=-1)
@@ -354,12 +354,12 @@ class Way:
             )
             if not around.any(axis=-1).all():
                 continue
-            eq = as_decided(eq, stop)
+            eq = as_decided(eq, node)
             for number in here.tolist():
                 if self.kinds[number] == "pitchfork" and around[:, here == number].any():
                     eq = with_state(
                         eq,
-                        stop,
+                        node,
                         self._place(number),
                         self._stability_met(number),
                         float(self.turns.error[number]),
@@ -382,7 +382,7 @@ class Way:
                 "decided; ss.folds lists the boxes, "
                 "and a path needs a range without them"
             )
-        return [found, *open_ends(self.p, self.vary, (low, high), found, options=self.search)]
+        return [found, *border_ends(self.p, self.vary, (low, high), found, options=self.search)]
 
     def _turns_within(self, along: FloatArray, ends: list[Points]) -> Points:
         """Values on the way at which states vanish: one value for those that coincide within their
@@ -416,12 +416,12 @@ class Way:
         )
         return found.select((at >= along.min()) & (at <= along.max()))
 
-    def _stops(self, along: FloatArray) -> FloatArray:
-        """The values in their order, with a stop on each side of each fold."""
+    def _mesh(self, along: FloatArray) -> FloatArray:
+        """The values in their order, with a node on each side of each fold."""
         at = np.concatenate([self.at, self.passes[self.vary]])
         known, size = np.concatenate([along, at]), _size(at, along)
         apart = np.abs(known - at[:, None])
-        # Between a fold and what is nearer than that no stop has room: those beside the fold are
+        # Between a fold and what is nearer than that no node has room: those beside the fold are
         # farther off than both.
         nearest = np.where(apart > 4 * ROUNDED * size[:, None], apart, np.inf).min(
             axis=1, initial=np.inf
@@ -430,8 +430,8 @@ class Way:
         beside = np.concatenate([at - room, at + room])
         # Between floats next to each other there is no other.
         new = (along.min() < beside) & (beside < along.max()) & ~np.isin(beside, known)
-        stops = np.sort(np.concatenate([along, beside[new]]))
-        return stops if along[-1] > along[0] else stops[::-1]
+        mesh = np.sort(np.concatenate([along, beside[new]]))
+        return mesh if along[-1] > along[0] else mesh[::-1]
 
     def begin(self, start: int | str) -> int:
         """The slot at the first value."""
@@ -455,14 +455,14 @@ class Way:
             slot for slot in range(count) if self.eq.undamped[0, slot] == EquilibriumType.STABLE
         ] or list(range(count))
         met = self._met(0)
-        if met and (self.stops.size == 1 or count == len(self._links(0))):
+        if met and (self.mesh.size == 1 or count == len(self._links(0))):
             # The float of the fold lies just beyond the states that meet there.
             firm = [
                 ~number for number in met if self._stability_met(number) == EquilibriumType.STABLE
             ]
             stable = [*firm, *stable] or [~number for number in met]
         if not stable:
-            allowed, first = self.p.ranges[self.vary], float(self.stops[0])
+            allowed, first = self.p.ranges[self.vary], float(self.mesh[0])
             at_end = first == allowed.reached(allowed.low)
             at = (
                 f"the lower end of {self.vary}"
@@ -477,14 +477,14 @@ class Way:
         states, error = table[:-2], np.full(len(stable), table[-1].max())
         if start == "large":
             return stable[int(least_slot(-np.abs(states[0]), states, error))]
-        here = self.p.replace(**{self.vary: float(self.stops[0])})
+        here = self.p.replace(**{self.vary: float(self.mesh[0])})
         every = np.isfinite(states[0])
         return stable[int(chosen_state(here, list(states), error, every, self.p.followed))]
 
-    def _met(self, stop: int) -> list[int]:
-        """Numbers of the folds and borders that a stop is equal to."""
+    def _met(self, node: int) -> list[int]:
+        """Numbers of the folds and borders that a node is equal to."""
         return np.flatnonzero(
-            (self.at == self.stops[stop]) & (self.kinds != "pitchfork") & ~self.far
+            (self.at == self.mesh[node]) & (self.kinds != "pitchfork") & ~self.far
         ).tolist()
 
     def _stability_met(self, number: int) -> int:
@@ -495,75 +495,75 @@ class Way:
         contact = combination(self.turns, number)
         return with_a_zero(Balance(self.p.model, contact), self.q[:, [number]], given)
 
-    def followed(self, stop: int, place: int) -> int:
-        """The place at a stop of the state that was in one at the stop before."""
-        if place in self.joined[stop - 1]:
-            return self.joined[stop - 1][place]
+    def followed(self, node: int, place: int) -> int:
+        """The place at a node of the state that was in one at the node before."""
+        if place in self.joined[node - 1]:
+            return self.joined[node - 1][place]
         if place < 0:
-            return self._begun(stop, place)
-        number = self._turned(stop - 1, place, stop)
-        if number is None and place in self._links(stop - 1):
-            return self._links(stop - 1)[place]
-        return ~(self._ending(stop - 1, place, stop) if number is None else number)
+            return self._begun(node, place)
+        number = self._turned(node - 1, place, node)
+        if number is None and place in self._links(node - 1):
+            return self._links(node - 1)[place]
+        return ~(self._ending(node - 1, place, node) if number is None else number)
 
-    def vanishing(self, stop: int, slot: int, goal: int) -> int:
-        """The number of the point at which a state vanishes on its way to the stop before or
+    def vanishing(self, node: int, slot: int, goal: int) -> int:
+        """The number of the point at which a state vanishes on its way to the node before or
         behind, if it does.
         """
-        number = self._turned(stop, slot, goal)
-        return self._ending(stop, slot, goal) if number is None else number
+        number = self._turned(node, slot, goal)
+        return self._ending(node, slot, goal) if number is None else number
 
-    def moved(self, stop: int, slot: int, goal: int) -> FloatArray:
-        """By how much a state moves on its way to another stop, angles as they go on."""
-        tubes, start = self._standing(self._balance(stop, slot), stop, slot)
-        there = tubes.followed(start, self.stops[[goal]])
-        if not there.sure[0] or there.v[0] != self.stops[goal]:
+    def moved(self, node: int, slot: int, goal: int) -> FloatArray:
+        """By how much a state moves on its way to another node, angles as they go on."""
+        tubes, start = self._standing(self._balance(node, slot), node, slot)
+        there = tubes.followed(start, self.mesh[[goal]])
+        if not there.sure[0] or there.v[0] != self.mesh[goal]:
             raise ConvergenceError(
-                f"how the state moves from {self.vary} = {self.stops[stop]:.17g} on is not proved"
+                f"how the state moves from {self.vary} = {self.mesh[node]:.17g} on is not proved"
             )
         return (there.z - start.z)[:-1, 0]
 
-    def ended(self, stop: int, place: int) -> bool:
-        """Whether a state has vanished on the way to a stop, or at a point there from which it does
+    def ended(self, node: int, place: int) -> bool:
+        """Whether a state has vanished on the way to a node, or at a point there from which it does
         not go on.
         """
-        return place < 0 and ~place not in self._met(stop)
+        return place < 0 and ~place not in self._met(node)
 
-    def _begun(self, stop: int, place: int) -> int:
-        """The stable one of the two states that begin at a fold, at the stop behind it; the fold if
+    def _begun(self, node: int, place: int) -> int:
+        """The stable one of the two states that begin at a fold, at the node behind it; the fold if
         they lie before it.
         """
-        links = self._links(stop - 1)
-        begun = [slot for slot in range(int(self.eq.count[stop])) if slot not in links.values()]
-        if len(self._met(stop - 1)) > 1:
-            begun = [slot for slot in begun if self._turned(stop, slot, stop - 1) == ~place]
+        links = self._links(node - 1)
+        begun = [slot for slot in range(int(self.eq.count[node])) if slot not in links.values()]
+        if len(self._met(node - 1)) > 1:
+            begun = [slot for slot in begun if self._turned(node, slot, node - 1) == ~place]
         return next(
-            (slot for slot in begun if self.eq.undamped[stop, slot] == EquilibriumType.STABLE),
+            (slot for slot in begun if self.eq.undamped[node, slot] == EquilibriumType.STABLE),
             place,
         )
 
-    def _candidates(self, stop: int, other: int) -> IntArray:
-        """Numbers of the points at which states may vanish between two stops, or on them."""
-        low, high = sorted((self.stops[stop], self.stops[other]))
+    def _candidates(self, node: int, other: int) -> IntArray:
+        """Numbers of the points at which states may vanish between two nodes, or on them."""
+        low, high = sorted((self.mesh[node], self.mesh[other]))
         return np.flatnonzero((self.at >= low - self.error) & (self.at <= high + self.error))
 
-    def _turned(self, stop: int, slot: int, goal: int) -> int | None:
-        """The fold at which a state is proved to turn back on its way to another stop, of several
+    def _turned(self, node: int, slot: int, goal: int) -> int | None:
+        """The fold at which a state is proved to turn back on its way to another node, of several
         points where it may end.
 
         None if nothing is proved, or there are no two such points.
         """
-        points = self._candidates(stop, goal)
+        points = self._candidates(node, goal)
         here = points[self.kinds[points] == "fold"]
         if points.size < 2 or not here.size:
             return None
-        tubes, start = self._standing(self._balance(stop, slot), stop, slot)
-        if here.size > 1 and (self.at[here] == self.stops[stop]).all():
+        tubes, start = self._standing(self._balance(node, slot), node, slot)
+        if here.size > 1 and (self.at[here] == self.mesh[node]).all():
             # The float of the folds is one at which two states are left, too near to each other for
             # a tube.
             near = clearly_nearest(start.z[: tubes.n], self.q[:, here])[0]
             return int(here[near]) if near >= 0 else None
-        forward = 1 if self.stops[goal] > self.stops[stop] else -1
+        forward = 1 if self.mesh[goal] > self.mesh[node] else -1
         found = turned(tubes, start, forward)
         if not found.sure[0]:
             return None
@@ -572,29 +572,29 @@ class Way:
         nearest = int(away.argmin())
         return int(here[nearest]) if away[nearest] <= 1e-6 else None
 
-    def _standing(self, balance: Balance, stop: int, slot: int) -> tuple[Tubes, Place]:
+    def _standing(self, balance: Balance, node: int, slot: int) -> tuple[Tubes, Place]:
         """A tube's beginning at a state."""
         given = given_column(self.p, balance.parameters, (self.vary,))
         tubes = Tubes.of_points(balance, self.vary, given, options=self.options)
-        *q, _, error = self.state(stop, slot)
-        return tubes, tubes.place(np.array([*q, self.stops[stop]])[:, None], error=error)
+        *q, _, error = self.state(node, slot)
+        return tubes, tubes.place(np.array([*q, self.mesh[node]])[:, None], error=error)
 
     def _place(self, number: int, names: Sequence[str] = ()) -> dict[str, float]:
         """Coordinates of a point at which states vanish, or what else is named, by name."""
         return {name: float(self.turns[name][number]) for name in names or self.balance.coordinates}
 
-    def _ending(self, stop: int, place: int, goal: int) -> int:
-        """The number of the point at which a state vanishes on its way from a stop to the next
+    def _ending(self, node: int, place: int, goal: int) -> int:
+        """The number of the point at which a state vanishes on its way from a node to the next
         one.
         """
-        here = self._candidates(stop, goal)
+        here = self._candidates(node, goal)
         if here.size == 1:
             return int(here[0])
         own = Balance(
-            self.p.model, self._balance(stop, place).contact, room=OVER_BORDER, options=self.search
+            self.p.model, self._balance(node, place).contact, room=OVER_BORDER, options=self.search
         )
         for number in here[np.char.startswith(self.kinds[here].astype(str), BORDER)].tolist():
-            tubes, start = self._standing(own, stop, place)
+            tubes, start = self._standing(own, node, place)
             there = tubes.followed(start, self.at[[number]])
             away = np.abs(self.q[:, [number]] - there.z[: tubes.n])
             if (
@@ -604,7 +604,7 @@ class Way:
             ):
                 return int(number)
         others = here[(self.kinds[here] == "pitchfork") | self.far[here]]
-        q = np.array([self.state(stop, place)[:-2]]).T
+        q = np.array([self.state(node, place)[:-2]]).T
         if others.size > 1 and self.far[others].all():  # of states that run opposite ways
             away = self.q[:, others]
             others = others[(np.isnan(away) | (np.sign(q) == np.sign(away))).all(axis=0)]
@@ -613,13 +613,13 @@ class Way:
             others = others[near[near >= 0]]
         if others.size == 1:  # at folds the state would be known to turn
             return int(others[0])
-        ends = f"{self.vary} = {float(self.stops[stop]):.17g} and {float(self.stops[goal]):.17g}"
+        ends = f"{self.vary} = {float(self.mesh[node]):.17g} and {float(self.mesh[goal]):.17g}"
         raise ConvergenceError(
             f"where the state ends between {ends} is not told apart from {here.size} folds "
             "and borders there"
         )
 
-    def state(self, stop: int, slot: int) -> list[float]:
+    def state(self, node: int, slot: int) -> list[float]:
         """Coordinates, type by (27), and a bound on the error."""
         if slot < 0:
             return [
@@ -628,26 +628,26 @@ class Way:
                 self.turns.error[~slot],
             ]
         columns = (*self.eq.coordinates.values(), self.eq.undamped, self.eq.error)
-        return [float(column[stop, slot]) for column in columns]
+        return [float(column[node, slot]) for column in columns]
 
     @property
     def contact_columns(self) -> tuple[str, ...]:
         """The column that says which contacts touch, of a model with several."""
         return (own_name(self.p.model, "touching"),) if self.p.model.has_regimes else ()
 
-    def touching(self, stop: int, slot: int) -> str:
+    def touching(self, node: int, slot: int) -> str:
         """Names of the contacts that touch in a state, of a model with several."""
         if not self.contact_columns:
             return ""
         if slot < 0:
             return str(self.turns[own_name(self.p.model, "touching")][~slot])
-        return str(self.eq["touching"][stop, slot])
+        return str(self.eq["touching"][node, slot])
 
-    def jump(self, stop: int, number: int, choose: Choice | None) -> tuple[int, Jump]:
+    def jump(self, node: int, number: int, choose: Choice | None) -> tuple[int, Jump]:
         """The slot behind the fold that ends the branch."""
         end = self.end(number)
         before = end.before
-        eq = self._equilibria(float(self.stops[stop]))
+        eq = self._equilibria(float(self.mesh[node]))
         count = int(eq.count)
         how = {
             BORDER: "leaves the contact",
@@ -685,8 +685,8 @@ class Way:
         after = {name: float(there[name][place]) for name in there.state_columns}
         whole = self._place(number, there.state_columns)
         kind = EquilibriumType(int(eq.undamped[slot]))
-        # Another search may list the states at the stop in another order.
-        return int(nearest_state(self.eq, behind)[stop]), Jump(
+        # Another search may list the states at the node in another order.
+        return int(nearest_state(self.eq, behind)[node]), Jump(
             end.value, end.kind, whole, after, kind, end.error
         )
 

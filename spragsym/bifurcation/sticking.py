@@ -37,7 +37,7 @@ from ..statics.balance import NOTHING
 from ..statics.forces import Evaluation, as_intervals
 from ..statics.search import columns
 from .defining_systems import Augmented, Condition, Family, slope
-from .paths import Way
+from .paths import QuasiStaticContinuation
 from .points import arranged, isolated, nothing
 from .sticking_regions import line, region
 
@@ -109,12 +109,12 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     own = held(p, [holding[0]["name"]])
     turns = [_turns(own, place) for place in range(len(model.coordinates))]
     try:
-        way = Way(
+        continuation = QuasiStaticContinuation(
             own,
             HELD,
             np.unique(np.concatenate([[-1.0, 1.0], *(points[HELD] for points in turns)])),
         )
-        return _sets(p, way, turns)
+        return _sets(p, continuation, turns)
     except ConvergenceError as error:
         raise ConvergenceError(
             "not all states of sticking are told apart over the share of the static "
@@ -220,48 +220,55 @@ def _turns(own: ParameterSet, place: int) -> Points:
     return isolated(family, system.condition, "turn")
 
 
-def _pressed(way: Way, q: FloatArray, error: FloatArray) -> BoolArray:
+def _pressed(continuation: QuasiStaticContinuation, q: FloatArray, error: FloatArray) -> BoolArray:
     """Whether a given normal force presses at states, shape (n, states); everywhere where it is a
     contact's.
     """
     shape = error.shape
-    if way.balance.model.contact["gap"] is not None or not error.size:
+    if continuation.balance.model.contact["gap"] is not None or not error.size:
         return np.ones(shape, dtype=np.bool_)
     room = error * scale_of(q)
-    given = np.repeat(columns(way.p.replace(**{HELD: 0.0}), way.balance.parameters), len(error), 1)
+    given = np.repeat(
+        columns(continuation.p.replace(**{HELD: 0.0}), continuation.balance.parameters),
+        len(error),
+        1,
+    )
     with quiet():
-        values = way.balance.over(Intervals.point(given))
-        at = way.balance.at(list(Intervals.between(q - room, q + room)), values, shape)
+        values = continuation.balance.over(Intervals.point(given))
+        at = continuation.balance.at(list(Intervals.between(q - room, q + room)), values, shape)
         N = as_intervals(at.contact_force(0, 1), shape)
     if (N.holds_zero() & (N.magnitude > NOTHING)).any():
         raise ConvergenceError("whether a normal force presses a state of sticking is not known")
     return np.asarray(N.low > 0)
 
 
-def _sets(p: ParameterSet, way: Way, turns: Sequence[Points]) -> StickingStates:
-    """Connected sets of states that are followed from stop to stop, with the folds and borders at
+def _sets(
+    p: ParameterSet, continuation: QuasiStaticContinuation, turns: Sequence[Points]
+) -> StickingStates:
+    """Connected sets of states that are followed from node to node, with the folds and borders at
     which they end.
     """
-    eq, balance = way.eq, way.balance
+    eq, balance = continuation.eq, continuation.balance
     first = np.concatenate(
         [[0], np.cumsum(eq.count)]
-    )  # numbers of states, stop by stop, then those of folds and borders
+    )  # numbers of states, node by node, then those of folds and borders
     q = np.concatenate(
-        [np.array([column[eq.states] for column in eq.coordinates.values()]), way.q], axis=1
+        [np.array([column[eq.states] for column in eq.coordinates.values()]), continuation.q],
+        axis=1,
     )
     labels, comes_around = np.arange(q.shape[1]), np.zeros(q.shape, dtype=np.bool_)
 
-    def link(stop: int, slot: int, goal: int, place: int) -> None:
+    def link(node: int, slot: int, goal: int, place: int) -> None:
         """Join the sets of a state and of another one on its curve, or of the point at which it
         vanishes; angles go on there.
         """
         one, other = (
             int(first[at] + there if there >= 0 else first[-1] + ~there)
-            for at, there in ((stop, slot), (goal, place))
+            for at, there in ((node, slot), (goal, place))
         )
         follow = balance.periodic and place >= 0
         moved = (
-            way.moved(stop, slot, goal)
+            continuation.moved(node, slot, goal)
             if follow
             else apart(q[:, other], q[:, one], balance.periodic)
         )
@@ -273,15 +280,15 @@ def _sets(p: ParameterSet, way: Way, turns: Sequence[Points]) -> StickingStates:
             q[:, behind] += off[:, None]
         labels[behind] = labels[one]
 
-    for stop in range(1, way.stops.size):
-        goals = [way.followed(stop, slot) for slot in range(eq.count[stop - 1])]
+    for node in range(1, continuation.mesh.size):
+        goals = [continuation.followed(node, slot) for slot in range(eq.count[node - 1])]
         for slot, goal in enumerate(goals):
-            link(stop - 1, slot, stop, goal)
-        for slot in sorted({*range(eq.count[stop])} - {*goals}):
-            link(stop, slot, stop - 1, ~way.vanishing(stop, slot, stop - 1))
-    error = np.concatenate([eq.error[eq.states], way.turns.error])
+            link(node - 1, slot, node, goal)
+        for slot in sorted({*range(eq.count[node])} - {*goals}):
+            link(node, slot, node - 1, ~continuation.vanishing(node, slot, node - 1))
+    error = np.concatenate([eq.error[eq.states], continuation.turns.error])
     either = presses_either(p.model.contact)
-    pressed = np.ones(error.shape, dtype=np.bool_) if either else _pressed(way, q, error)
+    pressed = np.ones(error.shape, dtype=np.bool_) if either else _pressed(continuation, q, error)
     sets = [labels == label for label in np.unique(labels[pressed])]
     if any(not pressed[one].all() for one in sets):
         raise ConvergenceError("the normal force is 0 in some of connected states of sticking")
@@ -301,7 +308,7 @@ def _sets(p: ParameterSet, way: Way, turns: Sequence[Points]) -> StickingStates:
         for name, *columns in both
         for end, column in zip(("low", "high"), columns, strict=True)
     }
-    parts = [way.turns, *turns]
+    parts = [continuation.turns, *turns]
     remarks = dict.fromkeys(
         [*eq.remarks, *(remark for points in parts for remark in points.remarks)]
     )

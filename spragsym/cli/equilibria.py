@@ -20,7 +20,7 @@ from ..bifurcation.defining_systems import ranges
 from ..core.errors import ConvergenceError, ParameterError, SpragsymError
 from ..core.progress import show_progress
 from ..core.remarks import At, Remark
-from ..design.jumps import first_ends, require_known
+from ..design.jumps import first_limit_points, require_known
 from ..display import columns_of_class, own_name
 from ..models.parameters import INSIDE
 from ..results.equilibria import Equilibria
@@ -333,7 +333,7 @@ def _first(case: Case, p: ParameterSet, along: Span, way: str, jumped: bool) -> 
         begin, until = ends or (lowest, None)
         falls = way == "down" if ends is None else ends[1] < ends[0]
         found = require_known(
-            first_ends(
+            first_limit_points(
                 p, name, direction="down" if falls else "up", begin=begin, until=until, **case.ask
             )
         )
@@ -369,7 +369,7 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
             return None
 
     def jump() -> float:
-        found = require_known(first_ends(p, str(own)))
+        found = require_known(first_limit_points(p, str(own)))
         if math.isnan(found.value) and math.isfinite(found.until):
             end = At(str(own), (float(found.until),), "g")
             remarks.append(Remark("mu0_jump: followed up to {}; beyond that it is not known", end))

@@ -70,10 +70,10 @@ SEVERAL = (
 #: Parts of answers for several contacts.
 PARTS_OF_SEVERAL = (
     "claims",
-    "first_ends",
-    "have_jumped",
+    "first_limit_points",
+    "limit_point_passed",
     "linked",
-    "open_ends",
+    "border_ends",
     "rest_index",
     "rest",
 )

@@ -21,7 +21,7 @@ from ..models.parameters import FloatArray, ParameterSet, Ranges, Span
 from ..models.quantities import Unit
 from ..numerics.interval_arrays import Int8Array
 from ..results import Equilibria
-from ..results.points import BifurcationSet, LowestEnd, Points
+from ..results.points import BifurcationSet, CriticalLoad, Points
 
 
 def undamped(p: ParameterSet) -> Parameters:
@@ -63,27 +63,27 @@ def equilibria(p: ParameterSet, contact: bool = True) -> Equilibria:
     return replace(solver.equilibria(undamped(p), contact), parameters=p)
 
 
-def open_ends(p: ParameterSet, vary: str, span: Span, turns: Points) -> list[Points]:
-    """The closed form of :func:`spragsym.bifurcation.paths.open_ends`: there are none."""
-    return states.open_ends(undamped(p), vary, span, turns)
+def border_ends(p: ParameterSet, vary: str, span: Span, turns: Points) -> list[Points]:
+    """The closed form of :func:`spragsym.bifurcation.paths.border_ends`: there are none."""
+    return states.border_ends(undamped(p), vary, span, turns)
 
 
-def first_ends(
+def first_limit_points(
     p: ParameterSet, vary: str | None = None, *, direction: str = "up", begin: float | None = None
 ) -> Ends:
-    """The closed form of :func:`spragsym.design.jumps.first_ends`."""
-    return jump_values.first_ends(undamped(p), vary, direction=direction, begin=begin)
+    """The closed form of :func:`spragsym.design.jumps.first_limit_points`."""
+    return jump_values.first_limit_points(undamped(p), vary, direction=direction, begin=begin)
 
 
-def have_jumped(
+def limit_point_passed(
     p: ParameterSet,
     vary: str | None = None,
     begin: float | FloatArray | None = None,
     *,
-    hasty: bool = False,
+    coarse: bool = False,
 ) -> FloatArray:
-    """The closed form of :func:`spragsym.design.jumps.have_jumped`."""
-    return jump_values.have_jumped(undamped(p), vary, begin, hasty=hasty)
+    """The closed form of :func:`spragsym.design.jumps.limit_point_passed`."""
+    return jump_values.limit_point_passed(undamped(p), vary, begin, coarse=coarse)
 
 
 def folds(p: ParameterSet, vary: str | None = None, *, between: Ranges | None = None) -> Points:
@@ -112,7 +112,7 @@ def bifurcation_set(
 
 def critical_friction(
     p: ParameterSet, vary: str | None = None, over: str | None = None
-) -> LowestEnd:
+) -> CriticalLoad:
     """The closed form of :func:`spragsym.critical_friction`."""
     return lowest_fold.critical_friction(undamped(p), vary, over)
 

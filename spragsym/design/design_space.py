@@ -28,7 +28,7 @@ from ..models.parameters import POSITIVE, ParameterSet, Range, as_number, set_of
 from ..models.quantities import QuantityValues
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..numerics.vectors import norm
-from .jumps import Ends, Followed, first_ends, have_jumped, require_known, slopes_of
+from .jumps import Ends, Followed, first_limit_points, limit_point_passed, require_known, slopes_of
 
 if TYPE_CHECKING:
     from ..models.model import Model
@@ -229,12 +229,12 @@ class EndOfState:
         """
         begins = self.designs.design.begins
         begin = self.begin if begins is None else begins(self.designs.quantities(z))
-        return have_jumped(self.designs.sets(z), self.vary, begin)
+        return limit_point_passed(self.designs.sets(z), self.vary, begin)
 
     def ahead(self, z: FloatArray) -> tuple[float, FloatArray]:
         """Distance beyond the design's own value at which the state ends, and its slopes by z."""
         p, slopes = self.designs.sets(z), self.designs.slopes(z)
-        found = self._next(p) or require_known(first_ends(p, self.vary, begin=self.begin))
+        found = self._next(p) or require_known(first_limit_points(p, self.vary, begin=self.begin))
         place = np.append(found.state, found.value)
         self.last = place if np.isfinite(place).all() else None
         # What is not among the slopes the jump does not depend on, as the belt's speed.

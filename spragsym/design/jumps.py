@@ -41,7 +41,7 @@ from ..statics.search import balances_of, number_of
 
 
 @question
-def first_ends(
+def first_limit_points(
     p: ParameterSet,
     vary: str | None = None,
     *,
@@ -123,7 +123,7 @@ def jump_value(
     """
     model_of(p).require_answered("jump_value")
     found = require_known(
-        first_ends(p, vary, direction=direction, begin=begin, until=until, method=method)
+        first_limit_points(p, vary, direction=direction, begin=begin, until=until, method=method)
     ).value
     return found if found.ndim else float(found)
 
@@ -171,35 +171,35 @@ def jump_gradient(
     """
     model_of(p).require_answered("jump_gradient")
     found = require_known(
-        first_ends(p, vary, direction=direction, begin=begin, until=until, method=method)
+        first_limit_points(p, vary, direction=direction, begin=begin, until=until, method=method)
     )
     name = model_of(p).rising(vary, 0.0)[0]
     return JumpGradient(name, found.value, slopes_of(p, name, found))
 
 
 @question
-def have_jumped(
+def limit_point_passed(
     p: ParameterSet,
     vary: str | None = None,
     begin: float | FloatArray | None = None,
     *,
-    hasty: bool = False,
+    coarse: bool = False,
     method: Method = "auto",
 ) -> FloatArray:
     """1 where the state has ended as ``vary`` rises to its value in ``p``, 0 where not, NaN where
     that is not known.
 
     It rises from ``begin``, one value for all points or one for each; the lower end of its range
-    where left out. A ``hasty`` answer is NaN beside cusps too, which take longest.
+    where left out. A ``coarse`` answer is NaN beside cusps too, which take longest.
 
     Examples
     --------
     >>> import numpy as np, spragsym as ss
-    >>> have_jumped(ss.Parameters.article(theta0=np.radians(40.0), mu0=[0.5, 0.6, 0.7]))
+    >>> limit_point_passed(ss.Parameters.article(theta0=np.radians(40.0), mu0=[0.5, 0.6, 0.7]))
     array([0., 1., 1.])
     """
     vary, begin = p.model.rising(vary, begin)
-    return Followed(p, vary, "up", begin, np.maximum(begin, p[vary])).have_ended(hasty=hasty)
+    return Followed(p, vary, "up", begin, np.maximum(begin, p[vary])).have_ended(coarse=coarse)
 
 
 def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
@@ -303,7 +303,7 @@ class Followed:
                 "it, or another direction"
             )
 
-    def have_ended(self, *, hasty: bool = False) -> FloatArray:
+    def have_ended(self, *, coarse: bool = False) -> FloatArray:
         """1 where the state of a point has ended, 0 where it has not, NaN where tubes don't decide
         it, in haste beside cusps too.
 
@@ -320,7 +320,7 @@ class Followed:
             eq = equilibria(self._points(rows[left]).replace(**{self.vary: goal[left]}))
             ended[left[eq.decided & eq.whole & (eq.count == 0)]] = 1.0
             left = np.flatnonzero(np.isnan(ended))
-            told = self._told(tubes[left], start[left], goal[left], hasty=hasty)
+            told = self._told(tubes[left], start[left], goal[left], coarse=coarse)
             ended[left] = np.where(told.decided, np.isfinite(told.z[-1]), np.nan)
             found[rows] = ended
         return found.reshape(self.shape)
@@ -410,14 +410,14 @@ class Followed:
                     start.sure[~known[mine]] = False
                     yield rows[mine], tubes, start, self.until[rows[mine]]
 
-    def _told(self, tubes: Tubes, start: Place, goal: FloatArray, *, hasty: bool = False) -> _Told:
+    def _told(self, tubes: Tubes, start: Place, goal: FloatArray, *, coarse: bool = False) -> _Told:
         """What tubes tell of points of one combination of contacts, and of another one behind a
         border.
         """
         forward, size = self.forward, goal.size
         # A state that is steep and does not turn back is carried past there, some times.
-        rounds = 1 if hasty else 4
-        if hasty:  # beside a cusp more segments are needed
+        rounds = 1 if coarse else 4
+        if coarse:  # beside a cusp more segments are needed
             tubes = replace(tubes, options=replace(tubes.options, segments=60))
         left, at = np.arange(size), start
         out = _Told(
@@ -439,7 +439,7 @@ class Followed:
             for part in crossed(tubes[left], at, goal[left]):
                 rows, beyond[part.rows] = left[part.rows], True
                 if part.kind == PASSES:
-                    out.scatter(rows, self._told(part.tubes, part.place, goal[rows], hasty=hasty))
+                    out.scatter(rows, self._told(part.tubes, part.place, goal[rows], coarse=coarse))
                 else:
                     out.z[:, rows], out.error[rows] = part.z, part.error
                     out.decided[rows], out.border[rows] = True, part.contact

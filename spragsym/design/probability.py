@@ -26,7 +26,7 @@ from ..motion.sweeps import workers as processes
 from ..motion.sweeps.workers import Workers
 from ..numerics.interval_arrays import FloatArray
 from ..results import Result
-from .jumps import have_jumped
+from .jumps import limit_point_passed
 from .proved_jumps import ProvedJumps, proved_jumps
 from .sampling import Chunk, Correlation, Dependence, chunks, dependence, sums
 from .tube_certificates import Pieces, Splitting
@@ -418,7 +418,7 @@ def jump_probability(
             f"{said}: a bracket is proved for independent parameters of the model only; leave "
             "max_boxes out"
         )
-    if kind is None and n >= MANY and asked.closed_form("have_jumped") is None:
+    if kind is None and n >= MANY and asked.closed_form("limit_point_passed") is None:
         proved = _proved(asked, variables, vary, begin)
         event = partial(_ended, asked, kind, vary, begin, method, proved)
     found = estimated(
@@ -581,10 +581,10 @@ def _ended(
     if kind is not None and {*kind.of_the_law} & {*values}:
         p = p.replace(**{str(model.coefficient): model.friction(p)})
     if proved is None:
-        return have_jumped(p, vary, begin, method=method)
+        return limit_point_passed(p, vary, begin, method=method)
     ended = proved.ended(p)
     left = np.isnan(ended)
     if left.any():
         some = model.Parameters(**{name: value[left] for name, value in values.items()})
-        ended[left] = have_jumped(some, vary, begin, method=method)
+        ended[left] = limit_point_passed(some, vary, begin, method=method)
     return ended

@@ -24,7 +24,7 @@ from ..statics.equilibria import equilibria
 from ..statics.reference_state import is_reference, reference_state
 from ..statics.regions import region
 from ..statics.search import balances_of
-from .jumps import first_ends
+from .jumps import first_limit_points
 from .tube_certificates import Pieces, Splitting
 
 
@@ -94,7 +94,7 @@ class ProvedJumps:
 def proved_jumps(box: Splitting, share: Callable[[Any], FloatArray], most: int) -> ProvedJumps:
     """Proved parts of a box, of which those are halved first of which most is open by ``share``."""
     if not box.free:
-        found = first_ends(box.point(box.whole.high[:, 0]), box.vary, begin=box.begin)
+        found = first_limit_points(box.point(box.whole.high[:, 0]), box.vary, begin=box.begin)
         ends = bool(np.isfinite(found.value))
         box.whole.safe[:] = found.value - found.error if ends else found.until
         box.whole.top[:] = found.value + found.error if ends else np.inf

@@ -40,11 +40,11 @@ from .quartic.solver import equilibria
 FROM_LOWER_END = {"theta0": 2.0**-40, "mu0": 0.0}
 
 
-def first_ends(
+def first_limit_points(
     p: Parameters, vary: str | None = None, *, direction: str = "up", begin: float | None = None
 ) -> Ends:
-    """The closed form of :func:`spragsym.design.jumps.first_ends`, along any of the six parameters,
-    to 1e-12.
+    """The closed form of :func:`spragsym.design.jumps.first_limit_points`, along any of the six
+    parameters, to 1e-12.
 
     Notes
     -----
@@ -228,15 +228,15 @@ def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
     return float(values[row]), float(found.theta[row])
 
 
-def have_jumped(
+def limit_point_passed(
     p: Parameters,
     vary: str | None = None,
     begin: float | FloatArray | None = None,
     *,
-    hasty: bool = False,
+    coarse: bool = False,
 ) -> FloatArray:
-    """The closed form of :func:`spragsym.design.jumps.have_jumped` as friction or inclination
-    rises; quick everywhere.
+    """The closed form of :func:`spragsym.design.jumps.limit_point_passed` as friction or
+    inclination rises; quick everywhere.
 
     Notes
     -----

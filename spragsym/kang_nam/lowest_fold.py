@@ -11,7 +11,7 @@ from ..generated import catastrophe as _catastrophe
 from ..numerics import balls, polynomials
 from ..numerics.balls import Interval, as_floats, decided, sign, with_enough_bits
 from ..numerics.polynomials import RootOf, on_circle
-from ..results import LowestEnd
+from ..results import CriticalLoad
 from . import kernel
 from .cusps import proved_cusps
 from .folds import Angles, SurfacePoint, in_contact, lines_and_sextic, unfolded, with_multiplicity
@@ -19,7 +19,9 @@ from .kernel import FIXED
 from .parameters import Parameters
 
 
-def critical_friction(p: Parameters, vary: str | None = None, over: str | None = None) -> LowestEnd:
+def critical_friction(
+    p: Parameters, vary: str | None = None, over: str | None = None
+) -> CriticalLoad:
     """The closed form of :func:`spragsym.critical_friction` as friction rises at any 0 < θ₀ < π; of
     arrays too.
 
@@ -38,7 +40,7 @@ def critical_friction(p: Parameters, vary: str | None = None, over: str | None =
     if vary not in (None, "mu0") or over not in (None, "theta0") or p.followed is not None:
         raise NotInClosedForm
     columns = np.broadcast_arrays(*(p[name] for name in FIXED))
-    return LowestEnd(
+    return CriticalLoad(
         "mu0", "theta0", *np.vectorize(_lowest, otypes=[float, float, str, float])(*columns)
     )[()]  # numbers of one point
 

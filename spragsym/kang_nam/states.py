@@ -138,7 +138,7 @@ def _over(
     return {left: 0} if before > after else {0: left}
 
 
-def open_ends(_p: Parameters, _vary: str, _span: Span, _turns: Points) -> list[Points]:
+def border_ends(_p: Parameters, _vary: str, _span: Span, _turns: Points) -> list[Points]:
     """None: no equilibrium has y = 0 (derive/kang_nam/theorem.py), and one or three are always
     there.
     """

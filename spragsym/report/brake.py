@@ -370,9 +370,9 @@ class Brake:
     @cached_property
     def ends(self) -> Ends:
         """End of the state as something rises, and how far that was looked for."""
-        from ..design.jumps import first_ends  # heavy, and a refusal does not need it
+        from ..design.jumps import first_limit_points  # heavy, and a refusal does not need it
 
-        return first_ends(self.operating_point, **self.along())
+        return first_limit_points(self.operating_point, **self.along())
 
     def jump(self) -> float:
         """Value of the load parameter at which the state jumps; NaN where it does not."""

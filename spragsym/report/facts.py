@@ -14,10 +14,10 @@ from ..core.progress import doing
 from ..core.remarks import Remark
 from ..core.type_variables import T
 from ..design.certificates import Certificate
-from ..design.jumps import first_ends, require_known
+from ..design.jumps import first_limit_points, require_known
 from ..design.probability import JumpProbability
 from ..numerics.columns import selected_rows
-from ..results.points import LowestEnd, Points
+from ..results.points import CriticalLoad, Points
 from ..statics.equilibria import equilibria
 from .brake import Brake
 from .friction_law import speed_for
@@ -104,7 +104,7 @@ class Facts:
         Where the state jumps as the inclination rises, NaN where it never does.
     mu_lowest, theta0_lowest_deg, kind_lowest
         The friction below which it jumps at no angle, ``inf`` where it never does; its angle and
-        its kind, see :class:`spragsym.results.LowestEnd`, empty where it is not known.
+        its kind, see :class:`spragsym.results.CriticalLoad`, empty where it is not known.
     mu_cusp : float or None
         Friction of the lowest cusp, ``inf`` where there is none.
     distance : float
@@ -462,11 +462,11 @@ def _jump_along_the_inclination(answers: _Answers) -> tuple[float | None, str]:
     if vary is None or study.loading.name == vary:
         return None, "fold"
     what = f"the jump along {vary} is"
-    found = answers.known(what, lambda: require_known(first_ends(at, vary)))
+    found = answers.known(what, lambda: require_known(first_limit_points(at, vary)))
     return (None, "fold") if found is None else (math.degrees(found.value), found.kind())
 
 
-def _lowest(answers: _Answers) -> tuple[LowestEnd | None, float | None]:
+def _lowest(answers: _Answers) -> tuple[CriticalLoad | None, float | None]:
     """The lowest end at any angle, and the friction of the lowest cusp, where there is an angle."""
     study, p = answers.study, answers.study.dimensionless
     if not (study.of_friction and p.model.inclination):

@@ -184,7 +184,7 @@ class _RedesignSearch:
                     for name in self.study.values
                 }
                 goes_on = (
-                    (ending(self.study, values, target, hasty=True) == 0)
+                    (ending(self.study, values, target, coarse=True) == 0)
                     .reshape(len(new), -1)
                     .all(axis=1)
                 )
@@ -335,7 +335,7 @@ class _RedesignSearch:
             return None
         if not begins_alike(study, after):
             return None
-        outcome = certificate(new, hasty=True).outcome
+        outcome = certificate(new, coarse=True).outcome
         undecided = outcome == "undecided"
         if outcome == "refuted" or (
             undecided and (proof_only or counterexample(new, self.budget.many) is not None)

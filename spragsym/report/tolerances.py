@@ -13,7 +13,7 @@ import numpy as np
 
 from ..core.errors import ConvergenceError
 from ..design.certificates import Certificate
-from ..design.jumps import have_jumped
+from ..design.jumps import limit_point_passed
 from ..design.probability import JumpProbability, estimated, measured
 from ..design.tube_certificates import Splitting, certify
 from ..models.parameters import FloatArray, Span
@@ -116,12 +116,12 @@ def samples(study: Brake, number: int) -> FloatArray:
 
 
 def ending(
-    study: Brake, values: Mapping[str, Any], target: float | None = None, *, hasty: bool = False
+    study: Brake, values: Mapping[str, Any], target: float | None = None, *, coarse: bool = False
 ) -> FloatArray:
     """1 for brakes, by their quantities in SI, that jump up to a target, or to the own value of
     each; 0 or NaN for others.
     """
-    return have_jumped(study.loaded(values, target), **study.along(values), hasty=hasty)
+    return limit_point_passed(study.loaded(values, target), **study.along(values), coarse=coarse)
 
 
 def box(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
@@ -149,9 +149,9 @@ def _all_works(study: Brake) -> bool:
     return study.kind.law["at_rest"] != "full" or study.law == "friction_at_rest"
 
 
-def certificate(study: Brake, *, hasty: bool = False) -> Certificate:
+def certificate(study: Brake, *, coarse: bool = False) -> Certificate:
     """Whether no brake within the tolerances jumps: proved, refuted by one in SI, or undecided;
-    ``hasty`` ends earlier.
+    ``coarse`` ends earlier.
 
     Of a normal distribution that is not cut off the box holds three standard deviations on either
     side, and nothing is said of what lies beyond.
@@ -160,11 +160,11 @@ def certificate(study: Brake, *, hasty: bool = False) -> Certificate:
     are their units.
     """
     budget = sampling_budget(study)
-    point = counterexample(study, budget.points_of_change if hasty else budget.points)
+    point = counterexample(study, budget.points_of_change if coarse else budget.points)
     if point is not None:
         return Certificate("no jump", "refuted", point, 0.0, 0)
     low, high, units = box(study)
-    most = budget.boxes_of_change if hasty else budget.boxes
+    most = budget.boxes_of_change if coarse else budget.boxes
     found = certify(
         low, high, "no jump", max_boxes=most, refute=False, units=units, **study.along()
     )

@@ -12,18 +12,18 @@ from typing import Any as _Any
 
 from ..display import Column
 from .equilibria import Equilibria, EquilibriumType, Undecided
-from .points import BifurcationSet, Curve, Jump, LowestEnd, Path, Points
+from .points import BifurcationSet, CriticalLoad, Curve, Jump, Path, Points
 from .result import InUnits, Named, Result, Rows
 
 __all__ = [
     "BifurcationSet",
     "Column",
+    "CriticalLoad",
     "Curve",
     "Equilibria",
     "EquilibriumType",
     "InUnits",
     "Jump",
-    "LowestEnd",
     "Named",
     "Path",
     "Points",

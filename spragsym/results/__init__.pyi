@@ -31,9 +31,9 @@ from .equilibria import Equilibria as Equilibria
 from .equilibria import EquilibriumType as EquilibriumType
 from .equilibria import Undecided as Undecided
 from .points import BifurcationSet as BifurcationSet
+from .points import CriticalLoad as CriticalLoad
 from .points import Curve as Curve
 from .points import Jump as Jump
-from .points import LowestEnd as LowestEnd
 from .points import Path as Path
 from .points import Points as Points
 from .points import StickingStates as StickingStates

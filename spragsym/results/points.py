@@ -511,7 +511,7 @@ class Path(OfStates, Rows):
 
 
 @dataclass(frozen=True, eq=False)
-class LowestEnd(Tabular, NDArrayOperatorsMixin):
+class CriticalLoad(Tabular, NDArrayOperatorsMixin):
     """First end of the state that is followed over a range of another parameter; a number, or an
     array, as ``value``.
 
@@ -561,7 +561,7 @@ class LowestEnd(Tabular, NDArrayOperatorsMixin):
 
     def __array_ufunc__(self, ufunc: object, method: str, *inputs: Any, **options: Any) -> Any:
         return getattr(ufunc, method)(
-            *(one.value if isinstance(one, LowestEnd) else one for one in inputs), **options
+            *(one.value if isinstance(one, CriticalLoad) else one for one in inputs), **options
         )
 
     def __float__(self) -> float:
@@ -580,7 +580,7 @@ class LowestEnd(Tabular, NDArrayOperatorsMixin):
     def __len__(self) -> int:
         return len(self.value)
 
-    def __getitem__(self, index: Any) -> LowestEnd:
+    def __getitem__(self, index: Any) -> CriticalLoad:
         some = {name: getattr(self, name)[index] for name in ("value", "where", "kind", "error")}
         return replace(
             self, **{name: part if np.ndim(part) else part.item() for name, part in some.items()}

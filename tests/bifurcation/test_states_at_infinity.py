@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.design.jumps import have_jumped
+from spragsym.design.jumps import limit_point_passed
 from tests.oracles.user_pages import derived, replaced
 
 pytest.importorskip("sympy")
@@ -61,7 +61,7 @@ def test_steady_sliding_ends_where_the_state_runs_to_infinity(run: Any) -> None:
     assert [row["kind"] for row in json.loads(told)["jumps"]] == ["infinity"]
     assert len(json.loads(told)["states"]) == 3
     assert "none, proved" in run("equilibria", "--model", str(folder), "--mu0", "1")
-    assert have_jumped(p.replace(mu0=ends + np.array([-1e-3, 1e-3]))).tolist() == [
+    assert limit_point_passed(p.replace(mu0=ends + np.array([-1e-3, 1e-3]))).tolist() == [
         0,
         1,
     ]  # as margins and probabilities ask

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.design.jumps import have_jumped
+from spragsym.design.jumps import limit_point_passed
 from spragsym.kang_nam.parameters import NAMES
 from tests.conformance.models import MODELS, a_set, load
 
@@ -128,16 +128,16 @@ def test_what_has_jumped_has_two_witnesses() -> None:
     p = ss.Parameters(
         **given, **{name: 10 ** rng.uniform(*ends, shape) for name, ends in sizes.items()}
     )
-    closed, search = (have_jumped(p, method=method) for method in ("closed", "search"))
+    closed, search = (limit_point_passed(p, method=method) for method in ("closed", "search"))
     assert closed.shape == search.shape == p.shape
-    hasty = have_jumped(p, method="search", hasty=True)
-    known = ~np.isnan(hasty)
+    coarse = limit_point_passed(p, method="search", coarse=True)
+    known = ~np.isnan(coarse)
     assert known.mean() > 0.95
-    assert np.array_equal(hasty[known], closed[known])
+    assert np.array_equal(coarse[known], closed[known])
     assert 0.1 < closed.mean() < 0.9
     assert np.array_equal(closed, search)
     assert np.array_equal(closed == 1, ss.jump_value(p) <= p.mu0)
     q = ss.load("cubic_contact").Parameters(theta0=0.9, mu0=[[0.0, 0.1], [0.3, 0.5]])
-    assert have_jumped(q).tolist() == (ss.jump_value(q.replace(mu0=0.0)) <= q.mu0).tolist()
+    assert limit_point_passed(q).tolist() == (ss.jump_value(q.replace(mu0=0.0)) <= q.mu0).tolist()
     with pytest.raises(ss.errors.ParameterError, match="stribeck has no friction that rises"):
-        have_jumped(a_set("stribeck"))
+        limit_point_passed(a_set("stribeck"))

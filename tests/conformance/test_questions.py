@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.design.jumps import have_jumped
+from spragsym.design.jumps import limit_point_passed
 from tests.conformance import models
 from tests.conformance.models import ALIKE, MODELS, a_set, answers
 from tests.support import few
@@ -288,7 +288,7 @@ class Asked:
             **{self.vary: self.own * np.random.default_rng(1).uniform(0.995, 1.005, 4)}
         )
         fails: dict[str, Callable[[Any], Any]] = {
-            "no jump": lambda p: have_jumped(p, self.vary, begin=self.begin) == 1,
+            "no jump": lambda p: limit_point_passed(p, self.vary, begin=self.begin) == 1,
             "one equilibrium": lambda p: ss.count(p) != 1,
             "no flutter": lambda p: (ss.equilibria(p).undamped == ss.EquilibriumType.FLUTTER).any(
                 axis=-1

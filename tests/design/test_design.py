@@ -19,7 +19,7 @@ from spragsym.design.design_space import space
 from spragsym.design.probability import estimate
 from spragsym.kang_nam import jump_values
 from spragsym.kang_nam.certificates import CLAIMS, ParameterBoxes
-from spragsym.kang_nam.jump_values import have_jumped
+from spragsym.kang_nam.jump_values import limit_point_passed
 from spragsym.numerics import bernstein
 from spragsym.numerics.affine import Rounded
 from tests.oracles import families, reference
@@ -116,7 +116,7 @@ def test_exact_arithmetic_gives_the_same_values(monkeypatch: pytest.MonkeyPatch)
 @pytest.mark.parametrize("family", sorted(set(families.FAMILIES) - {"cusp wedge"}))
 def test_what_has_jumped_is_what_jumps_below_its_friction(family: str) -> None:
     p = families.FAMILIES[family](np.random.default_rng(40), 40 if "light" in family else 3000)
-    found, value = have_jumped(p), np.asarray(ss.jump_value(p))
+    found, value = limit_point_passed(p), np.asarray(ss.jump_value(p))
     # A value has 1e-12; nearer than that to the friction the event is the one that knows.
     clear = ~(np.abs(value - p.mu0) <= 1e-12 * np.maximum(1.0, value))
     assert clear.sum() > 10
@@ -128,7 +128,7 @@ def test_many_inclinations_are_told_from_one_fold() -> None:
     p = families.near_folds(np.random.default_rng(6), 60)
     for i in np.flatnonzero(np.isfinite(ss.jump_value(p, "theta0"))):
         fold = float(ss.jump_value(one(p, int(i)), "theta0"))
-        assert have_jumped(
+        assert limit_point_passed(
             one(p, int(i)).replace(theta0=fold + np.array([1e-3, -1e-12, 1e-12])), "theta0"
         ).tolist() == [1, 0, 1]
 
@@ -136,7 +136,7 @@ def test_many_inclinations_are_told_from_one_fold() -> None:
 @pytest.mark.thorough
 def test_beside_a_fold_what_has_jumped_is_what_the_path_says() -> None:
     p = families.near_folds(np.random.default_rng(6), 4000)
-    found, value = have_jumped(p), np.asarray(ss.jump_value(p))
+    found, value = limit_point_passed(p), np.asarray(ss.jump_value(p))
     close = np.flatnonzero(np.abs(value - p.mu0) <= 1e-13 * value)
     assert close.size > 10
     for i in close[:30]:

@@ -11,7 +11,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.bifurcation.tubes import Tubes
-from spragsym.design.jumps import have_jumped
+from spragsym.design.jumps import limit_point_passed
 from spragsym.design.proved_jumps import proved_jumps
 from spragsym.design.tube_certificates import Splitting
 from spragsym.statics.search import balances_of
@@ -84,7 +84,7 @@ def test_points_of_which_it_is_told_whether_they_have_jumped() -> None:
     rng = np.random.default_rng(2)
     given = drawn(rng, 40)
     P = touches(given) * rng.uniform(0.5, 1.5, 40)
-    ended = have_jumped(shoe().Parameters(**given, P=P), "P", -0.1)
+    ended = limit_point_passed(shoe().Parameters(**given, P=P), "P", -0.1)
     expected = (given["mu0"] > locks(given)) & (touches(given) < P)
     assert 5 < expected.sum() < 35
     np.testing.assert_array_equal(ended, expected)
@@ -92,10 +92,10 @@ def test_points_of_which_it_is_told_whether_they_have_jumped() -> None:
     passes = mu0 > (2 + k_t) / (2 * h)
     assert 5 < passes.sum() < 35
     pad = model_of(PAD, "pad_on_2").Parameters(mu0=mu0, h=h, k_t=k_t)
-    np.testing.assert_array_equal(have_jumped(pad, "mu0"), 0.0)
+    np.testing.assert_array_equal(limit_point_passed(pad, "mu0"), 0.0)
     # Without the torsion spring nothing goes on.
     pad = pad.replace(k_t=0.0)
-    np.testing.assert_array_equal(have_jumped(pad, "mu0"), mu0 > 1 / h)
+    np.testing.assert_array_equal(limit_point_passed(pad, "mu0"), mu0 > 1 / h)
 
 
 def a_margin(given: Any, P: float) -> tuple[Any, float]:
@@ -172,7 +172,9 @@ def test_the_state_of_a_part_is_not_taken_for_that_of_another_combination() -> N
     # Nothing is told of points whose own state is off the drum.
     told = found.ended(low.replace(mu0=mu0, P=0.0005))
     np.testing.assert_array_equal(told, np.where(off, np.nan, 0.0))
-    np.testing.assert_array_equal(have_jumped(low.replace(mu0=mu0, P=0.0005), "P", PULLED), off)
+    np.testing.assert_array_equal(
+        limit_point_passed(low.replace(mu0=mu0, P=0.0005), "P", PULLED), off
+    )
 
 
 def test_a_tube_is_of_the_state_that_was_given() -> None:

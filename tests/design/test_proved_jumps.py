@@ -7,7 +7,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.design import probability
-from spragsym.design.jumps import have_jumped
+from spragsym.design.jumps import limit_point_passed
 from spragsym.design.proved_jumps import proved_jumps
 from spragsym.design.tube_certificates import Splitting
 
@@ -25,7 +25,7 @@ def test_parts_tell_what_each_of_their_points_does() -> None:
     rng = np.random.default_rng(80)
     where = {name: rng.uniform(low[name], high[name], 40) for name in ("theta0", "mu0")}
     p = low.replace(**where)
-    found, expected = proved.ended(p), have_jumped(p, method="search")
+    found, expected = proved.ended(p), limit_point_passed(p, method="search")
     told = ~np.isnan(found)
     assert told.mean() > 0.5
     np.testing.assert_array_equal(found[told], expected[told])

@@ -87,7 +87,7 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "Surface": lambda: ss.kang_nam.surface(ONE, 1.0, [[0.5], [0.6]]),
     "Points": lambda: ss.folds(ONE),
     "Points of two parameters": lambda: ss.cusps(ONE),
-    "LowestEnd": lambda: ss.critical_friction(ONE.replace(beta=[0.0, 1.0])),
+    "CriticalLoad": lambda: ss.critical_friction(ONE.replace(beta=[0.0, 1.0])),
     "BifurcationSet": lambda: ss.bifurcation_set(ONE, n=600),
     "Curve": lambda: ss.bifurcation_set(ONE, n=600).curves[0],
     "FlutterBoundary": lambda: ss.kang_nam.flutter_boundary(ONE.replace(alpha=0.7), 50),

@@ -87,7 +87,7 @@ def lowest(kind: str, value: float, complete: bool = True) -> Callable[..., Any]
         (
             "_jump_along_the_inclination",
             EXACT,
-            {"first_ends": refused},
+            {"first_limit_points": refused},
             "the jump along theta0 is not known: the search did not end",
         ),
     ],

@@ -40,7 +40,7 @@ from ..statics.stability import linearization
 from .defining_systems import given_column
 from .options import ContinuationOptions
 from .points import INFINITY
-from .singularities import turned as turned_by_mirror
+from .singularities import reflected_coordinates
 from .tubes import Place, Tubes
 
 
@@ -132,7 +132,7 @@ def linked(
     steps = list(itertools.pairwise(stops))[slice(only, None if only is None else only + 1)]
     given = columns(eq.parameters, along.balance.parameters)
     ends = Intervals.between(given.min(axis=1, keepdims=True), given.max(axis=1, keepdims=True))
-    turned = turned_by_mirror(along.balance, ends)
+    turned = reflected_coordinates(along.balance, ends)
     states, known = _states(along, eq, turned), dict[Span, dict[int, int]]()
     open_, halved = steps, list[tuple[Span, float]]()
     options = options or ContinuationOptions()

@@ -492,7 +492,7 @@ class Augmented(OfFamily):
         return np.concatenate([ends, unknowns.ends[:, self.balance.n :]], axis=1)
 
 
-def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
+def refined_roots(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     """Roots that a search along one parameter in a region has left open, or knows to few digits
     only, again with many digits.
     """

@@ -29,7 +29,7 @@ from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Evaluation
 from ..statics.precise_balance import reduced_by_turns
 from ..statics.regions import region
-from ..statics.search import balance_of, solved
+from ..statics.search import balance_of, roots_of
 from ..statics.stability import type_at
 from .defining_systems import Augmented, Family, cusp
 from .singularities import isolated
@@ -112,7 +112,7 @@ def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatA
         :, :, None
     ]
     if (low == high).all():
-        return solved(balance, high)
+        return roots_of(balance, high)
     around, whole = region(balance, Intervals.between(low, high))
     return (
         reduced_by_turns(balance.periodic, certified_roots.search(balance, around, low, high)),

@@ -33,7 +33,7 @@ from ..statics import stability
 from ..statics.balance import NOTHING
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_contact_side, refined
-from ..statics.search import balances_of, seen
+from ..statics.search import balances_of, float_candidates
 from ..statics.stability import (
     comes_in_pairs,
     damped_by_friction_alone,
@@ -353,7 +353,9 @@ def _sightings(system: Augmented) -> list[FloatArray]:
     low, high = system.family.spans[0]
     samples = system.options.samples
     values = low + (high - low) * (np.arange(samples) + 0.5) / samples
-    q, point = _states(seen(system.balance, system.family.at(values[None]), system.family.asked))
+    q, point = _states(
+        float_candidates(system.balance, system.family.at(values[None]), system.family.asked)
+    )
     z = np.concatenate([q, values[point][None]])
     every, out = _signals(system, z), list[FloatArray]()
     for one in range(point.size):

@@ -30,7 +30,7 @@ import numpy as np
 from ..models import Model
 from ..models.field import Mode, undecorated
 from ..numerics import balls, contractors
-from ..numerics.arithmetic import Complex, Matrix, Number, as_complex, solved
+from ..numerics.arithmetic import Complex, Matrix, Number, as_complex, linear_solution
 from ..numerics.balls import XP, Ball, UndecidedSign, ball
 from ..numerics.interval_arrays import (
     ComplexArray,
@@ -300,7 +300,7 @@ class _Point:
             for mu in (1, 0)
         )
         missing = [(b - a) * more for a, b in zip(with_unit, without, strict=True)]
-        return solved([list(map(self.known, row)) for row in at.mass()], missing)
+        return linear_solution([list(map(self.known, row)) for row in at.mass()], missing)
 
 
 def _in_balls(
@@ -391,14 +391,16 @@ class _Pair:
                 [-entry + twice if i == j else -entry for j, entry in enumerate(row)]
                 for i, row in enumerate(Z)
             ]
-        within = solved(Z, [_product(row, values) for row in self.inverse])
+        within = linear_solution(Z, [_product(row, values) for row in self.inverse])
         return [_product(row, within) for row in self.X]
 
 
 def _in_basis(A: Matrix, X: Matrix, R: Matrix) -> tuple[Matrix, Matrix]:
     """X⁻¹ A X and X⁻¹, with an approximate inverse R."""
     near_unit = _matrix_product(R, X)
-    inverse = [*zip(*(solved(near_unit, column) for column in zip(*R, strict=True)), strict=True)]
+    inverse = [
+        *zip(*(linear_solution(near_unit, column) for column in zip(*R, strict=True)), strict=True)
+    ]
     return _matrix_product(inverse, _matrix_product(A, X)), inverse
 
 

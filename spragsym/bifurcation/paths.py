@@ -39,7 +39,7 @@ from .options import ContinuationOptions
 from .points import INFINITY, OVER_BORDER, escapes, isolated, which
 from .singularities import ended
 from .tubes import Place, Tubes
-from .turning_points import turned
+from .turning_points import limit_points
 
 #: An error of a fold that is no more than rounding: other floats than its own are on one side of
 #: it.
@@ -501,7 +501,7 @@ class QuasiStaticContinuation:
             return self.joined[node - 1][place]
         if place < 0:
             return self._begun(node, place)
-        number = self._turned(node - 1, place, node)
+        number = self._limit_point(node - 1, place, node)
         if number is None and place in self._links(node - 1):
             return self._links(node - 1)[place]
         return ~(self._ending(node - 1, place, node) if number is None else number)
@@ -510,7 +510,7 @@ class QuasiStaticContinuation:
         """The number of the point at which a state vanishes on its way to the node before or
         behind, if it does.
         """
-        number = self._turned(node, slot, goal)
+        number = self._limit_point(node, slot, goal)
         return self._ending(node, slot, goal) if number is None else number
 
     def moved(self, node: int, slot: int, goal: int) -> FloatArray:
@@ -536,7 +536,7 @@ class QuasiStaticContinuation:
         links = self._links(node - 1)
         begun = [slot for slot in range(int(self.eq.count[node])) if slot not in links.values()]
         if len(self._met(node - 1)) > 1:
-            begun = [slot for slot in begun if self._turned(node, slot, node - 1) == ~place]
+            begun = [slot for slot in begun if self._limit_point(node, slot, node - 1) == ~place]
         return next(
             (slot for slot in begun if self.eq.undamped[node, slot] == EquilibriumType.STABLE),
             place,
@@ -547,7 +547,7 @@ class QuasiStaticContinuation:
         low, high = sorted((self.mesh[node], self.mesh[other]))
         return np.flatnonzero((self.at >= low - self.error) & (self.at <= high + self.error))
 
-    def _turned(self, node: int, slot: int, goal: int) -> int | None:
+    def _limit_point(self, node: int, slot: int, goal: int) -> int | None:
         """The fold at which a state is proved to turn back on its way to another node, of several
         points where it may end.
 
@@ -564,7 +564,7 @@ class QuasiStaticContinuation:
             near = clearly_nearest(start.z[: tubes.n], self.q[:, here])[0]
             return int(here[near]) if near >= 0 else None
         forward = 1 if self.mesh[goal] > self.mesh[node] else -1
-        found = turned(tubes, start, forward)
+        found = limit_points(tubes, start, forward)
         if not found.sure[0]:
             return None
         away = np.abs(np.vstack([self.q, self.at])[:, here] - found.z) / scale_of(found.z)

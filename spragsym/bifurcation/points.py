@@ -56,7 +56,7 @@ from ..statics.precise_balance import on_contact_side, reduced_by_turns
 from ..statics.reference_state import in_order
 from ..statics.regions import region
 from ..statics.search import kinds_of, of_ranges, of_region, summed
-from .defining_systems import Augmented, Condition, Family, OfFamily, settled, slope
+from .defining_systems import Augmented, Condition, Family, OfFamily, refined_roots, slope
 from .lines_of_states import LINES_OF_STATES, is_affine, lines_of_states
 
 #: How far beyond the border of the contact states on it are looked for.
@@ -104,14 +104,14 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     if budget is None and system.options.budget is None:
         # Of more than four unknowns each costs many times as much.
         budget = 200_000 if system.n <= 3 else 1_000_000 if system.n == 4 else 6_000
-    from_least = alone and begins(system, around)
+    from_least = alone and begins_at_zero(system, around)
     wide = _between(around, LOW, around[1, -1, 0]) if from_least else around
     roots = certified_roots.search(system, wide, fixed, fixed, budget=budget)
     if from_least:
         roots = _joined(_by_logarithm(system, around), roots)
         around = _between(around, LEAST, around[1, -1, 0])
     if alone:
-        roots = settled(system, around, roots)
+        roots = refined_roots(system, around, roots)
     roots = reduced_by_turns(balance.periodic, on_contact_side(system, fixed, roots))
     if alone:
         roots = roots.select(undecided=~shared(system, roots.undecided))
@@ -311,7 +311,7 @@ class Logarithmic(Augmented):
         return super().parted([*unknowns[:-1], XP.exp(unknowns[-1])], *given)
 
 
-def begins(system: Augmented, around: FloatArray) -> bool:
+def begins_at_zero(system: Augmented, around: FloatArray) -> bool:
     """Whether the range of the parameter in the region ``around`` begins at 0, which it never is,
     and nothing is known there.
     """

@@ -238,7 +238,7 @@ def _mirrors(family: Family) -> list[_Mirror]:
     not feel each other.
     """
     balance, over = family.balance, family.over
-    odd = turned(balance, over)
+    odd = reflected_coordinates(balance, over)
     found = (
         [
             _Mirror(
@@ -258,7 +258,7 @@ def _mirrors(family: Family) -> list[_Mirror]:
     return found
 
 
-def turned(balance: Balance, over: Intervals) -> list[int]:
+def reflected_coordinates(balance: Balance, over: Intervals) -> list[int]:
     """Numbers of the coordinates that the mirror turns, if the model is its own image for these
     parameters, shape (P, 1).
     """

@@ -13,7 +13,7 @@ from .tubes import Place, Tubes
 
 
 @dataclass(frozen=True)
-class Turned(ByColumn):
+class LimitPoints(ByColumn):
     """Folds z = (q, v), shape (n + 1, N), and between which values v lies there: proved where
     ``sure``, else without meaning.
     """
@@ -24,7 +24,7 @@ class Turned(ByColumn):
     sure: BoolArray
 
 
-def turned(tubes: Tubes, start: Place, forward: int) -> Turned:
+def limit_points(tubes: Tubes, start: Place, forward: int) -> LimitPoints:
     """The first folds of states at a place as v moves on, up or down, where it turns back; points
     without width.
 
@@ -34,7 +34,7 @@ def turned(tubes: Tubes, start: Place, forward: int) -> Turned:
     in that one, and its ends bound v.
     """
     low, high = np.full((2, start.sure.size), np.nan)
-    out = Turned(start.z.copy(), low, high, np.zeros(low.size, dtype=np.bool_))
+    out = LimitPoints(start.z.copy(), low, high, np.zeros(low.size, dtype=np.bool_))
     for some, here, rows, by_v in pivots(tubes, start):
         moving = np.sign(by_v)
         towards = forward * moving
@@ -188,7 +188,7 @@ def secants(tubes: Tubes, z: FloatArray, towards: FloatArray) -> tuple[FloatArra
 
 def _proved(
     tubes: Tubes, here: Place, fold: FloatArray, moving: FloatArray, forward: int
-) -> Turned:
+) -> LimitPoints:
     """Between which values v lies where it turns back, and whether that is proved."""
     by_s = tubes.tangents(here.z)[0]
     open_ = tubes.rises(here, by_s) == moving
@@ -207,7 +207,7 @@ def _proved(
     good &= open_ & (tubes.rises(end, tubes.tangents(end.z)[0]) == -moving)
     reached, ends = here.box()[-1], tube.box()[-1]
     low, high = (reached.low, ends.high) if forward > 0 else (ends.low, reached.high)
-    return Turned(fold, low, high, good)
+    return LimitPoints(fold, low, high, good)
 
 
 def _moved_on(

@@ -379,7 +379,7 @@ class _RaySearch:
             far = next((one for one in tried if one is not None), None)
             if far is None:
                 return None
-            found = self._better(self._turned(far))
+            found = self._better(self._rotated(far))
         for _ in range(self.options.rounds):
             nearer = self._on_rays(rays, norm(found) * np.array([0.999, 0.7, 0.4]))
             if nearer is None:
@@ -462,7 +462,7 @@ class _RaySearch:
             )
         return high
 
-    def _turned(self, point: FloatArray) -> FloatArray:
+    def _rotated(self, point: FloatArray) -> FloatArray:
         """The ray to a member turned a little, and less and less, as long as that shortens it."""
         radius = norm(point)
         ray = point / radius

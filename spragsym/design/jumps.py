@@ -16,7 +16,7 @@ from ..bifurcation.crossings import crossed
 from ..bifurcation.defining_systems import Augmented, Family, ranges, touch
 from ..bifurcation.paths import ModelEnd, first_end
 from ..bifurcation.tubes import Place, Tubes
-from ..bifurcation.turning_points import passed, past, turned
+from ..bifurcation.turning_points import limit_points, passed, past
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..core.questions import Method, model_of, question
@@ -320,7 +320,7 @@ class Followed:
             eq = equilibria(self._points(rows[left]).replace(**{self.vary: goal[left]}))
             ended[left[eq.decided & eq.whole & (eq.count == 0)]] = 1.0
             left = np.flatnonzero(np.isnan(ended))
-            told = self._told(tubes[left], start[left], goal[left], coarse=coarse)
+            told = self._by_tubes(tubes[left], start[left], goal[left], coarse=coarse)
             ended[left] = np.where(told.decided, np.isfinite(told.z[-1]), np.nan)
             found[rows] = ended
         return found.reshape(self.shape)
@@ -337,7 +337,7 @@ class Followed:
         z, error, reasons = np.empty((n + 1, size)), np.empty(size), dict[int, str]()
         combination = np.zeros(size, dtype=np.int64)
         for rows, tubes, start, goal in self._parts():
-            told = self._told(tubes, start, goal)
+            told = self._by_tubes(tubes, start, goal)
             z[:, rows], error[rows], combination[rows] = told.z, told.error, told.combination
             for i, contact in zip(rows.tolist(), told.border.tolist(), strict=True):
                 if contact >= 0:
@@ -410,7 +410,7 @@ class Followed:
                     start.sure[~known[mine]] = False
                     yield rows[mine], tubes, start, self.until[rows[mine]]
 
-    def _told(self, tubes: Tubes, start: Place, goal: FloatArray, *, coarse: bool = False) -> _Told:
+    def _by_tubes(self, tubes: Tubes, start: Place, goal: FloatArray, *, coarse: bool = False) -> _TubeVerdict:
         """What tubes tell of points of one combination of contacts, and of another one behind a
         border.
         """
@@ -420,7 +420,7 @@ class Followed:
         if coarse:  # beside a cusp more segments are needed
             tubes = replace(tubes, options=replace(tubes.options, segments=60))
         left, at = np.arange(size), start
-        out = _Told(
+        out = _TubeVerdict(
             np.zeros(size, dtype=np.bool_),
             np.full(start.z.shape, np.nan),
             np.zeros(size),
@@ -439,12 +439,12 @@ class Followed:
             for part in crossed(tubes[left], at, goal[left]):
                 rows, beyond[part.rows] = left[part.rows], True
                 if part.kind == PASSES:
-                    out.scatter(rows, self._told(part.tubes, part.place, goal[rows], coarse=coarse))
+                    out.scatter(rows, self._by_tubes(part.tubes, part.place, goal[rows], coarse=coarse))
                 else:
                     out.z[:, rows], out.error[rows] = part.z, part.error
                     out.decided[rows], out.border[rows] = True, part.contact
             left, at = left[~beyond], at[~beyond]
-            fold = turned(tubes[left], at, forward)
+            fold = limit_points(tubes[left], at, forward)
             # What turns back beyond the goal has come to it.
             near, far = np.sort(
                 [forward * (fold.low - goal[left]), forward * (fold.high - goal[left])], axis=0
@@ -463,7 +463,7 @@ class Followed:
 
 
 @dataclass(frozen=True)
-class _Told(ByColumn):
+class _TubeVerdict(ByColumn):
     """Points of which it is told whether there is an end before the goal, the ends, shape (n + 1,
     N) or NaN, errors, and the numbers of the combination of contacts that touch there, and of the
     contact that is lost or regained; −1 where none is.

@@ -164,7 +164,7 @@ def _followed_with(boxes: ParameterBoxes, margin: float) -> Proved:
         highest = _moved(boxes, middle, later, margin)
         result &= (lowest.value - lowest.reach() > 0) & (highest.value + highest.reach() < math.pi)
     weight = np.zeros_like(boxes.low)
-    for check in (_ends_hold, _rises, _is_small):
+    for check in (_ends_hold, _friction_rises, _is_small):
         some = np.flatnonzero(result)
         if some.size:
             result[some], weight[:, some] = check(
@@ -235,7 +235,7 @@ def _ends_hold(
     return result, weight
 
 
-def _rises(
+def _friction_rises(
     boxes: ParameterBoxes, lowest: LinearDirection, start: LinearDirection, highest: LinearDirection
 ) -> Proved:
     """μ₀(θ) rises between the two directions: f′ f_μ₀ − f f_μ₀′ < 0, in which μ₀ cancels."""

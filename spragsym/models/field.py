@@ -462,7 +462,7 @@ class _Motion:
             for depth in undecorated(algebra.layers)(*state, *constants, *sides)
         )
         turn = [2 * (state[n + self._gap(contact)] >= 0) - 1 for contact in self.turns]
-        torsion_sides = (2 * (sine >= 0) - 1 for sine, _ in self._turned(state, constants))
+        torsion_sides = (2 * (sine >= 0) - 1 for sine, _ in self._turning_waves(state, constants))
         # A law that is no polynomial begins without contact on the border itself.
         pushing = (
             1 * (gap <= -shift) if entry["border"] else 1
@@ -562,7 +562,7 @@ class _Motion:
     def _gap(self, contact: int) -> int:
         return self.model.coordinates.index(self.contacts[contact]["gap"])
 
-    def _turned(self, state: Vector, constants: Sequence[float]) -> list[tuple[float, float]]:
+    def _turning_waves(self, state: Vector, constants: Sequence[float]) -> list[tuple[float, float]]:
         """Sine and cosine of every turning."""
         if not self.torsions:
             return []
@@ -616,7 +616,7 @@ class _Motion:
             _, beyond = _side(self.way + k, 0)
 
             def jumps(state: Vector, constants: Vector, k: int = k) -> bool:
-                return bool(self._turned(state, constants)[k][1] < 0)
+                return bool(self._turning_waves(state, constants)[k][1] < 0)
 
             place = self.way + k
             yield Border(f"turning {k + 1}", *levels, lambda _: 1, beyond, jumps=jumps, place=place)

@@ -103,7 +103,7 @@ class MotionOptions(Options):
         Time between two orthonormalizations of the deviations.
     lost : float
         Ratio of two deviations below which the smaller is lost in rounding: the interval is halved.
-    told : float
+    significance : float
         Half-widths of its 95 % interval beyond which an exponent is told from 0.
     least_error : float
         What errors of integration may add to an exponent.
@@ -142,7 +142,7 @@ class MotionOptions(Options):
     span: float = option(4000.0, 1.0)
     interval: float = option(5.0, 1e-6)
     lost: float = option(1e-10, 1e-15, 0.1)
-    told: float = option(2.0, 1.0)
+    significance: float = option(2.0, 1.0)
     least_error: float = option(1e-10, 0.0)
     still: float = option(1e-9, 0.0)
     decays: float = option(5.0, 1.0)

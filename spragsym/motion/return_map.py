@@ -30,7 +30,7 @@ from .measures import MotionStatistics
 from .options import ShootingOptions
 from .problem import Problem
 from .regimes import Outcome, Regime
-from .shooting import Iterate, Orbit, least_period, off_jumps, solved, through
+from .shooting import Iterate, Orbit, closed_orbit, least_period, off_jumps, through
 from .solution import Extremum, FlowMap, FlowResult
 
 #: Tolerance of flows that closed orbits are found with, where differences stand for
@@ -128,7 +128,7 @@ class Onward:
         def near_guess(flow_map: FlowMap | None, precision: float) -> Orbit:
             flow = Flow(self.field, self.backend, flow_map)
             options = ShootingOptions(last_step=precision, closed=precision)
-            return solved(flow, guess, on_section, reach=reach, options=options)
+            return closed_orbit(flow, guess, on_section, reach=reach, options=options)
 
         # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that
         # fails, all steps have them.

@@ -372,7 +372,7 @@ def integrated(flow: Flow, guess: Iterate) -> Orbit:
     )
 
 
-def solved(
+def closed_orbit(
     flow: Flow,
     guess: Iterate | Orbit,
     *conditions: Conditions,
@@ -575,7 +575,7 @@ def _divided(orbit: Orbit, rounds: int) -> Orbit | None:
         guess = Iterate(orbit.state[None], orbit.period / rounds, orbit.values)
         guess = subdivided(orbit.flow, guess).guess
         try:
-            shorter = solved(orbit.flow, guess, phase(orbit, guess), reach=magnitude(near))
+            shorter = closed_orbit(orbit.flow, guess, phase(orbit, guess), reach=magnitude(near))
         except ConvergenceError:
             # where nothing damps orbits are not isolated, and Newton's matrix is singular
             shorter = integrated(orbit.flow, guess)

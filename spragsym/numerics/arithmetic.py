@@ -178,7 +178,9 @@ def is_zero(value: Number) -> bool:
     return isinstance(value, int) and value == 0
 
 
-def solved(matrix: Matrix, values: Sequence[Any], choose: Choice | None = None) -> list[Any]:
+def linear_solution(
+    matrix: Matrix, values: Sequence[Any], choose: Choice | None = None
+) -> list[Any]:
     """Solution by elimination, pivots in the order of the rows unless ``choose`` exchanges them."""
     rows = [[*row, value] for row, value in zip(matrix, values, strict=True)]
     n = len(rows)

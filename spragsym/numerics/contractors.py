@@ -68,7 +68,7 @@ def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: Floa
     if (step := _compiled(values, slopes, middle, reach, rows=False)) is not None:
         return step
     Y = inverse(slopes.middle)
-    return _solved(
+    return _newton_step(
         product(Y, slopes.ends), product(Y, values.ends[:, :, None])[:, :, 0], middle, reach
     )
 
@@ -78,7 +78,7 @@ def by_rows(
 ) -> FloatArray:
     """The operator with the unit matrix for Y: ends of its result."""
     step = _compiled(values, slopes, middle, reach, rows=True)
-    return (_solved(slopes.ends, values.ends, middle, reach) if step is None else step).ends
+    return (_newton_step(slopes.ends, values.ends, middle, reach) if step is None else step).ends
 
 
 def _compiled(
@@ -121,14 +121,14 @@ def by_each_row(
         rows = (every + shift) % n
         A, b = slopes.ends[:, rows], values.ends[:, rows]
         turned = A[1, every, every] < 0  # a row times −1, so that its diagonal may be divided by
-        step = _solved(
+        step = _newton_step(
             np.where(turned[:, None], A[::-1], A), np.where(turned, b[::-1], b), middle, reach
         )
         ends, none = np.fmin(ends, step.ends), none | step.none
     return ends, none
 
 
-def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray) -> Newton:
+def _newton_step(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray) -> Newton:
     n = middle.shape[0]
     magnitude = np.maximum(A[0], A[1])
     diagonal = np.arange(n)

@@ -34,7 +34,9 @@ def exactly(value: float | str | Fraction) -> Fraction:
     return Fraction(*map(int, libmp.to_rational(value._mpf_)))
 
 
-def around(value: Fraction | float, error: Fraction | float, digits: int | None = None) -> Decimal:
+def rounded_decimal(
+    value: Fraction | float, error: Fraction | float, digits: int | None = None
+) -> Decimal:
     """A number that is known to ``error``, in decimals, with a bound that covers the rounding too.
 
     ``digits`` are significant ones; by default as many as the error leaves: one beyond its first.

@@ -239,7 +239,7 @@ class Functions:
     def atan2(self, sine: Number, cosine: Number) -> Number:
         """Angle of the vector (cosine, sine), from −π to π."""
         if isinstance(sine, Jet) or isinstance(cosine, Jet):
-            return argument(*turned(sine, cosine)) + self.atan2(constant(sine), constant(cosine))
+            return argument(*rotation(sine, cosine)) + self.atan2(constant(sine), constant(cosine))
         return self.kind.atan2(self.taken(sine), self.taken(cosine))
 
 
@@ -260,7 +260,7 @@ def order_of(*parts: Any) -> int:
     return max((part.order for part in parts if isinstance(part, Jet)), default=0)
 
 
-def turned(sine: Number, cosine: Number) -> tuple[Jet, Jet]:
+def rotation(sine: Number, cosine: Number) -> tuple[Jet, Jet]:
     """Change of the vector (cosine, sine), as a multiple 1 + u + i v of its value, of any
     length.
     """

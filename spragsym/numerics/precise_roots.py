@@ -26,7 +26,7 @@ import numpy as np
 
 from ..core.options import Options, limit
 from . import balls, contractors
-from .arithmetic import Matrix, Number, is_zero, solved
+from .arithmetic import Matrix, Number, is_zero, linear_solution
 from .balls import Ball, UndecidedSign, ball
 from .interval_arrays import FloatArray, Intervals, quiet
 from .jets import Jet, constant, gradient, variables
@@ -278,7 +278,7 @@ class _Task:
         """
         middle = [balls.middle(value) for value in others]
         slopes = [row[1:] for row in self._slopes([u, *others])[1:]]
-        steps = solved(slopes, self._values([u, *middle])[1:], _largest_pivot)
+        steps = linear_solution(slopes, self._values([u, *middle])[1:], _largest_pivot)
         return [m - step for m, step in zip(middle, steps, strict=True)]
 
     def _expansion(self, u: Ball, others: Sequence[Ball], highest: int) -> list[Any]:
@@ -287,7 +287,7 @@ class _Task:
         """
         slopes = self._slopes([u, *others])
         matrix, zero = [row[1:] for row in slopes[1:]], Ball(0, 0, 0, u.bits)
-        steps = solved(matrix, [row[0] for row in slopes[1:]], _largest_pivot)
+        steps = linear_solution(matrix, [row[0] for row in slopes[1:]], _largest_pivot)
         series: list[list[Any]] = [
             [u, 1],
             *([value, zero - step] for value, step in zip(others, steps, strict=True)),
@@ -295,7 +295,7 @@ class _Task:
         out = [_less(slopes[0][0], slopes[0][1:], steps) + zero]
         for order in range(2, highest + 1):
             rest, *rows = self._coefficients(series, order)
-            steps = solved(matrix, rows, _largest_pivot)
+            steps = linear_solution(matrix, rows, _largest_pivot)
             out.append(_less(rest, slopes[0][1:], steps) + zero)
             for part, term in zip(series, [0, *(zero - step for step in steps)], strict=True):
                 part.append(term)

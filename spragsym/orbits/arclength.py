@@ -20,12 +20,12 @@ from ..motion.shooting import (
     Iterate,
     Orbit,
     across,
+    closed_orbit,
     integrated,
     offset_from_jumps,
     refined_mesh,
     remeshed,
     rounding,
-    solved,
 )
 from ..numerics.vectors import magnitude, norm
 from .options import BranchOptions
@@ -240,7 +240,7 @@ def corrected(
     target, arc = guess.coordinates, (point.way * point.weights)[None]
     # Orbits may be as small as 1e-3 in the model's units.
     options = replace(setting.flow.options, steps=iterations, last_step=1e-15)
-    orbit = solved(
+    orbit = closed_orbit(
         setting.flow,
         guess,
         setting.holds(setting, point.orbit, target),
@@ -257,7 +257,7 @@ def fixed(setting: Setting, orbit: Orbit) -> Orbit:
     """
     orbit = orbit.bound()
     conditions = setting.holds(setting, orbit, orbit.guess.coordinates)
-    return setting.integrated(solved(setting.flow, orbit.guess, conditions).guess)
+    return setting.integrated(closed_orbit(setting.flow, orbit.guess, conditions).guess)
 
 
 def placed(point: BranchPoint, value: float, way: FloatArray | None = None) -> BranchPoint:

@@ -86,7 +86,7 @@ def _varied(now: Values, then: Values) -> tuple[int, float]:
     return index, span
 
 
-def settled(system: System, verdict: FateVerdict) -> tuple[str, FloatArray, FloatArray]:
+def attractor_exponents(system: System, verdict: FateVerdict) -> tuple[str, FloatArray, FloatArray]:
     """The kind of attractor that a decided motion comes to, its Lyapunov exponents, largest first,
     and their errors.
 

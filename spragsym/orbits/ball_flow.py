@@ -115,7 +115,7 @@ class Balls:
             tail = _left_out(ratio, self.rough)
             within = piece.solution(box, self.rough.order)
             derivative = piece.fundamental(within, self.rough.order, step)
-            derivative += piece.filled(around((slope * radius).exp() * tail))
+            derivative += piece.filled(ball_about_zero((slope * radius).exp() * tail))
             self.matrix = derivative * self.matrix
         # By the mean value theorem: what the flow contracts, its enclosure contracts as well.
         off = derivative * arb_mat(
@@ -123,7 +123,7 @@ class Balls:
         )
         left_out = _left_out(ratio, self.fine)
         ends = [
-            polynomial(jet, step) + around(bound * left_out)
+            polynomial(jet, step) + ball_about_zero(bound * left_out)
             for jet, bound in zip(center, bounds, strict=True)
         ]
         self.point = _moved(ends, off)
@@ -139,7 +139,10 @@ class Balls:
         """
 
         def disc(radii: Numbers) -> Numbers:
-            return [acb(value + around(r), around(r)) for value, r in zip(box, radii, strict=True)]
+            return [
+                acb(value + ball_about_zero(r), ball_about_zero(r))
+                for value, r in zip(box, radii, strict=True)
+            ]
 
         def sizes(radii: Numbers) -> Numbers:
             return [abs(acb(rate)).abs_upper() for rate in self.smooth.rates(disc(radii))]
@@ -227,7 +230,7 @@ class Balls:
         border, after = before.field.borders[index], before.beyond(index)
         if not before.level(border, box) > 0:
             raise TooWide(f"that no state has met {border.name} yet could not be shown")
-        hull = [value + around(1e-6) for value in box]
+        hull = [value + ball_about_zero(1e-6) for value in box]
         self.keeps_clear(hull, but=index)
         both = (before, after)
         speed = most([arb(value).abs_upper() for piece in both for value in piece.rates(hull)])
@@ -244,12 +247,14 @@ class Balls:
             raise NotProved(f"that {border.name} is crossed, not only touched, could not be shown")
         # Within the window all that changes, the mode too, changes rates by no more than their
         # slope over the way.
-        off = around(window * slope * window * speed)
+        off = ball_about_zero(window * slope * window * speed)
         self.point = [
             value + window * rate + off
             for value, rate in zip(self.point, before.rates(self.point), strict=True)
         ]
-        self.matrix = (self.smooth.filled(around((window * slope).exp() - 1)) + 1) * self.matrix
+        self.matrix = (
+            self.smooth.filled(ball_about_zero((window * slope).exp() - 1)) + 1
+        ) * self.matrix
         if not before.level(border, self.box) < 0:
             raise TooWide(f"that every state has crossed {border.name} could not be shown")
         self.smooth = after
@@ -272,7 +277,7 @@ class _Piece:
         if t.is_exact() and (t == 0 or t == self.step):
             return self.first if t == 0 else self.last
         return [
-            polynomial(each, t) + around(tail)
+            polynomial(each, t) + ball_about_zero(tail)
             for each, tail in zip(self.series, self.tails, strict=True)
         ]
 
@@ -445,7 +450,7 @@ def polynomial(series: arb_series, t: arb) -> arb:
     return arb_poly(series.coeffs())(t)
 
 
-def around(radius: arb | float) -> arb:
+def ball_about_zero(radius: arb | float) -> arb:
     """The ball about 0 that holds ±radius."""
     return arb(0, arb(radius).abs_upper())
 

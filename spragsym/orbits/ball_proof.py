@@ -25,7 +25,7 @@ from .ball_flow import (
     Numbers,
     Smooth,
     TooWide,
-    around,
+    ball_about_zero,
     bits,
     polynomial,
 )
@@ -243,7 +243,7 @@ def _krawczyk(
     """Krawczyk's operator on the return after a period, in the moved parts of the start and the
     period.
     """
-    near = [value + around(1e-6) for value in balls.box]
+    near = [value + ball_about_zero(1e-6) for value in balls.box]
     balls.keeps_clear(near)
     rates = [arb(rate) for rate in balls.smooth.rates(near)]
     if not all(abs(rate) * radius < 1e-6 for rate in rates):
@@ -253,7 +253,7 @@ def _krawczyk(
     rows = balls.matrix.tolist()
     sizes = [sum(value.abs_upper() for value in column) for column in zip(*rows, strict=True)]
     monodromy = [
-        [value + around(share * size) for value, size in zip(row, sizes, strict=True)]
+        [value + ball_about_zero(share * size) for value, size in zip(row, sizes, strict=True)]
         for row in rows
     ]
     slopes = [

@@ -250,7 +250,7 @@ def diagram(
     except SpragsymError as error:
         remarks.append(f"Hopf points were not looked for: {error}")
     for born in _cycles(p, vary, onsets, born_at, starts, remarks):
-        if not _known(branches, born):
+        if not _is_known_cycle(branches, born):
             try:
                 branches.append(cycle_branch(born, vary, between=between, points=points))
             except SpragsymError as error:
@@ -481,7 +481,7 @@ def _cycles(
             remarks.append(f"no cycle was found from {start}: {error}")
 
 
-def _known(branches: Sequence[CycleBranch], cycle: Cycle) -> bool:
+def _is_known_cycle(branches: Sequence[CycleBranch], cycle: Cycle) -> bool:
     """Whether a cycle is on a branch that is there: that branch's own cycle at the same value of
     the parameter is it.
     """
@@ -509,7 +509,7 @@ def _doubled(
             for event in branch.of("period_doubling"):
                 try:
                     doubled = branch.switch(event)
-                    if to[0] <= doubled.parameters[vary] <= to[1] and not _known(
+                    if to[0] <= doubled.parameters[vary] <= to[1] and not _is_known_cycle(
                         branches[begin:], doubled
                     ):
                         branches.append(

@@ -15,7 +15,7 @@ from ..core.errors import ConvergenceError
 from ..models.field import FLOATS
 from ..models.parameters import FloatArray
 from ..motion.multipliers import CRITERIA, criterion_of, is_complex_pair, unsure
-from ..motion.shooting import Conditions, Orbit, remeshed, solved
+from ..motion.shooting import Conditions, Orbit, closed_orbit, remeshed
 from ..numerics.vectors import magnitude
 from .arclength import (
     LOCATED,
@@ -58,7 +58,7 @@ def criterion(kind: str, point: BranchPoint) -> float:
     return criterion_of(kind, point.orbit)
 
 
-def known(kind: str, point: BranchPoint) -> float:
+def significant_value(kind: str, point: BranchPoint) -> float:
     """A test function of which the sign is known, or 0: one that is within its error tells
     nothing.
     """
@@ -101,11 +101,15 @@ def detected_events(
     apart_from_ones = CRITERIA[1:]
     # What test functions tell, a grazing apart.
     kinds = apart_from_ones if vertical(one, other, length) else (*CRITERIA, "crossing")
-    since = {kind: one if known(kind, one) else before or one for kind in kinds}
-    changed = [kind for kind in kinds if known(kind, since[kind]) * known(kind, other) < 0]
+    since = {kind: one if significant_value(kind, one) else before or one for kind in kinds}
+    changed = [
+        kind
+        for kind in kinds
+        if significant_value(kind, since[kind]) * significant_value(kind, other) < 0
+    ]
     pairs, came = (
-        paired(one.touches, other.touches),
-        paired(sliding_entries(one), sliding_entries(other)),
+        matched_events(one.touches, other.touches),
+        matched_events(sliding_entries(one), sliding_entries(other)),
     )
     left = [*lost(one, pairs, length), *lost(other, pairs, -length)]
     ended = [
@@ -181,7 +185,7 @@ def _bends_to_zero(kind: str, before: BranchPoint, one: BranchPoint, other: Bran
     """Whether the parabola through three values of one sign, equally far apart, comes to 0 between
     the last two.
     """
-    a, b, c = (known(kind, each) for each in (before, one, other))
+    a, b, c = (significant_value(kind, each) for each in (before, one, other))
     slope, bend = (c - a) / 2, (a + c) / 2 - b
     if not (a > 0) == (b > 0) == (c > 0) or bend * b <= 0 or not 0 < -slope / (2 * bend) < 1:
         return False
@@ -273,7 +277,7 @@ def _switching(
     """
 
     def stays(point: BranchPoint) -> float:
-        for _, become in paired([arrival], sliding_entries(point)):
+        for _, become in matched_events([arrival], sliding_entries(point)):
             return become.level
         raise ConvergenceError("the orbit does not come to the border")
 
@@ -393,7 +397,7 @@ def crossing_mismatch(one: BranchPoint, other: BranchPoint) -> int:
     return crossing_difference(one, other).total() + crossing_difference(other, one).total()
 
 
-def paired(one: list[Touch], other: list[Touch]) -> list[tuple[Touch, Touch]]:
+def matched_events(one: list[Touch], other: list[Touch]) -> list[tuple[Touch, Touch]]:
     """Events of an orbit at borders, each with what it becomes on another: the nearest first, each
     once.
     """
@@ -458,7 +462,7 @@ def grazing(near: BranchPoint, touch: Touch, beside: float = 0.0) -> Orbit:
         nearing_share = 0.03
         level = math.copysign(max(beside, nearing_share * abs(level)), level) if beside else 0.0
         conditions = touching(touch.way[0], near.setting, near.orbit, touch.state, level)
-        orbit = solved(near.setting.flow, guess, conditions, reach=0.5)
+        orbit = closed_orbit(near.setting.flow, guess, conditions, reach=0.5)
         if abs(orbit.period / near.orbit.period - 1) > 0.2:
             raise ConvergenceError("another orbit touches the border")
         if abs(level) <= beside:

@@ -28,7 +28,7 @@ from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray, IntArray
 from ..numerics.vectors import norm
 from ..results.result import Result
-from .attractors import settled
+from .attractors import attractor_exponents
 from .system import System, judged
 
 
@@ -149,7 +149,7 @@ def lyapunov(
     late = whole.after(len(whole.logs) // 2)
     times = late.interval * np.arange(1, len(late.logs) + 1)
     order = late.order
-    zero = np.abs(late.exponents) <= late.options.told * late.error
+    zero = np.abs(late.exponents) <= late.options.significance * late.error
     zero[0] |= late.moves
     why = late.undecided(t_end - late.span)
     kind, limit = "undecided" if why else "chaotic", np.full(system.field.deviations, np.nan)
@@ -159,7 +159,7 @@ def lyapunov(
         with suppress(
             ConvergenceError
         ):  # an attractor that Newton's method does not find again decides nothing
-            kind, limit, _ = settled(system, verdict)
+            kind, limit, _ = attractor_exponents(system, verdict)
             why = f"it comes to {verdict.described()}"
     return Lyapunov(
         late.exponents[order],
@@ -271,7 +271,7 @@ class Rates:
         if min(early.min(), late.min()) > 0 and late.sum() > 0.5 * early.sum():
             grown = math.exp(early.sum() + late.sum())
             return f"its speed grows all along, {grown:.3g} times: it runs away, or settles slowly"
-        open_ = np.flatnonzero(np.abs(across) <= options.told * error)
+        open_ = np.flatnonzero(np.abs(across) <= options.significance * error)
         if len(open_):
             worst = open_[np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300))]
             longer = "a longer motion narrows that as the root of its time; on a torus it stays"
@@ -303,7 +303,7 @@ class Rates:
         middle = len(self.logs) // 2
         logs = self.lasting[:, 1:]
         early, late = (half.mean(axis=0) / self.interval for half in (logs[:middle], logs[middle:]))
-        if (np.abs(late - early) > 2 * options.told * error).any():
+        if (np.abs(late - early) > 2 * options.significance * error).any():
             return "exponents of the two halves differ: it has not settled; a longer motion tells"
         return ""
 

@@ -287,7 +287,7 @@ class _FateSamples:
             if self.at(value).same_limit(each.verdict.outcome, verdict.outcome):
                 return label
 
-        def unlike(fate: _Fate) -> tuple[float, float]:
+        def difference(fate: _Fate) -> tuple[float, float]:
             """Difference of two periods, as a logarithm, 0 for what has none; and of two states."""
             one, other = fate.verdict.outcome, verdict.outcome
             off = apart(
@@ -300,14 +300,14 @@ class _FateSamples:
                 float(np.abs(off / states).max(initial=0.0)),
             )
 
-        likeliest = min(nearest.values(), key=unlike, default=None)
+        likeliest = min(nearest.values(), key=difference, default=None)
         # Failures after which no cycle is followed.
         most_failures = 8
         # Cycles whose periods are less apart, as a logarithm, may be one that is followed.
         least_difference = 0.5
         if (
             likeliest is not None
-            and unlike(likeliest)[0] < least_difference
+            and difference(likeliest)[0] < least_difference
             and len(self.lost) < most_failures
         ):
             try:

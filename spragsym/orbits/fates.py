@@ -33,7 +33,7 @@ from ..motion.sweeps.many import fingerprint, with_degrees
 from ..motion.sweeps.workers import Workers, made_or_loaded
 from ..numerics.interval_arrays import Int8Array
 from ..results.result import Result
-from .attractors import settled
+from .attractors import attractor_exponents
 from .exponents import rates_along
 from .finding import cycle_near, stands_still
 from .orbit import NEUTRAL, distance
@@ -176,7 +176,7 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
         held = verdict.kind == Regime.EQUILIBRIUM and system.field.clock
         why += ", where friction holds it in every phase of the clock" if held else ""
         try:
-            kind, known, error = settled(system, verdict)
+            kind, known, error = attractor_exponents(system, verdict)
             moves = held or verdict.kind == Regime.LIMIT_CYCLE
             trivial = int(np.flatnonzero(known == 0)[0]) if moves else -1
             return Fate(

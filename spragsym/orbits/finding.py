@@ -28,12 +28,12 @@ from ..motion.shooting import (
     Iterate,
     Orbit,
     across,
+    closed_orbit,
     error_of,
     extent,
     in_scales,
     natural,
     rate,
-    solved,
     subdivided,
 )
 from ..motion.solution import Extremum
@@ -340,7 +340,7 @@ def _from_guess(flow: Flow, guess: Iterate) -> Orbit:
     """
     orbit = in_scales(subdivided(flow, guess))
     reach = 0.5 * extent(orbit) if orbit.extrema() else np.inf
-    return natural(solved(orbit.flow, orbit, across(orbit), reach=reach))
+    return natural(closed_orbit(orbit.flow, orbit, across(orbit), reach=reach))
 
 
 def stands_still(system: System, state: FloatArray) -> str:
@@ -470,7 +470,7 @@ def _along(system: System, rest: FloatArray, place: int, form: NormalForm, z: fl
 
     period = 2 * math.pi / form.omega / scales.time
     guess = subdivided(own.flow, Iterate(first[None], period, tuple(start), (place,))).guess
-    return cycle_of(natural(solved(own.flow, guess, conditions, reach=4 * z / unit)))
+    return cycle_of(natural(closed_orbit(own.flow, guess, conditions, reach=4 * z / unit)))
 
 
 def _of_the_motion(

@@ -25,6 +25,7 @@ from ..motion.scales import scales_of
 from ..motion.shooting import (
     Iterate,
     Orbit,
+    closed_orbit,
     difference,
     error_of,
     extent,
@@ -37,7 +38,6 @@ from ..motion.shooting import (
     phase,
     refined_mesh,
     remeshed,
-    solved,
 )
 from ..motion.simulation import Trajectory, motion_of
 from ..motion.solution import Events, events_of
@@ -458,7 +458,9 @@ def refined(orbit: Orbit, begin: float) -> Orbit:
             # A closed orbit that is begun elsewhere moves by less: where Newton's method goes
             # farther, as at a fold, its shortest steps do.
             most_moved = 1e-9
-            found = solved(orbit.flow, cut, phase(orbit, cut), reach=most_moved, options=shortest)
+            found = closed_orbit(
+                orbit.flow, cut, phase(orbit, cut), reach=most_moved, options=shortest
+            )
         except ConvergenceError:  # as at a fold, where Newton's matrix is singular
             found = integrated(orbit.flow, cut)
             # An orbit on which Newton's method fails as it is begun anew is told as it is if it is

@@ -15,7 +15,7 @@ from ..core.errors import ConvergenceError, MissingExtraError, require_kind
 from ..display import Table
 from ..models.parameters import as_count
 from ..numerics.balls import as_mpf
-from ..numerics.decimals import Decimal, around, float_above
+from ..numerics.decimals import Decimal, float_above, rounded_decimal
 from ..results.result import Result
 from .orbit import Cycle
 
@@ -69,17 +69,17 @@ class CycleProof(Result):
         part has a row of its own.
         """
         told = {
-            f"state_{i + 1}": around(value, self.error, digits)
+            f"state_{i + 1}": rounded_decimal(value, self.error, digits)
             if value
             else Decimal("0", "0")  # the section is exactly x' = 0
             for i, value in enumerate(self.state)
         }
         if self.proved:
-            told["period"] = around(self.period, self.error, digits)
+            told["period"] = rounded_decimal(self.period, self.error, digits)
         for i, (value, radius) in enumerate(self.multipliers, 1):
-            told[f"multiplier_{i}"] = around(value.real, radius, digits)
+            told[f"multiplier_{i}"] = rounded_decimal(value.real, radius, digits)
             if value.imag:
-                told[f"multiplier_{i}_imaginary"] = around(value.imag, radius, digits)
+                told[f"multiplier_{i}_imaginary"] = rounded_decimal(value.imag, radius, digits)
         return told
 
     def as_table(self) -> Table:

@@ -11,7 +11,7 @@ import numpy as np
 from ..core.errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
-from ..motion.shooting import Iterate, Orbit, extent, solved, time_of
+from ..motion.shooting import Iterate, Orbit, closed_orbit, extent, time_of
 from ..numerics.vectors import magnitude, norm
 from .arclength import (
     SURE,
@@ -163,7 +163,7 @@ def halved(one: BranchPoint, other: BranchPoint, share: float) -> tuple[Orbit, f
     try:
         near = fixed(setting, setting.integrated(guess))
         doubling = at_zero(kind, setting, near, near.guess.coordinates)
-        orbit = solved(setting.flow, near.guess, doubling)
+        orbit = closed_orbit(setting.flow, near.guess, doubling)
     except (ConvergenceError, np.linalg.LinAlgError):
         return None
     reach = norm(states[:half] - states[half:]) + norm(b.states - a.states)

@@ -350,7 +350,7 @@ class Brake:
         """
         return self.scale(self.kind.units[self.loading.quantity])
 
-    def told(self, value: float) -> float:
+    def displayed(self, value: float) -> float:
         """A value of the parameter that rises as it is told: the friction of the law, or in SI."""
         return self.of_statics(value) if self.of_friction else value * self.load_scale
 
@@ -396,7 +396,7 @@ class Brake:
     @property
     def upper_limit(self) -> float:
         """Up to which value a jump is looked for, as it is told: all, or the end of a search."""
-        return self.told(float(self.ends.until))
+        return self.displayed(float(self.ends.until))
 
     def shown(self, name: str, value: float | None = None, digits: int = 4) -> str:
         """A value of a quantity, by default its own, as text in the unit in which it came."""

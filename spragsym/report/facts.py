@@ -265,7 +265,7 @@ def facts(study: Brake, options: ReportOptions) -> Facts:
     _slides(study)
     answers = _Answers(study)
     parameter = _jump(answers)
-    jump_at = None if parameter is None else study.told(parameter)
+    jump_at = None if parameter is None else study.displayed(parameter)
     speed = speed_of_jump(study, jump_at)
     reach = reach_of(study, jump_at, speed)
 
@@ -445,7 +445,7 @@ def _rows(study: Brake, found: dict[str, Points]) -> tuple[FoldRow, ...]:
     for vary, points in found.items():
         for i, value in enumerate(points[vary].tolist()):
             angle = math.degrees(value) if vary == study.kind.model.inclination else None
-            told = None if angle is not None else study.told(value)
+            told = None if angle is not None else study.displayed(value)
             friction, other = (told, None) if study.of_friction else (None, told)
             places = (points.coordinates, points.after)
             before, after = (in_units(study, selected_rows(place, i)) for place in places)

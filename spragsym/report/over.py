@@ -104,7 +104,7 @@ def verdicts_over(study: Brake, over: Mapping[str, FloatArray]) -> Verdicts:
     rows, reason = [], ""
     for number, point in enumerate(points, 1):
         with doing("{} of {} points", number, len(points)):
-            told, why = _told(study, dict(zip(over, point, strict=True)))
+            told, why = _verdict_of(study, dict(zip(over, point, strict=True)))
         reason = reason or why
         rows.append((*point, *told))
     units = [_titled(name, study.quantities[name].unit) for name in over]
@@ -118,11 +118,11 @@ def _titled(name: str, unit: str) -> str:
     return f"{name} [{unit}]" if unit else name
 
 
-def _told(study: Brake, values: Mapping[str, float]) -> tuple[tuple[float | str, ...], str]:
+def _verdict_of(study: Brake, values: Mapping[str, float]) -> tuple[tuple[float | str, ...], str]:
     """Verdict of one point, and the reason where there is none."""
     try:
         at = brake_at(study, values)
-        jump = at.told(at.jump())
+        jump = at.displayed(at.jump())
         eq = equilibria(at.operating_point)
         found = states(at, eq, current(at, eq))
     except SpragsymError as error:

@@ -330,7 +330,7 @@ class _RedesignSearch:
         """
         study, new = self.study, self.study.changed(after)
         try:
-            jump = new.told(new.jump())
+            jump = new.displayed(new.jump())
         except SpragsymError:
             return None
         if not begins_alike(study, after):

@@ -212,7 +212,7 @@ def others(
         end = None
         if load is not None:
             with suppress(SpragsymError):
-                end = study.told(
+                end = study.displayed(
                     float(
                         jump_value(at.following(**place), load.name, begin=at.scalars(load.name)[0])
                     )
@@ -369,7 +369,7 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
         unit, size = unit_of(study, name)
         ranges[f"{name}_{unit}"] = size * float(row.min()), size * float(row.max())
     return JumpPeak(
-        at=study.told(value),
+        at=study.displayed(value),
         before=in_units(study, turn.before),
         after=in_units(study, turn.after),
         ranges=ranges,
@@ -390,7 +390,7 @@ def _moving(study: Brake, value: float, speed: float) -> ParameterSet | None:
         return None
     if not study.of_friction:
         return p.replace(**{study.loading.name: value})
-    name, jump = study.loading.name, study.told(value)
+    name, jump = study.loading.name, study.displayed(value)
     at = p.replace(**{name: 1.0})
     if jump > study.friction[2]:
         if math.isnan(speed):

@@ -128,12 +128,12 @@ def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Meas
     >>> round(read("0.45 sd 0.05", "1").high, 9)
     0.6
     """
-    with _told(text, si, allowed, example):
+    with _with_remedy(text, si, allowed, example):
         return _read(text, si, allowed)
 
 
 @contextmanager
-def _told(text: str, si: str, allowed: Range, example: str) -> Iterator[None]:
+def _with_remedy(text: str, si: str, allowed: Range, example: str) -> Iterator[None]:
     """A mistake is told with the text and, where that is the remedy, how to write one."""
     try:
         yield
@@ -151,7 +151,7 @@ def check_words(text: str, si: str, allowed: Range = FINITE, example: str = "") 
     """Refuse what :func:`read` refuses whatever the size of its units, without pint, which takes
     longer than all else that a mistake costs.
     """
-    with _told(text, si, allowed, example):
+    with _with_remedy(text, si, allowed, example):
         _matched(text, si)
 
 

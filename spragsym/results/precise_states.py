@@ -11,7 +11,7 @@ from typing import Any
 import mpmath
 
 from ..models.parameters import Ranges
-from ..numerics.decimals import Decimal, around, exactly
+from ..numerics.decimals import Decimal, exactly, rounded_decimal
 from .equilibria import EquilibriumType
 
 
@@ -44,7 +44,8 @@ class Written(ABC):
         ``digits`` are significant ones; by default as many as are proved.
         """
         return {
-            name: around(value, self._bound(value), digits) for name, value in self.numbers.items()
+            name: rounded_decimal(value, self._bound(value), digits)
+            for name, value in self.numbers.items()
         }
 
     def __repr__(self) -> str:

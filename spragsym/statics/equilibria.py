@@ -88,9 +88,9 @@ def equilibria(
     >>> eq.count.tolist(), eq.complete
     ([3, 1], True)
     """
-    from .search import searched  # where a closed form answers nothing of it is loaded
+    from .search import equilibria_by_search  # where a closed form answers nothing of it is loaded
 
-    return searched(p, contact, within, options)
+    return equilibria_by_search(p, contact, within, options)
 
 
 @question

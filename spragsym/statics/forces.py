@@ -27,7 +27,7 @@ from ..numerics.interval_arrays import (
     stacked,
     unit_vector,
 )
-from ..numerics.jets import argument, binomial_series, change_along, constant, order_of, turned
+from ..numerics.jets import argument, binomial_series, change_along, constant, order_of, rotation
 from .namespaces import XP
 from .options import SearchOptions
 
@@ -496,7 +496,7 @@ def turning(
     if order_of(*vector):
         phi = argument(*change_along(*vector, *_at(*vector, shape))) + phi
     if order_of(*rest):
-        phi = -argument(*turned(rest[1], rest[0])) + phi
+        phi = -argument(*rotation(rest[1], rest[0])) + phi
     return phi
 
 

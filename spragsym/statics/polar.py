@@ -125,10 +125,10 @@ class Polar(StateSystem):
             (c, s, length) if number == self.spring else at.direction(dx, dy)
             for number, (dx, dy, _) in enumerate(at.geometry)
         ]
-        at.fixed = self.turned(itertools.chain(*lines), angle)
+        at.fixed = self.rotated(itertools.chain(*lines), angle)
         return at
 
-    def turned(self, directions: Iterable[Any], angle: Number) -> list[Any]:
+    def rotated(self, directions: Iterable[Any], angle: Number) -> list[Any]:
         """Directions with the angle behind by which the torsion spring turns; without stiffness it
         does not matter.
         """
@@ -346,7 +346,7 @@ def _sides(
     length = rounded_outward(np.hypot(*reach), 4)
     # Along the line the tension balances all else.
     whole = replace(nowhere, q=list(Intervals(around)))
-    directions = system.turned(whole.directions[: 3 * balance.springs], 0)
+    directions = system.rotated(whole.directions[: 3 * balance.springs], 0)
     forces = stacked(system.other_forces(replace(whole, fixed=directions)), shape)
     # More than it can be, so that no tension lies on the border of the region.
     most = (1.0 + 2.0**-10) * rounded_outward(

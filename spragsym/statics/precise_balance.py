@@ -158,8 +158,8 @@ def clusters(boxes: FloatArray, point: IntArray) -> tuple[FloatArray, IntArray]:
             hull = box[:, :, None]
             while (
                 meet := ~(
-                    contractors.apart(_around(hulls), hull)
-                    & contractors.apart(hulls, _around(hull))
+                    contractors.apart(_widened(hulls), hull)
+                    & contractors.apart(hulls, _widened(hull))
                 )
             ).any():
                 hull = np.concatenate([hull, hulls[:, :, meet]], axis=2).max(axis=2, keepdims=True)
@@ -170,7 +170,7 @@ def clusters(boxes: FloatArray, point: IntArray) -> tuple[FloatArray, IntArray]:
     return np.concatenate(parts, axis=2), np.concatenate([point[:0], *owner])
 
 
-def _around(boxes: FloatArray) -> FloatArray:
+def _widened(boxes: FloatArray) -> FloatArray:
     return boxes + (0.5 * width_of(boxes) + 1e-8)
 
 

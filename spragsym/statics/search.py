@@ -49,7 +49,7 @@ from .states import Held
 Asked: TypeAlias = Touching | Sequence[str] | None
 
 
-def searched(
+def equilibria_by_search(
     p: ParameterSet, contact: Asked, within: Ranges | None, options: SearchOptions | None = None
 ) -> Equilibria:
     """The equilibria of :func:`spragsym.equilibria`, by a search for each combination of contacts
@@ -60,7 +60,7 @@ def searched(
         requested_region(p.model, within),
     )
     given = columns(p, balances[0].parameters)
-    parts = [(balance, *solved(balance, given, asked)) for balance in balances]
+    parts = [(balance, *roots_of(balance, given, asked)) for balance in balances]
     return _arranged(p, parts)
 
 
@@ -154,7 +154,7 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     balance, states = balances[0], places[:, rows]
     given = np.array([np.broadcast_to(p[name], rows.shape)[rows] for name in balance.parameters])
     given = given.reshape(len(balance.parameters), states.shape[1])
-    found, *others = (solved(one, given)[0] for one in balances)
+    found, *others = (roots_of(one, given)[0] for one in balances)
     found = found.concatenated(*others)
     order, slot = _in_slots(found)
     found = found.select(order)
@@ -176,7 +176,7 @@ def columns(p: ParameterSet, names: list[str]) -> FloatArray:
     )
 
 
-def seen(balance: Balance, given: FloatArray, asked: FloatArray | None) -> Roots:
+def float_candidates(balance: Balance, given: FloatArray, asked: FloatArray | None) -> Roots:
     """The roots of all points that one search in floats decides, on either side of the border;
     those it leaves are missing.
     """
@@ -184,7 +184,7 @@ def seen(balance: Balance, given: FloatArray, asked: FloatArray | None) -> Roots
     return certified_roots.search(balance, around, given, given, budget=8000)
 
 
-def solved(
+def roots_of(
     balance: Balance, given: FloatArray, asked: FloatArray | None = None
 ) -> tuple[Roots, FloatArray, BoolArray]:
     """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by

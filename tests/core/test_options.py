@@ -154,7 +154,7 @@ def test_an_exponent_of_a_contracting_plane_is_told_by_as_many_half_widths_as_ar
     p = ss.load("stick_slip").Parameters(V=2.5)
     start = (0.3, 0.0)
     few = ss.lyapunov(p, start=start, t_end=40.0)
-    many = ss.lyapunov(p, start=start, t_end=40.0, options=ss.MotionOptions(told=1e12))
+    many = ss.lyapunov(p, start=start, t_end=40.0, options=ss.MotionOptions(significance=1e12))
     assert np.array_equal(few.exponents, many.exponents)
     assert many.zero.all()
     assert not few.zero.all()

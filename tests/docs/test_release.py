@@ -135,7 +135,7 @@ def test_every_number_of_the_paper_is_printed_by_what_it_names() -> None:
             points[0],
             speed["near folds"][1].partition(",")[0],
         ],
-        "spragsym report --example": [f"{report.told(report.jump()):.4g}"],
+        "spragsym report --example": [f"{report.displayed(report.jump()):.4g}"],
         "docs/cookbook.md": [questions[-1]],
     }
     for source, told in numbers().items():

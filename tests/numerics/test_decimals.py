@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from spragsym import precise
-from spragsym.numerics.decimals import around, exactly, float_above, upward
+from spragsym.numerics.decimals import exactly, float_above, rounded_decimal, upward
 
 
 @pytest.mark.parametrize("digits", [None, 1, 2, 10, 25, 60, 200])
@@ -21,7 +21,7 @@ def test_decimals_enclose_an_interval(digits: int | None) -> None:
         half = Fraction(int(rng.integers(0, 10**6)), int(rng.integers(1, 10**6))) * Fraction(
             10
         ) ** int(rng.integers(-250, 5))
-        text, error = around(middle, half, digits)
+        text, error = rounded_decimal(middle, half, digits)
         assert abs(Fraction(text) - middle) + half <= Fraction(error)
         if digits is not None and middle:
             rounding = abs(middle) * Fraction(10) ** (1 - digits)
@@ -62,5 +62,5 @@ def test_what_precise_prints_is_within_what_it_proves(dps: int) -> None:
                     1, 10 ** (dps + 55)
                 ), name
         assert all(str(decimal) in repr(one) for decimal in one.decimals().values())
-    text, error = around(mpmath.mpf("1.5"), 0, 1)
+    text, error = rounded_decimal(mpmath.mpf("1.5"), 0, 1)
     assert abs(Fraction(text) - Fraction(3, 2)) <= Fraction(error)

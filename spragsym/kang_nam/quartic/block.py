@@ -38,7 +38,7 @@ def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size:
     line = kernel.LineBalance(
         *(value if value.ndim else np.full(size, value) for value in kernel.balance(point))
     )
-    return _solved(point, line, np.float64(2.0**-53), out, begin, np.True_)
+    return _simple_roots(point, line, np.float64(2.0**-53), out, begin, np.True_)
 
 
 @quiet()
@@ -52,10 +52,10 @@ def solve_widely(
     point = kernel.Point(*cosine_and_sine(theta0), *[*map(DoubleDouble, others), int(contact)])
     line = kernel.balance(point)
     safe = kernel.moderate(point) & kernel.representable(line)
-    return _solved(point, line, np.float64(kernel.WIDE_ROUNDOFF), out, begin, safe)
+    return _simple_roots(point, line, np.float64(kernel.WIDE_ROUNDOFF), out, begin, safe)
 
 
-def _solved(
+def _simple_roots(
     point: kernel.Point,
     line: kernel.LineBalance,
     u: np.floating[Any],

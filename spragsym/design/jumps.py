@@ -410,7 +410,9 @@ class Followed:
                     start.sure[~known[mine]] = False
                     yield rows[mine], tubes, start, self.until[rows[mine]]
 
-    def _by_tubes(self, tubes: Tubes, start: Place, goal: FloatArray, *, coarse: bool = False) -> _TubeVerdict:
+    def _by_tubes(
+        self, tubes: Tubes, start: Place, goal: FloatArray, *, coarse: bool = False
+    ) -> _TubeVerdict:
         """What tubes tell of points of one combination of contacts, and of another one behind a
         border.
         """
@@ -439,7 +441,9 @@ class Followed:
             for part in crossed(tubes[left], at, goal[left]):
                 rows, beyond[part.rows] = left[part.rows], True
                 if part.kind == PASSES:
-                    out.scatter(rows, self._by_tubes(part.tubes, part.place, goal[rows], coarse=coarse))
+                    out.scatter(
+                        rows, self._by_tubes(part.tubes, part.place, goal[rows], coarse=coarse)
+                    )
                 else:
                     out.z[:, rows], out.error[rows] = part.z, part.error
                     out.decided[rows], out.border[rows] = True, part.contact

@@ -562,7 +562,9 @@ class _Motion:
     def _gap(self, contact: int) -> int:
         return self.model.coordinates.index(self.contacts[contact]["gap"])
 
-    def _turning_waves(self, state: Vector, constants: Sequence[float]) -> list[tuple[float, float]]:
+    def _turning_waves(
+        self, state: Vector, constants: Sequence[float]
+    ) -> list[tuple[float, float]]:
         """Sine and cosine of every turning."""
         if not self.torsions:
             return []

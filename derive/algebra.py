@@ -29,7 +29,8 @@ Circles = tuple[tuple[sp.Symbol, sp.Symbol], ...]
 #: Factors of a denominator, and their powers.
 Factors: TypeAlias = Mapping[PolyElement, int]
 #: Functions that change their sign with their argument, and those that do not change.
-ODD, EVEN = sp.sign | sp.tan | sp.sinh | sp.tanh | sp.atan | sp.asin, sp.Abs | sp.cosh
+ODD = sp.sign | sp.tan | sp.sinh | sp.tanh | sp.atan | sp.asin
+EVEN = sp.Abs | sp.cosh
 
 
 def expanded(expression: sp.Expr) -> sp.Expr:

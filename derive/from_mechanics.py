@@ -23,12 +23,6 @@ if TYPE_CHECKING:
 _OF_LOADS = ("belt", "holds")
 #: What holds the mechanics of a system.
 Method: TypeAlias = "LagrangesMethod | KanesMethod | System"
-#: How that is read, in errors.
-_AS_FRICTION = (
-    "of loads with a sign, as those of CoulombKineticFriction, all friction is read; let their "
-    'normal force be a symbol N, and give contact={"normal": N, "force": W} and '
-    'friction={"belt": V}'
-)
 
 
 def page_from(
@@ -288,7 +282,14 @@ class _MethodReader:
             and all(self.expanded(one) == 0 for one in nothing)
         )
         if not read or not friction.keys() <= {*_OF_LOADS}:
-            raise self.refused(f"the loads hold {jumps[0]}: {_AS_FRICTION}")
+            # How that is read, in errors.
+            words = (
+                "of loads with a sign, as those of CoulombKineticFriction, all friction is read; "
+                "let their "
+                'normal force be a symbol N, and give contact={"normal": N, "force": W} and '
+                'friction={"belt": V}'
+            )
+            raise self.refused(f"the loads hold {jumps[0]}: {words}")
         return by_side.subs(side, 0), {
             "along": sum(slope * place for slope, place in zip(slopes, self.places, strict=True)),
             "belt": belt,

@@ -22,9 +22,6 @@ from .units import Dimension
 #: So many letters has a name: MATLAB tells names apart by their first 63, of which generated code
 #: needs some.
 LONGEST = 40
-#: Places at which the sign of a coefficient is looked at, and where a range without an end is ended
-#: for it.
-MOST_PLACES, FAR = 2000, 1000.0
 
 
 def check(page: Page, docstring: str) -> None:
@@ -290,7 +287,9 @@ def _negative_place(page: Page, value: sp.Expr) -> str:
     }:
         return ""
     units = {entry.symbol: sp.S.One for entry in page.units}
-    for place in itertools.islice(itertools.product(*map(_places, data)), MOST_PLACES):
+    # Places at which the sign of a coefficient is looked at, and where a range without an
+    # end is ended for it.
+    for place in itertools.islice(itertools.product(*map(_places, data)), 2000):
         at = value.subs(
             units | {entry.symbol: number for entry, number in zip(data, place, strict=True)}
         )
@@ -305,8 +304,9 @@ def _negative_place(page: Page, value: sp.Expr) -> str:
 def _places(entry: Datum) -> list[sp.Rational]:
     """Numbers of a domain: its base value, near its ends, and a few between."""
     allowed = interval(entry.domain)
-    low = -FAR if allowed.low == -math.inf else allowed.low
-    high = FAR if allowed.high == math.inf else allowed.high
+    far = 1000.0
+    low = -far if allowed.low == -math.inf else allowed.low
+    high = far if allowed.high == math.inf else allowed.high
     parts = [low + (high - low) * part for part in (0.01, 0.99, 0.5, 0.25, 0.75)]
     return [
         sp.Rational(str(number)) for number in ([] if entry.base is None else [entry.base]) + parts

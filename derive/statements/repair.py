@@ -52,20 +52,8 @@ COST = {
     "extra factor": 1.25,
     "symbol": 1.5,
 }
-#: Added for every symbol beyond the first that an edit brings in, and for every level of brackets.
-PER_SYMBOL, PER_LEVEL = {"missing term": 0.1, "missing factor": 0.3, "number": 0.0}, 0.001
-#: Added where a power is lost, and where a term makes a bracket.
-LOST_POWER, NEW_BRACKET = 0.1, 0.3
-#: Of pairs, so many first edits are followed, and so many parts of the trees after them.
-MOST_FIRST, MOST_PARTS = 600, 20_000
 #: Samples at which edits are tried before all.
 SCREEN = slice(0, 8, 2)
-#: Numbers and powers that an edit tries before what it brings in is open.
-FEW_NUMBERS, POWERS = ("1", "2", "3", "4"), (*map(Fraction, ("2", "3", "-1", "1/2")),)
-#: Of a product: distance of a power from a half, its size, and how many factors there may be.
-NEAR_HALF, LARGEST_POWER, MOST_ATOMS = 1e-6, 4, 7
-#: Least share of its squares that is new in a row of logarithms; samples that are no factors.
-DEPENDENT, SPARE = 1e-12, 4
 
 
 @dataclass(frozen=True)
@@ -216,17 +204,18 @@ def _others(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
             if name != part.value:
                 edit(pool.renaming(part.value, name), Node("symbol", value=name, at=part.at))
     if part.kind == "number" and part.value != "pi" and above is not None:
-        for value in FEW_NUMBERS:
+        # Numbers and powers that an edit tries before what it brings in is open.
+        for value in ("1", "2", "3", "4"):
             if value != part.value:
                 edit(_number_kind(part, above), Node("number", value=value, at=part.at))
     swaps = {"sin": ("cos",), "cos": ("sin",), "sinh": ("cosh",), "cosh": ("sinh",)}
     for name in swaps.get(part.value, ()) if part.kind == "call" else ():
         edit("function", Node("call", part.args, name, part.at))
     if part.kind in ("symbol", "call"):
-        for power in POWERS:
+        for power in (*map(Fraction, ("2", "3", "-1", "1/2")),):
             edit("exponent", Node("pow", (part, _number(power)), at=part.at))
     if part.kind == "pow":
-        edit("exponent", part.args[0], LOST_POWER)
+        edit("exponent", part.args[0], 0.1)  # a power is seldom lost
     if outer == "add":
         edit("extra term", ZERO)
     if outer in ("mul", "div"):
@@ -374,8 +363,9 @@ class _Products:
             value = numbers.of(atom)
             row = np.log(np.abs(value))
             rest = row - sum((row @ it) / (it @ it) * it for it in rows)
-            is_new = np.isfinite(row).all() and rest @ rest > DEPENDENT * (row @ row)
-            if is_new and len(rows) < numbers.size - SPARE:
+            # A row of logarithms is new by a share of its squares, and some samples are spare.
+            is_new = np.isfinite(row).all() and rest @ rest > 1e-12 * (row @ row)
+            if is_new and len(rows) < numbers.size - 4:
                 rows.append(rest)
                 self.atoms.append((atom, value))
         plain = np.array([np.log(np.abs(it)) for _, it in self.atoms] + rows[:1])
@@ -400,9 +390,10 @@ class _Products:
         powers = np.log(np.abs(wanted)) @ self.inverse
         halves = np.round(2 * powers[:, :-1]) / 2
         gap = np.abs(powers[:, :-1] - halves).max(axis=1, initial=0.0)
-        few = np.count_nonzero(halves, axis=1) <= MOST_ATOMS
-        small = np.abs(halves).max(axis=1, initial=0.0) <= LARGEST_POWER
-        for row in np.flatnonzero((gap < NEAR_HALF) & few & small):
+        # Powers of a product are near halves, and not large, and its factors are not many.
+        few = np.count_nonzero(halves, axis=1) <= 7
+        small = np.abs(halves).max(axis=1, initial=0.0) <= 4
+        for row in np.flatnonzero((gap < 1e-6) & few & small):
             if int(row) not in found and (one := self._product(wanted[row], halves[row])):
                 found[int(row)] = one
         return found
@@ -445,6 +436,9 @@ def _missing(places: Sequence[Place], products: _Products) -> Iterator[Proposal]
     wanted = [need / value for *_, value, need in factors]
     wanted += [need - value for *_, value, need in terms]
     ways = len(wanted[0])
+    # Added for every symbol beyond the first that an edit brings in, and for every level of
+    # brackets.
+    per_symbol = {"missing term": 0.1, "missing factor": 0.3, "number": 0.0}
     for row, fit in products.of(np.concatenate(wanted)).items():
         number, way = divmod(row, ways)
         path, part, above, *_ = (*factors, *terms)[number]
@@ -455,9 +449,9 @@ def _missing(places: Sequence[Place], products: _Products) -> Iterator[Proposal]
         else:
             kind = "missing term"
             args = part.args if part.kind == "add" else (part,)
-            further = 0.0 if part.kind == "add" or above is None else NEW_BRACKET
+            further = 0.0 if part.kind == "add" or above is None else 0.3  # a bracket
             new = Node("add", (*args, fit), at=part.at)
-        cost = COST[kind] + PER_SYMBOL[kind] * max(count - 1, 0) + further
+        cost = COST[kind] + per_symbol[kind] * max(count - 1, 0) + further
         yield way, path, Edit(kind, part.at, part, new, cost)
 
 
@@ -532,7 +526,9 @@ class Search:
             for it in _others(part, above, self.pool):
                 if it.new.kind != "pow":
                     found.append(_repair(self.tree, path, it))
-        most = min(MOST_FIRST, MOST_PARTS // len(parts))
+        # Of pairs, so many first edits are followed, and so many parts of the trees
+        # after them.
+        most = min(600, 20_000 // len(parts))
         return sorted(found, key=lambda it: it.cost)[:most]
 
     def _singles(self, tree: Node, targets: Values) -> Iterator[tuple[Repair, int]]:
@@ -568,7 +564,7 @@ class Search:
 
 def _repair(tree: Node, path: Path, edit: Edit) -> Repair:
     """A tree after one edit, which costs the more the deeper it stands."""
-    dearer = replace(edit, cost=edit.cost + PER_LEVEL * len(path))
+    dearer = replace(edit, cost=edit.cost + 0.001 * len(path))
     return Repair(with_part(tree, path, edit.new), (dearer,))
 
 

@@ -37,8 +37,6 @@ else:
 Border: TypeAlias = tuple[int, float]
 #: Where the contact touches beyond the border; where it is open before it, or on it as well.
 TOUCHING, OPEN, OPEN_AND_OFF = range(3)
-#: As many lines, borders, sides and arcs as compiled code has room for.
-MOST_LINES, MOST_BORDERS, MOST_SIDES, MOST_ARCS = 8, 8, 16, 64
 
 
 def available() -> bool:
@@ -142,7 +140,8 @@ def planned(
 ) -> Plan | None:
     """The plan of a system; None where compiled code has no room for it."""
     sizes = len(besides.lines), len(besides.borders), len(besides.sides), besides.arcs.shape[2]
-    if np.greater(sizes, (MOST_LINES, MOST_BORDERS, MOST_SIDES, MOST_ARCS)).any():
+    # As many lines, borders, sides and arcs as compiled code has room for.
+    if np.greater(sizes, (8, 8, 16, 64)).any():
         return None
     tapes = values, slopes, contraction, besides.gaps, besides.anchors, besides.turnings
     lines = tuple(

@@ -411,7 +411,7 @@ def jump_probability(
     kind = quantities(asked.where) if in_si else None
     variables = _variables(asked, kind, distribution)
     vary, begin = asked.rising(vary, begin)
-    event = partial(_ended, asked, kind, vary, begin, method, None)
+    event = _JumpEvent(asked, kind, vary, begin, method)
     if max_boxes and (correlation or kind):
         said = "quantities in SI" if kind else "correlation"
         raise ParameterError(
@@ -419,8 +419,7 @@ def jump_probability(
             "max_boxes out"
         )
     if kind is None and n >= MANY and asked.closed_form("limit_point_passed") is None:
-        proved = _proved(asked, variables, vary, begin)
-        event = partial(_ended, asked, kind, vary, begin, method, proved)
+        event = replace(event, proved=_proved(asked, variables, vary, begin))
     found = estimated(
         variables,
         event,
@@ -562,29 +561,38 @@ def _variables(model: Model, kind: Quantities | None, distribution: Distribution
     return {name: variable(name, given[name], allowed) for name, allowed in ranges.items()}
 
 
-def _ended(
-    model: Model,
-    kind: Quantities | None,
-    vary: str,
-    begin: float,
-    method: Method,
-    proved: ProvedJumps | None,
-    values: Mapping[str, Any],
-) -> FloatArray:
-    """1 where the state ends, 0 where it does not, NaN where that is not known; by what is proved
-    of parts first, and of the rest one by one.
+@dataclass(frozen=True)
+class _JumpEvent:
+    """The event that a state ends as the parameter ``vary`` rises from ``begin``; ``kind`` has the
+    quantities that are given in place of the model's parameters, ``proved`` parts of the box.
     """
-    # On units that the states do not depend on, as the mass, neither does the friction.
-    p = model.Parameters(
-        **(values if kind is None else kind.groups({**dict.fromkeys(kind.bases, 1.0), **values}))
-    )
-    if kind is not None and {*kind.of_the_law} & {*values}:
-        p = p.replace(**{str(model.coefficient): model.friction(p)})
-    if proved is None:
-        return limit_point_passed(p, vary, begin, method=method)
-    ended = proved.ended(p)
-    left = np.isnan(ended)
-    if left.any():
-        some = model.Parameters(**{name: value[left] for name, value in values.items()})
-        ended[left] = limit_point_passed(some, vary, begin, method=method)
-    return ended
+
+    model: Model
+    kind: Quantities | None
+    vary: str
+    begin: float
+    method: Method
+    proved: ProvedJumps | None = None
+
+    def __call__(self, values: Mapping[str, Any]) -> FloatArray:
+        """1 where the state ends, 0 where it does not, NaN where that is not known; by what is
+        proved of parts first, and of the rest one by one.
+        """
+        model, kind = self.model, self.kind
+        # On units that the states do not depend on, as the mass, neither does the friction.
+        units = {} if kind is None else dict.fromkeys(kind.bases, 1.0)
+        p = model.Parameters(**(values if kind is None else kind.groups({**units, **values})))
+        if kind is not None and {*kind.of_the_law} & {*values}:
+            p = p.replace(**{str(model.coefficient): model.friction(p)})
+        if self.proved is None:
+            return self._passed(p)
+        ended = self.proved.ended(p)
+        left = np.isnan(ended)
+        if left.any():
+            ended[left] = self._passed(
+                model.Parameters(**{name: value[left] for name, value in values.items()})
+            )
+        return ended
+
+    def _passed(self, p: ParameterSet) -> FloatArray:
+        return limit_point_passed(p, self.vary, self.begin, method=self.method)

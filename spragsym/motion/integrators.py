@@ -181,9 +181,7 @@ class Flow:
         return self._asked(
             lambda integrator: integrator.flow_map(),
             MotionScales.flow_result,
-            state,
-            constants,
-            duration,
+            self._problem(state, constants, duration),
             directions,
         )
 
@@ -198,10 +196,7 @@ class Flow:
         return self._asked(
             lambda integrator: integrator.flow_map(),
             MotionScales.flow_result,
-            state,
-            constants,
-            duration,
-            rtol=loose_rtol if loose else RTOL,
+            self._problem(state, constants, duration, loose_rtol if loose else RTOL),
         )
 
     def samples(self, start: FloatArray, constants: Values, t_end: float) -> PiecewisePolynomial:
@@ -209,34 +204,25 @@ class Flow:
         return self._asked(
             lambda integrator: integrator.motion().samples,
             MotionScales.samples,
-            start,
-            constants,
-            t_end,
+            self._problem(start, constants, t_end),
         )
+
+    def _problem(
+        self, state: FloatArray, constants: Values, t_end: float, rtol: float = RTOL
+    ) -> Problem:
+        start, field = tuple(state.tolist()), self.field
+        return Problem(constants, start, t_end, 0.0, rtol, None, lambda _: field, field.scales)
 
     def _asked(
         self,
         ask: Callable[[Any], T],
         back: Callable[[MotionScales, T], T],
-        state: FloatArray,
-        constants: Values,
-        t_end: float,
+        problem: Problem,
         directions: FloatArray | None = None,
-        rtol: float = RTOL,
     ) -> T:
         """Answer of an integrator, ``back`` in the field's units; of an implicit one where steps
         collapse. heyoka has tolerances of its own.
         """
-        problem = Problem(
-            constants,
-            tuple(state.tolist()),
-            t_end,
-            0.0,
-            rtol,
-            None,
-            lambda _: self.field,
-            self.field.scales,
-        )
         scales = problem.own_scales
         if not scales.trivial:
             problem = scales.problem(problem)

@@ -72,7 +72,6 @@ class Cursor:
         return self.items[self.place - 1]
 
 
-_ALIGNED = r"(?:aligned|align|alignat|equation|gather|gathered|multline|split|eqnarray)\*?"
 _SIZE = r"\\(?:left|right|middle|(?:big|Big|bigg|Bigg)[lrm]?)(?![A-Za-z])\s*"
 #: Operators that stand between two operands.
 BINARY = ("+", "/", r"\cdot", r"\times", "*", "=", ":=", ",", ";", "<", ">", "^", "_")
@@ -108,11 +107,12 @@ def nested(text: str) -> tuple[Token, ...]:
 
 def _tokens(text: str) -> list[tuple[str, int, int, str]]:
     """Tokens with their places, and for brackets the side that the source gives them."""
+    aligned = r"(?:aligned|align|alignat|equation|gather|gathered|multline|split|eqnarray)\*?"
     # Parts of the source that print nothing, or only lay the equations out.
     unprinted = re.compile(
         rf"""%[^\n]* | ^\s*(?:\$\$?|\\\[|\\\() | (?:\$\$?|\\\]|\\\))\s*$
         | \\(?:label|tag|hspace|vspace|phantom)\*?\s*\{{[^{{}}]*\}}
-        | \\left\s*\\\{{(?=\s*\\begin\{{{_ALIGNED}\}}) | \\(?:begin|end)\{{{_ALIGNED}\}}
+        | \\left\s*\\\{{(?=\s*\\begin\{{{aligned}\}}) | \\(?:begin|end)\{{{aligned}\}}
         | \\(?:left|right)\s*\. | (?<=\\\\)\s*\[[^\]]*\]
         | (?<!\\)\\(?:displaystyle|textstyle|limits|nonumber|notag|,|;|:|!|>|\s) | ~""",
         re.VERBOSE,

@@ -21,7 +21,7 @@ from ..core.questions import Method, question
 from ..display import own_name
 from ..models.model import label_of
 from ..models.parameters import ParameterSet, Span, as_numbers
-from ..numerics.interval_arrays import FloatArray, IntArray, scale_of
+from ..numerics.interval_arrays import EPS, FloatArray, IntArray, scale_of
 from ..results import Equilibria, EquilibriumType, Jump, Path, Points, Result
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
@@ -40,10 +40,6 @@ from .points import INFINITY, OVER_BORDER, escapes, isolated, which
 from .singularities import ended
 from .tubes import Place, Tubes
 from .turning_points import limit_points
-
-#: An error of a fold that is no more than rounding: other floats than its own are on one side of
-#: it.
-ROUNDED = 2.0**-52
 
 
 def _size(values: FloatArray, along: FloatArray) -> FloatArray:
@@ -400,8 +396,9 @@ class QuasiStaticContinuation:
         begins = np.diff(at[order], prepend=-np.inf) > wide[order] + np.roll(wide[order], 1)
         at[order] = at[order][np.maximum.accumulate(np.where(begins, np.arange(at.size), 0))]
         off = np.abs(at[:, None] - along)
+        # One whose error is no more than rounding has other floats than its own on one side of it.
         at = np.where(
-            off.min(axis=1) <= np.where(error <= ROUNDED, 0.0, wide), along[off.argmin(axis=1)], at
+            off.min(axis=1) <= np.where(error <= EPS, 0.0, wide), along[off.argmin(axis=1)], at
         )
         first, *others = ends
         names = self.balance.coordinates if others else first.state_columns
@@ -423,7 +420,7 @@ class QuasiStaticContinuation:
         apart = np.abs(known - at[:, None])
         # Between a fold and what is nearer than that no node has room: those beside the fold are
         # farther off than both.
-        nearest = np.where(apart > 4 * ROUNDED * size[:, None], apart, np.inf).min(
+        nearest = np.where(apart > 4 * EPS * size[:, None], apart, np.inf).min(
             axis=1, initial=np.inf
         )
         room = np.minimum(self.options.fold_distance * size, 0.25 * nearest)

@@ -33,15 +33,6 @@ from .regimes import Outcome, Regime
 from .shooting import Iterate, Orbit, closed_orbit, least_period, off_jumps, through
 from .solution import Extremum, FlowMap, FlowResult
 
-#: Tolerance of flows that closed orbits are found with, where differences stand for
-#: derivatives.
-FINE = 1e-12
-#: heyoka's finest.
-FINEST = 1e-15
-
-#: By how much an orbit that is found with them may stay open.
-OPEN = 1e-9
-
 
 @dataclass(frozen=True)
 class Onward:
@@ -115,9 +106,9 @@ class Onward:
         # For each integrator the tolerance of its plain flow, how nearly orbits close by
         # cheap derivatives, and how closely in the end.
         precisions = {
-            "heyoka": (FINEST, ShootingOptions.closed, ShootingOptions.closed),
-            "compiled": (FINE, OPEN, OPEN),
-            "scipy": (FINE, OPEN, ShootingOptions.closed),
+            "heyoka": (1e-15, ShootingOptions.closed, ShootingOptions.closed),
+            "compiled": (1e-12, 1e-9, 1e-9),
+            "scipy": (1e-12, 1e-9, ShootingOptions.closed),
         }
         rtol, near, precision = precisions[self.backend]
         reach = 4 * self.problem.options.close * float(scale.max())

@@ -51,7 +51,6 @@ WITHIN = 6.0
 _POSITIVE = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 _NUMBER = rf"[+-]?{_POSITIVE}"
 _UNIT = r"(?:1\s*/\s*)?(?!sd\b)[^\d\s±\[\],+.-][^±\[\],]*?"
-_SIGN = r"(?P<sign>±|\+/-|\+-|\bsd\b)"
 _RANGE = re.compile(rf"\[\s*(?P<low>{_NUMBER})\s*,\s*(?P<high>{_NUMBER})\s*\]\s*(?P<unit>{_UNIT})?")
 
 
@@ -179,14 +178,15 @@ def _matched(text: str, si: str) -> tuple[re.Match[str], re.Match[str] | None]:
     plain = text.replace("\N{MINUS SIGN}", "-").strip()
     cut = re.fullmatch(r"(.*\bsd\b.*)\bin\s*(\[.*)", plain)
     body, ends = (cut[1].strip(), _RANGE.fullmatch(cut[2])) if cut else (plain, None)
+    sign = r"(?P<sign>±|\+/-|\+-|\bsd\b)"
     # (180 ± 15) N/mm
     bracketed = re.compile(
-        rf"\(\s*(?P<value>{_NUMBER})\s*{_SIGN}\s*(?P<off>{_POSITIVE})\s*\)\s*(?P<unit>{_UNIT})?"
+        rf"\(\s*(?P<value>{_NUMBER})\s*{sign}\s*(?P<off>{_POSITIVE})\s*\)\s*(?P<unit>{_UNIT})?"
     )
     # 180 N/mm ± 15 %, or with sd a standard deviation
     bare = re.compile(
         rf"(?P<value>{_NUMBER})\s*(?P<unit>{_UNIT})?"
-        rf"(?:\s*{_SIGN}\s*(?P<off>{_POSITIVE})\s*(?P<of>{_UNIT})?)?"
+        rf"(?:\s*{sign}\s*(?P<off>{_POSITIVE})\s*(?P<of>{_UNIT})?)?"
     )
     found = _RANGE.fullmatch(plain) or bracketed.fullmatch(body) or bare.fullmatch(body)
     if found is None or bool(cut) != bool(ends):

@@ -249,7 +249,8 @@ def same_limit(
         return False
     if one.limit not in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE):
         return True
-    periodic = [place for place in field.periodic if place < len(one.rest or one.cycle)]
+    size = len(one.rest or one.cycle)
+    periodic = {place: moved for place, moved in field.periodic.items() if place < size}
     state = one.cycle or field.at_rest(one.rest, constants)
     units = scales_of(field, constants, state).states
     if one.limit == Regime.EQUILIBRIUM:

@@ -44,9 +44,9 @@ def rounded_decimal(
     Examples
     --------
     >>> from fractions import Fraction
-    >>> around(Fraction(1, 3), Fraction(1, 10**6))
+    >>> rounded_decimal(Fraction(1, 3), Fraction(1, 10**6))
     Decimal(text='0.33333333', error='1.1e-06')
-    >>> str(around(Fraction(2, 3), 0, digits=4))
+    >>> str(rounded_decimal(Fraction(2, 3), 0, digits=4))
     '0.6667 ± 3.4e-05'
     """
     middle, half = exactly(value), exactly(error)

@@ -67,8 +67,6 @@ NEVER_STABLE = (
 #: Width of a box whose middle is as good as a root, and growth of a λ on the imaginary axis, over
 #: their sizes.
 SMALL = 1e-6
-#: Error of a state that Newton's method has found, over its size.
-ROUNDING = 2.0**-50
 #: ω of the points of a search that M, C and K are taken at.
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 #: Points of one search, their kinds and their ω.
@@ -450,7 +448,9 @@ def _signals(system: Augmented, z: FloatArray) -> list[ComplexArray]:
     if system.condition is HOPF:
         every = stability.roots(*matrices(system.family, z))
         return [row[np.isfinite(row) & (row.imag > 1e-6 * np.abs(row))] for row in every]
-    states = Intervals(ends_around(z, ROUNDING * scale_of(z)))
+    # Error of a state that Newton's method has found, over its size.
+    rounding = 2.0**-50
+    states = Intervals(ends_around(z, rounding * scale_of(z)))
     with quiet():
         tested = system.residuals(states, system.fixed(z.shape[1]))[-1]
     finite = np.isfinite(tested.middle)

@@ -20,8 +20,6 @@ from .scales import scales_of
 #: Parts of a turn of the clock over which forces are enclosed.
 PHASES = 1024
 
-#: Parts of a line between two places over which they are.
-PIECES = 32
 
 #: What is left of a motion that rests, in its units: all states within it are held.
 ROOM = 1e-9
@@ -63,7 +61,8 @@ def held_along(
     # Speeds are 0, and places and the clock's rate known to within the room.
     reach = np.zeros(one.size)
     reach[:n] = room
-    pieces = np.linspace(one, other, 2 if (one == other).all() else PIECES + 1)
+    # Parts of a line between two places over which they are.
+    pieces = np.linspace(one, other, 2 if (one == other).all() else 32 + 1)
     given = [
         Intervals(rounded_outward(np.array([[-number], [number]]), 64.0)) if number else number
         for number in constants

@@ -78,7 +78,8 @@ def read(path: Path) -> Paper:
     lines = text.splitlines()
 
     def refuse(key: str, message: str, after: int = 0) -> PaperError:
-        found = (n for n, line in enumerate(lines[after:], after + 1) if _begins(line, key))
+        begin = re.compile(rf"\s*[\[\"']*{re.escape(key)}\b")
+        found = (n for n, line in enumerate(lines[after:], after + 1) if begin.match(line))
         line = next(found, after or 1)
         return PaperError(f"{path.name}, line {line}, key {key}: {message}")
 
@@ -114,10 +115,6 @@ def read(path: Path) -> Paper:
             )
         )
     return Paper(str(texts["paper"]), str(texts["model"]), names, tuple(found))
-
-
-def _begins(line: str, key: str) -> bool:
-    return re.match(rf"\s*[\[\"']*{re.escape(key)}\b", line) is not None
 
 
 def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:

@@ -64,8 +64,6 @@ from ..statics.systems import Boxes, Entries, StateSystem, at_anchors
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
 
-#: A slope of the friction law that is as good as 0.
-FLAT = 1e-100
 #: Width of the arcs of directions looked at one by one.
 ARC = np.pi / 16
 #: Their numbers: 32 are a full turn, one more covers what rounding leaves.

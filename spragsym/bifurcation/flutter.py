@@ -44,7 +44,6 @@ from ..statics.stability import (
 )
 from .borders import joined as together
 from .defining_systems import (
-    FLAT,
     FLUTTER,
     HOPF,
     NO_SLOPE,
@@ -310,7 +309,7 @@ def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:
     balance = family.balance
     over = Intervals.between(family.at(-left[0, -1:]), family.at(left[1, -1:]))
     size = slope_over(balance, over).magnitude
-    flat = size <= FLAT
+    flat = size <= 1e-100  # as good as 0
     most = f"{size[flat].max(initial=0.0):.0e}"
     text = (
         f"the slope of the friction law, and with it its damping, is at most {most}: too little "

@@ -37,9 +37,6 @@ from ..statics.balance import PreciseBalance
 from ..statics.forces import Evaluation
 from .defining_systems import FOLD, Augmented, Family
 
-#: What is left where states may form lines.
-LINES_OF_STATES = "where det K is 0 in every state: equilibria there form lines, or there are none"
-
 
 def is_affine(family: Family) -> bool:
     """Whether the forces are affine in the coordinates, by structure: there is one state, none, or

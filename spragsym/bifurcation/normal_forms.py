@@ -408,7 +408,7 @@ def _pair(A: Sequence[Sequence[Ball]]) -> _Pair:
     """The pair of all matrices in A that have two eigenvalues with the sum 0."""
     _, vectors = np.linalg.eig(np.array([_floats(row).real for row in A]))
     X, R = (
-        [[_complex(entry) for entry in row] for row in rows]
+        [[Complex(_ball(float(one.real)), _ball(float(one.imag))) for one in row] for row in rows]
         for rows in (vectors, np.linalg.pinv(vectors))
     )
     Z, inverse = _in_basis(A, X, R)
@@ -618,10 +618,6 @@ def _product(row: Sequence[Any], column: Sequence[Any]) -> Complex:
 def _ball(value: Any) -> Any:
     """A number as a ball that holds it exactly; balls and jets of balls as they are."""
     return value if isinstance(value, Ball | Jet) else ball(value, BITS)
-
-
-def _complex(value: complex) -> Complex:
-    return Complex(_ball(float(value.real)), _ball(float(value.imag)))
 
 
 def _floats(values: Sequence[Any]) -> ComplexArray:

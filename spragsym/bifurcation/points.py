@@ -57,7 +57,7 @@ from ..statics.reference_state import in_order
 from ..statics.regions import region
 from ..statics.search import kinds_of, of_ranges, of_region, summed
 from .defining_systems import Augmented, Condition, Family, OfFamily, refined_roots, slope
-from .lines_of_states import LINES_OF_STATES, is_affine, lines_of_states
+from .lines_of_states import is_affine, lines_of_states
 
 #: How far beyond the border of the contact states on it are looked for.
 OVER_BORDER = 1e-3
@@ -152,7 +152,8 @@ def _of_affine_forces(family: Family) -> Found:
     around, whole = _region(family, family.balance)
     near = np.broadcast_to(around, (*around.shape[:2], count))[:, :n, point]
     left = roots.with_undecided(np.concatenate([near, values], axis=1), point)
-    return Found(left, around, whole, LINES_OF_STATES)
+    where = "where det K is 0 in every state: equilibria there form lines, or there are none"
+    return Found(left, around, whole, where)
 
 
 def matrices(family: Family, z: FloatArray, damping: bool = True) -> tuple[FloatArray, ...]:

@@ -17,8 +17,6 @@ from ..core.errors import MissingExtraError, ParameterError, ParameterTypeError
 FilePath: TypeAlias = str | os.PathLike[str]
 #: Bytes of a file that a user writes by hand, at most.
 BY_HAND = 1 << 20
-#: Bytes of a table that an instrument writes, at most.
-MEASURED = 8 << 20
 
 
 def path_text(path: FilePath) -> str:

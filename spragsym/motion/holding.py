@@ -62,7 +62,7 @@ def held_along(
     reach = np.zeros(one.size)
     reach[:n] = room
     # Parts of a line between two places over which they are.
-    pieces = np.linspace(one, other, 2 if (one == other).all() else 32 + 1)
+    pieces = np.linspace(one, other, 2 if (one == other).all() else 33)
     given = [
         Intervals(rounded_outward(np.array([[-number], [number]]), 64.0)) if number else number
         for number in constants

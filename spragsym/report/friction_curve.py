@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from ..core.errors import ParameterError
-from ..files.text import MEASURED, text_of
+from ..files.text import text_of
 from ..models.parameters import FloatArray, Span
 from ..models.quantities import factor
 
@@ -86,7 +86,9 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     raised for a file that has no such head, may be read in two ways, or has a line that is no
     measurement.
     """
-    text = text_of(path, MEASURED, "a text file with sliding speed and coefficient").splitlines()
+    # An instrument writes more than a person does.
+    most_bytes = 8 << 20
+    text = text_of(path, most_bytes, "a text file with sliding speed and coefficient").splitlines()
     stripped = ((number, line.strip(" \r\n")) for number, line in enumerate(text, 1))
     lines = [
         (number, line)

@@ -66,6 +66,6 @@ def test_the_force_of_a_linear_contact_bounds_what_it_turns(mu: float) -> None:
 
 
 def test_what_is_known_of_an_undecided_end_is_printed_as_such() -> None:
-    undecided = ss.results.LowestEnd("mu", "t0", 0.5, math.nan, "undecided", math.nan, False)
+    undecided = ss.results.CriticalLoad("mu", "t0", 0.5, math.nan, "undecided", math.nan, False)
     assert str(undecided) == "0.5 or more, undecided"
     assert str(undecided.__class__("mu", "t0", 0.5, 1.0, "cusp", 0.0)) == "0.5"

@@ -21,6 +21,7 @@ _SECTIONS = {
     "languages": ("benchmarks.bench_languages", "JavaScript and MATLAB"),
     "models": ("benchmarks.bench_models", "Models from pages beside the closed forms"),
     "general": ("benchmarks.bench_general", "Questions over one another"),
+    "peers": ("benchmarks.bench_peers", "Beside AUTO, Ibex and SciPy"),
     "catastrophe": ("benchmarks.bench_catastrophe", "The bifurcation set"),
     "dynamics": ("benchmarks.bench_dynamics", "Motion in time"),
     "scale": ("benchmarks.bench_scale", "How cost grows"),

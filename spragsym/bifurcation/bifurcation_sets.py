@@ -303,11 +303,11 @@ def on_lines(
         families.append(
             replace(family, vary=(vary[along],), given=column, spans=spans[along : along + 1])
         )
-    budget = _budget(families, condition)
+    effort = _effort(families, condition)
     for across, each in zip((1, 0), families, strict=True):
         values = lines[vary[across]]
         with doing("{} lines along {}", values.size, *each.vary):
-            found = _on_each(each, condition, budget)
+            found = _on_each(each, condition, *effort)
         whole &= bool(found.whole.all())
         decided[across] = np.delete(values, found.roots.undecided_point)
         rows.append(
@@ -340,27 +340,28 @@ def on_lines(
     )
 
 
-def _budget(families: Sequence[Family], condition: Condition) -> int:
-    """How many boxes of a line are looked at, if nothing is asked: a tenth where of four lines in
-    the midst of the plane, each by itself, nothing is decided and nothing found.
+def _effort(families: Sequence[Family], condition: Condition) -> tuple[int, int]:
+    """How many boxes of a line are looked at, and of how many lines left one after the other each
+    by itself: if nothing is asked, a tenth and none where of four lines in the midst of the plane
+    nothing is decided and nothing found.
     """
     asked, usual = families[0].balance.options.budget, 20_000
     for part, lines in itertools.product((0.35, 0.65), families if asked is None else ()):
         line = [int(part * lines.given.shape[1])]
         alone = search(replace(lines, given=lines.given[:, line]), condition, usual).roots
         if alone.point.size or not alone.undecided_point.size:
-            return usual
-    return asked or usual // 10
+            return usual, 4
+    return (asked, 4) if asked else (usual // 10, 0)
 
 
-def _on_each(lines: Family, condition: Condition, budget: int) -> Found:
+def _on_each(lines: Family, condition: Condition, budget: int, tries: int) -> Found:
     """All points on lines, searched at once; each line of which boxes are left again alone, with
     all that decides one line.
     """
     found = search(lines, condition, budget)
     roots, undecided = found.roots, 0
     for line in np.unique(roots.undecided_point)[:, None]:
-        if undecided == 4:  # of lines one after the other
+        if undecided == tries:
             break
         alone = search(replace(lines, given=lines.given[:, line]), condition, budget).roots
         undecided = undecided + 1 if alone.undecided_point.size else 0

@@ -265,6 +265,7 @@ def test_lines_that_nothing_is_decided_on_get_fewer_boxes(monkeypatch: pytest.Mo
     p = ss.load("pad_on_disc").Parameters()
     found = ss.onset_curves(p, n=4)
     assert {budget for many, budget in budgets if many} == {2_000}
+    assert [many for many, _ in budgets].count(False) == 4
     assert not found.complete
     assert not found.curves
     for number, name in enumerate(found.vary, len(p.model.coordinates)):

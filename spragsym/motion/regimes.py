@@ -249,17 +249,15 @@ def same_limit(
         return False
     if one.limit not in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE):
         return True
-    size = len(one.rest or one.cycle)
-    periodic = {place: moved for place, moved in field.periodic.items() if place < size}
-    state = one.cycle or field.at_rest(one.rest, constants)
+    periodic = field.periodic
+    state, there = (each.cycle or field.at_rest(each.rest, constants) for each in (one, other))
     units = scales_of(field, constants, state).states
     if one.limit == Regime.EQUILIBRIUM:
-        units = units[: len(one.rest)]
-        near = SAME * (1 + magnitude(one.rest / units))
-        if magnitude(apart(one.rest, other.rest, periodic) / units) < near:
+        near = SAME * (1 + magnitude(state / units))
+        if magnitude(apart(state, there, periodic) / units) < near:
             return True
         pair = np.array(one.rest), np.array(other.rest)
-        return sets is not None and sets.in_one(*pair, near * units)
+        return sets is not None and sets.in_one(*pair, near * units[: len(one.rest)])
     # Two cycles, by period, averages, and the one state that stands for each, all found by Newton's
     # method.
     turns = np.isnan(one.cycle_mean), np.isnan(other.cycle_mean)

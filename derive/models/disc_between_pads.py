@@ -24,7 +24,7 @@ pushes it back across by μ N φ. While both touch, the middle y = φ = 0 begins
 After the two faces of M. R. North, "Disc brake squeal", IMechE C38/76 (1976).
 """
 
-from spragsym.derive.model import Abs, Page, exp, sgn
+from ..model import Abs, Page, exp, sgn
 
 page = Page(
     "A disc between two pads, coupled by the friction on both of its faces, which may lift."

@@ -37,7 +37,8 @@ def undrawn() -> list[str]:
     return [
         name
         for name in shipped()
-        if name in NEVER_CHANGES or ss.load(name).refusal("bifurcation_set")
+        if name in NEVER_CHANGES
+        or any(map(ss.load(name).refusal, ("bifurcation_set", "onset_curves")))
     ]
 
 

@@ -16,7 +16,7 @@ import numpy as np
 
 import spragsym as ss
 from tests.oracles import clocks, contact_pages, turning_frames, two_blocks
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, shipped_page
 
 PAPERS = Path(__file__).parent / "papers"
 
@@ -314,7 +314,7 @@ MOVING = 1e-9
 MODELS: dict[str, tuple[Callable[[Any, np.random.Generator], Pair], str, float]] = {
     "chain_of_blocks": (chain_of_blocks, page("chain_of_blocks"), MOVING),
     "drum": (drum, page("drum"), STATIC),
-    "disc_between_pads": (disc_between_pads, page("disc_between_pads"), STATIC),
+    "disc_between_pads": (disc_between_pads, shipped_page("disc_between_pads"), STATIC),
     "rotating_shaft": (rotating_shaft, page("rotating_shaft"), STATIC),
     "rotating_saddle": (rotating_saddle, page("rotating_saddle"), STATIC),
     "rotating_damping": (rotating_damping, page("rotating_damping"), STATIC),

@@ -1,5 +1,5 @@
-r"""A disc between two pads that press on its faces: friction couples its displacement across and its
-tilting, and a face may lift.
+r"""A disc between two pads that press on its faces: friction couples its displacement across and
+its tilting, and a face may lift.
 
 ::
 

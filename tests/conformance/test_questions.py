@@ -374,8 +374,8 @@ class Asked:
         """
         found = ss.fate(self.moving)
         sheet = ss.fate_map(self.moving.replace(**{self.pace: [self.speed]}))
-        # A wobbling disc begins in its state of rest, which is not stable.
-        open_ = self.name in ("coulomb", "wobbling_disc")
+        # A disc begins in its state of rest, which is not stable.
+        open_ = self.name in ("coulomb", "wobbling_disc", "disc_between_pads")
         driven = self.name in CYCLES or self.model.clock
         assert found.kind == ("cycle" if driven else "undecided" if open_ else "rest")
         assert sheet.count()[found.kind] == 1

@@ -8,19 +8,32 @@ import sympy as sp
 
 from . import symmetry
 from .algebra import equal, expanded
-from .mechanics import Mechanics
+from .mechanics import Mechanics, NormalForce
 
 
 def sums(model: Mechanics) -> sp.Matrix:
-    """T, the unit matrix with further entries ±1: in the rows of T F a spring between two
-    coordinates acts in as few as may be.
+    """T, of det T = 1: in the rows of T F springs between two coordinates and normal forces whose
+    direction turns act in as few as may be.
 
-    Its force stands with both signs in two rows of F, and their sum is without it. det T is 1, so
-    that T F and F vanish together, and det(T K) is det K. A row of coordinates that the mirror
-    turns is added to another such row only.
+    The force of a spring stands with both signs in two rows of F, and their sum is without it. A
+    normal force stands in each row with the slope of its gap and of what its friction opposes;
+    where one of these is a number, its row tells the force, and others are without it. T F and F
+    vanish together, and where they do, the determinant of their derivatives is det K. A row of
+    coordinates that the mirror turns is added to another such row only.
     """
     n = len(model.coordinates)
     T, rows, turned = sp.eye(n), list(model.residuals), symmetry.mirror(model).centres
+    for contact in model.contacts:
+        along = _along_force(model, contact)
+        pivot = next((i for i, part in enumerate(along) if part.is_Number and part != 0), None)
+        if pivot is None or not any(part.has(*model.coordinates) for part in along):
+            continue
+        for i in range(n):
+            alike = (model.coordinates[i] in turned) == (model.coordinates[pivot] in turned)
+            if i != pivot and along[i] != 0 and alike:
+                factor = along[i] / along[pivot]
+                rows[i] = expanded(rows[i] - factor * rows[pivot])
+                T[i, :] -= factor * T[pivot, :]
     for i, j in itertools.combinations(range(n), 2):
         if (model.coordinates[i] in turned) != (model.coordinates[j] in turned):
             continue
@@ -30,6 +43,22 @@ def sums(model: Mechanics) -> sp.Matrix:
                 rows[j] = total
                 T[j, :] += sign * T[i, :]
     return T
+
+
+def _along_force(model: Mechanics, contact: NormalForce) -> list[sp.Expr]:
+    """What of a contact's force stands in each row, but for the sign; nothing of a given one, and
+    of one that rubs on either of two faces.
+    """
+    if contact.gap is None or contact.either_face:
+        return []
+    rubbing = [one for one in model.frictions if one.normal is contact and one.along is not None]
+    return [
+        expanded(
+            sp.diff(contact.gap, symbol)
+            + sum(one.mu * sp.diff(one.along, symbol) for one in rubbing)
+        )
+        for symbol in model.coordinates
+    ]
 
 
 def _directions(model: Mechanics, row: sp.Expr) -> set[sp.Symbol]:

@@ -77,23 +77,26 @@ def module(model: Mechanics) -> Module:
     shorthands = {**model.depths, **{line.l: line.length for line in model.lines}}
     mirror = symmetry.mirror(model)
     function = partial(of_page, shorthands=shorthands)
-    K, T = sp.Matrix(jacobian(model)), balance_rows.sums(model)
+    K, T, F = sp.Matrix(jacobian(model)), balance_rows.sums(model), sp.Matrix(model.residuals)
+    constant = not T.has(*model.coordinates)
+    cancelled = "springs between coordinates" if constant else "contacts that turn"
+    changes = sp.Matrix.hstack(*(T.diff(symbol) * F for symbol in model.coordinates))
     apart = (
         ()
         if T.is_Identity
         else (
             function(
                 "balance",
-                "Sums of the forces, in which those of springs between coordinates cancel.",
+                f"Sums of the forces, in which those of {cancelled} cancel.",
                 state,
-                tuple(map(expanded, T * sp.Matrix(model.residuals))),
+                tuple(map(expanded, T * F)),
                 "(F_1, …)",
             ),
             function(
                 "balance_jacobian",
                 "Their derivatives by the coordinates: the same sums of the rows of K.",
                 state,
-                rows((T * K).applyfunc(model.tidy)),
+                rows((T * K + changes).applyfunc(model.tidy)),
                 "((∂F_1/∂q_1, …), …)",
             ),
         )

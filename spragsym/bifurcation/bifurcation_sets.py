@@ -41,14 +41,15 @@ from ..statics.search import balances_of, of_ranges
 from .borders import BORDER, PASSES, kinds_of_borders, passages
 from .defining_systems import (
     FOLD,
-    TURN,
     Augmented,
     Condition,
     Family,
+    blocks_of,
     both_touch,
     fold_on_border,
     touch,
     touch_turn,
+    turn,
 )
 from .folds import cusps, folds
 from .options import ContinuationOptions
@@ -218,7 +219,9 @@ def extrema(
     # Where no state depends on one of the two, curves are straight along it.
     bends = set(vary) <= set(family.balance.balanced)
     for one in families if bends else ():
-        yield "turn", isolated(one, TURN, "turn")
+        for block in blocks_of(one):
+            of_block = None if len(block) == one.balance.n else block
+            yield "turn", isolated(one, turn(block[0], of_block), "turn")
     low, high = family.spans[0].tolist()
     for end in (low, high):
         value = p.ranges[over].reached(end, high - low)

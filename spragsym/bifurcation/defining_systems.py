@@ -18,7 +18,7 @@ import math
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, TypeAlias
 
 import numpy as np
 
@@ -35,6 +35,7 @@ from ..numerics.arithmetic import (
     cofactor,
     determinant,
     hurwitz,
+    is_zero,
     pencil,
     resultant,
     trimmed,
@@ -189,6 +190,10 @@ def given_column(p: ParameterSet, names: Sequence[str], vary: Sequence[str]) -> 
     return np.array([[values.get(name, np.nan)] for name in names])
 
 
+#: Coordinates of a block of K; None of all.
+Block: TypeAlias = tuple[int, ...] | None
+
+
 @dataclass(frozen=True)
 class Condition:
     """Condition on a state beside the balance.
@@ -232,33 +237,57 @@ def both_touch(contact: int, other: int) -> Condition:
 
 
 @cache
-def cusp(column: int) -> Condition:
+def cusp(column: int, block: Block = None) -> Condition:
     """det K = 0, and K v = 0 for a direction v along which det K does not change.
 
     Where K has rank n − 1 the columns of its adjugate that are not 0 are multiples of v. One of
     them is taken: points where that one is 0 are roots as well, which
-    :func:`spragsym.bifurcation.singularities.told_apart` tells from cusps.
+    :func:`spragsym.bifurcation.singularities.told_apart` tells from cusps. With a ``block`` it is
+    the determinant of that which is 0.
     """
 
     def equations(at: Evaluation) -> Sequence[Any]:
         K = at.slopes
-        return determinant(K), change(K, column)
+        return _determinant_of(K, block), change(K, column, block)
 
     return Condition(equations, order=1, singular=True)
 
 
-def _turns(at: Evaluation) -> Sequence[Any]:
-    """det K, and the force along w that the first parameter v brings: w · ∂F/∂v with w K = 0.
+@cache
+def turn(line: int, block: Block = None) -> Condition:
+    """The curve of folds turns back in the second parameter: det K = 0, and so is the force along w
+    that the first parameter v brings, w · ∂F/∂v with w K = 0.
 
-    A row of the adjugate stands for w: points where that row is 0 are roots as well.
+    A line of the adjugate stands for w: points where it is 0 are roots as well.
     """
-    K, rows = at.slopes, at.forces()
-    pushed = [slope(row, len(K)) * cofactor(K, i, 0) for i, row in enumerate(rows)]
-    return determinant(K), sum(pushed)
+
+    def equations(at: Evaluation) -> Sequence[Any]:
+        K, rows = at.slopes, at.forces()
+        pushed = [slope(row, len(K)) * cofactor(K, i, line) for i, row in enumerate(rows)]
+        return _determinant_of(K, block), sum(pushed)
+
+    return Condition(equations, order=1, singular=True)
 
 
-#: The curve of folds turns back in the second parameter.
-TURN = Condition(_turns, order=1, singular=True)
+def blocks_of(family: Family) -> list[tuple[int, ...]]:
+    """Blocks of coordinates each of which acts in the balances of all others of its block, directly
+    or through others: det K is the product of their determinants.
+
+    Where one of these is 0, the directions v and w of K v = 0 and w K = 0 need not have a part
+    along a coordinate of another block.
+    """
+    from scipy.sparse.csgraph import connected_components  # heavy, and few questions need it
+
+    system = Augmented(family, FOLD)
+    with quiet():
+        K = system.state(list(Intervals(np.zeros((2, system.n, 1)))), system.fixed(1)).slopes
+    pattern = np.array([[not is_zero(entry) for entry in row] for row in K])
+    _, labels = connected_components(pattern, connection="strong")
+    return sorted(tuple(np.flatnonzero(labels == label).tolist()) for label in set(labels.tolist()))
+
+
+def _determinant_of(K: Matrix, block: Block) -> Number:
+    return determinant(K if block is None else [[K[i][j] for j in block] for i in block])
 
 
 @cache
@@ -359,11 +388,11 @@ def of_kind(kind: str, along: int | None) -> Condition:
     return Condition(lambda at: KINDS[kind](_characteristic(along, at)))
 
 
-def change(K: Matrix, column: int) -> Number:
-    """Change of det K along a column of the adjugate, from entries that are jets in the coordinates
-    first.
+def change(K: Matrix, column: int, block: Block = None) -> Number:
+    """Change of det K, or of that of a block, along a column of the adjugate, from entries that are
+    jets in the coordinates first.
     """
-    value = determinant(K)
+    value = _determinant_of(K, block)
     moved = [slope(value, i) * cofactor(K, column, i) for i in range(len(K))]
     return sum(moved)
 

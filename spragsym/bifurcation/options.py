@@ -63,7 +63,7 @@ class ContinuationOptions(Options):
     search: SearchOptions = field(default_factory=SearchOptions)
     first_step: float = option(2.0**-5, 2.0**-20, 1.0)
     least_step: float = option(2.0**-14, 2.0**-40, 1.0)
-    steps: int = limit(400)
+    steps: int = limit(4000)
     turn_steps: int = limit(60)
     steep_steps: int = limit(100)
     half_width: float = option(1e-9, 1e-14, 1e-3)

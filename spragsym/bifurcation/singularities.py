@@ -64,7 +64,16 @@ from ..statics.reference_state import nearest_state
 from ..statics.search import balances_of
 from ..statics.stability import with_a_zero
 from .borders import at_borders, borders, combination, joined
-from .defining_systems import FOLD, Augmented, Condition, Family, OfFamily, change, cusp
+from .defining_systems import (
+    FOLD,
+    Augmented,
+    Condition,
+    Family,
+    OfFamily,
+    blocks_of,
+    change,
+    cusp,
+)
 from .points import Found, arranged, of_ends, search, vanishes
 
 if TYPE_CHECKING:
@@ -281,9 +290,21 @@ def _with_signs(odd: Sequence[int], q: Sequence[Any], _: Values) -> list[Any]:
 
 def isolated(family: Family) -> Found:
     """A box for each cusp, and what is left."""
-    balance, found = family.balance, search(family, cusp_off_mirrors(family))
-    roots = told_apart(family, found, 0)
-    for column in range(1, balance.n):
+    parts = [_of_block(family, block) for block in blocks_of(family)]
+    if len(parts) == 1:
+        return parts[0]
+    roots, *others = (one.roots for one in parts)
+    region = np.maximum.reduce([one.region for one in parts])
+    whole = np.logical_and.reduce([one.whole for one in parts])
+    return Found(roots.concatenated(*others), region, whole)
+
+
+def _of_block(family: Family, block: tuple[int, ...]) -> Found:
+    """Cusps at which the determinant of a block of K is 0."""
+    balance, first = family.balance, block[0]
+    found = search(family, cusp_off_mirrors(family, first, block))
+    roots = told_apart(family, found, first)
+    for column in (k for k in range(balance.n) if k != first):
         # A cusp at which a column of the adjugate is 0, as on a mirror, is a double root with it,
         # and regular with another one.
         hulls = (
@@ -294,7 +315,7 @@ def isolated(family: Family) -> Found:
         for hull in np.moveaxis(hulls, 2, 0):
             spans = spans_of(hull)[balance.n :]
             near = replace(family, spans=spans, asked=hull[:, : balance.n])
-            more = told_apart(near, search(near, cusp_off_mirrors(near, column)), column)
+            more = told_apart(near, search(near, cusp_off_mirrors(near, column, block)), column)
             if not more.undecided_point.size:
                 open_ = ~contractors.within(roots.undecided, hull[:, :, None])
                 roots = different(roots.select(undecided=open_).concatenated(more), found.region)
@@ -323,7 +344,7 @@ def told_apart(family: Family, found: Found, column: int) -> Roots:
     return found.roots.reopened(nonzero & ~none, ~nonzero & ~none)
 
 
-def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
+def cusp_off_mirrors(family: Family, column: int, block: tuple[int, ...]) -> Condition:
     """Condition of a cusp off the mirrors: beside a mirror that turns one coordinate there are none
     but where pitchforks are degenerate.
     """
@@ -352,9 +373,8 @@ def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
         small = np.logical_and.reduce(q.width <= 2.0**-12 * scale_of(q.magnitude))
         return small & np.logical_or.reduce(on)
 
-    return (
-        replace(cusp(column), excluded=excluded, abandoned=abandoned) if mirrors else cusp(column)
-    )
+    condition = cusp(column, None if len(block) == n else block)
+    return replace(condition, excluded=excluded, abandoned=abandoned) if mirrors else condition
 
 
 def ended(points: Points) -> Ended:

@@ -124,8 +124,9 @@ class Forces:
             else self.border.copy()
         )
         self.border += room
-        #: Sums of rows without forces between coordinates or of contacts that turn, where there are
-        #: such: they vanish together with the forces, and what cancels in them is not lost in boxes.
+        #: Sums of rows without forces between coordinates or of contacts that turn, where there
+        #: are such: they vanish together with the forces, and what cancels in them is not lost in
+        #: boxes.
         self.sums = (
             {"forces": "balance", "forces_jacobian": "balance_jacobian"}
             if hasattr(model.algebra, "balance")

@@ -480,8 +480,7 @@ def _proved(model: Model, variables: dict[str, Any], vary: str, begin: float) ->
     try:
         box = Splitting(low, high, vary, begin)
         share = partial(_open_share, box.free, _cdf_of(laws), (up_to, up_to))
-        # The box, and all parts that one more step takes.
-        return proved_jumps(box, share, 1 + Pieces.few)
+        return proved_jumps(box, share, Pieces.few)
     except (ConvergenceError, ParameterError):  # of a box around points that may all be decided
         return None
 

@@ -99,6 +99,8 @@ def proved_jumps(box: Splitting, share: Callable[[Any], FloatArray], most: int) 
         box.whole.safe[:] = found.value - found.error if ends else found.until
         box.whole.top[:] = found.value + found.error if ends else np.inf
         return ProvedJumps(box.vary, box.begin, (), box.whole, np.ones(1, dtype=np.bool_), "")
+    # Of the whole box hardly anything is proved.
+    box.whole = box.whole.divided(box.whole.weight(box.whole.base), most)
     box.sharp = True
     first, *others = [pieces[last] for pieces, last, _ in box.run(share, most)]
     pieces = first.concatenated(*others)

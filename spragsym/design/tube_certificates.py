@@ -61,6 +61,12 @@ class Pieces(BoxParts):
             self.safe >= self.high[-1], SAFE, np.where(self.top < self.low[-1], ENDS, OPEN)
         )
 
+    def weight(self, place: Place) -> FloatArray:
+        """How much each free side matters, by how far it moves the state of a place."""
+        moves = (np.abs(place.by_p) / size_of(place.z)[:, None]).max(axis=0)
+        moves = np.where(np.isfinite(moves), moves, 0.0)
+        return self.slight[:-1] + moves * (self.high - self.low)[:-1]
+
     def divisible(self) -> BoolArray:
         """Sides of the free parameters that have floats between their ends."""
         return super().divisible()[:-1]
@@ -178,11 +184,7 @@ class Splitting(Claim):
         least = None if (pieces.low == pieces.high).all() else 2.0**-6
         reached = tubes.followed(start, goal, least)
         safe, top = np.where(reached.sure, reached.v, -np.inf), np.full(goal.size, np.inf)
-        width = (pieces.high - pieces.low)[:-1]
-        # As far as it got, by how far each parameter moves the state.
-        weight = pieces.slight[:-1]
-        moves = (np.abs(reached.by_p) / size_of(reached.z)[:, None]).max(axis=0)
-        weight += np.where(np.isfinite(moves), moves, 0.0) * width
+        weight, width = pieces.weight(reached), (pieces.high - pieces.low)[:-1]  # as far as it got
         rows = np.flatnonzero(reached.sure & (safe < goal) & (safe != start.v))
         if rows.size:
             safe[rows], top[rows], moves = passed(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -34,10 +34,6 @@ from .options import BranchOptions
 SURE = 100.0
 
 
-#: A zero of a test function is located to this, in units of the arc.
-LOCATED = 1e-11
-
-
 def in_phase(_: Setting, near: Orbit, target: FloatArray) -> Conditions:
     """The first state stays in the plane across the flow at an orbit, through a target."""
     return across(near, target[: near.field.size])
@@ -58,6 +54,7 @@ class Setting:
     period: float
     spans: tuple[float, ...]
     holds: Callable[[Setting, Orbit, FloatArray], Conditions] = in_phase
+    options: BranchOptions = field(default_factory=BranchOptions)
 
     def integrated(self, guess: Iterate) -> Orbit:
         """A guess integrated, with derivatives by what is free."""
@@ -328,14 +325,14 @@ def zero_of(
     one: BranchPoint,
     other: BranchPoint,
     length: float,
-    xtol: float = LOCATED,
+    xtol: float | None = None,
 ) -> BranchPoint:
     """Zero of a test function between two points, by bracketing along the arc; ConvergenceError,
     ValueError without.
     """
     from scipy.optimize import brentq
 
-    known = {0.0: one, length: other}
+    known, xtol = {0.0: one, length: other}, xtol or one.setting.options.located
 
     def value(arc: float) -> float:
         if arc not in known:

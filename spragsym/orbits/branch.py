@@ -47,7 +47,6 @@ from .arclength import (
     within,
 )
 from .events import (
-    FINEST,
     MERGES,
     SCATTER,
     SLIDING,
@@ -60,7 +59,7 @@ from .events import (
 )
 from .options import BranchOptions
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
-from .switching import NEAREST, halved, meets, switched
+from .switching import halved, meets, switched
 
 #: Kind of an end at which an arrival becomes tangent.
 CATASTROPHIC = "catastrophic-sliding"
@@ -317,7 +316,7 @@ def cycle_branch(
             "mu0*tanh(d*v)"
         )
     own = in_scales(cycle.orbit)
-    setting = Setting(own.flow, (index,), own.period, ((high - low) / 2,))
+    setting = Setting(own.flow, (index,), own.period, ((high - low) / 2,), options=options)
     pieces = len(own.states)  # an even number, so that halves of a doubled cycle are seen
     begun = remeshed(own, 2 * pieces) if pieces % 2 else own.guess
     start = remeshed_point(started(setting, begun))
@@ -376,12 +375,12 @@ def _followed(
     ) -> list[BranchPoint | DetectedEvent]:
         arc = between(point, found) if found.value in to else length
         if (met := meets(point, found)) is not None:
-            if arc > NEAREST * extent(found.orbit):
+            if arc > options.meeting * extent(found.orbit):
                 raise ConvergenceError("the halves of the orbit meet on the way")
             if merged := halved(point, found, met):
                 return [DetectedEvent("end", *merged, how=MERGES)]
         if not found.alone:
-            if length > FINEST and point.alone:
+            if length > options.event_step and point.alone:
                 raise ConvergenceError("the orbit is one of a whole family")
             return [*_joins(followed, found)]
         items, before = (

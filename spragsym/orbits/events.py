@@ -18,7 +18,6 @@ from ..motion.multipliers import CRITERIA, criterion_of, is_complex_pair, unsure
 from ..motion.shooting import Conditions, Orbit, closed_orbit, remeshed
 from ..numerics.vectors import magnitude
 from .arclength import (
-    LOCATED,
     BranchPoint,
     Setting,
     Touch,
@@ -42,9 +41,6 @@ MERGES = "it meets the cycle of half its period, which doubles there"
 
 #: Few orbits scatter less than rounding may: their scatter counts so many times.
 SCATTER = 10.0
-
-#: A step longer than this is made shorter where an event in it is not located.
-FINEST = 1e-5
 
 
 def criterion(kind: str, point: BranchPoint) -> float:
@@ -171,7 +167,7 @@ def vertical(one: BranchPoint, other: BranchPoint, length: float) -> bool:
     # How near 1 a double multiplier of an upright branch is found.
     double_within = 1e-4
     return (
-        length > FINEST
+        length > one.setting.options.event_step
         and abs(one.value - other.value) < still * length
         and all(
             abs(turning(end)) < still
@@ -214,7 +210,7 @@ def _grazing(
         if _lies_between(one, other, orbit.guess.varied[0], length, off):
             yield DetectedEvent(kind, orbit, off, border, how=name)
             return
-    if length > FINEST:
+    if length > one.setting.options.event_step:
         raise ConvergenceError(f"a {kind} was not located")
     if not crossing_mismatch(one, other):
         return  # two different turns were taken for one: the orbit crosses as often as before
@@ -317,7 +313,9 @@ def _located(
     try:
         point = zero_of(test, one, other, length)
     except (ConvergenceError, ValueError) as error:
-        if length > FINEST:  # the two points may lie on different branches: shorter steps tell
+        if (
+            length > one.setting.options.event_step
+        ):  # the two points may lie on different branches: shorter steps tell
             raise ConvergenceError(f"a {kind} was not located") from error
         if kind == "crossing":
             return
@@ -337,7 +335,7 @@ def _located(
     if abs(test(point)) > zero_share * max(abs(test(one)), abs(test(other))):
         # Multipliers jump at a grazing, and another arrival may become the nearest one: the sign
         # changes with no zero.
-        if length > FINEST:
+        if length > one.setting.options.event_step:
             raise ConvergenceError(f"a {kind} was not located")
         if kind in SLIDING:
             return
@@ -366,7 +364,7 @@ def _error(
     own = uncertainty(point)
     if kind == "fold":
         return own  # the parameter is extremal there
-    own += abs(turning(point)) * LOCATED
+    own += abs(turning(point)) * point.setting.options.located
     if kind in SLIDING:
         return own  # the orbit itself tells
     change = abs(criterion(kind, one) - criterion(kind, other))

@@ -36,6 +36,13 @@ class BranchOptions(Options):
         Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
     still : float
         Slowest rate of an orbit at which it is said to come to rest.
+    event_step : float
+        Step beyond which one is made shorter in which an event is not located.
+    located : float
+        Length to which an event is located.
+    meeting : float
+        Distance of the halves of an orbit, over its extent, below which it meets the cycle of half
+        its period.
 
     Examples
     --------
@@ -61,3 +68,6 @@ class BranchOptions(Options):
     shrunk: float = option(0.1, 1e-12, 1.0)
     long_period: float = option(6.0, 1.0)
     still: float = option(2e-3, 0.0)
+    event_step: float = option(1e-5, 1e-12)
+    located: float = option(1e-11, 1e-15)
+    meeting: float = option(1e-3, 0.0, 1.0)

@@ -31,10 +31,6 @@ if TYPE_CHECKING:
     from .branch import CycleBranch, CycleEvent
 
 
-#: Halves that come closer than this share of the orbit's extent are one.
-NEAREST = 1e-3
-
-
 def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     """The cycle of :meth:`CycleBranch.switch`."""
     cycle = event.cycle
@@ -140,7 +136,7 @@ def meets(one: BranchPoint, other: BranchPoint) -> float | None:
     one_within = 1e-9
     if not was > one_within:
         return None
-    if now < min(was, NEAREST * extent(other.orbit)):
+    if now < min(was, one.setting.options.meeting * extent(other.orbit)):
         return 1.0
     return was / (was + now) if before @ after < 0 else None
 

@@ -399,10 +399,14 @@ def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
 
 def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.results.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
-    (again,) = ss.cycle_branch(doubling.cycle, "theta0", between={"theta0": branch.to}).of(
-        "period_doubling"
-    )
+    (again,) = ss.cycle_branch(
+        doubling.cycle,
+        "theta0",
+        between={"theta0": branch.to},
+        options=ss.BranchOptions(located=1e-6),
+    ).of("period_doubling")
     assert abs(again.value - doubling.value) <= again.error + doubling.error
+    assert again.error > 100 * doubling.error  # as it is located by a wider bracket
     assert min(abs(doubling.cycle.multipliers + 1)) < 1e-8
     assert {event.how for event in branch.of("end")} == {"the range ends"}
     assert all(event.error < 1e-8 for event in branch.events)

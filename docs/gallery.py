@@ -25,6 +25,7 @@ GALLERY = {
     "stribeck": ("folds", "theta0", "mu_s", {"mu_s": (0.0, 1.5)}),
     "mode_coupling": ("flutter", "sigma", "mu0", {"sigma": (0.05, 2.0), "mu0": (0.0, 2.0)}),
     "wobbling_disc": ("hopf", "Omega", "mu0", {"Omega": (0.02, 1.0), "mu0": (0.0, 3.0)}),
+    "disc_between_pads": ("flutter", "beta", "mu0", {"beta": (0.0, 1.0), "mu0": (0.0, 1.0)}),
     "stick_slip": ("hopf", "V", "zeta", {"V": (0.01, 1.5), "zeta": (0.0, 2.0)}),
 }
 

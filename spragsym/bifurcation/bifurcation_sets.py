@@ -134,7 +134,9 @@ def bifurcation_set(
             near = family_of(contact=balance.contact, room=OVER_BORDER, beyond=contact)
             ends = [*border_extrema(near, balance, between or {}, within)]
             borders += [(BORDER, points) for points in ends]
-            more = np.concatenate([rows_of(near, points) for points in ends], axis=1)
+            # None where the balance does not depend on the first parameter.
+            none = np.empty((balance.n + 2, 0))
+            more = np.concatenate([none, *(rows_of(near, points) for points in ends)], axis=1)
             parts.append(on_lines(near, touch(contact), n, more, more[-1], options))
             for chain in parts[-1].chains:
                 around = ends_around(chain, options.half_width * scale_of(chain))

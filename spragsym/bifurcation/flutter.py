@@ -55,6 +55,7 @@ from .defining_systems import (
 from .points import Found, arranged, matrices, nothing, of_ends, search
 
 if TYPE_CHECKING:
+    from ..models import Model
     from .normal_forms import Coefficient, NormalForm
 
 #: Why none is searched for without damping.
@@ -554,8 +555,8 @@ class Onsets(Points):
                 "imaginary axis up to it: no generic Hopf point; ask for the onsets of the "
                 "damped model, damping=True"
             )
-        if len(self.parameters.model.contacts) > 1:
-            return "the motion of a page with several contacts is not answered yet"
+        if why := formless(self.parameters.model):
+            return why
         state, vary = self.state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.
         radii = self.error[row] * scale_of([*state, self[vary][row]]) * (1 + 2.0**-50)
@@ -604,6 +605,12 @@ class Onsets(Points):
         array([0.499974])
         """
         return np.array([self[name][row] for name in self.parameters.model.coordinates])
+
+
+def formless(model: Model) -> str:
+    """Why onsets of a model have no normal form; empty where they may."""
+    several = len(model.contacts) > 1
+    return "the motion of a page with several contacts is not answered yet" if several else ""
 
 
 def form_or_why(*point: Any) -> NormalForm | str:

@@ -20,6 +20,7 @@ from ..numerics import contractors
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
 from ..results import Curve, Points, Result
 from ..statics import stability
+from ..statics.search import balances_of
 from ..statics.stability import (
     comes_in_pairs,
     is_conservative,
@@ -28,6 +29,7 @@ from ..statics.stability import (
     slope_over,
 )
 from .bifurcation_sets import FoldCurves, on_lines, rows_of
+from .borders import joined
 from .defining_systems import (
     FLUTTER,
     HOPF,
@@ -45,13 +47,14 @@ from .flutter import (
     crossing,
     every,
     form_or_why,
+    formless,
     frequencies,
     meeting,
     of_forms,
 )
 from .normal_forms import Coefficient, NormalForm, coefficients
 from .options import ContinuationOptions
-from .points import arranged, matrices, nothing, search
+from .points import arranged, matrices, nothing, search, which
 
 #: Why a point has no normal form that is not proved to be a generic Hopf point.
 UNPROVED = "no generic Hopf point is proved there"
@@ -76,7 +79,8 @@ class OnsetCurves(Result):
         Hopf points in the order in which they follow each other. Each is proved; that they are
         joined in the right order is not. Their columns: the parameters that vary, the coordinates,
         ``omega``, ``lyapunov`` with its bound ``lyapunov_error``, NaN and inf where there is no
-        coefficient, and ``criticality``, as of :class:`spragsym.results.Onsets`.
+        coefficient, and ``criticality``, as of :class:`spragsym.results.Onsets`; of several
+        contacts ``touching``.
     points : Points
         All points of the kinds ``"BT"`` (Bogdanov–Takens: a curve ends on a fold), ``"ZH"``
         (zero–Hopf: it meets a fold) and ``"HH"`` (double Hopf: two curves meet; sought with two
@@ -134,7 +138,8 @@ def onset_curves(
         Lines of either parameter on which all Hopf points are found and proved.
     damping : bool, optional
         With all damping, that of the friction law included; or by (27), without: curves on which
-        two modes meet. Without it True, unless C is 0.
+        two modes meet. Without it True, unless C is 0, of several contacts for each combination of
+        those that touch.
     between : mapping, optional
         Ranges of the two, as ``{"mu0": (0, 1)}``.
     options : ContinuationOptions, optional
@@ -173,10 +178,36 @@ def onset_curves(
     vary = model_of(p).two(vary)
     as_count("n", n, 2)
     options = options or ContinuationOptions()
-    plane = _Plane.of(p, vary, between, options=options.asked)
-    if damping is None:
-        damping = is_damped(plane.balance, plane.over)
-    return plane.curves(n, damping, options)
+    balances = balances_of(p.model, None, None, options.asked)
+    planes = [
+        _Plane.of(p, vary, between, contact=balance.contact, options=options.asked)
+        for balance in balances
+    ]
+    damped = [
+        is_damped(plane.balance, plane.over) if damping is None else damping for plane in planes
+    ]
+    first, *others = (
+        plane.curves(n, own, options) for plane, own in zip(planes, damped, strict=True)
+    )
+    return _joined(first, others) if others else first
+
+
+def _joined(first: OnsetCurves, others: Sequence[OnsetCurves]) -> OnsetCurves:
+    """Curves of all combinations of contacts that touch as one result."""
+    parts = [first, *others]
+    return replace(
+        first,
+        damping=any(part.damping for part in parts),
+        curves=tuple(curve for part in parts for curve in part.curves),
+        points=joined([part.points for part in parts]),
+        changes={
+            name: np.concatenate([part.changes[name] for part in parts]) for name in first.changes
+        },
+        lines={name: values for part in parts for name, values in part.lines.items()},
+        complete=all(part.complete for part in parts),
+        undecided=np.concatenate([part.undecided for part in parts]),
+        remarks=tuple(dict.fromkeys(remark for part in parts for remark in part.remarks)),
+    )
 
 
 @dataclass(frozen=True)
@@ -205,7 +236,7 @@ class _Plane(Family):
                 for states, omega in _pieces(chain, [_modes(modes, *each) for each in known]):
                     forms = (
                         self.forms(found.curves, states)
-                        if modes is crossing
+                        if modes is crossing and not formless(self.p.model)
                         else [UNPROVED] * len(omega)
                     )
                     curve = self.curve(states, omega, forms)
@@ -228,7 +259,8 @@ class _Plane(Family):
                 f"{UNDAMPED:g} times K: where it vanishes every pair crosses at once, and such "
                 "onsets are not isolated",
             )
-        said += tuple(Remark("of points: {}", it) for it in points.remarks) if damping else ()
+        where = "of points: {}" if damping else "of states: {}"
+        said += () if points.complete else tuple(Remark(where, it) for it in points.remarks)
         own = own_name(self.balance.model, "error")
         names = (*self.vary, *self.balance.coordinates, own)
         rows = dict(zip(names, np.array(changes).reshape(-1, len(names)).T, strict=True))
@@ -350,7 +382,7 @@ class _Plane(Family):
             "criticality": np.array([criticality_of(form)[0] for form in forms], dtype=np.str_),
         }
         own = {own_name(self.balance.model, name): column for name, column in ours.items()}
-        return Curve({**self.named(states), **own})
+        return Curve({**self.named(states), **own, **which(self.balance, omega.size)})
 
     def changes(
         self, curves: FoldCurves, states: FloatArray, kinds: Sequence[str]

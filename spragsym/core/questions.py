@@ -60,6 +60,7 @@ SEVERAL = (
     "jump_probability",
     "jump_value",
     "lyapunov",
+    "onset_curves",
     "quasi_static_path",
     "redesign",
     "rms_sweep",

@@ -350,7 +350,10 @@ def _effort(families: Sequence[Family], condition: Condition) -> tuple[int, int]
     by itself: if nothing is asked, a tenth and none where of four lines in the midst of the plane
     nothing is decided and nothing found.
     """
-    asked, usual = families[0].balance.options.budget, 20_000
+    balance, usual = families[0].balance, 20_000
+    asked = balance.options.budget
+    if asked is None and balance.n <= 3:  # all lines take hardly longer than a few
+        return usual, 4
     for part, lines in itertools.product((0.35, 0.65), families if asked is None else ()):
         line = [int(part * lines.given.shape[1])]
         alone = search(replace(lines, given=lines.given[:, line]), condition, usual).roots

@@ -650,16 +650,24 @@ class Trajectory(Named):
         rubs = pushing.copy()
         rubs[self._faces] = 1  # on the other face too
         presses = rubs[[names.index(one) for one in rubbing]]
-        own, last = (
-            getattr(self.model.algebra, forces.named("friction_force", name))(
-                *self.state,
-                *self._arguments(),
-                *pushing,
-                *np.where(presses | (side != 0), side, 1),
-                *felt,
+        # What is not pressed has no friction. In lift-off a sliding speed may change its sign far
+        # from 0 between samples, where the law of the other side overflows.
+        pressed = presses[rubbing.index(name)] != 0
+        with np.errstate(over="ignore", invalid="ignore"):
+            own, last = (
+                np.where(
+                    pressed,
+                    getattr(self.model.algebra, forces.named("friction_force", name))(
+                        *self.state,
+                        *self._arguments(),
+                        *pushing,
+                        *np.where(presses | (side != 0), side, 1),
+                        *felt,
+                    ),
+                    0.0,
+                )
+                for side in (sides, before)
             )
-            for side in (sides, before)
-        )
         share = np.divide(gaps[:-1], gaps[:-1] + gaps[1:])
         jumps = (sides != before).any(axis=0)
         own[1:-1] += np.where(jumps, last - own, 0.0)[1:-1] * share

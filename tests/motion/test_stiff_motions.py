@@ -133,3 +133,18 @@ def test_a_steep_force_of_the_place_is_not_passed_unseen(d: float) -> None:
         + 0.3 / d * (np.logaddexp(d * motion.x, -d * motion.x) - np.log(2))
     )
     assert energy == pytest.approx(energy[0], abs=1e-8)
+
+
+def test_what_does_not_press_has_no_friction_however_steep_its_law() -> None:
+    """In lift-off the mass swings to and fro in 5e-3 units of time, at speeds 6000 times those in
+    which friction falls: energy changes by dampers alone, of which there are none.
+    """
+    p = ss.load("stribeck").Parameters(
+        theta0=0.63, kappa=0.0085, alpha=3.8e5, sigma=12.2, mu_s=4.3e5, mu_k=2e-5, v_s=3e-4, V=0.0
+    )
+    start = (-0.29, 0.305, 0.11, 0.023)
+    tr = ss.simulate(p, start=start, t_end=0.02, backend="scipy", rtol=1e-11)
+    assert tr.y.min() > 0
+    assert not tr.friction_force().any()
+    assert not tr.friction_power().any()
+    assert np.ptp(tr.energy()) < 1e-6 * tr.energy()[0]

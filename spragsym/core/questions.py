@@ -85,6 +85,7 @@ FORCED = (
     "cycle_branch",
     "cycle_events",
     "export",
+    "export to fmu",
     "fate",
     "fate_map",
     "lyapunov",

@@ -104,25 +104,38 @@ def test_an_fmu_moves_as_python_does(name: str, tmp_path: Path) -> None:
         return
     file = exported(tmp_path, "--model", name)
     values = {one: 0.9 for one in model.parameters if one not in model.base}
-    p, names = model.Parameters(**values), [*model.coordinates, *model.rates]
+    p, names = model.Parameters(**values), [*model.starting]
     options = {
         "fmi_type": "ModelExchange",
         "stop_time": 100.0,
         "output_interval": 0.1,
         "relative_tolerance": 1e-12,
     }
-    for begun in starts(p, [0.05] * len(names)):
+    usual = [0.05] * len(names)
+    for begun in [usual] if model.clock else starts(p, usual):
         tr = ss.simulate(p, start=begun, t_end=100.0, rtol=1e-13)
         start = values | dict(zip(names, begun, strict=True))
         state, events = stepped(file, start, names, 100.0)
-        np.testing.assert_allclose(state, tr.state[:, -1], rtol=1e-7, atol=1e-7)
+        there = tr.state[: len(names), -1]
+        np.testing.assert_allclose(state, there, rtol=1e-7, atol=1e-7)
         told = outputs(ss.simulate(p, start=begun, t_end=1.3, rtol=1e-13))
         found, _ = stepped(file, start, [*told], 1.3)
         np.testing.assert_allclose(found, [*told.values()], rtol=1e-9, atol=1e-9)
         assert tr.events is not None
         np.testing.assert_allclose(events, tr.events.t[tr.events.t > 0], rtol=0, atol=1e-8)
         found = fmpy.simulate_fmu(file, start_values=start, **options)
-        np.testing.assert_allclose([found[one][-1] for one in names], tr.state[:, -1], atol=1e-5)
+        np.testing.assert_allclose([found[one][-1] for one in names], there, atol=1e-5)
+
+
+def test_the_clock_runs_at_its_rate_whatever_is_set(tmp_path: Path) -> None:
+    """The phase is φ_0 + ω t of the importer's time, by steps and by a solver of its own."""
+    file = exported(tmp_path, "--model", "forced_oscillator")
+    start = {"phase": 0.4, "vphase": 5.0, "omega": 1.3, "x": 0.2}
+    found, _ = stepped(file, start, ["phase", "vphase"], 7.0)
+    np.testing.assert_allclose(found, [0.4 + 1.3 * 7.0, 1.3], rtol=1e-9)
+    options = {"fmi_type": "ModelExchange", "stop_time": 7.0, "relative_tolerance": 1e-10}
+    told = fmpy.simulate_fmu(file, start_values=start, **options)
+    np.testing.assert_allclose(told["phase"], 0.4 + 1.3 * told["time"], atol=1e-6)
 
 
 STEPPED = [(True, True), (True, False), (False, True), (False, False)]

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.cli.export import _of_page
 from spragsym.core.errors import ConvergenceError, ModelError, ParameterError
 from spragsym.core.questions import FORCED
 from spragsym.derive.model import PageError
@@ -266,8 +265,6 @@ def test_what_is_not_answered_of_a_clock_says_so() -> None:
     for ask in (ss.equilibria, ss.folds, ss.basin_boundary, ss.sticking_states):
         with pytest.raises(ModelError, match="has a clock"):
             ask(p)
-    with pytest.raises(ModelError, match="export to fmu is not answered yet of duffing"):
-        _of_page(p.model, "fmu", None, ())
     with pytest.raises(ParameterError, match="the rate of the clock"):
         ss.simulate(p, vphase0=0.3)
     with pytest.raises(ParameterError, match="no clock"):

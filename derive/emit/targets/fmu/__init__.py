@@ -159,6 +159,7 @@ def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -
         "holds": "ahead" in seen.borders,
         "layers": layers,
         "turnings": turnings,
+        "clock": "clock" in algebra,
         "rooted": seen.rooted,
         "springs": len(algebra["geometry"].leaves) // 3 if "geometry" in algebra else 0,
         "outputs": len(seen.outputs),
@@ -188,6 +189,7 @@ def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -
         "grip_slopes": "spm",
         "outputs": "spm",
         "output_slopes": "spm",
+        "clock": "p",
     }
     called = [
         _adapter(material, algebra[name], kinds, places)

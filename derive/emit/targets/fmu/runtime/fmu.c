@@ -147,6 +147,20 @@ static Motion motion_of(const Instance *it) {
     return motion;
 }
 
+/* Gives the clock its rate, whatever else it was set to. */
+static void wind(Instance *it) {
+#if CLOCK
+    double unit[STATES], unit_of_rate[STATES], rate;
+    const Motion motion = motion_of(it);
+    scales(&it->now, unit, unit_of_rate);
+    if (!clock(motion.p, &rate)) {
+        it->now.state[STATES - 1] = rate * unit[STATES - 1];
+    }
+#else
+    (void)it;
+#endif
+}
+
 /* Keeps the mode of a motion, and its units. */
 static void keep(Instance *it, const Motion *motion) {
     memcpy(it->now.mode, motion->mode, sizeof motion->mode);
@@ -193,6 +207,7 @@ static void reset(Instance *it) {
     for (int i = 0; i < GIVEN; i++) {
         now->given[i] = QUANTITIES[i].start;
     }
+    wind(it);
 }
 
 static Instance *instantiated(const char *token, bool exchange, bool paused, bool logging, void *environment,
@@ -377,6 +392,9 @@ FMI(fmi3Status, SetFloat64)(void *instance, const fmi3ValueReference *references
         double *const place = references[i] < DERIVATIVE ? it->now.state + (references[i] - STATE) : it->now.given + (references[i] - QUANTITY);
         it->now.jumped |= *place != values[i] && it->now.phase & (EVENT | STEPPING);
         *place = values[i];
+    }
+    if (it->now.phase & (BEGINNING | STEPPING)) {
+        wind(it); /* in event mode where states are told to have changed */
     }
     return fmi3OK;
 }
@@ -683,6 +701,7 @@ FMI(fmi3Status, UpdateDiscreteStates)(void *instance, bool *again, bool *termina
     ENTER(EVENT)
     memcpy(before, it->now.state, sizeof before);
     memcpy(nominal, it->now.nominal, sizeof nominal);
+    wind(it);
     if (enter(it)) {
         return say(it, fmi3Discard, "%s", NOWHERE);
     }
@@ -731,6 +750,7 @@ FMI(fmi3Status, SetContinuousStates)(void *instance, const double *states, size_
         }
     }
     memcpy(it->now.state, states, sizeof it->now.state);
+    wind(it);
     return fmi3OK;
 }
 

@@ -16,6 +16,7 @@
 #define HOLDS @holds@         /* whether friction holds the mass where nothing slides */
 #define LAYERS @layers@        /* exponentials of the friction law */
 #define TURNINGS @turnings@      /* torsion springs whose turning is counted */
+#define CLOCK @clock@         /* whether the last coordinate is the phase of a clock, whose rate is given */
 #define ROOTED @rooted@        /* whether the contact law has no values beyond its border */
 #define OUTPUTS @outputs@       /* forces, energy and power */
 #define SPRINGS @springs@       /* along lines */

@@ -63,7 +63,8 @@ def as_exact(name: str, value: Exact, allowed: Range) -> Fraction:
         )
     if isinstance(value, str):
         number = re.compile(
-            r"\s*[+-]?(\d{1,400}(/\d{1,400})?|(\d{1,400}\.?\d{0,400}|\.\d{1,400})([eE][+-]?\d{1,3})?)\s*"
+            r"\s*[+-]?(\d{1,400}(/\d{1,400})?"
+            r"|(\d{1,400}\.?\d{0,400}|\.\d{1,400})([eE][+-]?\d{1,3})?)\s*"
         )
         if not number.fullmatch(value):
             raise ParameterTypeError(

@@ -549,8 +549,9 @@ class _LatexReader:
         here.take()
         name: Name | None = None
         letters = re.compile(
-            r"\\(?:var)?(?:alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho"
-            r"|sigma|tau|upsilon|phi|chi|psi|omega|Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega)"
+            r"\\(?:var)?(?:alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi"
+            r"|pi|rho|sigma|tau|upsilon|phi|chi|psi|omega"
+            r"|Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega)"
             r"|\\ell|[A-Za-z]"
         )
         if it.items is not None:

@@ -31,8 +31,7 @@ def is_nonnegative(model: Mechanics, expression: sp.Expr) -> bool:
         if sp.expand(sp.diff(expression.xreplace({atom: _FREE}), _FREE, 2)) == 0
     }
     # More bounded quantities than these are not taken at all their ends.
-    most_bounded = 10
-    if not bounded or len(bounded) > most_bounded:
+    if not bounded or len(bounded) > 10:
         return False
     return all(
         _is_nonnegative(expression.xreplace(dict(zip(bounded, corner, strict=True))))

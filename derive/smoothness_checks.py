@@ -57,9 +57,8 @@ def _unknown(value: sp.Expr) -> Iterator[str]:
         yield f"is {value}, which is no real number; write one that is"
     for node in sp.preorder_traversal(value):
         # Largest denominator of an exponent.
-        largest_root = 1000
         if isinstance(node, sp.Pow) and not (
-            isinstance(node.exp, sp.Rational) and node.exp.q <= largest_root
+            isinstance(node.exp, sp.Rational) and node.exp.q <= 1000
         ):
             yield (
                 f"holds {node}: an exponent is a fraction of two integers, as in "

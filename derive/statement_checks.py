@@ -113,8 +113,7 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
     for contact in page.contacts if several else [None]:
         end, line = ("", 0) if contact is None else (f"_on_{contact.name}", contact.line)
         # So many exponentials of the sliding speed can a friction law have.
-        most_exponentials = 9
-        for count in range(1, most_exponentials + 1):
+        for count in range(1, 10):
             yield f"near{count}{end}", "a switch of the friction law", line
     for contact in page.contacts if several else ():
         for part in ("pushing_", "mu_on_", "side_on_"):

@@ -179,8 +179,7 @@ def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...],
         if not symbol.is_positive and used & set(model.parts(symbol))
     ]
     # Most parameters that have to be 0.
-    most_zero = 4
-    for size in range(min(most_zero, len(allowed)) + 1):
+    for size in range(min(4, len(allowed)) + 1):
         found = [
             tuple(map(str, chosen))
             for chosen in itertools.combinations(allowed, size)

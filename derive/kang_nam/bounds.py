@@ -141,8 +141,7 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
     exec(compile(source.text, "the kernel", "exec"), kernel)  # noqa: S102
     exact = {symbol: Counted(sp.Symbol(f"{symbol}_size")) for symbol in (*nm.PARAMETERS, nm.nbar)}
     # Units that cos θ₀ and sin θ₀ are off by: one in the last place.
-    in_direction = 2
-    angle0 = tuple(Counted(sp.Symbol(f"{name}0_size"), in_direction) for name in ("cos", "sin"))
+    angle0 = tuple(Counted(sp.Symbol(f"{name}0_size"), 2) for name in ("cos", "sin"))
     # t is exact, so that 1 − t and 1 + t are rounded once, relative to themselves: the counts of
     # cos θ and sin θ are relative.
     at = kernel["direction"](Counted(sp.Symbol("t")))
@@ -167,11 +166,10 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
         (c, s, *angle0, exact[nm.kappa], exact[nm.sigma], exact[nm.beta], exact[nm.nbar]),
     )
 
-    # Where ``uncertainty`` ω of the stability stands for u: it is at least 8 u.
-    roundings = 8
     # In units of the uncertainty ω: one for each of cos θ, sin θ and L, and an eighth for a
     # rounding.
-    omega = sp.Rational(roundings)
+    # Where ``uncertainty`` ω of the stability stands for u: it is at least 8 u.
+    omega = sp.Rational(8)
     vague = [Counted(sp.Symbol(name), omega) for name in ("c", "s", "L")]
     stiffness = follow(
         known["stiffness"],
@@ -190,10 +188,9 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
         "COUNT_K": max(trace.count, flutter.count) / omega,
     }
     rounded = {name: float(math.ceil(number) + 1) for name, number in found.items()}
-    # Roundings that θ = 2 atan t may be off by: an arc tangent within four units in the last place,
-    # of an angle below π.
-    in_arctangent = 16
-    return {**rounded, "COUNT_THETA": float(in_arctangent)}
+    # Roundings that θ = 2 atan t may be off by: an arc tangent within four units in the last
+    # place, of an angle below π.
+    return {**rounded, "COUNT_THETA": 16.0}
 
 
 def _covers(size: sp.Expr, wanted: sp.Expr) -> None:

@@ -145,9 +145,9 @@ class Comparison:
 
         def apart(expression: sp.Expr) -> list[Pair]:
             """Factors of parameters, and what else stands in each term."""
-            # Terms of either side of a residual, by whose ratios its factor is found.
-            most_terms = 40
-            terms = sp.Add.make_args(sp.expand(expression))[:most_terms]
+            # Terms of either side of a residual, by whose ratios its factor is
+            # found.
+            terms = sp.Add.make_args(sp.expand(expression))[:40]
             return [term.as_independent(*states, as_Add=False) for term in terms]
 
         ours = apart(it.expanded(entry))

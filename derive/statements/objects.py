@@ -298,8 +298,7 @@ def _energy(it: Derivation, name: str, side: str) -> Object:
     readings = []
     ways = [(True,) * len(works), (False,) * len(works)]
     # Applied forces that may be counted in an energy one by one; of more all are, or none.
-    most_forces = 3
-    if len(works) <= most_forces:
+    if len(works) <= 3:
         ways = list(itertools.product((True, False), repeat=len(works)))
     for counted in ways:
         said = (

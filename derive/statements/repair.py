@@ -355,8 +355,7 @@ class _Products:
             and it.value not in ("Abs", "Tuple", "Piecewise", "And", *RELATIONS)
         ]
         # Symbols in a bracket that may be a factor.
-        largest_bracket = 3
-        atoms += [it for it in inside if it.kind == "add" and len(symbols(it)) <= largest_bracket]
+        atoms += [it for it in inside if it.kind == "add" and len(symbols(it)) <= 3]
         self.atoms: list[tuple[Node, Values]] = []
         rows = [np.ones(numbers.size)]
         for atom in dict.fromkeys(atoms):

@@ -219,8 +219,7 @@ def _as_meant(row: Row, item: Item, exact: sp.Expr) -> tuple[Row, str]:
 def _with_difference(row: Row, item: Item, gap: sp.Expr) -> Row:
     """A row with the difference between print and derivation."""
     # Operations in a difference that is shown.
-    largest_shown = 3000
-    if sp.count_ops(gap) > largest_shown:
+    if sp.count_ops(gap) > 3000:
         return row
     shown = sp.factor_terms(normal_form(gap))
     return replace(row, difference=str(shown), difference_latex=item.latex(shown))
@@ -293,17 +292,15 @@ def _repaired(it: Comparison, part: Component) -> Right | None:
     good: list[tuple[Repair, sp.Expr]] = []
     for pairs in (False, True):
         # Single repairs that cost more are compared with pairs.
-        cheapest_pair = 2.0
-        if good and good[0][0].cost <= cheapest_pair:
+        if good and good[0][0].cost <= 2.0:
             break
         # Factors of a residual that are tried with two edits.
-        most_factors = 4
-        tried = targets[:most_factors] if pairs else targets
+        tried = targets[:4] if pairs else targets
         found = search.repairs(np.array([target for target, _ in tried]), pairs)
         for repair, way in found:
-            # Cost of a residual that is the derived one times a factor of parameters.
-            other_factor = 0.005
-            further = other_factor if way > 1 else 0.0
+            # Cost of a residual that is the derived one times a factor of
+            # parameters.
+            further = 0.005 if way > 1 else 0.0
             good.append((replace(repair, further=further), tried[way][1]))
         good = _proved_first(it, good)
     if good:
@@ -337,8 +334,7 @@ def _proved_first(
     forms: set[sp.Expr] = set()
     for repair, exact in sorted(found, key=lambda one: (one[0].cost, len(printed(one[0].tree)))):
         # Repairs of one statement that are tried for a proof.
-        most_proofs = 12
-        if (good and repair.cost > good[0][0].cost + 0.01) or len(good) > most_proofs:
+        if (good and repair.cost > good[0][0].cost + 0.01) or len(good) > 12:
             break
         form = to_sympy(repair.tree, {name: sp.Symbol(name) for name in symbols(repair.tree)})
         if form not in forms and it.proved(repair.tree, exact):

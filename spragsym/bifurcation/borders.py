@@ -173,16 +173,14 @@ def _is_singular(balance: Balance, family: Family) -> bool:
 
     def drawn() -> Fraction:
         # Largest numerator and denominator of these numbers.
-        largest_part = 1 << 30
-        return Fraction(*map(int, rng.integers(1, largest_part, 2)))
+        return Fraction(*map(int, rng.integers(1, (1 << 30), 2)))
 
     def circle() -> list[Fraction]:
         t = drawn()
         return [(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)]
 
     # Places with rational numbers at which a determinant that is 0 everywhere is 0.
-    tried_places = 12
-    for _ in range(tried_places):
+    for _ in range(12):
         values: dict[str, Any] = {name: 0 if name in zero else drawn() for name in balance.codes}
         for pair in balance.angles.values():
             values |= dict(zip(pair, circle(), strict=True))
@@ -243,8 +241,8 @@ def _at_border(points: Points, row: int) -> tuple[str, str]:
     if not any(stable):
         return "", when
     first, second = moved if stable[0] else moved[::-1]
-    # Rates at which two states go apart that are no more apart than this, relatively, are alike.
-    alike_within = 1e-9
-    if abs(first - second) <= alike_within * max(abs(first), abs(second)):
+    # Rates at which two states go apart that are no more apart than this, relatively, are
+    # alike.
+    if abs(first - second) <= 1e-9 * max(abs(first), abs(second)):
         raise ConvergenceError("which state is the lower one is not known")
     return "lower" if first < second else "upper", when

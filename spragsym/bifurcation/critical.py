@@ -40,9 +40,9 @@ class _Candidate:
     error: float
 
     def ties(self, other: _Candidate) -> bool:
-        # Of two values that differ by less than so many of their bounds none is the lower one.
-        times_bounds = 4.0
-        return abs(self.value - other.value) <= times_bounds * (self.error + other.error) * max(
+        # Of two values that differ by less than so many of their bounds none is the
+        # lower one.
+        return abs(self.value - other.value) <= 4.0 * (self.error + other.error) * max(
             1.0, abs(self.value)
         )
 
@@ -468,9 +468,9 @@ class _CandidateSearch:
         Beside a cusp, where its two folds are: no other piece begins between it and the next
         candidate.
         """
-        # How far beyond the value of a candidate states are looked at, over it if it is above 1.
-        share_beyond = 0.05
-        limit = min(one.value + share_beyond * max(1.0, abs(one.value)), self.high)
+        # How far beyond the value of a candidate states are looked at, over it if it is
+        # above 1.
+        limit = min(one.value + 0.05 * max(1.0, abs(one.value)), self.high)
         try:
             if one.kind != "cusp":
                 end = self.end_at(one.where, limit)

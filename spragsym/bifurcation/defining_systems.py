@@ -153,10 +153,9 @@ def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:
         model.require_parameter(name)
     given, rows = as_ranges("between", between, {name: model.any_of(name) for name in vary}), []
     for name in vary:
-        # End of the range of a parameter that has none, over its base value if that is larger than
-        # 1.
-        times_base = 10.0
-        own, far = _ends(model, name), times_base * max(1.0, abs(model.base.get(name, 0.0)))
+        # End of the range of a parameter that has none, over its base value if that is
+        # larger than 1.
+        own, far = _ends(model, name), 10.0 * max(1.0, abs(model.base.get(name, 0.0)))
         ends = given.get(
             name, [end if math.isfinite(end) else math.copysign(far, end) for end in own]
         )
@@ -524,8 +523,7 @@ def refined_roots(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     only, again with many digits.
     """
     # Boxes beyond which they lie around no points.
-    most_boxes = 400
-    if system.condition.order or found.undecided.shape[2] > most_boxes:
+    if system.condition.order or found.undecided.shape[2] > 400:
         return found
     with quiet():
         if system.abandoned(
@@ -543,8 +541,7 @@ def _regular(boxes: Boxes, spring: int) -> BoolArray:
     """
     out = np.ones(boxes.shape, dtype=np.bool_)
     # Boxes that are looked at in one go, as NumPy takes hardly longer for them than for one.
-    one_go = 64
-    for arcs in (ARCS,) if out.size < one_go else (ARCS[::8], ARCS):
+    for arcs in (ARCS,) if out.size < 64 else (ARCS[::8], ARCS):
         rows = np.flatnonzero(out)
         out[rows] = _regular_along(boxes.some(rows), spring, arcs)
     return out

@@ -241,9 +241,8 @@ def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> lis
     worse than the coordinates.
     """
     # Bits that may be lost where forces are summed.
-    lost_bits = 96
     root = narrowed(
-        system, box, alone, Fraction(1, 2 ** max(2 * system.bits // 3, system.bits - lost_bits))
+        system, box, alone, Fraction(1, 2 ** max(2 * system.bits // 3, system.bits - 96))
     )
     if root is None:
         raise UndecidedSign("a root that is nearly a double one")

@@ -65,13 +65,11 @@ def lines_of_states(family: Family) -> tuple[FloatArray, IntArray]:
     count, number = family.given.shape[1], len(family.vary)
     ends, point = np.repeat(sides, count, axis=2), np.arange(count)
     # Halvings of each range.
-    halvings_each = 32
-    for halving in range(halvings_each * number):
+    for halving in range(32 * number):
         some = np.flatnonzero(_may_hold_a_line(family, ends, point))
         ends, point = ends[:, :, some], point[some]
         # Boxes of a point that are kept, or else their hull.
-        most_boxes = 100
-        if np.bincount(point, minlength=1).max() > most_boxes:
+        if np.bincount(point, minlength=1).max() > 100:
             hulls = [ends[:, :, point == one].max(axis=2) for one in np.unique(point)]
             return np.stack(hulls, axis=2), np.unique(point)
         row = halving % number

@@ -218,8 +218,7 @@ def listed(
     given = np.repeat(family.given, left.shape[2], axis=1)
     kinds = summed([why] * left.shape[2] if why else kinds_of(balance, given, left, varied))
     # Boxes left that are listed one by one.
-    most_listed = 200
-    left = _merged(left) if len(vary) == 1 and (why or left.shape[2] > most_listed) else left
+    left = _merged(left) if len(vary) == 1 and (why or left.shape[2] > 200) else left
     return np.moveaxis(spans_of(left), 1, 0), kinds
 
 

@@ -39,8 +39,7 @@ def wrapped(text: str, indent: int = 0) -> str:
     begin below its first word.
     """
     # Least width of a text beside others.
-    least_width = 20
-    room = max(line_width() - indent, least_width)
+    room = max(line_width() - indent, 20)
     return f"\n{' ' * indent}".join(textwrap.wrap(text, room)) if line_width() else text
 
 
@@ -68,19 +67,15 @@ def _fitted(
     # Digits in any case.
     least_digits = 5
     # Digits of a number in a table, where the line has room for them.
-    most_digits = 12
     for left_out, digits in itertools.product(
-        range(len(optional) + 1), range(most_digits, least_digits - 1, -1)
+        range(len(optional) + 1), range(12, least_digits - 1, -1)
     ):
         used = ((name, cells) for name, cells in columns if name not in optional[:left_out])
         written = [
             [name, *(_written(name, cell, digits) for cell in cells)] for name, cells in used
         ]
         # Width that a table of numbers fits into, unless the terminal is wider.
-        table_width = 80
-        if sum(max(map(len, column)) + 2 for column in written) - 2 <= max(
-            table_width, line_width()
-        ):
+        if sum(max(map(len, column)) + 2 for column in written) - 2 <= max(80, line_width()):
             break
     return written
 

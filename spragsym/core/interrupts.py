@@ -105,8 +105,7 @@ class _Ending:
     def count_down(self) -> None:
         if self.timer is None:
             # Seconds that a command has, once interrupted, to say what is kept.
-            seconds = 0.7
-            self.timer = threading.Timer(seconds, cut)
+            self.timer = threading.Timer(0.7, cut)
             self.timer.daemon = True
             self.timer.start()
 

@@ -168,10 +168,9 @@ def estimated(
     work = partial(
         sums, partial(_at_points, variables, together, event), [*together.factors], sobol
     )
-    # Points of a set that are asked together.
-    points_together = 1 << 16
     # Alone a process answers many chunks at once.
-    most = max(1, points_together // parts[0].size) if workers == 1 else 1
+    # Points of a set that are asked together.
+    most = max(1, (1 << 16) // parts[0].size) if workers == 1 else 1
     tasks = [parts[first : first + most] for first in range(0, len(parts), most)]
     done: dict[int, list[list[float]]] = {}
     results = processes.results(workers, work, dict(enumerate(tasks)), _chunk_text)

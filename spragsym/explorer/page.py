@@ -284,18 +284,16 @@ def _slider(entry: Mapping[str, Any], values: Sequence[float]) -> dict[str, floa
     # How far a slider reaches, times the base value.
     times_base = 2.0
     # How far it reaches at least, times the largest value of a preset.
-    times_preset = 1.2
     reach = max(
         [
             times_base * abs(base) if base else without_base,
-            *(times_preset * abs(value) for value in values),
+            *(1.2 * abs(value) for value in values),
         ]
     )
     first = -reach if low is None else low
     last = reach if high is None else high
     # Share of a range that a slider keeps from ends that are not allowed.
-    inward = 0.003
-    room = inward * (last - first)
+    room = 0.003 * (last - first)
     first, last = (
         first + room * bool(entry["low_open"]),
         last - room * (high is not None and bool(entry["high_open"])),

@@ -275,11 +275,9 @@ def draw_surface(
         ax.plot(*points.T, color=color, linewidth=0.6, linestyle=(0, (3.0, 2.2)), zorder=2)
         across = np.cross(np.diff(points, axis=0) / size, towards)
         # Half of the width of a line, in the units of the proportions.
-        half_width = 0.0036
-        across *= size * half_width / np.maximum(np.linalg.norm(across, axis=1), 1e-300)[:, None]
+        across *= size * 0.0036 / np.maximum(np.linalg.norm(across, axis=1), 1e-300)[:, None]
         # How far lines stand before the surface, in the units of the proportions.
-        lift = 0.08
-        begin, end = (part + lift * towards * size for part in (points[:-1], points[1:]))
+        begin, end = (part + 0.08 * towards * size for part in (points[:-1], points[1:]))
         ribbon = np.stack([begin - across, end - across, end + across, begin + across], axis=1)
         ribbon = ribbon[np.isfinite(ribbon).all(axis=(1, 2))]
         polygons.append(ribbon)

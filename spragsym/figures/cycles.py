@@ -100,12 +100,10 @@ def figure_cycles() -> Sheet:
         draw_stretches(ax, angles, heights, stable, colour, 0.9 if doubled else 1.4)
         value, period, *_ = line["at"]
         # Doubled cycles are labelled if they are stable over more degrees than this.
-        labelled_beyond = 10.0
-        if not doubled or np.ptp(angles[stable]) > labelled_beyond:
+        if not doubled or np.ptp(angles[stable]) > 10.0:
             nearest = np.argmin(np.abs(theta0 - value) + np.abs(periods - period))
             # A label stands this far above its curve.
-            lifted = 0.035
-            place = np.degrees(value), heights[nearest] + lifted
+            place = np.degrees(value), heights[nearest] + 0.035
             write_along(ax, f"{period:.0f}", *place, color=colour, ha="center", fontsize=7)
         for kind, at, length, rms, how in line["events"]:
             events.append((line["name"], kind, np.degrees(at), length, rms, how))
@@ -137,8 +135,7 @@ def figure_cycles() -> Sheet:
     ):
         line_at(ax, line_place, colour, 0.8, style=style, zorder=0.5)
     # Unstable cycles beyond this are left to the table.
-    highest = 2.15
-    angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, highest))
+    angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, 2.15))
     return figure.describe(
         f"""Dynamic bifurcation diagram that Figure 7b samples, μ₀ = 0.5, {BASE_TEXT}, belt speed V
         = {V}, steepness d = {D:g} (our assumption). Black: equilibria at the friction μ(V), |x|;
@@ -462,10 +459,8 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
         )
         x, y = inside.transform(at)
         # Two labels of one kind nearer than this share of the frame are written once.
-        written_once = 0.04
         if not any(
-            name == other and abs(x - left) + abs(y - low) < written_once
-            for other, left, low in named
+            name == other and abs(x - left) + abs(y - low) < 0.04 for other, left, low in named
         ):
             named.append((name, x, y))
             ax.annotate(

@@ -242,8 +242,7 @@ def draw_harmonics(
     row = cycle.samples(np.arange(samples) * cycle.period / samples)[model.components.index(of)]
     amplitude = 2 * length * np.abs(np.fft.rfft(row))[1:] / samples
     # Least amplitude of a harmonic that is drawn, as a share of the largest.
-    least_share = 0.005
-    last = int(np.flatnonzero(amplitude >= least_share * amplitude.max())[-1]) + 1
+    last = int(np.flatnonzero(amplitude >= 0.005 * amplitude.max())[-1]) + 1
     n = np.arange(1, last + 1)
     places = frequency * n / cycle.period
     stems = ax.vlines(places, 0.0, amplitude[:last], color=BLUE, linewidth=1.4)
@@ -392,8 +391,7 @@ def _beside_a_step(rms: FloatArray) -> BoolArray:
         rms - ndimage.minimum_filter(rms, footprint=cross),
     )
     # Neighbouring cells whose RMS differ by more than this are divided.
-    step_of_rms = 0.3
-    return np.maximum(above, below) > step_of_rms
+    return np.maximum(above, below) > 0.3
 
 
 @styled

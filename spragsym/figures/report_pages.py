@@ -132,17 +132,15 @@ def _planes(report: Facts) -> Rows:
         works = "Where the brake works (dot)" + " and its tolerances (box)" * _varies(box)
         with suppress(SpragsymError):
             # Lines of a bifurcation set.
-            set_lines = 40
             yield (
-                picture(partial(draw_operating_point, p, box, jump, n=set_lines)),
+                picture(partial(draw_operating_point, p, box, jump, n=40)),
                 f"{works}. {caption}",
             )
     unit, size = unit_of(study)
-    # Values along the friction.
-    drawn_values = 80
     # Angles are drawn in degrees by the picture itself.
+    # Values along the friction.
     options: dict[str, Any] = dict(
-        length=size if unit == "mm" else 1.0, up=f"{first['name']} in {unit}", n=drawn_values
+        length=size if unit == "mm" else 1.0, up=f"{first['name']} in {unit}", n=80
     )
     rises, vary = "the friction", study.loading.name
     if not study.of_friction:
@@ -180,8 +178,7 @@ def _stability_map(report: Facts) -> Rows:
     top = max(1.0, 1.15 * between[1], *(1.15 * value for value in known))
     with suppress(SpragsymError):
         # Lines on which onsets of oscillation are looked for.
-        onset_lines = 12
-        onsets = ss.onset_curves(p, (angle, friction), onset_lines, between={friction: (0.0, top)})
+        onsets = ss.onset_curves(p, (angle, friction), 12, between={friction: (0.0, top)})
         if not onsets.curves and not len(onsets.undecided):  # an empty plane shows nothing
             return
         box = {angle: (angles.low, angles.high), friction: between}
@@ -217,8 +214,7 @@ def _around(onsets: OnsetCurves, name: str, ends: Span) -> Span:
     values = np.concatenate([*(curve[name] for curve in onsets.curves), ends])
     low, high = onsets.between[name]
     # Least margin of an axis, as a share of what was searched.
-    least_margin = 0.03
-    margin = max(_MORE * float(np.ptp(values)), least_margin * (high - low))
+    margin = max(_MORE * float(np.ptp(values)), 0.03 * (high - low))
     return max(low, float(values.min()) - margin), min(high, float(values.max()) + margin)
 
 

@@ -340,8 +340,7 @@ def window(
             if np.isinf((low, high)).any():
                 farthest = float(np.abs(cusps()[name]).max(initial=0.0)) if cusps else 0.0
                 # What is shown beyond the farthest cusp.
-                times_farthest = 1.25
-                far = max(1.0, 2.0 * abs(model.base.get(name, 0.0)), times_farthest * farthest)
+                far = max(1.0, 2.0 * abs(model.base.get(name, 0.0)), 1.25 * farthest)
                 low, high = -far if np.isinf(low) else low, far if np.isinf(high) else high
             out[name] = low, high
     return out

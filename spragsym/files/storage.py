@@ -387,9 +387,9 @@ def _remove_left(folder: Path) -> None:
         for entry in entries:
             found = left.fullmatch(entry.name)
             if found and entry.is_file(follow_symlinks=False):
-                # Seconds after which a write has ended, wherever its process runs.
-                age = 3600.0
-                old = time.time() - entry.stat(follow_symlinks=False).st_mtime > age
+                # Seconds after which a write has ended, wherever its process
+                # runs.
+                old = time.time() - entry.stat(follow_symlinks=False).st_mtime > 3600.0
                 if old or not _runs(int(found[1])):
                     os.unlink(entry.path)
 

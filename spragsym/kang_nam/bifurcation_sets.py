@@ -77,9 +77,9 @@ def bifurcation_set(
     n = max(least, as_count("n", least if n is None else n, 2))
     fixed = Fixed(*p.scalars(*FIXED))
     preload = fixed.kappa / max(fixed.sigma, 1 + fixed.beta)
-    # Where κ over the larger of σ and 1 + β is below this, float64 loses curves: they are refused.
-    refused_below = 1e-8
-    if preload < refused_below:
+    # Where κ over the larger of σ and 1 + β is below this, float64 loses curves: they are
+    # refused.
+    if preload < 1e-8:
         raise _indistinct(fixed.kappa, "they all but coincide")
     on_them = cusps(p)
     ahead = (on_them.theta0 > 0) & (on_them.theta0 < math.pi) & (on_them.mu0 >= 0)
@@ -100,8 +100,7 @@ def bifurcation_set(
         if curve.y[len(curve) // 2] < 0:
             found.append(curve)
     # Where it is below this, float64 may lose curves: they are compared with proved folds.
-    compared_below = 1e-4
-    if preload < compared_below:
+    if preload < 1e-4:
         _compare(found, p)
     on_them = on_them.select(_within(between, on_them))
     return BifurcationSet(("theta0", "mu0"), tuple(_cut(found, between)), on_them, True)
@@ -259,10 +258,9 @@ def _positive_roots(coefficients: FloatArray, number: IntArray | None) -> FloatA
     residual = np.abs(evaluate(by_power(coefficients), real)) / evaluate(
         by_power(np.abs(coefficients)), real
     )
-    # Largest residual of a root that rounding alone can leave, over the polynomial with every term
-    # made positive.
-    largest_residual = 1e-13
-    return np.sort(np.where(residual < largest_residual, real, np.nan), axis=-1)
+    # Largest residual of a root that rounding alone can leave, over the polynomial with
+    # every term made positive.
+    return np.sort(np.where(residual < 1e-13, real, np.nan), axis=-1)
 
 
 def curves(
@@ -278,8 +276,7 @@ def curves(
         while True:
             before, after = columns[:-1], columns[1:]
             # Relative width of a cell of t that is not halved any more.
-            least_width = 1e-10
-            open_ = ~before.goes_on(after, step) & (after.t > before.t * (1 + least_width))
+            open_ = ~before.goes_on(after, step) & (after.t > before.t * (1 + 1e-10))
             if not open_.any():
                 break
             columns = columns.concatenated(
@@ -287,8 +284,7 @@ def curves(
             )
             columns = columns[np.argsort(columns.t)]
         # Friction that is taken for 0.
-        no_friction = 1e-11
-        there = np.isfinite(columns.mu0) & (columns.mu0 >= -no_friction)
+        there = np.isfinite(columns.mu0) & (columns.mu0 >= -1e-11)
     number = np.where(there, np.cumsum(there).reshape(there.shape) - 1, -1)
     points = np.stack(
         [np.broadcast_to(columns.t, there.shape), columns.theta0, np.maximum(columns.mu0, 0.0)]
@@ -326,9 +322,9 @@ def _pairs(theta0: FloatArray, side: IntArray) -> Iterator[tuple[int, int]]:
     for _, far, *pair in sorted(
         (side[i] == side[j], abs(theta0[i] - theta0[j]), i, j) for i, j in every
     ):
-        # A step in θ₀, radians, over which neighbours are not joined where their number changes.
-        joined_within = 0.05
-        if far < joined_within and free.issuperset(pair):
+        # A step in θ₀, radians, over which neighbours are not joined where their number
+        # changes.
+        if far < 0.05 and free.issuperset(pair):
             free.difference_update(pair)
             yield pair[0], pair[1]
 
@@ -386,8 +382,7 @@ def _number(t: Fraction, exact: Fixed) -> int:
 def _events(exact: Fixed) -> list[IsolatedRoot]:
     """All events by t = tan(θ/2) in 0 < t < 1, ascending, in intervals without a common point."""
     # Bits of t at an event, at first.
-    first_bits = 64
-    conditions, bits = _conditions(exact), first_bits
+    conditions, bits = _conditions(exact), 64
     while True:
         found = sorted(
             root

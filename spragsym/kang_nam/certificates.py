@@ -433,13 +433,11 @@ def covered(
         with quiet():
             done, decisive = test(over(boxes[box], low[box], high[box], begin, end))
         parts = [np.abs(np.nan_to_num(quantity.terms[:, ~done])) for quantity in decisive]
-        # A box is given up where the spread of an open quantity comes from its own sides: the
-        # direction adds less than this share.
-        least_share = 0.25
-        useful = [part[-1] > least_share * part[:-1].sum(axis=0) for part in parts]
+        # A box is given up where the spread of an open quantity comes from its own
+        # sides: the direction adds less than this share.
+        useful = [part[-1] > 0.25 * part[:-1].sum(axis=0) for part in parts]
         # Cells are halved so often in any case.
-        least_halvings = 4
-        useless = ~np.logical_or.reduce(useful) & (halving >= least_halvings)
+        useless = ~np.logical_or.reduce(useful) & (halving >= 4)
         abandoned = useless | (halving == halvings)
         box, begin, end = box[~done], begin[~done], end[~done]
         for part in parts:
@@ -448,11 +446,10 @@ def covered(
                 weight.T, box[abandoned], (sizes / np.maximum(sizes.sum(axis=0), 1e-300)).T
             )
         result[box[abandoned]] = False
-        # Open cells with which a box is given up.
-        most_open = 64
         # A box with many open cells fails on a stretch of directions, and not at one: no cut of it
         # helps.
-        result[np.bincount(box, minlength=size) > most_open] = False
+        # Open cells with which a box is given up.
+        result[np.bincount(box, minlength=size) > 64] = False
         keep = result[box]
         box, begin, end = box[keep], begin[keep], end[keep]
         middle = 0.5 * (begin + end)

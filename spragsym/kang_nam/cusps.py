@@ -124,8 +124,7 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePoin
 
     def sign_of(value: Interval, exactly: Callable[[Fraction], Fraction], what: str) -> int:
         # Degree in sin θ of what has to be told from 0 on a cusp, times (3 sin² θ − 2)².
-        degree = 10
-        return sine.sign_of(value, lambda s: exactly(s) * (3 * s * s - 2) ** 2, degree, what)
+        return sine.sign_of(value, lambda s: exactly(s) * (3 * s * s - 2) ** 2, 10, what)
 
     sides = (
         sign_of(L, lambda s: _cusp_length(s, *exact), "L = 0 on a cusp"),

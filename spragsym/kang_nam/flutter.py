@@ -249,8 +249,7 @@ class Elimination:
         # Degree of the resultant in cos θ, sin θ, half of that in v.
         highest = 8
         # That degree where α = 0.
-        without_alpha = 4
-        degree = highest if self.alpha else without_alpha
+        degree = highest if self.alpha else 4
         return polynomials.interpolate(in_v(remaining, degree), 2 * degree)
 
     @cached_property

@@ -209,8 +209,7 @@ def sharpened(
     )
     with quiet():
         # Most steps of Newton's rule for arrays, each of which squares the error.
-        most_steps = 2
-        for near in itertools.islice(steps, most_steps):
+        for near in itertools.islice(steps, 2):
             left = np.flatnonzero(~(near[1].error <= LARGEST_ERROR * scale_of(near[1].value)))
             if not left.size:
                 break
@@ -238,15 +237,13 @@ def with_more_digits(vary: str, given: Mapping[str, float], t: Rounded, value: R
         return other if 2 * (end - begin) <= high - low else one
 
     # Bits of balls: enough for a value that loses half of the digits of float64, twice over.
-    bits = 160
-    with balls.precision(bits):
+    with balls.precision(160):
         exact = {name: balls.exact(Fraction(number)) for name, number in given.items()}
         steps = _sharpened(
             vary, exact, (around(t), around(value)), balls.cos_sin, balls.middle, narrower
         )
         # Most further steps, for balls.
-        most_further = 3
-        *_, (_, best) = itertools.islice(steps, most_further)
+        *_, (_, best) = itertools.islice(steps, 3)
         return as_floats((best,))[0][0]
 
 

@@ -288,10 +288,9 @@ def _decided(given: dict[str, FloatArray]) -> tuple[FloatArray, IndexArray]:
     """1 for points that have jumped, else 0, and those of which the signs do not tell."""
     bare, full, slot, first, later, clear = with_and_without_friction(given)
     error, kind = (np.take_along_axis(one, slot, axis=-1) for one in (bare.error, bare.undamped))
-    # Radians between an equilibrium and the state without friction below which float64 does not say
-    # which comes first.
-    least_distance = 1e-9
-    near = (np.abs(full.theta - first) <= least_distance).any(axis=-1)
+    # Radians between an equilibrium and the state without friction below which float64 does
+    # not say which comes first.
+    near = (np.abs(full.theta - first) <= 1e-9).any(axis=-1)
     clear &= ~near & (kind[:, 0] == EquilibriumType.STABLE) & ~bare.fold & ~full.fold
     ends = [_place(np.where(clear, angle, 1.0)) for angle in (first[:, 0], later)]
     # An error is one over max(1, θ), and dw/dθ is less than 1; a few units in the last place are

@@ -131,8 +131,7 @@ def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePo
 
     curvature = kernel.f_curvature(angles.c, s, *trig)
     # Degree of f″ in sin θ, times the denominator of sin θ₀.
-    curvature_degree = 9
-    if sine.sign_of(curvature, cusp, curvature_degree, "f″ = 0 at a turn") < 0:
+    if sine.sign_of(curvature, cusp, 9, "f″ = 0 at a turn") < 0:
         for point in in_contact(angles, mu0, *values):
             if decided(mu0, "μ₀ = 0 at a turn") > 0:
                 yield point

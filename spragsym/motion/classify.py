@@ -104,11 +104,10 @@ def at_rest(statistics: MotionStatistics, problem: Problem) -> Outcome | None:
     late = statistics.maxima[statistics.maxima_t >= (statistics.begin + statistics.end) / 2]
     distance = magnitude(np.vstack([late, statistics.last]) - rest.state)
     # Real parts up to this are 0 but for rounding.
-    rounding = 1e-12
     if (
         still
         and distance <= tol
-        and growth <= rounding
+        and growth <= 1e-12
         and _stays(statistics, rest, options.noise * problem.rtol, kinks)
     ):
         return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(0.0, rest.rate), distance=distance)
@@ -199,11 +198,10 @@ def equilibrium_near(
         pull = np.array(field.acceleration(state, constants, mode, FLOATS), dtype=float)
         slopes = field.matrix(state, constants, mode)[n:, :n]
         try:  # along what holds nothing changes
-            # Singular values that are less than this share of the largest are 0 where friction
-            # holds.
-            singular_share = 1e-10
+            # Singular values that are less than this share of the largest are 0
+            # where friction holds.
             step = (
-                np.linalg.lstsq(slopes, -pull, singular_share)[0]
+                np.linalg.lstsq(slopes, -pull, 1e-10)[0]
                 if field.stays(mode)
                 else np.linalg.solve(slopes, -pull)
             )
@@ -229,14 +227,9 @@ def _stays(statistics: MotionStatistics, rest: Equilibrium, noise: float, kinks:
         for state in (statistics.first, statistics.last)
     )
     noise *= (1e-3 + magnitude(rest.state)) * float(np.linalg.norm(inverse, 2))
-    # Squares that are larger than this many times what a linear decay leaves of them have not
-    # decayed.
-    times_decayed = 4.0
-    left = (
-        times_decayed
-        * before
-        * math.exp(2 * rest.values.real.max() * (statistics.end - statistics.begin))
-    )
+    # Squares that are larger than this many times what a linear decay leaves of them have
+    # not decayed.
+    left = 4.0 * before * math.exp(2 * rest.values.real.max() * (statistics.end - statistics.begin))
     return bool(after <= noise**2 or (after <= left and (left < before or not kinks)))
 
 
@@ -259,12 +252,11 @@ def _decays(statistics: MotionStatistics, rest: Equilibrium, fewest: int) -> boo
     )
     expected = first * np.exp(rest.values.real * window)  # two times half the window
     before, after, linear = first.sum(), second.sum(), expected.sum()
-    # Smallest decay of the squares over half a window that can be measured.
-    least_decay = 1e-3
     # A decay that is too slow to show in the window does not count: the first of the three
     # conditions.
+    # Smallest decay of the squares over half a window that can be measured.
     return bool(
-        linear < before * (1 - least_decay)
+        linear < before * (1 - 1e-3)
         and after > 0
         and 0.5 < np.log(after / before) / np.log(linear / before) < 2
     )

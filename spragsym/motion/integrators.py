@@ -192,11 +192,10 @@ class Flow:
         needs to begin.
         """
         # Tolerance by which SciPy follows a motion to where Newton's method can begin.
-        loose_rtol = 1e-9
         return self._asked(
             lambda integrator: integrator.flow_map(),
             MotionScales.flow_result,
-            self._problem(state, constants, duration, loose_rtol if loose else RTOL),
+            self._problem(state, constants, duration, 1e-9 if loose else RTOL),
         )
 
     def samples(self, start: FloatArray, constants: Values, t_end: float) -> PiecewisePolynomial:

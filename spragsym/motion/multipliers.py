@@ -57,15 +57,13 @@ def multipliers_of(intervals: Sequence[FloatArray], flows: Sequence[FloatArray])
         carried, due, size = interval @ flows[i], flows[after], float(np.linalg.norm(interval, 2))
         trivial *= float(units[after] @ carried) / norm(due)
         # Errors of an interval's derivative are at least this, in its own size.
-        rounding = 2e-15
-        errors.append(max(rounding, norm(carried - due) / (size * norm(flows[i]))))
+        errors.append(max(2e-15, norm(carried - due) / (size * norm(flows[i]))))
         parts.append(bases[after].T @ interval @ bases[i])
     values = eigenvalues_of_product(parts)
     values = values[np.lexsort((-values.imag, -values.real, -np.abs(values)))]
     moved, rng = np.zeros(len(values)), np.random.default_rng(0)
     # Trials that tell how far multipliers move if derivatives err at random by their errors.
-    trials = 3
-    for _ in range(trials):
+    for _ in range(3):
         off = [
             part + error * np.linalg.norm(interval, 2) * rng.choice([-1.0, 1.0], part.shape)
             for part, interval, error in zip(parts, intervals, errors, strict=True)
@@ -76,8 +74,7 @@ def multipliers_of(intervals: Sequence[FloatArray], flows: Sequence[FloatArray])
             moved[i] = max(moved[i], abs(other[nearest] - value))
             other = np.delete(other, nearest)
     # What the largest move is multiplied with.
-    safety = 3.0
-    return Multipliers(trivial, values, safety * moved)
+    return Multipliers(trivial, values, 3.0 * moved)
 
 
 def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
@@ -90,23 +87,20 @@ def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
     product = parts[0]
     for part in parts[1:]:
         product = part @ product
-    # A product no larger than this is multiplied out: its smallest multiplier loses no more than
-    # these digits.
-    largest_product = 1e3
-    if size < 2 or len(parts) < 2 or norm(product) < largest_product:
+    # A product no larger than this is multiplied out: its smallest multiplier loses no more
+    # than these digits.
+    if size < 2 or len(parts) < 2 or norm(product) < 1e3:
         return np.linalg.eigvals(product).astype(complex)
     basis, cuts, before = np.eye(size), [0, size], -1
     # Rounds of the periodic QR algorithm, at most.
-    most_rounds = 12
-    for _ in range(most_rounds):
+    for _ in range(12):
         start, factors = basis, []
         for part in parts:
             basis, factor = np.linalg.qr(part @ basis)
             factors.append(factor)
         turned = start.T @ basis
         # Numbers below the diagonal up to this count as 0.
-        triangular = 1e-14
-        cuts = [0, *(j for j in range(1, size) if magnitude(turned[j:, :j]) < triangular), size]
+        cuts = [0, *(j for j in range(1, size) if magnitude(turned[j:, :j]) < 1e-14), size]
         if len(cuts) == size + 1 or (before == len(cuts) and before > 2):
             break
         before = len(cuts)

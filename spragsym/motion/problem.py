@@ -156,8 +156,7 @@ def check_stiffness(
     values, constants, field = [float(value) for value in state], problem.constants, problem.field
     matrix = field.matrix(values, constants, field.initial_mode(values, constants))
     # Stability bounds a step where it is longer than this, times the fastest decay.
-    stable = 0.5
-    if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > stable:
+    if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > 0.5:
         raise StiffError(
             f"the motion is stiff: steps of {problem.time(step):.2g} are bounded by stability, "
             f"with {problem.time(left):.6g} to go"

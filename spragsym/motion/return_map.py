@@ -266,10 +266,9 @@ def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:
             rounds = max(1, round(k * cycle.orbit.period / period))
             off = states[::-1][::rounds] - cycle.scaled(cycle.state)  # latest first
             distance = magnitude(off[0])
-            # A multiplier this close to 1 in size is told neither from a stable nor from an
-            # unstable one.
-            beside_one = 1e-6
-            if largest < 1 - beside_one and distance <= 4 * options.close and _nears(cycle, off):
+            # A multiplier this close to 1 in size is told neither from a stable nor
+            # from an unstable one.
+            if largest < 1 - 1e-6 and distance <= 4 * options.close and _nears(cycle, off):
                 regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
                 rate = -math.log(largest) / cycle.orbit.period if largest else math.inf
                 return _described(cycle, regime, rate, distance)
@@ -305,8 +304,7 @@ def _candidates(states: FloatArray, close: float) -> Iterator[int]:
         for number in (*(j for j in range(1, k) if k % j == 0 and apart(j) <= 4 * close), k):
             multiple = any(number % j == 0 and apart(number) > 0.5 * apart(j) for j in tried)
             # Cycles that are looked for, of one motion.
-            most_candidates = 3
-            if number not in tried and not multiple and len(tried) < most_candidates:
+            if number not in tried and not multiple and len(tried) < 3:
                 tried.append(number)
                 yield number
 
@@ -320,16 +318,14 @@ def _drifts_past(states: FloatArray) -> bool:
         return False
     sizes = np.linalg.norm(steps, axis=1)
     # Least cosine between neighbouring steps that go in one direction.
-    least_cosine = 0.98
     if (
         not sizes.min() > 0
-        or ((steps[1:] * steps[:-1]).sum(axis=1) < least_cosine * sizes[1:] * sizes[:-1]).any()
+        or ((steps[1:] * steps[:-1]).sum(axis=1) < 0.98 * sizes[1:] * sizes[:-1]).any()
     ):
         return False
     shrink = (sizes[0] / sizes[-1]) ** (1 / (len(sizes) - 1))
     # A drift whose end is farther than this goes past what is near.
-    farthest_end = 0.5
-    return bool(shrink >= 1 or sizes[0] * shrink / (1 - shrink) > farthest_end)
+    return bool(shrink >= 1 or sizes[0] * shrink / (1 - shrink) > 0.5)
 
 
 def _nears(cycle: Closed, off: FloatArray) -> bool:

@@ -297,8 +297,7 @@ def _roots(
 def _power(value: float) -> float:
     """The unit nearest to a number; 1 for 0."""
     # Binary digits beyond which a unit is not 1.
-    common_digits = 5
-    if not 0.0 < value < math.inf or abs(math.log2(value)) <= common_digits:
+    if not 0.0 < value < math.inf or abs(math.log2(value)) <= 5:
         return 1.0
     # Binary digits between one unit and the next.
     digits = 2

@@ -442,8 +442,7 @@ def phase(orbit: Orbit, guess: Iterate) -> Conditions:
     """
     m, speed = orbit.field.size, len(orbit.field.coordinates) + orbit.field.lead
     # Where the leading coordinate changes faster, it is not largest.
-    fastest = 1e-8
-    if abs(guess.states[0, speed]) > fastest:
+    if abs(guess.states[0, speed]) > 1e-8:
         return across(replace(orbit, guess=guess))
     return through(np.zeros(m), np.eye(m)[speed], guess)
 
@@ -481,12 +480,9 @@ def off_jumps(orbit: Orbit) -> Orbit:
         for each, one, due in ends
     ):
         return orbit
-    # How far from a jump of the field it is looked how far from all of them an orbit may begin, in
-    # mesh intervals.
-    looked_within = 0.3
-    return integrated(
-        orbit.flow, remeshed(orbit, len(orbit.states), looked_within * orbit.guess.interval)
-    )
+    # How far from a jump of the field it is looked how far from all of them an orbit may
+    # begin, in mesh intervals.
+    return integrated(orbit.flow, remeshed(orbit, len(orbit.states), 0.3 * orbit.guess.interval))
 
 
 def offset_from_jumps(orbit: Orbit) -> float:
@@ -503,13 +499,10 @@ def offset_from_jumps(orbit: Orbit) -> float:
     if not times:
         return 0.0
     width, begin = max((later - t, t) for t, later in pairwise([*times, times[0] + interval]))
-    # Mesh intervals begin no nearer to a jump of the field than this share of the longest time
-    # between jumps, each in its interval.
-    least_offset = 0.1
+    # Mesh intervals begin no nearer to a jump of the field than this share of the longest
+    # time between jumps, each in its interval.
     return (
-        (begin + width / 2) % interval
-        if min(times[0], interval - times[-1]) < least_offset * width
-        else 0.0
+        (begin + width / 2) % interval if min(times[0], interval - times[-1]) < 0.1 * width else 0.0
     )
 
 

@@ -1028,15 +1028,14 @@ def _error(found: Trajectory, problem: Problem) -> FloatArray:
         except ConvergenceError:
             continue
         alike = other.implicit == found.implicit and (found.implicit or backend == found.backend)
-        # Share of a tolerance up to which another one of the same method tells its error, rounding
-        # aside.
-        closest_share = 0.0101
-        if not alike or other.rtol <= closest_share * found.rtol:
+        # Share of a tolerance up to which another one of the same method tells its
+        # error, rounding aside.
+        if not alike or other.rtol <= 0.0101 * found.rtol:
             at = other(np.minimum(found.t, other.t[-1]))
-            # Share of that error which the tighter run has, at most: of SciPy's finest run up to a
-            # ninth, as the error of its interpolant does not fall as the tolerance does.
-            share_left = 0.25
-            difference = np.abs(found.state - at).max(axis=0) / (1.0 - share_left)
+            # Share of that error which the tighter run has, at most: of SciPy's
+            # finest run up to a ninth, as the error of its interpolant does not fall
+            # as the tolerance does.
+            difference = np.abs(found.state - at).max(axis=0) / (1.0 - 0.25)
             return np.asarray(np.maximum.accumulate(difference))
     return np.full(found.t.shape, np.nan)
 

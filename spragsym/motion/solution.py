@@ -191,8 +191,7 @@ def _back(
     latest = 1.0
     if AT_ONCE < abs(late) < latest:
         # Steps of Newton's method, at most.
-        most_steps = 5
-        for _ in range(most_steps):
+        for _ in range(5):
             there, along = carried(problem, mode, -late, state, directions, columns)
             more, rate_there = ago(there)
             if abs(more) <= AT_ONCE:
@@ -229,8 +228,7 @@ def carried(
 
     begun = state[:, None] if columns is None else np.column_stack([state, columns])
     # Steps of the Runge-Kutta method back to the border are no longer than this.
-    longest_step = 0.01
-    parts = math.ceil(abs(duration) / longest_step)
+    parts = math.ceil(abs(duration) / 0.01)
     step = duration / parts
     for _ in range(parts):
         first = rates(begun)

@@ -94,11 +94,11 @@ class Approach:
             seen = set(hy.get_variables(z))
             if name == "sqrt" and seen:
                 rate = sum((hy.diff(z, name) * each for name, each in system), hy.expression(0.0))
-                # A step ends where a spring passes its anchor within its speed over this. Closer
-                # than the root of the tolerance a Taylor series does not see the least length, and
-                # goes on with negative ones.
-                steps_to_anchor = 10.0
-                found.append(cls(1e-3 * (rate - steps_to_anchor * z), z, names))
+                # A step ends where a spring passes its anchor within its speed
+                # over this. Closer than the root of the tolerance a Taylor
+                # series does not see the least length, and goes on with negative
+                # ones.
+                found.append(cls(1e-3 * (rate - 10.0 * z), z, names))
             elif name in ("exp", "tanh") and seen and not seen & rates:
                 outside = z + felt if name == "exp" else (felt**2 - 4.0 * z * z) / felt
                 found.append(cls(1e-3 * felt * outside / (felt**2 + z * z)))
@@ -206,8 +206,7 @@ class MotionState:
     def most(self) -> int:
         """Steps after which it is given up."""
         # Steps after which a flow is abandoned.
-        most_steps = 2_000_000
-        return self.problem.max_steps or most_steps
+        return self.problem.max_steps or 2_000_000
 
 
 class BatchIntegrator:
@@ -557,8 +556,7 @@ def flow_integrator(problem: Problem, directions: FloatArray | None) -> BatchInt
     along ``directions``.
     """
     # Tolerance of plain ones, whose other steps make them a witness of the first.
-    plain_tolerance = 1e-16
-    tol, count = (plain_tolerance, None) if directions is None else (TOLERANCE, len(directions))
+    tol, count = (1e-16, None) if directions is None else (TOLERANCE, len(directions))
     return compiled(problem.field, tol, directions=count, turning=True).begun(
         problem, () if directions is None else directions
     )

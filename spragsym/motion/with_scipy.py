@@ -129,10 +129,9 @@ class Flight:
 
         rtol = tolerance(self.problem, self.stiff)
         # Absolute tolerance of flows, as a share of the relative one.
-        absolute_share = 1e-15 / 2.3e-14
         options: dict[str, Any] = {
             "rtol": rtol,
-            "atol": rtol * (1e-3 if self.interpolated else absolute_share),
+            "atol": rtol * (1e-3 if self.interpolated else (1e-15 / 2.3e-14)),
             "first_step": first,
         }
         return (Radau if self.stiff else DOP853)(self._rates(mode), begin, whole, bound, **options)
@@ -163,12 +162,9 @@ class Flight:
             while solver.status == "running" and found is None:
                 before, message = solver.y.copy(), solver.step()
                 failed = solver.status == "failed"
-                # Coordinates and rates that are larger where steps have become as small as floats
-                # grow beyond all bounds in a finite time.
-                unbounded = 1e12
-                if not np.isfinite(solver.y).all() or (
-                    failed and magnitude(solver.y[:m]) > unbounded
-                ):
+                # Coordinates and rates that are larger where steps have become
+                # as small as floats grow beyond all bounds in a finite time.
+                if not np.isfinite(solver.y).all() or (failed and magnitude(solver.y[:m]) > 1e12):
                     raise out_of_range()
                 if failed:
                     name, t = type(solver).__name__, self.problem.time(clock + solver.t)
@@ -300,8 +296,7 @@ def tolerance(problem: Problem, stiff: bool = False) -> float:
     if problem.field.nonlinear_levels and problem.field.sticking_borders and not stiff:
         return RTOL  # what stays on a curved border is kept there by the equations of motion alone
     # As tight as Radau goes, whose order is five.
-    tightest = 1e-12
-    return max(problem.rtol, tightest * stiff)
+    return max(problem.rtol, 1e-12 * stiff)
 
 
 def integrate(problem: Problem) -> Solution:

@@ -366,8 +366,7 @@ def with_enough_bits(digits: int, attempt: Callable[[int], T], what: str) -> T:
                 return attempt(bits)
             except (UndecidedSign, ZeroDivisionError) as reason:
                 # Bits of the last try.
-                maximum_bits = 6144
-                if bits >= maximum_bits:
+                if bits >= 6144:
                     raise ConvergenceError(
                         f"{what}: {bits} bits do not decide it ({reason}); the parameters are "
                         "degenerate, "
@@ -396,8 +395,7 @@ def as_floats(intervals: Iterable[Interval]) -> tuple[list[float], float]:
     |value|) of all of them.
     """
     # Digits that an interval must have to become a float.
-    float_digits = 15
-    middles, worst, _ = as_numbers(intervals, float_digits)
+    middles, worst, _ = as_numbers(intervals, 15)
     # Half a unit in the last place of a float, 1.11e-16, and what is lost where the first term is
     # rounded and in the sum, 1e-30.
     return list(map(float, middles)), float(worst) + 1.2e-16

@@ -55,9 +55,9 @@ def rounded_decimal(
     elif half:
         places = BOUND_DIGITS - _power(half)
     else:
-        # Significant digits of a number that is known exactly, where fewer than all are written.
-        exact_digits = 20
-        places = exact_digits - 1 - _power(middle)
+        # Significant digits of a number that is known exactly, where fewer than all are
+        # written.
+        places = 20 - 1 - _power(middle)
     text = _rounded(middle, places)
     return Decimal(text, upward(abs(Fraction(text) - middle) + half))
 

@@ -177,12 +177,11 @@ def point_of(setting: Setting, orbit: Orbit, along: FloatArray | None = None) ->
     # Share of the largest singular value below which another one is 0.
     least_singular = 1e-10
     # How little what does not close may move an orbit.
-    most_moved = 1e-6
     point = BranchPoint(
         setting,
         orbit,
         ways[-1] / setting.weights(orbit),
-        bool(sizes[-1] > max(least_singular * sizes[0], orbit.largest_gap / most_moved)),
+        bool(sizes[-1] > max(least_singular * sizes[0], orbit.largest_gap / 1e-6)),
     )
     ahead = turning(point) if along is None else point.way @ (along * point.weights)
     return point.oriented(-1.0 if ahead < 0 else 1.0)
@@ -211,7 +210,6 @@ def at_zero(kind: str, setting: Setting, near: Orbit, target: FloatArray) -> Con
     def conditions(orbit: Orbit) -> tuple[FloatArray, FloatArray]:
         off, row = phase(orbit)
         # Differences of the condition are taken over this.
-        difference = 1e-6
         slope = differences(
             lambda step: np.array(
                 [
@@ -221,7 +219,7 @@ def at_zero(kind: str, setting: Setting, near: Orbit, target: FloatArray) -> Con
                 ]
             ),
             np.zeros(len(weights)),
-            difference / weights,
+            1e-6 / weights,
         )
         return np.append(off, criterion_of(kind, orbit) / unit), np.vstack([row, slope / unit])
 

@@ -105,8 +105,7 @@ class Balls:
         # Steps are this share of the radius of convergence that is proved.
         share_of_radius = 1 / 7
         # By this factor steps stay below that share, however the product is rounded.
-        below_share = 1 - 1e-12
-        step = arb(radius * share_of_radius * below_share)
+        step = arb(radius * share_of_radius * (1 - 1e-12))
         step = left if left < 1.2 * step else step
         ratio = (step / radius).abs_upper()
         middle = [value.mid() for value in self.point]
@@ -164,10 +163,10 @@ class Balls:
                     break
                 if all(length * size <= radius for size, radius in zip(found, radii, strict=True)):
                     slope = self.smooth.steepness(disc(radii))
-                    # Growth of small deviations, as an exponent, that is allowed over a radius of
-                    # convergence: it multiplies what is left out.
-                    largest_growth = 20
-                    if length * slope < largest_growth:
+                    # Growth of small deviations, as an exponent, that is
+                    # allowed over a radius of convergence: it multiplies
+                    # what is left out.
+                    if length * slope < 20:
                         return length, radii, slope
                     break
         raise NotProved("the field could not be bounded about the orbit")
@@ -191,9 +190,9 @@ class Balls:
                     "could not be shown"
                 )
             return
-        # Share of a step below which it is not halved any more where a border might be met in it.
-        shortest_share = 2.0**-39.5
-        if end - begin < piece.step * shortest_share:
+        # Share of a step below which it is not halved any more where a border might be
+        # met in it.
+        if end - begin < piece.step * (2.0**-39.5):
             raise NotProved(
                 f"whether the orbit meets {border.name} could not be decided near one place: "
                 "it touches it there, or all "

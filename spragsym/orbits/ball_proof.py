@@ -86,8 +86,7 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
         # radius of the starts.
         window_radii = 1e5
         # Half of it at most.
-        widest = 1e-6
-        half = arb(min(radius * window_radii, widest))
+        half = arb(min(radius * window_radii, 1e-6))
         for _ in range(2):  # the states tell how wide the window need be once they are near
             before = (time - half).mid()
             if before > clock:
@@ -147,8 +146,7 @@ def _refined(
     # Rounds of Newton's method with the slopes of double precision.
     first_rounds = 14
     # Digits that each gains at least.
-    gained_digits = 6
-    for _ in range(first_rounds + digits // gained_digits):
+    for _ in range(first_rounds + digits // 6):
         with bits(accuracy_for(now).bits):
             end, times = _traced(begun, state, period, claim["crossings"], now)
         gaps = [(a - b).mid() for a, b in zip(end, state, strict=True)]

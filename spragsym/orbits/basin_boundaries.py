@@ -172,8 +172,7 @@ def basin_boundary(
     ranges = [(low / unit, high / unit) for (low, high), unit in zip(ranges, units, strict=True)]
     low, high = ranges[0]
     # Distance of neighbours on the curve by default, as a share of the range.
-    share_of_range = 1 / 300
-    whole = (high - low) * share_of_range
+    whole = (high - low) * (1 / 300)
     step = whole if step is None else as_number("step", step, POSITIVE) / float(units[0])
     points = as_count("points", points)
     walk = _Walk(system, scales, known, np.eye(len(names))[axes], ranges, step, points)
@@ -227,12 +226,9 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, place)
             states = system.scales(saddle.state).states
-            # Equilibria that differ by less than this are one. Lengths are in units of the motion
-            # about the saddle.
-            one_within = 1e-9
-            if not any(
-                magnitude((saddle.state - one.state) / states) < one_within for one in found
-            ):
+            # Equilibria that differ by less than this are one. Lengths are in units
+            # of the motion about the saddle.
+            if not any(magnitude((saddle.state - one.state) / states) < 1e-9 for one in found):
                 found.append(saddle)
     if len(found) != 1:
         listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found)
@@ -307,15 +303,14 @@ class _Walk:
                 "another start"
             )
         for near in sorted(changes, key=lambda i: abs(ways[i] - self.plane[0] @ self.saddle.state)):
-            # Between starts so close that leave to different sides, as a share of the range,
-            # Newton's method begins.
-            begin_newton = 5e-10
+            # Between starts so close that leave to different sides, as a share of
+            # the range, Newton's method begins.
             begun = at(
                 bisect(
                     lambda way: self.leaves(at(way))[0],
                     ways[near],
                     ways[near + 1],
-                    xtol=begin_newton * (high - low),
+                    xtol=5e-10 * (high - low),
                 )
             )
             for span in (0.75 * self.leaves(begun)[1], 3 / self.saddle.growth):
@@ -361,21 +356,19 @@ class _Walk:
                     raise ConvergenceError("the boundary is not crossed along that direction")
                 change = -value / along
                 # A step of Newton's method longer than this leads astray.
-                longest_step = 0.2
-                if abs(change) > min(longest_step, max(10 * before, 1e-4)):
+                if abs(change) > min(0.2, max(10 * before, 1e-4)):
                     raise ConvergenceError("the boundary is not near")
                 state = state + change * direction @ self.plane
-                # A refinement that moves the start by less than this is the last.
-                last_change = 1e-11
-                if abs(change) < last_change:
+                # A refinement that moves the start by less than this is the
+                # last.
+                if abs(change) < 1e-11:
                     return state, max(abs(change), 1e-15), span
                 if abs(change) < 0.1 * first < np.inf:
                     break
                 first = min(first, abs(change))
-            # How much longer the motion is followed in each refinement, in units of the saddle's
-            # time.
-            longer_by = 2.5
-            before, span = first, span + longer_by / self.saddle.growth
+            # How much longer the motion is followed in each refinement, in units of
+            # the saddle's time.
+            before, span = first, span + 2.5 / self.saddle.growth
         raise ConvergenceError("the boundary could not be refined")
 
     def follow(
@@ -391,20 +384,17 @@ class _Walk:
             along = along * sign if way is None else along * np.sign(along @ way)
             guess = state + step * along @ self.plane
             try:
-                # A start as far off the curve as the square of a step is followed until it is off
-                # the saddle by no more than this.
-                off_saddle = 0.1
-                seen = (
-                    norm(slope) * step**2 / (off_saddle * magnitude(self.saddle.left_eigenvector))
-                )
+                # A start as far off the curve as the square of a step is
+                # followed until it is off the saddle by no more than this.
+                seen = norm(slope) * step**2 / (0.1 * magnitude(self.saddle.left_eigenvector))
                 with doing("point {} in one direction of the boundary", len(found) + 1):
                     ahead, error, later = self.refined(
                         guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth
                     )
                 moved = self.plane @ (ahead - state)
-                # Cosine of the largest angle between a step and the curve's tangent.
-                least_cosine = 0.95
-                if moved @ along < least_cosine * norm(moved) or norm(moved) > 3 * step:
+                # Cosine of the largest angle between a step and the curve's
+                # tangent.
+                if moved @ along < 0.95 * norm(moved) or norm(moved) > 3 * step:
                     raise ConvergenceError(
                         "farther off the tangent it is another fold of the manifold"
                     )
@@ -430,10 +420,9 @@ class _Walk:
         both = self.sides(state, span, aside)
         if not _differ(self.system, *both):
             return False, [each.described() for each in both]
-        # Where they differ it is looked at this share of the distance too: basins may alternate
-        # beside the curve.
-        nearer_share = 0.25
-        nearer = self.sides(state, span, nearer_share * aside)
+        # Where they differ it is looked at this share of the distance too: basins may
+        # alternate beside the curve.
+        nearer = self.sides(state, span, 0.25 * aside)
         other = [
             not near.decided or _differ(self.system, one, near)
             for one, near in zip(both, nearer, strict=True)

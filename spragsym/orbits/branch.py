@@ -428,9 +428,9 @@ def _vanishing(
 
     known = [(np.inf, np.nan)]
     for point in points:
-        # Sizes of points by which it is told where a size vanishes are so far apart, as a factor.
-        spacing = 0.7
-        if (now := size(point)) < spacing * known[-1][0]:
+        # Sizes of points by which it is told where a size vanishes are so far apart, as
+        # a factor.
+        if (now := size(point)) < 0.7 * known[-1][0]:
             known.append((now, point.value))
     ends = [
         float(KroghInterpolator(*zip(*known[i - 2 : i + 1], strict=True))(0.0))
@@ -481,12 +481,12 @@ def _at_border(followed: Sequence[BranchPoint]) -> DetectedEvent | None:
             CATASTROPHIC,
         ),
     )
-    # A branch has come to an end that lies so near to its last point, in shares of the range.
-    near_share = 1e-4
+    # A branch has come to an end that lies so near to its last point, in shares of the
+    # range.
     near = [
         end
         for end in ends
-        if max(end.error, abs(end.value - last.value)) <= near_share * last.setting.spans[0]
+        if max(end.error, abs(end.value - last.value)) <= 1e-4 * last.setting.spans[0]
     ]
     return min(near, key=lambda end: end.error, default=None)
 
@@ -549,8 +549,7 @@ def _lost(
     orbit = point.orbit
     if orbit.period > 2 * point.setting.period and (rest := _rests(orbit, options.still)):
         # Error of an end at an orbit that rests for long, in ranges of the parameter.
-        error_at_rest = 1e-6
-        return DetectedEvent("homoclinic", orbit, error_at_rest * point.setting.spans[0], how=rest)
+        return DetectedEvent("homoclinic", orbit, 1e-6 * point.setting.spans[0], how=rest)
     before = followed[-2] if len(followed) > 1 else point
     lost = DetectedEvent(
         "end",

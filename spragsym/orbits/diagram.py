@@ -265,8 +265,7 @@ def diagram(
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*(label for _, own in rests for label in own), *_of_cycles(branches)]
     # A Hopf point is located to this, in ranges of the parameter.
-    located = 1e-6
-    remarks += _left_alone(vary, labels, born_at, located * (high - low))
+    remarks += _left_alone(vary, labels, born_at, 1e-6 * (high - low))
     spans = [undecided_points(known, vary, (low, high)) for _, known in seeds]
     undecided = joined(np.concatenate([undecided_parts(onsets, (low, high)), *spans]))
     remarks += [
@@ -321,8 +320,7 @@ def _followed(rest: FixedPoints, point: BranchPoint, to: Span) -> Iterator[Branc
 
     with suppress(ConvergenceError):
         # Most steps each way.
-        most_steps = 2000
-        for found in islice(steps(point, ahead, OF_EQUILIBRIA), most_steps):
+        for found in islice(steps(point, ahead, OF_EQUILIBRIA), 2000):
             if (
                 found.coordinates != point.coordinates
             ).any():  # as it is where the range ends at the first point
@@ -336,10 +334,9 @@ def _located(
 ) -> BranchPoint | None:
     """The point between two where a test function changes its sign; None if it does not."""
     first, last = test(one), test(other)
-    # A test function below this has lost its sign: without dampers every pair is on the imaginary
-    # axis.
-    lost_sign = 1e-11
-    if (first < 0) == (last < 0) or min(abs(first), abs(last)) < lost_sign:
+    # A test function below this has lost its sign: without dampers every pair is on the
+    # imaginary axis.
+    if (first < 0) == (last < 0) or min(abs(first), abs(last)) < 1e-11:
         return None
     with suppress(ConvergenceError, ValueError):
         return zero_of(test, one, other, between(one, other), xtol=1e-15)
@@ -383,8 +380,7 @@ def _passes(line: Sequence[BranchPoint], point: BranchPoint) -> bool:
             with suppress(ConvergenceError):
                 met = placed(one, point.value, other.coordinates - one.coordinates).orbit.state
                 # Equilibria closer than this, in units of the motion, are one.
-                one_within = 1e-7
-                if magnitude(apart(place, met, periodic)) < one_within:
+                if magnitude(apart(place, met, periodic)) < 1e-7:
                     return True
     return False
 
@@ -394,8 +390,7 @@ def _seeds(p: ParameterSet, vary: str, to: Span) -> list[tuple[Touching, Equilib
     touch.
     """
     # Values of the parameter at which the statics say where equilibria are.
-    seed_values = 13
-    grid = p.replace(**{vary: np.linspace(*to, seed_values)})
+    grid = p.replace(**{vary: np.linspace(*to, 13)})
     return [
         (contact, equilibria(grid, contact=contact, method="search")) for contact in p.model.regimes
     ]
@@ -439,9 +434,8 @@ def _equilibria(
             line = [*(each.oriented(-1.0) for each in reversed(back)), point, *forth]
             states = np.array([each.orbit.state[: len(model.coordinates)] for each in line])
             # Real parts below this are not growth.
-            no_growth = 1e-10
             stable = np.array(
-                [max(value.real for value in rest.eigenvalues(each)) < no_growth for each in line]
+                [max(value.real for value in rest.eigenvalues(each)) < 1e-10 for each in line]
             )
             values = np.array([each.value for each in line])
             branch = EquilibriumBranch(

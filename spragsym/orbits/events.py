@@ -129,8 +129,7 @@ def detected_events(
         or len(changed) + len(touched) + len(switched) > 1
     )
     # Halvings of a step that looks as if something were hidden in it.
-    most_halvings = 9
-    if hidden and depth < most_halvings:
+    if hidden and depth < 9:
         try:
             middle = corrected(one, length / 2)
         except ConvergenceError:
@@ -162,16 +161,13 @@ def vertical(one: BranchPoint, other: BranchPoint, length: float) -> bool:
     of the tangent says is rounding.
     """
     # Slope of a branch, in shares of the range over the arc, below which it is upright.
-    upright = 1e-8
-    ends, still = (one, other), upright * one.setting.spans[0]
+    ends, still = (one, other), 1e-8 * one.setting.spans[0]
     # How near 1 a double multiplier of an upright branch is found.
-    double_within = 1e-4
     return (
         length > one.setting.options.event_step
         and abs(one.value - other.value) < still * length
         and all(
-            abs(turning(end)) < still
-            and np.abs(end.orbit.multipliers.others - 1).min() < double_within
+            abs(turning(end)) < still and np.abs(end.orbit.multipliers.others - 1).min() < 1e-4
             for end in ends
         )
     )
@@ -323,16 +319,14 @@ def _located(
         return
     if kind == "torus" and not is_complex_pair(point.orbit):
         return
-    # Where the parameter changes less than this along the arc, a multiplier that passes 1 belongs
-    # to a fold.
-    fold_within = 1e-6
-    if kind == "crossing" and abs(turning(point)) * point.setting.spans[0] < fold_within:
+    # Where the parameter changes less than this along the arc, a multiplier that passes 1
+    # belongs to a fold.
+    if kind == "crossing" and abs(turning(point)) * point.setting.spans[0] < 1e-6:
         return  # the fold itself, by rounding
     off = _error(kind, one, other, length, point)
-    # Where a sign changes, a test function is a zero if it is smaller than this share of what it is
-    # at the ends of the step.
-    zero_share = 1e-2
-    if abs(test(point)) > zero_share * max(abs(test(one)), abs(test(other))):
+    # Where a sign changes, a test function is a zero if it is smaller than this share of
+    # what it is at the ends of the step.
+    if abs(test(point)) > 1e-2 * max(abs(test(one)), abs(test(other))):
         # Multipliers jump at a grazing, and another arrival may become the nearest one: the sign
         # changes with no zero.
         if length > one.setting.options.event_step:
@@ -408,10 +402,9 @@ def matched_events(one: list[Touch], other: list[Touch]) -> list[tuple[Touch, To
                 )
                 off.append((apart, i, k))
     for apart, i, k in sorted(off):
-        # Turns of two neighbouring points are one where they are as close as this, in shares of a
-        # period and in states.
-        alike_within = 0.6
-        if apart < alike_within and i not in found and k not in found.values():
+        # Turns of two neighbouring points are one where they are as close as this, in
+        # shares of a period and in states.
+        if apart < 0.6 and i not in found and k not in found.values():
             found[i] = k
     return [(one[i], other[k]) for i, k in sorted(found.items())]
 
@@ -457,8 +450,7 @@ def grazing(near: BranchPoint, touch: Touch, beside: float = 0.0) -> Orbit:
     guess = remeshed(orbit, len(orbit.states), touch.share * orbit.period)
     while True:
         # Share of the level by which it is neared at a time.
-        nearing_share = 0.03
-        level = math.copysign(max(beside, nearing_share * abs(level)), level) if beside else 0.0
+        level = math.copysign(max(beside, 0.03 * abs(level)), level) if beside else 0.0
         conditions = touching(touch.way[0], near.setting, near.orbit, touch.state, level)
         orbit = closed_orbit(near.setting.flow, guess, conditions, reach=0.5)
         if abs(orbit.period / near.orbit.period - 1) > 0.2:

@@ -391,8 +391,7 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
             )
             return flow_result.state, turned[:, back], np.log(sizes[back]), volume
         # Halvings of an interval, at most.
-        most_halvings = 12
-        if span < interval / 2**most_halvings:
+        if span < interval / 2**12:
             natural = span * (field.scales.time if field.scales else 1.0)
             raise ConvergenceError(
                 f"small deviations shrink by more than {1 / options.lost:g} in {natural:g} time "

@@ -303,11 +303,11 @@ class _FateSamples:
         likeliest = min(nearest.values(), key=difference, default=None)
         # Failures after which no cycle is followed.
         most_failures = 8
-        # Cycles whose periods are less apart, as a logarithm, may be one that is followed.
-        least_difference = 0.5
+        # Cycles whose periods are less apart, as a logarithm, may be one that is
+        # followed.
         if (
             likeliest is not None
-            and difference(likeliest)[0] < least_difference
+            and difference(likeliest)[0] < 0.5
             and len(self.lost) < most_failures
         ):
             try:
@@ -570,10 +570,9 @@ def _doubles(samples: _FateSamples, low: _Fate, high: _Fate) -> bool:
     a single attractor.
     """
     short, long = sorted((low, high), key=lambda each: each.verdict.outcome.period)
-    # Periods whose ratio is this close to 2 may be those of a cycle and of what it becomes by a
-    # doubling.
-    double_within = 0.05
-    if not abs(long.verdict.outcome.period / short.verdict.outcome.period / 2 - 1) <= double_within:
+    # Periods whose ratio is this close to 2 may be those of a cycle and of what it becomes
+    # by a doubling.
+    if not abs(long.verdict.outcome.period / short.verdict.outcome.period / 2 - 1) <= 0.05:
         return False  # or one of them is no cycle, and has no period
     try:
         single, double = samples.attractor(short), samples.attractor(long)
@@ -586,10 +585,7 @@ def _doubles(samples: _FateSamples, low: _Fate, high: _Fate) -> bool:
         assert single.orbit
         assert double.orbit
         # Points of a branch that are followed to tell.
-        most_points = 40
-        branch = cycle_branch(
-            double.orbit, samples.vary, between={samples.vary: bounds}, points=most_points
-        )
+        branch = cycle_branch(double.orbit, samples.vary, between={samples.vary: bounds}, points=40)
         between = (branch.values >= low.value) & (branch.values <= high.value)
         for end in branch.of("end"):
             if (

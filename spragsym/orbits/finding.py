@@ -160,8 +160,7 @@ def _after_turns(system: System, near: ArrayLike | Trajectory | Cycle | None, tu
         start = _state(system, near)
     if near is None:
         # Turns of a clock after which a motion is near a cycle.
-        settling_turns = 100
-        start = system.motion(start, settling_turns * turn).state[:, -1]
+        start = system.motion(start, 100 * turn).state[:, -1]
     try:
         found = cycle_at(system, start, turns * turn)
     except ConvergenceError as error:
@@ -230,10 +229,9 @@ def _steep(system: System) -> str:
         for name, value in zip(system.field.parameters, system.values, strict=True)
     )
     # Parameters beyond this are named where a motion can't be followed.
-    very_steep = 1e8
     return (
         f"; {name} = {value:g} is larger than it can carry: give a smaller one"
-        if value > very_steep
+        if value > 1e8
         else ""
     )
 
@@ -269,8 +267,7 @@ def _rests(orbit: Orbit) -> bool:
     # A closed orbit of a smaller extent is rest.
     least_extent = 1e-9
     # So is one whose extent is less than so many of its errors.
-    sure_errors = 100.0
-    return extent(orbit) <= max(least_extent, sure_errors * error_of(orbit))
+    return extent(orbit) <= max(least_extent, 100.0 * error_of(orbit))
 
 
 def _state(system: System, near: Any) -> FloatArray:
@@ -322,16 +319,14 @@ def returns(
     )
     scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
     # Rounds after which a state may return, at most.
-    most_rounds = 60
-    for rounds in range(1, min(len(highest), most_rounds)):
+    for rounds in range(1, min(len(highest), 60)):
         off = np.abs(apart(states[rounds:], states[:-rounds], periodic) / scale).max(axis=1)
         i = int(off.argmin()) if row is None else row % len(off)
         if off[i] < best / 2:
             best = float(off[i])
             found.append((rounds * best, i, i + rounds))
     # Most pairs that are tried.
-    most_tries = 8
-    return [(highest[i], highest[j]) for _, i, j in sorted(found)[:most_tries]]
+    return [(highest[i], highest[j]) for _, i, j in sorted(found)[:8]]
 
 
 def _from_guess(flow: Flow, guess: Iterate) -> Orbit:
@@ -349,8 +344,7 @@ def stands_still(system: System, state: FloatArray) -> str:
     try:
         scales = system.scales(state)
         # So long a motion tells whether anything moves.
-        look_for = 200.0
-        states = system.motion(state, look_for * scales.time).state[:n]
+        states = system.motion(state, 200.0 * scales.time).state[:n]
         moved = np.ptp(states, axis=1) / scales.places
     except ConvergenceError:
         return ""
@@ -411,8 +405,7 @@ def born_at(
     if amplitude is None:
         unit = 1 / norm(form.q / scales.states)
         # Amplitude where it comes to none, in units of the motion.
-        free_amplitude = 0.01
-        free = SHARE * reach if border else free_amplitude * unit
+        free = SHARE * reach if border else 0.01 * unit
         z = min(free, unit, _within(model, given, place, form))
         asked = 2 * z * size
     else:
@@ -431,8 +424,7 @@ def born_at(
             ) from error
         reached = float(np.ptp(found.samples.states[most])) / 2
         # How closely an amplitude is met, relatively.
-        met_within = 1e-3
-        if amplitude is None or abs(reached / asked - 1) < met_within:
+        if amplitude is None or abs(reached / asked - 1) < 1e-3:
             return found
         z *= min(max(asked / reached, 1 / farthest), farthest)
     raise ConvergenceError(

@@ -344,9 +344,9 @@ def same_cycle(one: Cycle, other: Cycle) -> bool:
     alike = 1e-6
     if abs(one.period / other.period - 1) >= alike or averages.max() >= alike * size:
         return False
-    # They are if the state of one lies as near the other's samples, as a share of the extent.
-    near_share = 0.05
-    return distance(one, other.state) < near_share * size
+    # They are if the state of one lies as near the other's samples, as a share of the
+    # extent.
+    return distance(one, other.state) < 0.05 * size
 
 
 def units_of(cycle: Cycle) -> FloatArray:
@@ -455,18 +455,14 @@ def refined(orbit: Orbit, begin: float) -> Orbit:
     shortest = dataclasses.replace(orbit.options, steps=7, last_step=1e-15)
     while cut:
         try:
-            # A closed orbit that is begun elsewhere moves by less: where Newton's method goes
-            # farther, as at a fold, its shortest steps do.
-            most_moved = 1e-9
-            found = closed_orbit(
-                orbit.flow, cut, phase(orbit, cut), reach=most_moved, options=shortest
-            )
+            # A closed orbit that is begun elsewhere moves by less: where Newton's
+            # method goes farther, as at a fold, its shortest steps do.
+            found = closed_orbit(orbit.flow, cut, phase(orbit, cut), reach=1e-9, options=shortest)
         except ConvergenceError:  # as at a fold, where Newton's matrix is singular
             found = integrated(orbit.flow, cut)
-            # An orbit on which Newton's method fails as it is begun anew is told as it is if it is
-            # no more open than this.
-            most_open = 1e-10
-            if found.largest_gap > most_open:
+            # An orbit on which Newton's method fails as it is begun anew is told as
+            # it is if it is no more open than this.
+            if found.largest_gap > 1e-10:
                 raise
         cut = refined_mesh(found)
     return found
@@ -478,10 +474,9 @@ def _top(orbit: Orbit) -> float:
     """
     maxima, lead = orbit.maxima(), orbit.field.lead
     most = max((float(top.state[lead]) for top in maxima), default=0.0)
-    # Maxima of x that differ by less than this count as equal; of these the state highest above the
-    # belt is taken.
-    equal_within = 1e-9
-    highest = [top for top in maxima if top.state[lead] >= most - equal_within * (1 + abs(most))]
+    # Maxima of x that differ by less than this count as equal; of these the state highest
+    # above the belt is taken.
+    highest = [top for top in maxima if top.state[lead] >= most - 1e-9 * (1 + abs(most))]
     return max(highest, key=lambda top: float(top.state[lead + 1])).t if highest else 0.0
 
 

@@ -133,8 +133,7 @@ def meets(one: BranchPoint, other: BranchPoint) -> float | None:
     before, after = parted(one), parted(other)
     was, now = norm(before), norm(after)
     # Halves this close from the beginning are an orbit twice round.
-    one_within = 1e-9
-    if not was > one_within:
+    if not was > 1e-9:
         return None
     if now < min(was, one.setting.options.meeting * extent(other.orbit)):
         return 1.0

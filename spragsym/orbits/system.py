@@ -222,8 +222,7 @@ def rounding_of(matrix: FloatArray) -> float:
     eigenvalues.
     """
     # Of a matrix of the motion about an equilibrium: relative error, with a margin.
-    rounding = 1e-13
-    return rounding * max(1.0, magnitude(matrix))
+    return 1e-13 * max(1.0, magnitude(matrix))
 
 
 def saddle_near(system: System, state: FloatArray) -> Saddle:

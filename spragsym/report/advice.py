@@ -56,9 +56,9 @@ def _contact(study: Brake, found: Sequence[State]) -> Iterator[str]:
 def _far(report: Facts) -> Iterator[str]:
     length, here = 1e3 * report.study.values.get("L_0", math.inf), report.current
     x = here.places.get("x_mm", 0.0) if here and not report.jumped else 0.0
-    # Displacement over the length of the spring beyond which a state is none of small deformation.
-    largest_share = 0.5
-    if abs(x) > largest_share * length:
+    # Displacement over the length of the spring beyond which a state is none of small
+    # deformation.
+    if abs(x) > 0.5 * length:
         share = f"{abs(x) / length:.0%} of L_0"
         yield (
             f"the followed state lies at x = {x:.3g} mm without a jump, {share}: it is no small "
@@ -96,8 +96,7 @@ def _friction_caution(study: Brake) -> Iterator[str]:
     full = study.values.get(name, 0.0) if name else 0.0
     works = float(study.operating_point[own]) if full and own else 0.0
     # Share of μ₀ below which the friction at the speed of the belt is worth a warning.
-    share_of_full = 0.95
-    if works < share_of_full * full:
+    if works < 0.95 * full:
         share = f"{works / full:.3g} of {name}, {study.friction[1]:.3g} in place of {full:.3g}"
         cause = "d and V" if {"d", "V"} <= set(study.values) else study.belt
         yield f"the belt is so slow that friction is {share}: check {cause}"
@@ -128,8 +127,7 @@ def _fit(study: Brake) -> Iterator[str]:
             "at more speeds"
         )
     # d times the fastest measured speed up to which none is on its level part.
-    level_from = 0.1
-    if fit.d * fit.fastest < level_from:
+    if fit.d * fit.fastest < 0.1:
         known = f"only mu0 d = {fit.mu0 * fit.d:.3g} s/m is known"
         yield (
             f"friction still rises at {fit.fastest:.3g} m/s, and {known}: measure at faster "
@@ -146,15 +144,13 @@ def of_data(study: Brake) -> Iterator[str]:
     if friction is not None and friction.high > FRICTION:
         yield f"{name} = {friction.high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
     # Speeds in m/s that no belt has: the number was probably meant in mm/s.
-    fastest_belt = 100.0
-    if belt in study.values and abs(speed := study.values[belt]) > fastest_belt:
+    if belt in study.values and abs(speed := study.values[belt]) > 100.0:
         yield f"{study.shown_speed(speed)} looks like mm/s; write {speed:g} mm/s if that is meant"
     # Degrees up to which an inclination looks like radians.
-    like_radians = 3.15
     if (
         angle is not None
         and angle.unit in ("deg", "°", "degree", "degrees")
-        and math.degrees(angle.value) < like_radians
+        and math.degrees(angle.value) < 3.15
     ):
         number = f"{study.in_file(str(inclination), angle.value):g}"
         yield (
@@ -162,8 +158,7 @@ def of_data(study: Brake) -> Iterator[str]:
             "rad if that is meant"
         )
     # Damping ratios from which on they were probably meant in percent.
-    largest_ratio = 0.2
-    if study.damping_ratio is not None and study.damping_ratio >= largest_ratio:
+    if study.damping_ratio is not None and study.damping_ratio >= 0.2:
         ratio = study.damping_ratio
         yield (
             f"damping_ratio = {ratio:g} is {100 * ratio:g} %, more than any brake has; write "
@@ -199,8 +194,7 @@ def next_steps(report: Facts) -> Rows:
     )
     run = [("run", command)] if study.source else []
     # Steps, at most.
-    most_steps = 5
-    yield from (*steps[: most_steps - len(run)], *run)
+    yield from (*steps[: 5 - len(run)], *run)
 
 
 def _changes(report: Facts) -> Rows:

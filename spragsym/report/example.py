@@ -40,10 +40,9 @@ def example(model: Model) -> str:
         quantity: float(p[name]) * kind.scale(kind.units[quantity], sizes)
         for quantity, name in kind.parameters.items()
     }
-    # A speed in m/s that no belt of a brake has, as the unit of a model may be; then speeds are
-    # those of the examples.
-    fastest = 10.0
-    given = ("m/s^2", "m/s", "s/m") if kind.scale("m/s", sizes) > fastest else ("m/s^2",)
+    # A speed in m/s that no belt of a brake has, as the unit of a model may be; then speeds
+    # are those of the examples.
+    given = ("m/s^2", "m/s", "s/m") if kind.scale("m/s", sizes) > 10.0 else ("m/s^2",)
 
     def written(name: str, value: float) -> str:
         si = kind.units[name]

@@ -87,8 +87,7 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     measurement.
     """
     # An instrument writes more than a person does.
-    most_bytes = 8 << 20
-    text = text_of(path, most_bytes, "a text file with sliding speed and coefficient").splitlines()
+    text = text_of(path, (8 << 20), "a text file with sliding speed and coefficient").splitlines()
     stripped = ((number, line.strip(" \r\n")) for number, line in enumerate(text, 1))
     lines = [
         (number, line)
@@ -146,10 +145,9 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
             f"the file is empty; begin with a line of names and units such as {EXAMPLE}", 0, 0
         )
     cells, texts = [(number, _cells(line, between)) for number, line in lines], dict(lines)
-    # The head of a table is looked for in so many lines.
-    head_lines = 100
     # Above the head may stand what a test rig says of itself.
-    words = [{_word(name) for name in row} for _, row in cells[:head_lines]]
+    # The head of a table is looked for in so many lines.
+    words = [{_word(name) for name in row} for _, row in cells[:100]]
     begin = next((at for at, row in enumerate(words) if row & SPEED and row & FRICTION), 0)
     (number, names), *data = cells[begin:]
     a_number = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
@@ -199,8 +197,7 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
                 6,
             )
         # A coefficient that is larger is in percent, or none.
-        largest_coefficient = 2.0
-        if value > largest_coefficient:
+        if value > 2.0:
             cure = "write mu [%] in the head if it is in percent"
             raise _RefusedError(
                 f"{texts[number]!r}: the coefficient {value:g} is more than any brake has; {cure}",

@@ -58,25 +58,21 @@ def speed_for(study: Brake, friction: float) -> float:
         abs(float(study.dimensionless[name])),
     )
     # Times the belt's own speed up to which a speed is looked for, as a power of two.
-    octaves = 30
     parts = [
-        (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(octaves))
+        (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(30))
     ] + [(0.0, speed)]
     # Ranges of the speed that are looked at, at most.
-    most_parts = 1 << 12
-    for _ in range(most_parts):
+    for _ in range(1 << 12):
         if not parts:
             return math.nan
         slow, fast = parts.pop()
         law.low[place], law.high[place] = slow, fast
         # Boxes of a rough look.
-        rough_boxes = 1 << 6
-        if law.largest(1, rough_boxes) < friction:
+        if law.largest(1, (1 << 6)) < friction:
             continue
         middle = 0.5 * (slow + fast)
         # Relative width to which that speed is enclosed.
-        sharp_within = 2.0**-44
-        if fast - slow <= sharp_within * fast:
+        if fast - slow <= (2.0**-44) * fast:
             return float(middle * study.scales.length / study.scales.time)
         parts += [(middle, fast), (slow, middle)]
     return math.nan
@@ -110,13 +106,11 @@ class _Law:
         """
         low, high, above, done = self.low, self.high, np.full(1, np.inf), -np.inf
         # Halvings of the box, at most.
-        most_halvings = 60
-        for _ in range(most_halvings):
+        for _ in range(60):
             above = self.over(low, high, sign).high
             best = max(float(self.over(end, end, sign).low.max()) for end in (low, high))
             # How closely the ends of the friction are enclosed, relative.
-            enclosed_within = 1e-9
-            open_ = np.flatnonzero(above > best + enclosed_within * abs(best))
+            open_ = np.flatnonzero(above > best + 1e-9 * abs(best))
             if not open_.size or 2 * open_.size > most:
                 break
             done = max(done, float(np.delete(above, open_).max(initial=-np.inf)))

@@ -160,10 +160,7 @@ class _RedesignSearch:
             value for other, value in study.values.items() if value > 0 and si[other] == si[name]
         ]
         # Tolerance of a quantity that has none, as a share of its value.
-        default_share = 0.1
-        return default_share * (
-            study.values[name] or min(alike, default=0.01 * study.scale(si[name]))
-        )
+        return 0.1 * (study.values[name] or min(alike, default=0.01 * study.scale(si[name])))
 
     def _keep(self, designs: Sequence[Numbers]) -> BoolArray:
         """Whether each of some designs may be, jumps at the target at the earliest, and at no
@@ -258,8 +255,7 @@ class _RedesignSearch:
             default=0.0,
         )
         # Joint changes go no further than so many times the least one.
-        times_further = 2.0
-        left = left if len(way) == 1 else min(left, times_further)
+        left = left if len(way) == 1 else min(left, 2.0)
 
         def at(share: float) -> Numbers:
             return {name: before[name] + (1 + share * left) * step for name, step in way.items()}
@@ -275,9 +271,9 @@ class _RedesignSearch:
             high = float(tried[first])
             if not high:
                 break
-            # Parts into which the step to the first design that is kept is cut, twice.
-            cut_parts = 8
-            tried = np.linspace(tried[first - 1], high, cut_parts + 1)
+            # Parts into which the step to the first design that is kept is cut,
+            # twice.
+            tried = np.linspace(tried[first - 1], high, 9)
         yield from (at(high + share * (1 - high)) for share in self.budget.further)
 
     def _first_proved(self, least: Numbers | None) -> Change | None:

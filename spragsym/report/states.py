@@ -192,9 +192,8 @@ def states(study: Brake, eq: Equilibria, here: Numbers | None) -> tuple[State, .
         for place in places
     ]
     # Coordinates that differ by less are of one state.
-    same_within = 1e-6
     return tuple(
-        _state(study, eq, slot, place, slot == off.index(min(off)) and off[slot] < same_within)
+        _state(study, eq, slot, place, slot == off.index(min(off)) and off[slot] < 1e-6)
         for slot, place in enumerate(places)
     )
 
@@ -277,10 +276,10 @@ def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: boo
     told = forces.forces_of(model)
     rate = _roots(study, list(place.values())) / scales.time
     size = np.abs(rate).max()
-    # What the eigenvalues of a matrix of some rows are off by, relative to the largest, generously.
-    rounding = 1e-14
     # Where nothing damps, as without friction, the sign of the real part is the rounding's.
-    rate = np.where(np.abs(rate.real) <= rounding * size, 1j * rate.imag, rate)
+    # What the eigenvalues of a matrix of some rows are off by, relative to the largest,
+    # generously.
+    rate = np.where(np.abs(rate.real) <= 1e-14 * size, 1j * rate.imag, rate)
     upper = sorted((root for root in rate if root.imag > 1e-9 * size), key=lambda root: root.imag)
     ratios = tuple(float(-root.real / abs(root)) + 0.0 for root in upper)
     growth, kind = float(rate.real.max()), EquilibriumType(int(eq.undamped[slot]))
@@ -314,8 +313,7 @@ def _roots(study: Brake, q: list[float]) -> ComplexArray:
         not study.moves and belt in p.model.parameters
     ):  # friction is that at rest then, whatever the speed
         # A speed of the belt at which no friction law has a slope.
-        level_speed = 1e9
-        p = p.replace(**{belt: level_speed})
+        p = p.replace(**{belt: 1e9})
     given = np.array(p.scalars(*p.model.parameters))
     return roots(
         *linearization(Balance(p.model, True, study.law), np.array(q)[:, None], given[:, None])
@@ -361,8 +359,7 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
     else:
         return None
     # Instants at which forces are looked at.
-    looked_at = 60_000
-    course = motion(np.union1d(motion.t, np.linspace(0.0, motion.t[-1], looked_at)))
+    course = motion(np.union1d(motion.t, np.linspace(0.0, motion.t[-1], 60_000)))
     springs, contact = _forces(study, _extremes(at, course))
     ranges = {}
     for name, row in zip(p.model.coordinates, course[: start.size], strict=True):
@@ -408,8 +405,7 @@ def _balanced(p: ParameterSet, place: FloatArray, held: int) -> FloatArray:
     values = balance.floats(np.array(p.scalars(*balance.parameters)))
     free, q = np.delete(np.arange(place.size), held), place.copy()
     # Steps of Newton's method to balance the other coordinates.
-    newton_steps = 20
-    for _ in range(newton_steps):
+    for _ in range(20):
         at = balance.at(list(q), values, xp=np)
         stiffness = np.array(at.stiffness(), dtype=float)[np.ix_(free, free)]
         q[free] -= np.linalg.solve(stiffness, np.array(at.rows("forces"), dtype=float)[free])
@@ -455,12 +451,11 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
     # way to rest.
     falling_share = 0.99
     # A motion whose swings are more than this many times as large runs away.
-    growing_times = 2.0
     goes = (
         "falls"
         if holds and now < falling_share * before
         else "grows"
-        if now > growing_times * before
+        if now > 2.0 * before
         else "motion"
         if now
         else "rest"

@@ -532,11 +532,10 @@ def _tolerances(report: Facts) -> Rows:
                 )
             yield "the same by proof", f"{low:g} % to {high:g} %: {what}"
     told = {name: indices for name, indices in odds.sobol.items() if not math.isnan(indices[1])}
-    # Sobol' indices whose 95 % interval is wider to either side are not told.
-    resolved_within = 0.2
     # Sobol' indices are told where the samples resolve all of them: next to a certainty too few
     # differ.
-    if any(not error <= resolved_within for *_, error in told.values()):
+    # Sobol' indices whose 95 % interval is wider to either side are not told.
+    if any(not error <= 0.2 for *_, error in told.values()):
         yield (
             "how much each of them decides",
             f"not told by {odds.n} samples, of which too few differ",

@@ -233,10 +233,9 @@ def bracket(study: Brake) -> Span:
     """
     names = [name for name in varied(study) if name in study.kind.of_statics]
     # Quantities with tolerances up to which their probability is bracketed by proof.
-    most_sides = 4
     if (
         not names
-        or len(names) > most_sides
+        or len(names) > 4
         or study.pairs(varied(study))
         or not (study.of_friction or _all_works(study))
     ):
@@ -254,8 +253,7 @@ def bracket(study: Brake) -> Span:
     below, above = measured(whole, laws, up_to, parts)
     ends = [study.quantities[name] for name in names]
     # What a share of a distribution is rounded by, where values go over its width.
-    rounding = 2.0**-50
-    off = parts * rounding * max(abs(one.high) / (one.high - one.low) for one in ends)
+    off = parts * (2.0**-50) * max(abs(one.high) / (one.high - one.low) for one in ends)
     return max(0.0, below - off), min(1.0, above + off)
 
 

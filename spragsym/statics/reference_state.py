@@ -204,8 +204,7 @@ def is_reference(
         Y = contractors.inverse(K.middle)
         left = Intervals(contractors.product(Y, K.ends)) + Intervals.point(-np.eye(n)[:, :, None])
         # Far more than the roundings of a product and a sum of n numbers.
-        margin = 1e-9
-        alone = left.magnitude.sum(axis=1).max(axis=0) < 1 - margin
+        alone = left.magnitude.sum(axis=1).max(axis=0) < 1 - 1e-9
     return np.asarray(proved & (codes == EquilibriumType.STABLE) & convex & alone)
 
 

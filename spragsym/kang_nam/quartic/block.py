@@ -103,12 +103,12 @@ def rows_of(record: Any, rows: IntArray) -> Any:
 
 def _columns(t: Any, root: kernel.Root) -> dict[str, Any]:
     wide = isinstance(t, DoubleDouble)
-    # Roundings of a double that θ, L, x and y in double-double arithmetic are off by when they are
-    # stored: the arc tangent is within one unit in the last place, and its argument is rounded.
-    stored_error = 4 * 2.0**-53
+    # Roundings of a double that θ, L, x and y in double-double arithmetic are off by when
+    # they are stored: the arc tangent is within one unit in the last place, and its argument
+    # is rounded.
     theta, error = (
         2.0 * (kernel.arctangent(t.high) if wide else np.arctan(t)),
-        root.error + stored_error if wide else root.error,
+        root.error + (4 * 2.0**-53) if wide else root.error,
     )
     return {
         "theta": theta,
@@ -137,10 +137,8 @@ def _some(
     root = kernel.at_root(roots[0] if alone else t, point, line, u)
     root = kernel.Root(*(value[None] for value in root)) if alone else root
     candidates = _columns(t, root)
-    # Digits that every equilibrium has: |error| ≤ tolerance · max(1, |value|).
-    tolerance = 1e-12
-    # An equilibrium that has its digits, or certainly none.
-    sure = root.member & root.known & (candidates["error"] <= tolerance) | root.outsider
+    # An equilibrium that has its digits, |error| ≤ 1e-12 · max(1, |value|), or certainly none.
+    sure = root.member & root.known & (candidates["error"] <= 1e-12) | root.outsider
     # Two proved roots are different when the intervals that hold them are.
     settled: BoolArray = sure.all(axis=0) & kernel.apart(
         t[:-1], root.radius[:-1], t[1:], root.radius[1:]

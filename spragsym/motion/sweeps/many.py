@@ -179,13 +179,11 @@ def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:
     if settings["backend"] != "heyoka":  # which alone carries many at a time
         return 1
     # Time over which the motions of one task go in all, at most.
-    longest_in_all = 2e5
-    lasting = max(LANES, int(longest_in_all / settings["t_end"]))
+    lasting = max(LANES, int(2e5 / settings["t_end"]))
     # Tasks that every worker gets at least, where there are points enough.
     tasks_each = 16
     # Motions of one task, at most; a few points are one task each.
-    most_together = 1024
-    return max(1, min(most_together, lasting, count // (tasks_each * workers)))
+    return max(1, min(1024, lasting, count // (tasks_each * workers)))
 
 
 #: Columns of sweeps: those after the transient first.

@@ -49,7 +49,6 @@ MOVED: Mapping[tuple[str, str], tuple[str, str]] = {
     ("spragsym.motion.solution", "Turn"): ("spragsym.motion.solution", "Extremum"),
     ("spragsym.orbits.arclength", "Point"): ("spragsym.orbits.arclength", "BranchPoint"),
     ("spragsym.orbits.events", "Finding"): ("spragsym.orbits.events", "DetectedEvent"),
-    ("spragsym.results.points", "LowestEnd"): ("spragsym.results.points", "CriticalLoad"),
 }
 #: Former names of fields, by those of now.
 FORMER_FIELDS: Mapping[str, str] = {

@@ -41,14 +41,14 @@ def jacobian(model: Mechanics) -> tuple[Row, ...]:
     )
 
 
-def by_parameters(model: Mechanics) -> tuple[Row, ...]:
-    """Derivatives of the residuals by the parameters, and by every μ as the last."""
+def by_parameters(model: Mechanics, residuals: Row) -> tuple[Row, ...]:
+    """Derivatives of rows by the parameters, and by every μ as the last."""
     return tuple(
         tuple(
             _shortest(model, model.tidy(model.derivative(row, symbol)))
             for symbol in (*parameters(model), *model.coefficients)
         )
-        for row in model.residuals
+        for row in residuals
     )
 
 
@@ -78,10 +78,11 @@ def module(model: Mechanics) -> Module:
     mirror = symmetry.mirror(model)
     function = partial(of_page, shorthands=shorthands)
     K, T, F = sp.Matrix(jacobian(model)), balance_rows.sums(model), sp.Matrix(model.residuals)
+    summed = tuple(map(expanded, T * F))
     constant = not T.has(*model.coordinates)
     cancelled = "springs between coordinates" if constant else "contacts that turn"
     changes = sp.Matrix.hstack(*(T.diff(symbol) * F for symbol in model.coordinates))
-    apart = (
+    apart: tuple[Function, ...] = (
         ()
         if T.is_Identity
         else (
@@ -89,7 +90,7 @@ def module(model: Mechanics) -> Module:
                 "balance",
                 f"Sums of the forces, in which those of {cancelled} cancel.",
                 state,
-                tuple(map(expanded, T * F)),
+                summed,
                 "(F_1, …)",
             ),
             function(
@@ -101,6 +102,17 @@ def module(model: Mechanics) -> Module:
             ),
         )
     )
+    if not constant:
+        # What follows states along a parameter follows these rows, in which nothing stiff cancels.
+        apart += (
+            function(
+                "balance_by_parameters",
+                "Their derivatives by the parameters, an angle as the angle, and by mu.",
+                state,
+                by_parameters(model, summed),
+                "((∂F_1/∂p_1, …, ∂F_1/∂mu), …)",
+            ),
+        )
     turned = " A torsion spring adds k φ (c ∂dy − s ∂dx)/l." if model.torsions else ""
     turnings = (
         ()
@@ -221,7 +233,7 @@ def module(model: Mechanics) -> Module:
                 "forces_by_parameters",
                 "Derivatives of the forces by the parameters, an angle as the angle, and by mu.",
                 state,
-                by_parameters(model),
+                by_parameters(model, model.residuals),
                 "((∂F_1/∂p_1, …, ∂F_1/∂mu), …)",
             ),
             *apart,

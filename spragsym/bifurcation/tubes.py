@@ -321,8 +321,11 @@ class Tubes(ByColumn):
         width.
         """
         names, none = ([*self.free], []) if self.half.any() else ([], [0] * len(self.free))
-        moved = self.balance.by_parameters(at, [self.vary, *names])
-        return [[*row, *more, *none] for row, more in zip(at.stiffness(), moved, strict=True)]
+        name = "forces_by_parameters"
+        rows = self.balance.followed.get(name, name)
+        moved = self.balance.by_parameters(at, [self.vary, *names], rows)
+        slopes = at.followed("forces_jacobian")
+        return [[*row, *more, *none] for row, more in zip(slopes, moved, strict=True)]
 
     def floats(self, z: FloatArray, slopes: bool = True) -> tuple[FloatArray, FloatArray]:
         """Forces and their slopes in the middle of the boxes, in floats."""
@@ -333,7 +336,7 @@ class Tubes(ByColumn):
             q, columns = q[:, 0], columns[:, 0]
         with quiet():
             at = self.balance.at(list(q), self.balance.floats(columns), xp=np)
-            forces, rows = at.rows("forces"), self._rows(at) if slopes else []
+            forces, rows = at.followed("forces"), self._rows(at) if slopes else []
         return filled([forces], z.shape[1:])[0], filled(rows, z.shape[1:])
 
     def _forces(self, z: FloatArray) -> Intervals:
@@ -342,10 +345,10 @@ class Tubes(ByColumn):
         balance = self.balance
 
         def rows(q: Sequence[Number], parameters: Intervals) -> Sequence[Any]:
-            return balance.state(q, parameters, balance.anywhere).rows("forces")
+            return balance.state(q, parameters, balance.anywhere).followed("forces")
 
         with quiet():
-            return balance.taped("forces", rows, Intervals.point(z[:-1]), bounds)
+            return balance.taped("followed", rows, Intervals.point(z[:-1]), bounds)
 
     def apart(self) -> FloatArray:
         """Largest distance of the free parameters from their middles."""
@@ -517,7 +520,7 @@ class Tubes(ByColumn):
 
         try:
             return (
-                given("forces", lambda at: at.rows("forces")),
+                given("forces", lambda at: at.followed("forces")),
                 given("slopes", lambda at: [one for row in self._rows(at) for one in row]),
                 given("gaps", lambda at: at.gaps()) if balance.borders() else None,
             )

@@ -352,13 +352,14 @@ class BalanceInUnits(Balance):
             bounds.ends[:, self.parameters.index(name)] = part.ends
         return self.prepared(bounds)
 
-    def by_parameters(self, at: Evaluation, names: Sequence[str]) -> list[list[Any]]:
+    def by_parameters(
+        self, at: Evaluation, names: Sequence[str], rows: str = "forces_by_parameters"
+    ) -> list[list[Any]]:
         """Derivatives by P, and by u: Σ e p/u ∂/∂p over the parameters that depend on it."""
         needed = sorted({part for name in names for part in self.scaling.get(name, [name])})
-        rows = super().by_parameters(at, needed)
         return [
             [self._slope(name, dict(zip(needed, row, strict=True)), at.values) for name in names]
-            for row in rows
+            for row in super().by_parameters(at, needed, rows)
         ]
 
     def _slope(self, name: str, slopes: Mapping[str, Any], values: Values) -> Number:

@@ -132,6 +132,12 @@ class Forces:
             if hasattr(model.algebra, "balance")
             else {}
         )
+        #: The rows that are followed along a parameter: these, where their slopes by it are known.
+        self.followed = (
+            {**self.sums, "forces_by_parameters": "balance_by_parameters"}
+            if hasattr(model.algebra, "balance_by_parameters")
+            else {}
+        )
 
     # -------------------------------------------------------------------------------------------
     # arguments
@@ -207,9 +213,11 @@ class Forces:
             inside, beyond = inside & here, beyond | there
         return inside, beyond
 
-    def by_parameters(self, at: Evaluation, names: Sequence[str]) -> list[list[Any]]:
-        """Derivatives of the forces along each coordinate by parameters, through the friction law
-        too; an angle as the angle.
+    def by_parameters(
+        self, at: Evaluation, names: Sequence[str], rows: str = "forces_by_parameters"
+    ) -> list[list[Any]]:
+        """Derivatives of the forces along each coordinate, or of other ``rows``, by parameters,
+        through the friction law too; an angle as the angle.
         """
         laws, own = at.of_frictions("friction_by_parameters"), self.model.about["by_parameters"]
 
@@ -219,7 +227,7 @@ class Forces:
                 found = found + by_mu * law[place]
             return found
 
-        return [[slope(row, name) for name in names] for row in at.rows("forces_by_parameters")]
+        return [[slope(row, name) for name in names] for row in at.rows(rows)]
 
 
 @dataclass
@@ -340,6 +348,10 @@ class Evaluation:
         pushing = self.balance.pushing if pushing is None else pushing
         first = [*self.q, *self.directions]
         return self.call(name, first, *self.frictions, *pushing, kind="statics")
+
+    def followed(self, name: str) -> Sequence[Any]:
+        """Rows as :meth:`rows` has them, of the balance that is followed along a parameter."""
+        return self.rows(self.balance.followed.get(name, name))
 
     def forces(self) -> Sequence[Any]:
         """Rows of the balance."""

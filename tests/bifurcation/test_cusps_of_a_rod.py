@@ -42,7 +42,7 @@ def test_the_cusp_is_found_and_is_the_only_one(order: str) -> None:
 @pytest.mark.thorough
 def test_the_set_and_the_critical_friction_begin_at_the_cusp() -> None:
     p = rod("xya").Parameters()
-    between = {"t0": (0.38, 0.44), "mu": (2.0, 2.5)}
+    between = {"t0": (0.2, 0.6), "mu": (1.0, 3.0)}
     drawn = ss.bifurcation_set(p, ("t0", "mu"), 8, between=between)
     assert drawn.complete
     critical = ss.critical_friction(p, between=between)

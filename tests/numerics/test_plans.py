@@ -17,12 +17,12 @@ import spragsym as ss
 from spragsym import numerics
 from spragsym.bifurcation.defining_systems import (
     NO_SLOPE,
-    TURN,
     Augmented,
     Family,
     fold_on_border,
     of_kind,
     touch_turn,
+    turn,
 )
 from spragsym.bifurcation.points import Logarithmic
 from spragsym.bifurcation.singularities import cusp_off_mirrors
@@ -76,7 +76,7 @@ def further(name: str) -> Iterator[tuple[str, StateSystem, FloatArray]]:
     if len(vary) < 2:
         return
     family = Family.of(load(name).Parameters(), vary[:2])
-    conditions = {"turn": TURN, "BT": of_kind("BT", None)}
+    conditions = {"turn": turn(0), "BT": of_kind("BT", None)}
     for contact in balance.opens:
         conditions[f"touch turns, {contact}"] = touch_turn(contact)
         conditions[f"fold on border, {contact}"] = fold_on_border(contact)

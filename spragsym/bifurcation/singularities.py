@@ -67,6 +67,7 @@ from .borders import at_borders, borders, combination, joined
 from .defining_systems import (
     FOLD,
     Augmented,
+    Block,
     Condition,
     Family,
     OfFamily,
@@ -344,7 +345,7 @@ def told_apart(family: Family, found: Found, column: int) -> Roots:
     return found.roots.reopened(nonzero & ~none, ~nonzero & ~none)
 
 
-def cusp_off_mirrors(family: Family, column: int, block: tuple[int, ...]) -> Condition:
+def cusp_off_mirrors(family: Family, column: int = 0, block: Block = None) -> Condition:
     """Condition of a cusp off the mirrors: beside a mirror that turns one coordinate there are none
     but where pitchforks are degenerate.
     """
@@ -373,7 +374,7 @@ def cusp_off_mirrors(family: Family, column: int, block: tuple[int, ...]) -> Con
         small = np.logical_and.reduce(q.width <= 2.0**-12 * scale_of(q.magnitude))
         return small & np.logical_or.reduce(on)
 
-    condition = cusp(column, None if len(block) == n else block)
+    condition = cusp(column, None if block and len(block) == n else block)
     return replace(condition, excluded=excluded, abandoned=abandoned) if mirrors else condition
 
 

@@ -70,6 +70,8 @@ def load(name: str) -> ss.Model:
     return ss.load(place(name))
 
 
+#: Those of which something is at rest: all without a clock.
+RESTING = tuple(name for name in MODELS if not load(name).clock)
 #: Those that rub: all that are asked for motions.
 MOVING = tuple(name for name in MODELS if load(name).frictions)
 

@@ -30,7 +30,7 @@ from spragsym.numerics import boxes, plans, tape
 from spragsym.numerics.interval_arrays import FloatArray, Intervals, quiet
 from spragsym.statics.balance import Balance
 from spragsym.statics.systems import StateSystem
-from tests.conformance.models import MODELS, load
+from tests.conformance.models import RESTING, load
 from tests.numerics.test_tape import systems
 
 pytestmark = pytest.mark.skipif(not plans.available(), reason="no C compiler on installation")
@@ -87,7 +87,7 @@ def further(name: str) -> Iterator[tuple[str, StateSystem, FloatArray]]:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", RESTING)
 def test_every_system_is_searched_as_by_numpy(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     every = [(key, *given) for key, given in systems(name).items()]
     looks = 0

@@ -25,7 +25,7 @@ from spragsym.numerics import tape
 from spragsym.numerics.interval_arrays import Intervals, quiet, stacked
 from spragsym.statics.balance import Balance
 from spragsym.statics.systems import StateSystem
-from tests.conformance.models import MODELS, load
+from tests.conformance.models import RESTING, load
 from tests.oracles.operands import OF_THE_LIBRARY, ONE, TWO, operands
 
 pytestmark = pytest.mark.skipif(not tape.available(), reason="no C compiler on installation")
@@ -129,7 +129,7 @@ def systems(name: str) -> dict[str, tuple[StateSystem, np.ndarray]]:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", RESTING)
 def test_systems_over_boxes_are_what_they_are_by_numpy(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

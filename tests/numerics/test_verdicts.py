@@ -9,7 +9,7 @@ import pytest
 
 from spragsym.numerics import boxes, contractors, verdicts
 from spragsym.numerics.interval_arrays import FloatArray, Intervals, quiet
-from tests.conformance.models import MODELS
+from tests.conformance.models import RESTING
 from tests.numerics.test_tape import systems
 
 pytestmark = pytest.mark.skipif(not contractors.available(), reason="no C compiler on installation")
@@ -109,7 +109,7 @@ def test_arrays_that_do_not_fit_are_refused() -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", RESTING)
 def test_searches_look_at_the_same_boxes(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     for key, (system, column) in systems(name).items():
         region = np.full((2, system.n, 1), 1.25)

@@ -131,7 +131,8 @@ def branches(
         Its range, by its name; by default its own, and for one without an end up to 1, or twice the
         base value if that is more.
     contact : bool
-        Steady sliding, or lift-off.
+        Steady sliding, of several contacts where all of them touch, or lift-off;
+        :func:`spragsym.diagram` has the other combinations.
     damping : bool
         Types with dampers and the slope of the friction law, or by (27), without them.
     n : int

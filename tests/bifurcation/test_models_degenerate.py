@@ -58,7 +58,7 @@ def test_beside_a_line_of_equilibria_all_is_decided(name):
 @pytest.fixture
 def with_a_line(monkeypatch):
     """A model whose sigma is searched down to 0, where nothing holds the mass along the belt."""
-    monkeypatch.setattr(points, "begins", lambda *_: False)
+    monkeypatch.setattr(points, "begins_at_zero", lambda *_: False)
     return ss.load("kang_nam")
 
 

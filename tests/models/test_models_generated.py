@@ -219,5 +219,6 @@ def test_the_energy_changes_by_the_powers_only(model: Generated) -> None:
             friction -= slide * force(*z, *taken, *model.mode(1, 1), *felt, xp=XP)
         others = model.algebra.power_besides_friction(*z, *taken, xp=XP)
         assert abs(slope(energy, mp.mpf(0)) - friction - others) < 1e-25
-        assert others <= 0  # no shipped model has an applied force without a potential
-        assert (others < 0) == (model.about["dampers"])
+        if not hasattr(model.algebra, "clock"):
+            assert others <= 0  # no other shipped model has a force without a potential
+            assert (others < 0) == (model.about["dampers"])

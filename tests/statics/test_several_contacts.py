@@ -144,7 +144,6 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
     asked: dict[str, Callable[[], object]] = {
         "fate_boundary": lambda: ss.fate_boundary(p, "mu0", between=span),
         "basin_boundary": lambda: ss.basin_boundary(p),
-        "onset_curves": lambda: ss.onset_curves(p, ("mu0", "h")),
         "precise_equilibria": lambda: precise.equilibria(p),
         "explore": lambda: ss.explore(p),
         "report": lambda: a_study(model).report(),

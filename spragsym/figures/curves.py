@@ -18,16 +18,19 @@ from scipy.optimize import linear_sum_assignment
 
 import spragsym as ss
 
+from ..bifurcation.borders import BORDER_FOLD, PASSES, met_by
 from ..bifurcation.branches import joined, linked, undecided_parts, undecided_points
 from ..bifurcation.defining_systems import ranges
 from ..core.errors import ConvergenceError, SpragsymError, one_of, require_kind
 from ..core.questions import model_of
 from ..models import Model
 from ..models.forces import columns_of
+from ..models.model import Touching
 from ..models.parameters import FINITE, FloatArray, ParameterSet, Ranges, Span, varied_range
 from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import ComplexArray, IntArray
 from ..results import Equilibria, EquilibriumType, Named, Path, Points
+from ..statics.search import balances_of
 from ..statics.stability import NEUTRAL, REAL
 from .style import (
     BLACK,
@@ -131,8 +134,7 @@ def branches(
         Its range, by its name; by default its own, and for one without an end up to 1, or twice the
         base value if that is more.
     contact : bool
-        Steady sliding, of several contacts where all of them touch, or lift-off;
-        :func:`spragsym.diagram` has the other combinations.
+        Steady sliding, of several contacts in every combination of those that touch, or lift-off.
     damping : bool
         Types with dampers and the slope of the friction law, or by (27), without them.
     n : int
@@ -157,11 +159,28 @@ def curves_between(
     extended to the exact point.
     """
     curves, spans = list[Branch](), [undecided_parts(turns, ends)]
-    for eq, cuts in pieces_between(p, vary, ends, turns, damping, n):
-        spans.append(undecided_points(eq, vary, cuts))
-        for at in chains(p, vary, eq, turns):
-            curves += _by_stability(p, vary, eq, at, cuts, turns, damping)
+    for own in _by_combination(p, turns):
+        for eq, cuts in pieces_between(p, vary, ends, own, damping, n):
+            spans.append(undecided_points(eq, vary, cuts))
+            for at in chains(p, vary, eq, own.turns):
+                curves += _by_stability(p, vary, eq, at, cuts, own.turns, damping)
     return Branches(curves, p.model, vary, joined(np.concatenate(spans)))
+
+
+@dataclass(frozen=True)
+class _Combination:
+    """Which contacts touch, and the folds and border points of such states; none in lift-off."""
+
+    contact: Touching
+    turns: Points | None
+
+
+def _by_combination(p: ParameterSet, turns: Points | None) -> list[_Combination]:
+    """Every combination of contacts that touch, with what states of it may come to."""
+    if turns is None:
+        return [_Combination(False, None)]
+    balances = balances_of(p.model, None, None)
+    return [_Combination(one.contact, turns.select(met_by(turns, one))) for one in balances]
 
 
 def _by_stability(
@@ -191,13 +210,15 @@ def _by_stability(
     for side, cut in () if turns is None else zip((0, -1), cuts, strict=True):
         assert turns is not None  # there are no sides else
         folds, count = np.flatnonzero(turns[vary] == cut), eq.count[side]
-        if not folds.size or count < 2 or at[0][side] != range(n)[side]:
+        if not folds.size or at[0][side] != range(n)[side]:
+            continue
+        # Two states meet at a fold, one comes to a border.
+        meeting = 1 if turns.kind[folds[0]] in (PASSES, BORDER_FOLD) else 2
+        if count < meeting:
             continue
         fold = {name: turns[name][folds[0]] for name in columns}
         away = [values[side, :count] - fold[name] for name, values in eq.coordinates.items()]
-        if (
-            at[1][side] in np.argsort(np.hypot.reduce(away))[:2]
-        ):  # one of the two states that meet there
+        if at[1][side] in np.argsort(np.hypot.reduce(away))[:meeting]:
             place = side % (kinds.size + 1)
             columns = {
                 name: np.insert(column, place, fold[name]) for name, column in columns.items()
@@ -209,14 +230,14 @@ def _by_stability(
 
 
 def pieces_between(
-    p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
+    p: ParameterSet, vary: str, ends: Span, own: _Combination, damping: bool, n: int
 ) -> Iterator[tuple[Equilibria, Span]]:
-    """Equilibria between two cuts, and the two cuts: folds and onsets of flutter, as far as these
-    are known.
+    """Equilibria of a combination between two cuts, and the two cuts: folds, borders and onsets of
+    flutter, as far as these are known.
     """
     inner: list[float] = []
-    if turns is not None:
-        inner += turns[vary].tolist()
+    if own.turns is not None:
+        inner += own.turns[vary].tolist()
         with suppress(SpragsymError):
             inner += ss.flutter_onsets(p, vary, damping=damping)[vary].tolist()
     low, high = ends
@@ -226,7 +247,7 @@ def pieces_between(
         # 1 - cos gathers points where a curve turns back like a square root.
         share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
         values = begin + (end - begin) * share
-        yield ss.equilibria(p.replace(**{vary: values}), contact=turns is not None), (begin, end)
+        yield ss.equilibria(p.replace(**{vary: values}), contact=own.contact), (begin, end)
 
 
 def chains(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> Iterator[States]:
@@ -580,9 +601,10 @@ def _drawn(
     nowhere = complex(np.nan, np.nan)
     spans = [undecided_parts(turns, ends)]
     states = list[tuple[Equilibria, States]]()
-    for eq, cuts in pieces_between(p, vary, ends, turns, False, n):
-        spans.append(undecided_points(eq, vary, cuts))
-        states += [(eq, at) for at in chains(p, vary, eq, turns)]
+    for own in _by_combination(p, turns):
+        for eq, cuts in pieces_between(p, vary, ends, own, False, n):
+            spans.append(undecided_points(eq, vary, cuts))
+            states += [(eq, at) for at in chains(p, vary, eq, own.turns)]
     size = model.column(vary).size
     for eq, at in states:
         values = eq.parameters[vary][at[0]]

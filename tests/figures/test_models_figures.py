@@ -65,7 +65,7 @@ def test_curves_pass_through_all_equilibria(name, ax):
     found = figures.branches(p, vary, n=120)
     low, high = min(one.values[0] for one in found), max(one.values[-1] for one in found)
     values = low + (high - low) * np.random.default_rng(2).uniform(0.02, 0.98, 40)
-    eq = ss.equilibria(p.replace(**{vary: values}), contact=True)
+    eq = ss.equilibria(p.replace(**{vary: values}))
     for i, value in enumerate(values):
         passing = [one for one in found if one.values[0] <= value <= one.values[-1]]
         assert len(passing) == eq.count[i]

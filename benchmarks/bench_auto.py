@@ -22,27 +22,21 @@ import spragsym as ss
 #: Belt speeds at which cycles are compared; at the last one the slip changes its sign.
 SPEEDS = (0.105, 0.11, 0.13, 0.2)
 
-_EQUATIONS = """\
+#: What AUTO compiles: the field, and where it begins.
+_PROGRAM = """\
 SUBROUTINE FUNC(NDIM,U,ICP,PAR,IJAC,F,DFDU,DFDP)
   IMPLICIT NONE
   INTEGER, INTENT(IN) :: NDIM, IJAC, ICP(*)
   DOUBLE PRECISION, INTENT(IN) :: U(NDIM), PAR(*)
   DOUBLE PRECISION, INTENT(OUT) :: F(NDIM)
   DOUBLE PRECISION, INTENT(INOUT) :: DFDU(NDIM,*), DFDP(NDIM,*)
-  DOUBLE PRECISION :: S
-  S = PAR(1) - U(2)
-  F(1) = U(2)
-  F(2) = 2d0*{mu_s}d0*S*{v_s}d0/(S*S + {v_s}d0**2) - {zeta}d0*U(2) - U(1)
-END SUBROUTINE FUNC
+{field}END SUBROUTINE FUNC
 SUBROUTINE STPNT(NDIM,U,PAR,T)
   IMPLICIT NONE
   INTEGER, INTENT(IN) :: NDIM
   DOUBLE PRECISION, INTENT(INOUT) :: U(NDIM), PAR(*)
   DOUBLE PRECISION, INTENT(IN) :: T
-  PAR(1) = 0.09d0
-  U(1) = 2d0*{mu_s}d0*PAR(1)*{v_s}d0/(PAR(1)**2 + {v_s}d0**2)
-  U(2) = 0d0
-END SUBROUTINE STPNT
+{start}END SUBROUTINE STPNT
 SUBROUTINE BCND
 END SUBROUTINE BCND
 SUBROUTINE ICND
@@ -51,6 +45,17 @@ SUBROUTINE FOPT
 END SUBROUTINE FOPT
 SUBROUTINE PVLS
 END SUBROUTINE PVLS
+"""
+_FIELD = """\
+  DOUBLE PRECISION :: S
+  S = PAR(1) - U(2)
+  F(1) = U(2)
+  F(2) = 2d0*{mu_s}d0*S*{v_s}d0/(S*S + {v_s}d0**2) - {zeta}d0*U(2) - U(1)
+"""
+_START = """\
+  PAR(1) = 0.09d0
+  U(1) = 2d0*{mu_s}d0*PAR(1)*{v_s}d0/(PAR(1)**2 + {v_s}d0**2)
+  U(2) = 0d0
 """
 
 _SCRIPT = """\
@@ -68,17 +73,15 @@ def installed() -> bool:
     return shutil.which("auto-07p") is not None and shutil.which("gfortran") is not None
 
 
-def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]], float]:
-    """V of the Hopf point; period and largest x of the cycles, by V; seconds a point of the
-    branch.
-    """
-    base = ss.load("stick_slip").base
+def run(
+    field: str, start: str, script: str, *branches: str
+) -> tuple[list[list[list[float]]], list[float]]:
+    """Rows of each branch that AUTO saves under these names, and the times that it tells."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "peer.f90").write_text(_EQUATIONS.format(**base), encoding="utf-8")
-        (folder / "run.auto").write_text(
-            _SCRIPT.format(intervals=intervals, speeds=list(SPEEDS)), encoding="utf-8"
-        )
+        program = _PROGRAM.format(field=field, start=start)
+        (folder / "peer.f90").write_text(program, encoding="utf-8")
+        (folder / "run.auto").write_text(script, encoding="utf-8")
         done = subprocess.run(
             ["auto-07p", "run.auto"],
             cwd=folder,
@@ -87,16 +90,26 @@ def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]
             timeout=600,
             check=False,
         )
-        if not (folder / "b.cycles").is_file():
+        if not (folder / f"b.{branches[-1]}").is_file():
             raise RuntimeError(
                 f"AUTO did not end as it should:\n{done.stdout[-2000:]}{done.stderr[-2000:]}"
             )
-        hopf = next(
-            row[4] for row in _rows(folder / "b.steady") if row[2] == 3
-        )  # type 3: Hopf point
-        rows = _rows(folder / "b.cycles")
-        cycles = {row[4]: (row[8], row[6]) for row in rows if row[2] == -4}  # type −4: as asked for
-    spent = float(re.findall(r"Total Time\s+(\S+)", done.stdout)[-1]) / len(rows)
+        rows = [_rows(folder / f"b.{branch}") for branch in branches]
+    return rows, [float(one) for one in re.findall(r"Total Time\s+(\S+)", done.stdout)]
+
+
+def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]], float]:
+    """V of the Hopf point; period and largest x of the cycles, by V; seconds a point of the
+    branch.
+    """
+    base = ss.load("stick_slip").base
+    script = _SCRIPT.format(intervals=intervals, speeds=list(SPEEDS))
+    (steady, rows), times = run(
+        _FIELD.format(**base), _START.format(**base), script, "steady", "cycles"
+    )
+    hopf = next(row[4] for row in steady if row[2] == 3)  # type 3: Hopf point
+    cycles = {row[4]: (row[8], row[6]) for row in rows if row[2] == -4}  # type −4: as asked for
+    spent = times[-1] / len(rows)
     return (
         hopf,
         {

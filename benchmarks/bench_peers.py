@@ -17,7 +17,7 @@ import numpy as np
 import scipy.optimize
 
 import spragsym as ss
-from benchmarks.bench_auto import installed
+from benchmarks.bench_auto import installed, run
 from benchmarks.bench_general import ANGLE, from_near
 from benchmarks.bench_models import seconds
 from spragsym.statics.balance import Balance
@@ -25,43 +25,22 @@ from spragsym.statics.balance import Balance
 #: Tool, seconds, and what it found; no time where the tool is not there.
 Row: TypeAlias = tuple[str, float | None, str]
 
-_FORCES = """\
-  L = SQRT((C0 - X)**2 + (S0 - Y)**2)
-  F(1) = -({sigma}d0*((C0 - X)/L - C0 + X) + {alpha}d0*X + MU*({gamma}d0*Y**3 + Y))
-  F(2) = -({sigma}d0*((S0 - Y)/L - S0 + Y) + {beta}d0*Y + {kappa}d0 + {gamma}d0*Y**3 + Y)
-"""
-_EQUATIONS = """\
-SUBROUTINE FUNC(NDIM,U,ICP,PAR,IJAC,F,DFDU,DFDP)
-  IMPLICIT NONE
-  INTEGER, INTENT(IN) :: NDIM, IJAC, ICP(*)
-  DOUBLE PRECISION, INTENT(IN) :: U(NDIM), PAR(*)
-  DOUBLE PRECISION, INTENT(OUT) :: F(NDIM)
-  DOUBLE PRECISION, INTENT(INOUT) :: DFDU(NDIM,*), DFDP(NDIM,*)
+_FIELD = """\
   DOUBLE PRECISION :: X, Y, MU, C0, S0, L
   X = U(1)
   Y = U(2)
   MU = PAR(1)
   C0 = COS(PAR(2))
   S0 = SIN(PAR(2))
-{forces}END SUBROUTINE FUNC
-SUBROUTINE STPNT(NDIM,U,PAR,T)
-  IMPLICIT NONE
-  INTEGER, INTENT(IN) :: NDIM
-  DOUBLE PRECISION, INTENT(INOUT) :: U(NDIM), PAR(*)
-  DOUBLE PRECISION, INTENT(IN) :: T
+  L = SQRT((C0 - X)**2 + (S0 - Y)**2)
+  F(1) = -({sigma}d0*((C0 - X)/L - C0 + X) + {alpha}d0*X + MU*({gamma}d0*Y**3 + Y))
+  F(2) = -({sigma}d0*((S0 - Y)/L - S0 + Y) + {beta}d0*Y + {kappa}d0 + {gamma}d0*Y**3 + Y)
+"""
+_START = """\
   PAR(1) = 0d0
   PAR(2) = {angle}d0
   U(1) = {x}d0
   U(2) = {y}d0
-END SUBROUTINE STPNT
-SUBROUTINE BCND
-END SUBROUTINE BCND
-SUBROUTINE ICND
-END SUBROUTINE ICND
-SUBROUTINE FOPT
-END SUBROUTINE FOPT
-SUBROUTINE PVLS
-END SUBROUTINE PVLS
 """
 _SCRIPT = """\
 shared = dict(NDIM=2, IPS=1, parnames={1: "mu0", 2: "theta0"}, DSMIN=1e-8, JAC=0, NPR=1000,
@@ -149,19 +128,8 @@ def by_auto(p: Any, which: str, folds: Any) -> Row:
     if not installed():
         return name, None, ""
     start = ss.equilibria(p.replace(mu0=0.0))
-    text = _EQUATIONS.replace("{forces}", _FORCES)
     numbers = {**p.model.base, "angle": ANGLE, "x": float(start.x[0]), "y": float(start.y[0])}
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder)
-        (path / "peer.f90").write_text(text.format(**numbers), encoding="utf-8")
-        (path / "run.auto").write_text(_SCRIPT, encoding="utf-8")
-        command = ["auto-07p", "run.auto"]
-        done = subprocess.run(command, cwd=path, capture_output=True, text=True, check=False)
-        if not (path / f"b.{which}").is_file():
-            raise RuntimeError(f"AUTO did not end as it should:\n{done.stdout[-2000:]}")
-        lines = (path / f"b.{which}").read_text(encoding="utf-8").splitlines()
-    rows = [list(map(float, line.split())) for line in lines if line.split()[0] not in ("0", "-0")]
-    spent = [float(one) for one in re.findall(r"Total Time\s+(\S+)", done.stdout)]
+    (rows,), spent = run(_FIELD.format(**numbers), _START.format(**numbers), _SCRIPT, which)
     if which == "curve":
         return name, spent[1], f"{len(rows)} points"
     turn = next(row[4] for row in rows if abs(row[2]) in (2, 5))  # a limit point, by its kind

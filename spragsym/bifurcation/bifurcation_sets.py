@@ -222,8 +222,7 @@ def extrema(
     bends = set(vary) <= set(family.balance.balanced)
     for one in families if bends else ():
         for block in blocks_of(one):
-            of_block = None if len(block) == one.balance.n else block
-            yield "turn", isolated(one, turn(block[0], of_block), "turn")
+            yield "turn", isolated(one, turn(block[0], block), "turn")
     low, high = family.spans[0].tolist()
     for end in (low, high):
         value = p.ranges[over].reached(end, high - low)

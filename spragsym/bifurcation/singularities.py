@@ -374,7 +374,7 @@ def cusp_off_mirrors(family: Family, column: int = 0, block: Block = None) -> Co
         small = np.logical_and.reduce(q.width <= 2.0**-12 * scale_of(q.magnitude))
         return small & np.logical_or.reduce(on)
 
-    condition = cusp(column, None if block and len(block) == n else block)
+    condition = cusp(column, block)
     return replace(condition, excluded=excluded, abandoned=abandoned) if mirrors else condition
 
 

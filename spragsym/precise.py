@@ -104,7 +104,7 @@ def as_digits(dps: int) -> int:
 def equilibria(
     p: ParameterSet | None = None,
     *,
-    contact: bool = True,
+    contact: bool | Sequence[str] | None = None,
     dps: int = 50,
     method: Method = "auto",
     **exact: Exact,
@@ -117,8 +117,9 @@ def equilibria(
     p : Parameters, optional
         Of any model, single numbers, taken exactly as the floats that they are; the article's base
         values as it prints them where left out.
-    contact : bool
-        True for n̄ = 1 (y < 0), False for n̄ = 0 (y ≥ 0).
+    contact : bool or sequence of str, optional
+        True for n̄ = 1 (y < 0), as where it is left out, False for n̄ = 0 (y ≥ 0); of several
+        contacts as for :func:`spragsym.equilibria`, and ``touching`` of each state says which do.
     dps : int
         Decimal digits, 1 to 1000.
     method : {"auto", "closed", "search"}

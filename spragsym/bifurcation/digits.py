@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import partial
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -29,7 +30,7 @@ from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Evaluation
 from ..statics.precise_balance import reduced_by_turns
 from ..statics.regions import region
-from ..statics.search import balance_of, roots_of
+from ..statics.search import Asked, balances_of, roots_of
 from ..statics.stability import type_at
 from .defining_systems import Augmented, Family, cusp
 from .singularities import isolated
@@ -39,7 +40,7 @@ from .singularities import isolated
 def precise_equilibria(
     p: ParameterSet,
     exact: Mapping[str, Any],
-    contact: bool,
+    contact: Asked,
     digits: int,
     *,
     method: Method = "auto",
@@ -47,9 +48,21 @@ def precise_equilibria(
     """All equilibria of a point, each number within 10^−digits max(1, |number|).
 
     ``p`` is any set of the model, ``exact`` has every parameter: a rational number, or what gives
-    an interval in an arithmetic.
+    an interval in an arithmetic; ``contact`` as for :func:`spragsym.equilibria`.
     """
-    balance = balance_of(p.model, contact)
+    balances = balances_of(p.model, contact)
+    parts = [_in_combination(balance, exact, digits) for balance in balances]
+    first = balances[0].coordinates[0]
+    states = sorted(chain(*(part.states for part in parts)), key=lambda one: one.numbers[first])
+    return PreciseEquilibria(
+        tuple(states),
+        all(part.complete for part in parts),
+        _hull([part.region for part in parts]),
+    )
+
+
+def _in_combination(balance: Balance, exact: Mapping[str, Any], digits: int) -> PreciseEquilibria:
+    """The equilibria of one combination of contacts that touch."""
     found, around, whole = _isolated(balance, exact)
     if found.undecided_point.size:
         closer = (
@@ -66,10 +79,9 @@ def precise_equilibria(
         system = PreciseBalance(balance, np.zeros(len(balance.parameters)), bits, _ends(exact))
         return _each(found, partial(_state, system, digits))
 
-    states, first = with_enough_bits(digits, attempt, "equilibria"), balance.coordinates[0]
-    ordered = sorted(states, key=lambda one: one.numbers[first])
+    states = with_enough_bits(digits, attempt, "equilibria")
     return PreciseEquilibria(
-        tuple(ordered), bool(whole.all()), _searched(balance.coordinates, around)
+        tuple(states), bool(whole.all()), _searched(balance.coordinates, around)
     )
 
 
@@ -85,6 +97,14 @@ def _searched(names: Sequence[str], region: FloatArray) -> Ranges:
     return {
         name: (-float(low), float(high))
         for name, low, high in zip(names, *region[:, :, 0], strict=True)
+    }
+
+
+def _hull(regions: Sequence[Ranges]) -> Ranges:
+    """The least box that holds those that were searched, of the same names."""
+    return {
+        name: (min(one[name][0] for one in regions), max(one[name][1] for one in regions))
+        for name in regions[0]
     }
 
 
@@ -131,7 +151,8 @@ def _state(
         return None
     numbers, error, _ = as_numbers((*_columns(at), *q), digits)
     named = dict(zip(columns_of(system.balance.model), numbers, strict=True))
-    return PreciseEquilibrium(named, type_at(system, q), as_mpf(error))
+    touching = system.balance.touching if system.balance.model.has_regimes else ""
+    return PreciseEquilibrium(named, type_at(system, q), as_mpf(error), touching=touching)
 
 
 def _columns(at: Evaluation) -> list[Any]:
@@ -170,10 +191,23 @@ def precise_cusps(
     given = np.array(
         [[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in p.model.parameters]
     )
-    family = Family.of(p, vary, between, given=given)
+    parts = [
+        _cusps_of(Family.of(p, vary, between, given=given, contact=balance.contact), exact, digits)
+        for balance in balances_of(p.model, None)
+    ]
+    ordered = sorted(
+        chain(*(part.cusps for part in parts)),
+        key=lambda one: [one.numbers[name] for name in reversed(vary)],
+    )
+    complete = _held(ends) and all(part.complete for part in parts)
+    return CuspProof(tuple(ordered), complete, _hull([part.region for part in parts]))
+
+
+def _cusps_of(family: Family, exact: Mapping[str, Any], digits: int) -> CuspProof:
+    """The cusps of one combination of contacts that touch."""
     found, coordinates = isolated(family), family.balance.coordinates
     systems = [Augmented(family, cusp(column)) for column in range(len(coordinates))]
-    names = [*vary, *columns_of(p.model)]
+    names = [*family.vary, *columns_of(family.p.model)]
 
     def attempt(bits: int) -> list[PreciseCusp]:
         precise = [
@@ -182,14 +216,12 @@ def precise_cusps(
         return _each(found.roots, partial(_by_any_column, names, precise, digits))
 
     cusps = with_enough_bits(digits, attempt, "cusps")
-    complete = (
-        _held(ends)
-        and bool(found.whole.all())
-        and not found.roots.undecided_point.size
-        and not family.endless
+    decided = bool(found.whole.all()) and not found.roots.undecided_point.size
+    return CuspProof(
+        tuple(cusps),
+        decided and not family.endless,
+        _searched((*coordinates, *family.vary), found.region),
     )
-    ordered = sorted(cusps, key=lambda one: [one.numbers[name] for name in reversed(vary)])
-    return CuspProof(tuple(ordered), complete, _searched((*coordinates, *vary), found.region))
 
 
 def _by_any_column(

@@ -30,10 +30,10 @@ from ..numerics.interval_arrays import (
 from ..numerics.vectors import magnitude
 from ..results import Points
 from ..statics import stability
-from ..statics.balance import NOTHING
+from ..statics.balance import NOTHING, Balance
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_contact_side, refined
-from ..statics.search import balances_of, float_candidates
+from ..statics.search import balances_of, float_candidates, number_of
 from ..statics.stability import (
     comes_in_pairs,
     damped_by_friction_alone,
@@ -55,7 +55,6 @@ from .defining_systems import (
 from .points import Found, arranged, matrices, nothing, of_ends, search
 
 if TYPE_CHECKING:
-    from ..models import Model
     from .normal_forms import Coefficient, NormalForm
 
 #: Why none is searched for without damping.
@@ -554,12 +553,17 @@ class Onsets(Points):
                 "imaginary axis up to it: no generic Hopf point; ask for the onsets of the "
                 "damped model, damping=True"
             )
-        if why := formless(self.parameters.model):
-            return why
         state, vary = self.state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.
         radii = self.error[row] * scale_of([*state, self[vary][row]]) * (1 + 2.0**-50)
-        return form_or_why(self.parameters.model, self.given(row), state, vary, radii)
+        return form_or_why(self.balance(row), self.given(row), state, vary, radii)
+
+    def balance(self, row: int, law: str = "friction_at_rest") -> Balance:
+        """The balance of forces of the contacts that touch at one of them."""
+        model = self.parameters.model
+        balances, own = balances_of(model, None, law=law), own_name(model, "touching")
+        touching = str(self[own][row]) if own in self._values else ""
+        return balances[number_of(balances, touching)]
 
     def given(self, row: int) -> FloatArray:
         """Parameters of one of them, in the order of the model.
@@ -604,12 +608,6 @@ class Onsets(Points):
         array([0.499974])
         """
         return np.array([self[name][row] for name in self.parameters.model.coordinates])
-
-
-def formless(model: Model) -> str:
-    """Why onsets of a model have no normal form; empty where they may."""
-    several = len(model.contacts) > 1
-    return "the motion of a page with several contacts is not answered yet" if several else ""
 
 
 def form_or_why(*point: Any) -> NormalForm | str:

@@ -47,7 +47,6 @@ from .flutter import (
     crossing,
     every,
     form_or_why,
-    formless,
     frequencies,
     meeting,
     of_forms,
@@ -236,7 +235,7 @@ class _Plane(Family):
                 for states, omega in _pieces(chain, [_modes(modes, *each) for each in known]):
                     forms = (
                         self.forms(found.curves, states)
-                        if modes is crossing and not formless(self.p.model)
+                        if modes is crossing
                         else [UNPROVED] * len(omega)
                     )
                     curve = self.curve(states, omega, forms)
@@ -365,7 +364,7 @@ class _Plane(Family):
         quick = coefficients(self.balance, given[:, rows], ends[:, :, rows], self.vary)
         for k, form in zip(rows.tolist(), quick, strict=True):
             out[k] = (
-                form_or_why(self.p.model, given[:, k], middle[:n, k], self.vary, radii[:, k])
+                form_or_why(self.balance, given[:, k], middle[:n, k], self.vary, radii[:, k])
                 if form is None
                 else form
             )

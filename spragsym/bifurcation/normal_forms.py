@@ -27,8 +27,8 @@ from typing import Any
 
 import numpy as np
 
-from ..models import Model
 from ..models.field import Mode, undecorated
+from ..models.forces import presses_either
 from ..numerics import balls, contractors
 from ..numerics.arithmetic import Complex, Matrix, Number, as_complex, linear_solution
 from ..numerics.balls import XP, Ball, UndecidedSign, ball
@@ -70,7 +70,7 @@ class NormalForm:
     q, p : ndarray of complex
         The eigenvector of i ω, of length 1, and that of Aᵀ for −i ω, with ⟨p, q⟩ = p̄ᵀ q = 1.
     reach : float
-        |z| of u = z q + z̄ q̄ at which the sliding speed would come to 0, to first order, in
+        |z| of u = z q + z̄ q̄ at which a sliding speed would first come to 0, to first order, in
         floats; infinite without friction.
     along, square, mean : ndarray
         Of floats: ∂u/∂parameter of the equilibrium, g and h of the module's first lines.
@@ -91,24 +91,23 @@ class NormalForm:
 
 
 def normal_form(
-    model: Model,
+    balance: Balance,
     given: FloatArray,
     state: FloatArray,
     vary: str | Sequence[str],
     radii: FloatArray,
-    law: str = "friction_at_rest",
 ) -> NormalForm:
     """The normal form at a Hopf point that is proved to lie in a box.
 
-    ``given`` are the parameters in the order of the model, ``state`` the coordinates, ``vary`` the
-    parameter along which the point was found, or several, of which the first tells the pair's
-    crossing; ``radii`` are half-widths of the box, of the coordinates and then of these. ``law`` is
-    the friction of the equilibrium: ``"friction_at_rest"``, as statics takes it, or
-    ``"friction_at_speed"``, that at the belt's speed; the motion's law is shifted by a constant so
-    that it passes through it. Undecided, and the text says why, where this is no generic Hopf
-    point, or is not shown to be one.
+    ``balance`` says which contacts touch, and by its ``law`` what friction the equilibrium has:
+    ``"friction_at_rest"``, as statics takes it, or ``"friction_at_speed"``, that at the belt's
+    speed; the motion's laws are shifted by constants so that they pass through it. ``given`` are
+    the parameters in the order of the model, ``state`` the coordinates, ``vary`` the parameter
+    along which the point was found, or several, of which the first tells the pair's crossing;
+    ``radii`` are half-widths of the box, of the coordinates and then of these. Undecided, and the
+    text says why, where this is no generic Hopf point, or is not shown to be one.
     """
-    point = _in_balls(model, given, state, (vary,) if isinstance(vary, str) else vary, radii, law)
+    point = _in_balls(balance, given, state, (vary,) if isinstance(vary, str) else vary, radii)
     _require_smooth(point)
     A, by_parameter = point.linear()
     pair = _pair(A)
@@ -119,7 +118,7 @@ def normal_form(
         *_float(crossing),
         _floats(q),
         _floats(p),
-        _reach(*(_float(term)[0] for term in point.slip(q))),
+        _reach([_float(term)[0] for term in point.slips(q)]),
         _floats(along).real,
         _floats(square),
         _floats(mean).real,
@@ -153,7 +152,7 @@ class _Point:
     shape: Shape = ()
 
     def field(self, u: Sequence[Any], parameter: Number) -> list[Any]:
-        """F: the rates, then the accelerations, with the law of friction shifted to that of the
+        """F: the rates, then the accelerations, with the laws of friction shifted to those of the
         equilibrium.
         """
         values = {**self.values, **self.balance.with_angles({self.vary: parameter}, self.xp)}
@@ -166,15 +165,28 @@ class _Point:
             *(a + s for a, s in zip(accelerations, self._shift(u[:n], values), strict=True)),
         ]
 
-    def slip(self, q: Sequence[Complex]) -> list[Any]:
-        """The sliding speed, and its derivatives by a and b along 2 (a Re q − b Im q); none without
-        friction.
+    def slips(self, q: Sequence[Complex]) -> list[Any]:
+        """The sliding speed of each friction that is felt, and its derivatives by a and b along
+        2 (a Re q − b Im q).
         """
-        if self.balance.model.friction_law is None:
-            return []
-        _, slip = self._borders([Jet(terms, 1) for terms in self._along(q)])
-        terms = slip.terms if isinstance(slip, Jet) else {}
-        return [terms.get(key, 0) for key in ((), (0,), (1,))]
+        found = list[Any]()
+        borders = self._borders([Jet(terms, 1) for terms in self._along(q)])
+        for place in self.felt:
+            slip = borders[place]
+            terms = slip.terms if isinstance(slip, Jet) else {}
+            found += [terms.get(key, 0) for key in ((), (0,), (1,))]
+        return found
+
+    @property
+    def felt(self) -> dict[int, Mapping[str, Any]]:
+        """Frictions whose contact touches, by their places among borders and in the mode."""
+        names, pushing = self.balance.contacts, self.balance.pushing
+        return {
+            place: friction
+            for place, friction in enumerate(self.balance.model.frictions, len(names))
+            if pushing[names.index(friction["name"])]
+            or presses_either(self.balance.model.contacts[names.index(friction["name"])])
+        }
 
     def linear(self) -> tuple[list[list[Any]], list[Any]]:
         """A, and ∂F/∂parameter."""
@@ -226,18 +238,21 @@ class _Point:
         """What has to be positive where the field has third derivatives, and what is so where it is
         not.
         """
-        gap, slip = self._borders(self.state)
         model, kink = self.balance.model, "line {} of the model page, has a kink"
-        if model.contact["border"]:
-            line = model.contact["line"]
+        borders = self._borders(self.state)
+        for place, contact in enumerate(model.contacts):
+            if contact["border"]:
+                yield (
+                    borders[place] * (1 - 2 * self.mode[place]),
+                    "the state lies on the border of contact, where the law of line "
+                    f"{contact['line']} of the model page has a kink",
+                )
+        for place, friction in self.felt.items():
             yield (
-                gap * (1 - 2 * self.mode[0]),
-                f"the state lies on the border of contact, where the law of line {line} of "
-                "the model page has a kink",
+                borders[place],
+                "the sliding speed is 0, where the law of friction, "
+                + kink.format(friction["line"]),
             )
-        if model.friction_law is not None:
-            line = model.friction_law["line"]
-            yield slip, "the sliding speed is 0, where the law of friction, " + kink.format(line)
         ways = self.mode[len(self.mode) - model.field.torsion_sides :]
         levels = (
             undecorated(model.algebra.turning_borders)(
@@ -250,15 +265,13 @@ class _Point:
             yield level, "a torsion spring is turned by π, where its torque jumps"
 
     def asks_for_the_side(self) -> bool:
-        """Whether the law depends on the side of slip = 0 otherwise than by its square: algebra
-        with it is then an error.
+        """Whether a law depends on the side of slip = 0 otherwise than by its square: algebra with
+        it is then an error.
         """
+        sides = [_Side() if k in self.felt else one for k, one in enumerate(self.mode)]
         try:
             self.balance.model.field.acceleration(
-                self.state,
-                self._constants(self.values),
-                (self.mode[0], _Side(), *self.mode[2:]),
-                self.xp,
+                self.state, self._constants(self.values), sides, self.xp
             )
         except TypeError:
             return True
@@ -275,44 +288,44 @@ class _Point:
             self.known(row.terms.get(numbers, 0) if isinstance(row, Jet) else 0) for row in rows
         ]
 
-    def _borders(self, u: Sequence[Any]) -> tuple[Any, Any]:
-        """The gap and the sliding speed."""
-        gap, slip = undecorated(self.balance.model.algebra.borders)(
+    def _borders(self, u: Sequence[Any]) -> Sequence[Any]:
+        """The gaps and the sliding speeds."""
+        found: Sequence[Any] = undecorated(self.balance.model.algebra.borders)(
             *u, *self._constants(self.values), xp=self.xp
         )
-        return gap, slip
+        return found
 
     def _constants(self, values: Values) -> list[Any]:
         return [values[name] for name in self.balance.model.about["arguments"]["motion"]]
 
     def _shift(self, q: Sequence[Any], values: Values) -> Sequence[Any]:
-        """Accelerations, linear in it, by what the friction of the equilibrium is larger than the
-        law at the belt's speed.
+        """Accelerations, linear in these, by what the frictions of the equilibrium are larger than
+        the laws at the belt's speed.
         """
         balance = self.balance
-        if balance.model.friction_law is None or balance.law == "friction_at_speed":
+        if not balance.model.frictions or balance.law == "friction_at_speed":
             return [0] * balance.n
         at = balance.at(q, values, self.shape, self.xp)
-        (mu,) = at.frictions
-        more = mu - at.call("friction_at_speed", ())
-        with_unit, without = (
-            at.call("forces", [*q, *at.directions], mu, *balance.pushing, kind="statics")
-            for mu in (1, 0)
-        )
-        missing = [(b - a) * more for a, b in zip(with_unit, without, strict=True)]
+        laws = at.of_frictions("friction_at_speed")
+        more = [mu - law for mu, law in zip(at.frictions, laws, strict=True)]
+
+        def forces(*friction: int) -> Sequence[Any]:
+            first = [*q, *at.directions]
+            return at.call("forces", first, *friction, *balance.pushing, kind="statics")
+
+        none = [0] * len(more)
+        without, missing = forces(*none), [0] * balance.n
+        for place, change in enumerate(more):
+            with_unit = forces(*none[:place], 1, *none[place + 1 :])
+            rows = zip(missing, with_unit, without, strict=True)
+            missing = [total + (b - a) * change for total, a, b in rows]
         return linear_solution([list(map(self.known, row)) for row in at.mass()], missing)
 
 
 def _in_balls(
-    model: Model,
-    given: FloatArray,
-    state: FloatArray,
-    vary: Sequence[str],
-    radii: FloatArray,
-    law: str,
+    balance: Balance, given: FloatArray, state: FloatArray, vary: Sequence[str], radii: FloatArray
 ) -> _Point:
     """Around one state; arguments as of :func:`normal_form`."""
-    balance = Balance(model, True, law)
     at = [*state, *(given[balance.parameters.index(name)] for name in vary)]
     ends = [
         (Fraction(x) - Fraction(r), Fraction(x) + Fraction(r))
@@ -324,7 +337,7 @@ def _in_balls(
     values = PreciseBalance(balance, given, BITS, spans).arguments
     return _Point(
         balance,
-        _mode(model, given, state),
+        _mode(balance, given, state),
         vary[0],
         [*q, *(_ball(0) for _ in q)],
         values,
@@ -334,11 +347,12 @@ def _in_balls(
     )
 
 
-def _mode(model: Model, given: FloatArray, state: FloatArray) -> Mode:
+def _mode(balance: Balance, given: FloatArray, state: FloatArray) -> Mode:
     """The mode of a state at rest, with nothing left out."""
-    motion, rates = model.field, [0.0] * len(state)
+    motion, rates = balance.model.field, [0.0] * len(state)
     floats = [*map(float, state), *rates]
-    return motion.exact(motion.mode_at_rest(floats, motion.constants(given.tolist())))
+    found = motion.exact(motion.mode_at_rest(floats, motion.constants(given.tolist())))
+    return *balance.pushing, *found[len(balance.pushing) :]
 
 
 def _require_smooth(point: _Point) -> None:
@@ -351,10 +365,13 @@ def _require_smooth(point: _Point) -> None:
             raise UndecidedSign(why)
 
 
-def _reach(rest: float = math.inf, *slopes: float) -> float:
-    """Size of a and b at which the sliding speed would come to 0, from it and its slopes."""
-    change = math.hypot(*slopes)
-    return abs(rest) / change if change else math.inf
+def _reach(slips: Sequence[float]) -> float:
+    """Size of a and b at which a sliding speed would first come to 0, from each with its slopes."""
+    found = [math.inf]
+    for rest, *slopes in zip(*[iter(slips)] * 3, strict=True):
+        change = math.hypot(*slopes)
+        found.append(abs(rest) / change if change else math.inf)
+    return min(found)
 
 
 @dataclass(frozen=True)
@@ -488,7 +505,7 @@ def coefficients(
     n, bounds = balance.n, Intervals.point(given).ends
     bounds[:, [balance.parameters.index(name) for name in vary]] = ends[:, n:]
     middles = Intervals(ends[:, :n]).middle
-    modes = [_mode(balance.model, *each) for each in zip(given.T, middles.T, strict=True)]
+    modes = [_mode(balance, *each) for each in zip(given.T, middles.T, strict=True)]
     found: list[Coefficient | str | None] = [None] * len(modes)
     for mode in set(modes):
         rows = np.array([k for k, one in enumerate(modes) if one == mode])
@@ -543,7 +560,7 @@ class _InMode:
         error = contractors.distance(found.ends[:, :1], middle[:1])[0]
         for k, row in enumerate(rows.tolist()):
             if np.isfinite(error[k]) and (wide[row] or abs(middle[0, k]) > error[k]):
-                reach = _reach(*middle[1:, k].tolist())
+                reach = _reach(middle[1:, k].tolist())
                 out[row] = Coefficient(float(middle[0, k]), float(error[k]), reach)
         return out
 
@@ -571,13 +588,13 @@ class _InMode:
         return [*(entry for row in A for entry in row), *(level for level, _ in point.required())]
 
     def _form(self, boxes: Any, X: Any, Z: Any, pair: Any, parameters: Any) -> list[Any]:
-        """l₁, then the sliding speed and its slopes along the pair."""
+        """l₁, then the sliding speeds and their slopes along the pair."""
         point, entries, (omega, *z) = self._at(boxes, parameters), list(Z), pair
         half = len(entries) // 2
         basis = map(_square, (list(X), entries[:half], entries[half:]))
         _, by_parameter = point.linear()
         lyapunov, _, q, *_ = point.form(_Pair(omega, _complexes(z), *basis), by_parameter)
-        return [lyapunov, *point.slip(q)]
+        return [lyapunov, *point.slips(q)]
 
 
 def _entries_in_basis(A: Any, X: Any, R: Any) -> list[Any]:

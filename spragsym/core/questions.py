@@ -38,6 +38,7 @@ WAYS = ("auto", "closed", "search")
 #: Questions that are answered for several contacts.
 SEVERAL = (
     "basin",
+    "basin_boundary",
     "bifurcation_set",
     "certify",
     "count",
@@ -52,6 +53,7 @@ SEVERAL = (
     "equilibria",
     "export",
     "fate",
+    "fate_boundary",
     "fate_map",
     "flutter_onsets",
     "folds",
@@ -61,6 +63,8 @@ SEVERAL = (
     "jump_value",
     "lyapunov",
     "onset_curves",
+    "precise_cusps",
+    "precise_equilibria",
     "quasi_static_path",
     "redesign",
     "rms_sweep",

@@ -4,6 +4,7 @@ it bounds a basin.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
@@ -113,7 +114,8 @@ def basin_boundary(
         A state in the plane, 0 where it is left out; the curve is looked for along the first
         direction of the plane, from the equilibrium on.
     saddle : array_like, optional
-        Coordinates near the equilibrium; needed where there are several.
+        Coordinates near the equilibrium; needed where there are several. Without them it is the
+        one in contact, or where there is none in contact, the one where nothing touches.
     between : mapping, optional
         Ranges of the two by name; by default 3 to either side of the equilibrium, and 1 for speeds,
         in units of the motion, which are 1 for numbers of a common size.
@@ -208,28 +210,22 @@ def _differ(system: System, one: FateVerdict, other: FateVerdict) -> bool:
 
 def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     """The saddle from which to look: near a place that is given, or the one among the equilibria of
-    steady sliding.
+    steady sliding, and where none of these is one, among those where nothing touches.
     """
     n = len(p.model.coordinates)
-    if near is None:
-        known = equilibria(p)
-        places = [*np.transpose([column[known.states] for column in known.coordinates.values()])]
-    else:
-        places = [as_numbers("saddle", near)]
-        if places[0].shape not in ((n,), (2 * n,)):
-            raise ParameterError(
-                f"saddle has the shape {places[0].shape}; give the {n} coordinates of a place "
-                "near it"
-            )
     found: list[Saddle] = []
-    for place in places:
-        with suppress(ConvergenceError):
-            saddle = saddle_near(system, place)
-            states = system.scales(saddle.state).states
-            # Equilibria that differ by less than this are one. Lengths are in units
-            # of the motion about the saddle.
-            if not any(magnitude((saddle.state - one.state) / states) < 1e-9 for one in found):
-                found.append(saddle)
+    if near is not None:
+        place = as_numbers("saddle", near)
+        if place.shape not in ((n,), (2 * n,)):
+            raise ParameterError(
+                f"saddle has the shape {place.shape}; give the {n} coordinates of a place near it"
+            )
+        found = _saddles(system, [place])
+    for contact in (None, False) if near is None else ():
+        if not found and contact in (None, *p.model.regimes):
+            known = equilibria(p, contact)
+            columns = [column[known.states] for column in known.coordinates.values()]
+            found = _saddles(system, np.transpose(columns))
     if len(found) != 1:
         listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found)
         none = (
@@ -241,6 +237,20 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
             + (f"{listed}; give saddle= near one" if found else none)
         )
     return found[0]
+
+
+def _saddles(system: System, places: Iterable[FloatArray]) -> list[Saddle]:
+    """Those near places, each once."""
+    found: list[Saddle] = []
+    for place in places:
+        with suppress(ConvergenceError):
+            saddle = saddle_near(system, place)
+            states = system.scales(saddle.state).states
+            # Equilibria that differ by less than this are one. Lengths are in units
+            # of the motion about the saddle.
+            if not any(magnitude((saddle.state - one.state) / states) < 1e-9 for one in found):
+                found.append(saddle)
+    return found
 
 
 @dataclass(frozen=True)

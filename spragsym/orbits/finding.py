@@ -388,8 +388,9 @@ def born_at(
     if amplitude is not None:
         amplitude = as_number("amplitude", amplitude, POSITIVE)
     given, state, radii = _of_the_motion(model, onsets.given(row), onsets.state(row), place, form)
+    balance = onsets.balance(row, "friction_at_speed")
     try:
-        form = normal_form(model, given, state, vary, radii, law="friction_at_speed")
+        form = normal_form(balance, given, state, vary, radii)
     except UndecidedSign as reason:
         raise ConvergenceError(
             f"the motion has no generic Hopf point beside the onset: {reason}"

@@ -53,7 +53,7 @@ class Written(ABC):
         others = [
             f"{field.name}={getattr(self, field.name)!r}"
             for field in fields(self)
-            if field.name not in ("numbers", "error", "radius")
+            if field.name not in ("numbers", "error", "radius") and getattr(self, field.name) != ""
         ]
         return f"{type(self).__name__}({', '.join([*numbers, *others])})"
 
@@ -67,12 +67,14 @@ class PreciseEquilibrium(Written):
     each inclined spring, ``theta`` and ``L`` where there is one, ``theta_1``, ``L_1``, … where
     there are several, then the coordinates. ``print`` writes decimals with bounds that hold for
     these digits, and so does :meth:`decimals`. ``fold`` says that it is a fold to the last digit
-    that could be tried; only then may ``error`` be above 10^−dps.
+    that could be tried; only then may ``error`` be above 10^−dps. ``touching`` names the contacts
+    that touch, of several.
     """
 
     undamped: EquilibriumType
     error: mpmath.mpf
     fold: bool = False
+    touching: str = ""
 
     def _bound(self, value: mpmath.mpf) -> Fraction:
         return exactly(self.error) * max(Fraction(1), abs(exactly(value)))

@@ -487,7 +487,8 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> EquilibriumType:
         )
         for part in ([[*at.felt_frictions]], at.gyroscopic(), at.circulatory())
     )
-    symmetric = _without_friction(balance, np.array([mus])) | same
+    # Of a model without G it is not asked whether K is symmetric at this state.
+    symmetric = _without_friction(balance, np.array([mus])) | (same and balance.gyroscopic)
     signs = _signs_at(precise, q, _types)
     code, proved = _types_by_signs(signs, symmetric & still, symmetric | still)
     if not proved[0]:

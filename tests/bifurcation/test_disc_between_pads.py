@@ -3,11 +3,16 @@ in closed form.
 """
 
 import math
+from collections.abc import Sequence
+from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 
 import spragsym as ss
+from tests.oracles.hopf_points import Reference
+from tests.support import needs_a_quick_integrator
 
 MODEL = ss.load("disc_between_pads")
 
@@ -25,6 +30,51 @@ def test_its_middle_flutters_where_two_modes_meet() -> None:
         found = ss.flutter_onsets(p, vary="mu0", between=between, damping=False)
         middle = (found["touching"] == "upper, lower") & (np.abs(found["y"]) < 1e-9)
         assert found["mu0"][middle] == pytest.approx([exact], rel=1e-12)
+
+
+class OnOnePad(Reference):
+    """The disc on its lower pad alone, where the upper one has come off."""
+
+    def _field(self, u: Sequence[Any]) -> list[Any]:
+        P, (y, phi, y_rate, phi_rate) = self.P, u
+        slides = P["V"] + (1 + y) * phi_rate + y_rate * phi
+        steady = mpmath.exp(-P["d"] * P["V"])
+        mu = P["mu0"] * (1 + steady - mpmath.exp(-P["d"] * slides))
+        N = P["kappa"] - y
+        return [
+            y_rate,
+            phi_rate,
+            N * (1 - mu * phi) - P["beta"] * y,
+            -(P["tau"] * phi + mu * N * (1 + y)) / P["iota"],
+        ]
+
+
+@pytest.mark.thorough
+@needs_a_quick_integrator
+def test_how_dangerous_flutter_on_one_pad_is() -> None:
+    """Against 50 digits of equations written by hand, and by the cycles that are born: within the
+    plane of the pair they attract where l₁ < 0. Alike on either pad.
+    """
+    kinds = set()
+    for values in ({"d": 5.0}, {"tau": 0.9, "kappa": 0.3}):
+        p = MODEL.Parameters(mu0=None, **values)
+        found = ss.flutter_onsets(p, "mu0", between={"mu0": (0.05, 3.0)})
+        upper, lower = (np.flatnonzero(found["touching"] == one) for one in ("upper", "lower"))
+        assert len(upper) == len(lower) == 2
+        np.testing.assert_allclose(found.lyapunov[upper], found.lyapunov[lower], rtol=1e-9)
+        for row in lower:
+            known = {name: float(found[name][row]) for name in MODEL.parameters}
+            exact = OnOnePad(MODEL.name, known, found.state(row), "mu0", float(found.omega[row]))
+            for one in ("lyapunov", "crossing"):
+                off = abs(mpmath.mpf(float(getattr(found, one)[row])) - getattr(exact, one))
+                assert off <= getattr(found, f"{one}_error")[row] < 1e-6
+        for row in (*upper, *lower):
+            cycle = ss.cycle(onset=found, index=int(row), amplitude=3e-3)
+            sizes = np.abs(cycle.multipliers[1:])
+            own = sizes[np.abs(sizes - 1).argmin()]
+            assert (own < 1) == (found.criticality[row] == "supercritical")
+            kinds.add(str(found.criticality[row]))
+    assert kinds == {"supercritical", "subcritical"}
 
 
 def test_without_friction_either_pad_parts_and_comes_back_at_the_times_of_arcs() -> None:

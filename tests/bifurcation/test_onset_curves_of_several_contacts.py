@@ -41,4 +41,8 @@ def test_curves_of_each_combination_hold_a_pair_on_the_imaginary_axis() -> None:
         values = eq.damped_eigenvalues[int(np.argmin(off))]
         assert min(off) < 1e-9
         assert np.abs(values - 1j * float(curve["omega"][place])).min() < 1e-7
-        assert set(curve["criticality"]) == {"undecided"}
+        p = p.replace(mu0=None)
+        single = ss.flutter_onsets(p, "mu0", between={"mu0": PLANE["mu0"]})
+        row = np.abs(single["mu0"] - curve["mu0"][place]).argmin()
+        assert curve["lyapunov"][place] == pytest.approx(single.lyapunov[row], rel=1e-9)
+        assert "undecided" not in curve["criticality"].tolist()

@@ -11,7 +11,9 @@ import pytest
 import spragsym as ss
 from spragsym import precise
 from spragsym.models.field import undecorated
+from spragsym.models.forces import named
 from spragsym.numerics.decimals import exactly
+from spragsym.statics.balance import Balance
 from tests.conformance import models
 from tests.conformance.models import ALIKE, MODELS, answers, load
 from tests.support import few
@@ -60,6 +62,16 @@ def test_digits_are_those_of_the_floats_and_of_more_digits(name: str) -> None:
                 assert abs(number - exact) <= error + rest
 
 
+def test_a_state_that_flutters_is_told_so_in_digits() -> None:
+    """Beyond the onset, μ = ((1 + β − α)² + σ²)/(2 σ), and not before."""
+    p = models.a_set("mode_coupling")
+    alpha, beta, sigma = (float(p[name]) for name in ("alpha", "beta", "sigma"))
+    onset = ((1 + beta - alpha) ** 2 + sigma**2) / (2 * sigma)
+    for share, expected in ((0.999, "STABLE"), (1.001, "FLUTTER")):
+        (state,) = precise.equilibria(p.replace(mu0=share * onset), dps=20)
+        assert state.undamped.name == expected
+
+
 @pytest.mark.by_hand(
     "damped", "stribeck", "cubic_contact", "inclined_belt", "trolley", "pad_on_disc"
 )
@@ -75,8 +87,12 @@ def test_the_forces_vanish_to_as_many_digits(name: str) -> None:
         values: dict[str, Any] = {one: mpmath.mpf(float(p[one])) for one in model.parameters}
         for angle, (cosine, sine) in model.about["angles"].items():
             values |= {cosine: mpmath.cos(values[angle]), sine: mpmath.sin(values[angle])}
-        law = undecorated(model.algebra.friction_at_rest)
-        mu = law(*(values[one] for one in model.about["arguments"]["motion"]), xp=mpmath)
+        motion = [values[one] for one in model.about["arguments"]["motion"]]
+        laws = [
+            undecorated(getattr(model.algebra, named("friction_at_rest", name)))
+            for name in model.rubbing
+        ]
+        frictions = [law(*motion, xp=mpmath) for law in laws]
         statics = [values[one] for one in model.about["arguments"]["statics"]]
         for contact in model.regimes:
             for state in precise.equilibria(p, contact=contact, dps=60):
@@ -90,7 +106,8 @@ def test_the_forces_vanish_to_as_many_digits(name: str) -> None:
                         *q, *directions, *statics, xp=mpmath
                     )
                     directions += [mpmath.atan2(sine, cosine) for cosine, sine in pairs]
-                forces = balance(*q, *directions, *statics, mu, int(contact), xp=mpmath)
+                pushing = Balance(model, contact).pushing
+                forces = balance(*q, *directions, *statics, *frictions, *pushing, xp=mpmath)
                 assert max(map(abs, forces)) < mpmath.mpf(10) ** -55
 
 
@@ -137,7 +154,7 @@ def test_numbers_beside_floats_have_the_same_states(name: str) -> None:
         return
     given = {one: Fraction(float(p[one])) for one in p.model.parameters}
     beside: dict[str, Any] = {
-        f"{one}_" if one == "method" else one: value + Fraction(1, 10**20)
+        f"{one}_" if one == "method" else one: value - Fraction(1, 10**20)
         for one, value in given.items()
         if value
     }

@@ -199,6 +199,24 @@ page.contact(x - d, lambda depth: k_c * depth, name="left")
 page.contact(-x - d, lambda depth: k_c * depth, name="right")
 """
 
+#: A mass that its middle repels to either of two stops.
+SNAP = """r\"\"\"A page of the tests.\"\"\"
+from spragsym.derive.model import Page
+page = Page("A page of the tests.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness by which the middle repels")
+a = page.unit("a", "m", "half the distance of the stops")
+k_c = page.parameter("k_c", "N/m", "contact stiffness", "> 0", 4.0)
+c = page.parameter("c", "N s/m", "damper", "> 0", 0.5)
+F = page.parameter("F", "N", "force towards the left", "real", 0.1)
+x = page.coordinate("x", "m", "across the stops")
+page.kinetic(m * page.rate(x)**2 / 2)
+page.potential(-k * x**2 / 2 + F * x)
+page.damper(c, along=x)
+page.contact(a + x, lambda depth: k_c * depth, name="left")
+page.contact(a - x, lambda depth: k_c * depth, name="right")
+"""
+
 #: A ladder of length 2 a whose floor runs towards the wall and whose wall runs up.
 LADDER = (
     HEAD

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym import precise
 from spragsym.cli.article import _check_model
 from spragsym.cli.export import _of_page
 from spragsym.core.questions import SEVERAL
@@ -140,11 +139,8 @@ def test_data_with_units_have_the_friction_that_works_at_every_contact() -> None
 def test_what_is_not_answered_of_several_contacts_says_so() -> None:
     """The question by its name, why, and what is answered instead."""
     model = model_of(PAD, "pad_on_2")
-    p, span = model.Parameters(), {"mu0": (0.1, 0.2)}
+    p = model.Parameters()
     asked: dict[str, Callable[[], object]] = {
-        "fate_boundary": lambda: ss.fate_boundary(p, "mu0", between=span),
-        "basin_boundary": lambda: ss.basin_boundary(p),
-        "precise_equilibria": lambda: precise.equilibria(p),
         "explore": lambda: ss.explore(p),
         "report": lambda: a_study(model).report(),
         "check": lambda: _check_model(model.where, False, ()),
@@ -152,7 +148,7 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
     }
     for name, ask in asked.items():
         says = f"{name} is not answered yet of pad_on_2, {model.refusal(name)}"
-        assert "2 contacts (front, rear); ask basin, bifurcation_set, certify, count, " in says
+        assert "2 contacts (front, rear); ask basin, basin_boundary, " in says
         with pytest.raises(ss.errors.ModelError) as error:
             ask()
         assert str(error.value) == says

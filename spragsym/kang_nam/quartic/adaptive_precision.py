@@ -15,6 +15,7 @@ from fractions import Fraction
 from typing import Any
 
 from ...core.errors import ConvergenceError
+from ...core.questions import NotInClosedForm
 from ...numerics import balls
 from ...numerics.balls import Ball, Interval, UndecidedSign, as_mpf, as_numbers
 from ...numerics.polynomials import derivative, evaluate, on_circle, roots_on_the_line, squarefree
@@ -33,10 +34,13 @@ BITS_A_SPREAD = 8
 
 
 def precise_equilibria(
-    _p: Parameters, exact: Mapping[str, Any], contact: bool, digits: int
+    _p: Parameters, exact: Mapping[str, Any], contact: bool | None, digits: int
 ) -> PreciseEquilibria:
     """All equilibria of one point; source: f(θ) = 0, (12)–(13) eliminated."""
-    return equilibria(*(exact[name] for name in NAMES), contact=contact, digits=digits)
+    if not isinstance(contact, bool | None):
+        raise NotInClosedForm  # the general algorithm says what contact may be
+    values = (exact[name] for name in NAMES)
+    return equilibria(*values, contact=contact is not False, digits=digits)
 
 
 def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> PreciseEquilibria:

@@ -62,7 +62,10 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
     known = [one.pushing for one in balances_of(balance.model, None)]
     # How far the tubes about the border go, over the way that is left: the wider of them first.
     tries = itertools.product((2.0**-10, 2.0**-16), balance.opens)
+    away = set[int]()
     for share, contact in tries if left.size else ():
+        if contact in away:
+            continue
         some, at, way = tubes[left], here[left], (goal - here.v)[left]
         near = replace(some, balance=balance.extended(OVER_BORDER, contact))
         family = Family(None, near.balance, (tubes.vary,), near.fixed, np.zeros((1, 2)))
@@ -71,6 +74,7 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
         room, ahead = share * np.abs(way), (z[-1] - at.v) * np.sign(way)
         met = (ahead >= 0) & (ahead < np.abs(way))
         if not met.any():
+            away.add(contact)
             continue
         first = np.where(ahead > room, z[-1] - room * np.sign(way), at.v)
         last = z[-1] + np.sign(way) * np.minimum(room, np.abs(way) - ahead)

@@ -21,6 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from types import ModuleType
 from typing import Any, Self
 
 import numpy as np
@@ -320,12 +321,21 @@ class Tubes(ByColumn):
         """Derivatives of the forces by row; by the free parameters only where some box has a
         width.
         """
-        names, none = ([*self.free], []) if self.half.any() else ([], [0] * len(self.free))
+        none = [0] * (len(self.free) - len(self._wide))
+        return [[*row, *none] for row in self._slopes(at, self._wide)]
+
+    @property
+    def _wide(self) -> tuple[str, ...]:
+        """Free parameters, if some box has a width."""
+        return self.free if self.half.any() else ()
+
+    def _slopes(self, at: Evaluation, names: Sequence[str]) -> list[list[Any]]:
+        """Derivatives of the forces by the coordinates, by what varies and by these parameters."""
         name = "forces_by_parameters"
         rows = self.balance.followed.get(name, name)
         moved = self.balance.by_parameters(at, [self.vary, *names], rows)
         slopes = at.followed("forces_jacobian")
-        return [[*row, *more, *none] for row, more in zip(slopes, moved, strict=True)]
+        return [[*row, *more] for row, more in zip(slopes, moved, strict=True)]
 
     def floats(self, z: FloatArray, slopes: bool = True) -> tuple[FloatArray, FloatArray]:
         """Forces and their slopes in the middle of the boxes, in floats."""
@@ -352,6 +362,8 @@ class Tubes(ByColumn):
 
     def apart(self) -> FloatArray:
         """Largest distance of the free parameters from their middles."""
+        if not self.half.any():
+            return self.half
         wide = self._span()
         return np.maximum(wide.high - self.centre, self.centre - wide.low) * UP
 
@@ -359,7 +371,12 @@ class Tubes(ByColumn):
         """Newton's method in the middle of the boxes with a given pivot, the slopes renewed every
         other step.
         """
-        others, z, inverse = self.others, z.copy(), np.zeros(0)
+        others, z, inverse = self.others, np.array(z, order="C"), np.zeros(0)
+        if (found := self._tapes) is not None:
+            compiled, tapes = found
+            steps = self.options.newton_steps
+            compiled.corrected(tapes[:2], self._centred, self.pivot, steps, z)
+            return z
         for number in range(self.options.newton_steps):
             forces, slopes = self.floats(z, slopes=number % 2 == 0)
             if number % 2 == 0:
@@ -374,9 +391,15 @@ class Tubes(ByColumn):
     def tangents(self, z: FloatArray) -> tuple[FloatArray, FloatArray]:
         """dz/ds and dz/dp in the middle of the boxes."""
         others = self.others
+        by_s, by_p = np.ones(z.shape), np.zeros((self.n + 1, *self.half.shape))
+        if (found := self._tapes) is not None:
+            compiled, tapes = found
+            to_p = by_p if self.half.any() else by_p[:, :0]
+            at = np.ascontiguousarray(z), by_s, to_p
+            compiled.tangents(tapes[:2], self._centred, self.pivot, *at)
+            return by_s, by_p
         slopes = self.floats(z)[1]
         inverse = contractors.inverse(slopes[:, others])
-        by_s, by_p = np.ones(z.shape), np.zeros((self.n + 1, *self.half.shape))
         by_s[others] = -np.einsum("ijN,jN->iN", inverse, slopes[:, self.pivot])
         by_p[others] = -np.einsum("ijN,jkN->ikN", inverse, slopes[:, self.n + 1 :])
         return by_s, by_p
@@ -481,15 +504,16 @@ class Tubes(ByColumn):
             ),
             np.zeros_like(reach),
         )
-        compiled, tapes = plans.compiled_for(self.n + 1), self._tapes
-        if compiled is None or tapes is None:
+        found = None if self.half.any() else self._tapes
+        if found is None:
             self._inflate(out, beside, reach, most)
         else:
+            compiled, tapes = found
             given = z, along, swing, moved, beside, reach, out.room, most, out.sure
             compiled.tubes(
                 tapes,
                 tuple(self.balance.borders()),
-                self.prepared,
+                self._centred,
                 self.pivot,
                 more,
                 self.options.inflations,
@@ -499,12 +523,22 @@ class Tubes(ByColumn):
         return out
 
     @property
-    def _tapes(self) -> tuple[Any, ...] | None:
-        """Forces, slopes and gaps as compiled code takes them, where only what varies moves."""
-        balance = self.balance
-        if self.free or balance.factors or plans.compiled_for(self.n + 1) is None:
+    def _centred(self) -> FloatArray:
+        """Ends of the prepared parameters in the middle of the boxes, but for what varies."""
+        if not self.free:
+            return self.prepared
+        moved = dict(zip(self.free, Intervals.point(self.centre), strict=True))
+        return self.balance.prepared_beside(self.prepared, self.fixed, moved).ends
+
+    @property
+    def _tapes(self) -> tuple[ModuleType, tuple[Any, ...]] | None:
+        """Compiled code, and as that takes them forces, slopes, by the free parameters too where
+        some box has a width, and gaps, where only what varies moves.
+        """
+        balance, compiled = self.balance, plans.compiled_for(self.n + 1)
+        if balance.factors or compiled is None:
             return None
-        vanishing = balance.vanishing(Intervals(self.prepared))
+        vanishing, names = balance.vanishing(Intervals(self._centred)), self._wide
 
         def given(name: str, entries: Callable[[Evaluation], Sequence[Any]]) -> Any:
             def rows(z: Any, parameters: Any) -> Sequence[Any]:
@@ -515,13 +549,13 @@ class Tubes(ByColumn):
                 at.sides = balance.anywhere if name == "forces" else None
                 return entries(at)
 
-            key, sizes = ("tubes", name, self.vary), (self.n + 1, len(vanishing))
+            key, sizes = ("tubes", name, self.vary, *names), (self.n + 1, len(vanishing))
             return plans.given(balance.tapes.tape(key, rows, sizes, vanishing))
 
         try:
-            return (
+            return compiled, (
                 given("forces", lambda at: at.followed("forces")),
-                given("slopes", lambda at: [one for row in self._rows(at) for one in row]),
+                given("slopes", lambda at: [one for row in self._slopes(at, names) for one in row]),
                 given("gaps", lambda at: at.gaps()) if balance.borders() else None,
             )
         except NotRecorded:

@@ -14,6 +14,10 @@
  * tubes(tapes, borders, parameters, pivot, inflation, times, z, along, swing, moved, beside, least,
  * room, most, sure): boxes of one state for each value of a pivot, as tubes.py has them.
  *
+ * corrected(tapes, parameters, pivot, steps, z): Newton's method for the others at a pivot, in place;
+ * tangents(tapes, parameters, pivot, z, by_s, by_p): slopes of the others by it and by what else the
+ * tape of slopes has columns of. Both by the middles of enclosures at points.
+ *
  * Arrays of boxes are contiguous doubles of shape (2, n, N) with −low and high first, limits (2,
  * n); parameters of shape (2, P, N) with any strides; keep, single, spent and verdicts bytes, along
  * int64, of shape (N,).
@@ -86,6 +90,7 @@ typedef struct {
     double ends[2][MOST][BLOCK];
     double near[2][MOST][BLOCK];
     double values[2][MOST][BLOCK];
+    vector inverse[BLOCK][MOST];
     operand parameters;
     slot *slots;
     double *out;
@@ -720,6 +725,98 @@ static void tubes_of_block(const tube *of, desk *at, Py_ssize_t begin) {
     }
 }
 
+/* A point on the desk, in a block that begins with number `begin` of N. */
+static void at_point(const plan *by, desk *at, int i, const double *z, Py_ssize_t N) {
+    for (int k = 0; k < by->n; k++) {
+        at->ends[0][k][i] = -z[k * N + at->of[i]];
+        at->ends[1][k][i] = z[k * N + at->of[i]];
+    }
+}
+
+static double middle_result(const desk *at, const program *tape, int row, int i) {
+    return middle_of(result(at, tape, 0, row)[i], result(at, tape, 1, row)[i]);
+}
+
+/* The inverse of slopes by all unknowns but the pivot, of which the tape has been evaluated. */
+static void inverse_of_slopes(const plan *by, int pivot, const desk *at, int i, vector *to) {
+    const int n = by->n - 1;
+    const int columns = (int)by->slopes.outputs / n;
+    vector slopes[MOST];
+    for (int row = 0; row < n; row++) {
+        for (int j = 0; j < n; j++) {
+            slopes[row][j] = middle_result(at, &by->slopes, row * columns + j + (j >= pivot), i);
+        }
+    }
+    inverse(n, slopes, to);
+}
+
+/* Steps of Newton's method, slopes renewed every other one, until each point stands still. */
+static void corrected_block(
+    const plan *by, int pivot, int steps, desk *at, double *z, Py_ssize_t N, Py_ssize_t begin) {
+    const int n = by->n - 1;
+    for (int step = 0; step < steps && at->count; step++) {
+        for (int i = 0; i < at->count; i++) {
+            at_point(by, at, i, z, N);
+        }
+        if (step % 2 == 0) {
+            evaluated(by, &by->slopes, at);
+            for (int i = 0; i < at->count; i++) {
+                inverse_of_slopes(by, pivot, at, i, at->inverse[at->of[i] - begin]);
+            }
+        }
+        evaluated(by, &by->values, at);
+        int left = 0;
+        for (int i = 0; i < at->count; i++) {
+            vector *Y = at->inverse[at->of[i] - begin];
+            int still = 1;
+            for (int k = 0; k < n; k++) {
+                double *to = z + (k + (k >= pivot)) * N + at->of[i];
+                double way = 0.0;
+                for (int j = 0; j < n; j++) {
+                    way += Y[k][j] * middle_result(at, &by->values, j, i);
+                }
+                *to -= isfinite(way) ? way : 0.0;
+                still &= !(fabs(way) >= 1e-13 * (1.0 + fabs(*to)));
+            }
+            if (!still) {
+                at->of[left++] = at->of[i];
+            }
+        }
+        at->count = left;
+    }
+}
+
+static void tangents_block(const plan *by, int pivot, desk *at, const double *z, double *by_s,
+    double *by_p, Py_ssize_t N) {
+    const int size = by->n;
+    const int n = size - 1;
+    const int columns = (int)by->slopes.outputs / n;
+    const int more = columns - size;
+    for (int i = 0; i < at->count; i++) {
+        at_point(by, at, i, z, N);
+    }
+    evaluated(by, &by->slopes, at);
+    for (int i = 0; i < at->count; i++) {
+        vector Y[MOST];
+        inverse_of_slopes(by, pivot, at, i, Y);
+        for (int column = -1; column < more; column++) {
+            const int moved = column < 0 ? pivot : size + column;
+            for (int k = 0; k < size; k++) {
+                const int row = k - (k > pivot);
+                double total = 0.0;
+                for (int j = 0; k != pivot && j < n; j++) {
+                    total += Y[row][j] * middle_result(at, &by->slopes, j * columns + moved, i);
+                }
+                if (column >= 0) {
+                    by_p[(k * more + column) * N + at->of[i]] = -total;
+                } else {
+                    by_s[k * N + at->of[i]] = k == pivot ? 1.0 : -total;
+                }
+            }
+        }
+    }
+}
+
 /* -------------------------------------------------------------------------------------------------
  * Python */
 
@@ -1091,7 +1188,106 @@ static PyObject *tubes(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
+/* What `corrected` and `tangents` are given: tapes of values and slopes of a system with a pivot, z
+ * of shape (n + 1, N), and a desk; NULL with an error where these do not fit. */
+static desk *opened_at_points(PyObject *const tapes[2], PyObject *given_parameters, int pivot,
+    const Py_buffer *z, plan *by, Py_buffer *parameters, Py_ssize_t *N) {
+    memset(by, 0, sizeof *by);
+    if (!as_program(tapes[0], &by->values) || !as_program(tapes[1], &by->slopes) ||
+        taken(given_parameters, parameters, PyBUF_STRIDED_RO) < 0) {
+        return NULL;
+    }
+    by->parameters = parameters->shape[1];
+    *N = parameters->shape[2];
+    PyBuffer_Release(parameters);
+    const Py_ssize_t n = by->values.outputs;
+    by->n = (int)n + 1;
+    const Py_ssize_t columns = n > 0 ? by->slopes.outputs / n : 0;
+    if (n < 1 || by->n > MOST || pivot < 0 || pivot > n || columns <= n ||
+        z->len != by->n * *N * (Py_ssize_t)sizeof(double) || !by->values.operations ||
+        !by->slopes.operations || !good(by, &by->values, n, 2, 0) ||
+        !good(by, &by->slopes, n * columns, 2, 0)) {
+        PyErr_SetString(PyExc_ValueError, "tapes of points are not as their system is");
+        return NULL;
+    }
+    return opened(by, given_parameters, parameters, *N);
+}
+
+static void placed(desk *at, Py_ssize_t N, Py_ssize_t begin) {
+    at->count = (int)(N - begin < BLOCK ? N - begin : BLOCK);
+    for (int i = 0; i < at->count; i++) {
+        at->of[i] = (int32_t)(begin + i);
+    }
+}
+
+static PyObject *corrected(PyObject *module, PyObject *arguments) {
+    (void)module;
+    PyObject *tapes[2];
+    PyObject *given_parameters;
+    Py_buffer z;
+    Py_buffer parameters;
+    Py_ssize_t N;
+    plan by;
+    int pivot;
+    int steps;
+    if (!PyArg_ParseTuple(
+            arguments, "(OO)Oiiw*", tapes, tapes + 1, &given_parameters, &pivot, &steps, &z)) {
+        return NULL;
+    }
+    desk *at = opened_at_points(tapes, given_parameters, pivot, &z, &by, &parameters, &N);
+    if (at != NULL) {
+        Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
+            placed(at, N, begin);
+            corrected_block(&by, pivot, steps, at, z.buf, N, begin);
+        }
+        Py_END_ALLOW_THREADS cleared(at, &parameters);
+    }
+    release(&z, 1);
+    if (at == NULL) {
+        return NULL;
+    }
+    Py_RETURN_NONE;
+}
+
+static PyObject *tangents(PyObject *module, PyObject *arguments) {
+    (void)module;
+    PyObject *tapes[2];
+    PyObject *given_parameters;
+    Py_buffer of[3];
+    Py_buffer parameters;
+    Py_ssize_t N;
+    plan by;
+    int pivot;
+    if (!PyArg_ParseTuple(arguments, "(OO)Oiy*w*w*", tapes, tapes + 1, &given_parameters,
+            &pivot, of, of + 1, of + 2)) {
+        return NULL;
+    }
+    desk *at = opened_at_points(tapes, given_parameters, pivot, of, &by, &parameters, &N);
+    if (at != NULL) {
+        const Py_ssize_t more = by.slopes.outputs / (by.n - 1) - by.n;
+        const Py_ssize_t sizes[] = {of->len, of->len, of->len * more};
+        if (!fit(of, sizes, 3)) {
+            cleared(at, &parameters);
+            at = NULL;
+        }
+    }
+    if (at != NULL) {
+        Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
+            placed(at, N, begin);
+            tangents_block(&by, pivot, at, of[0].buf, of[1].buf, of[2].buf, N);
+        }
+        Py_END_ALLOW_THREADS cleared(at, &parameters);
+    }
+    release(of, 3);
+    if (at == NULL) {
+        return NULL;
+    }
+    Py_RETURN_NONE;
+}
+
 static PyMethodDef methods[] = {
+    {"corrected", corrected, METH_VARARGS, "Newton's method at points with a pivot."},
+    {"tangents", tangents, METH_VARARGS, "Slopes by a pivot and by free parameters at points."},
     {"plan", planned, METH_VARARGS, "Tapes by which a search looks at boxes."},
     {"kept", kept, METH_VARARGS, "What is left of boxes, and which may hold a root."},
     {"tubes", tubes, METH_VARARGS, "Boxes that hold one state for each value of a pivot."},

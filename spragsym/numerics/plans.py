@@ -27,7 +27,8 @@ try:
 except ImportError:  # there was no compiler
     compiled = None  # type: ignore[assignment]  # a module or nothing
 else:
-    if lacking := {"plan", "kept", "tubes", "decided"} - set(dir(compiled)):
+    needed = {"plan", "kept", "decided", "tubes", "corrected", "tangents"}
+    if lacking := needed - set(dir(compiled)):
         raise BackendError(
             f"{compiled.__file__} was compiled from older sources and has no "
             f"{' and no '.join(sorted(lacking))}; rebuild it: install spragsym again"

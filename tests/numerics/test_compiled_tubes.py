@@ -62,6 +62,33 @@ def test_the_same_tubes_are_proved(name: str, monkeypatch: pytest.MonkeyPatch) -
 
 
 @pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("width", [None, 0.0, 0.01])
+def test_states_and_their_slopes_are_those_in_floats(
+    name: str, width: float | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Newton's method comes to the same states, from beside them, and the slopes there, by free
+    parameters too, are the same but for rounding.
+    """
+    tubes, z = states(name, 600)
+    free = () if width is None else (tubes.balance.balanced[0],)
+    tubes = Tubes.of_points(tubes.balance, tubes.vary, tubes.fixed, free)
+    tubes = replace(tubes, half=np.full(tubes.half.shape, width or 0.0))
+    start = z * (1 + 1e-4 * np.random.default_rng(8).standard_normal(z.shape))
+    pivots = [replace(tubes, pivot=pivot) for pivot in (tubes.n, 0)]
+    assert all(of._tapes is not None for of in pivots)
+    found = [(of.corrected(start), *of.tangents(z)) for of in pivots]
+    monkeypatch.setattr(plans, "compiled_for", lambda n: None)
+    for of, (state, *slopes) in zip(pivots, found, strict=True):
+        assert (state[of.pivot] == start[of.pivot]).all()
+        by_s, by_p = of.tangents(z)
+        steep = 1 + np.abs(by_s).max(axis=0)
+        np.testing.assert_allclose(state / steep, of.corrected(start) / steep, atol=1e-11)
+        assert (by_p != 0).any() == bool(width)
+        for one, other in zip(slopes, (by_s, by_p), strict=True):
+            assert (np.abs(one - other) <= 1e-11 * steep**2).all()
+
+
+@pytest.mark.parametrize("name", MODELS)
 def test_tubes_bend_as_their_slopes_change(name: str) -> None:
     """The sign of d²v/ds² over a tube is that of each change of dv/ds, in floats, at places in it;
     of wide tubes it is left open.

@@ -120,18 +120,18 @@ def bifurcation_set(
     vary = p.model.two(vary)
     as_count("n", n, 2)
     options = options or ContinuationOptions()
-    family_of = partial(Family.of, p, vary, between, within, options=options.asked)
+    family_of = partial(Family.of, p, vary, between, within)
     balances = balances_of(p.model, None, within, options.asked)
     known = list(extrema(p, vary, between or {}, within, options.asked))
     curves, parts, borders = list[Curve](), list[OnLines](), list[tuple[str, Points]]()
     for balance in balances:
-        family = family_of(contact=balance.contact)
+        family = family_of(balance)
         ends = [points.select(_of_folds(kind, points, balance)) for kind, points in known]
         more = np.concatenate([rows_of(family, points) for points in ends], axis=1)
         parts.append(on_lines(family, FOLD, n, more, more[-1], options))
         curves += [_curve(family, chain) for chain in parts[-1].chains]
         for contact, other in passages(balances, balance):
-            near = family_of(contact=balance.contact, room=OVER_BORDER, beyond=contact)
+            near = family_of(balance.extended(OVER_BORDER, contact))
             ends = [*border_extrema(near, balance, between or {}, within)]
             borders += [(BORDER, points) for points in ends]
             # None where the balance does not depend on the first parameter.
@@ -208,9 +208,9 @@ def extrema(
     combination of contacts that touch, and border points at the ends.
     """
     over, along = vary
-    family_of = partial(Family.of, p, vary, between, within, options=options)
+    family_of = partial(Family.of, p, vary, between, within)
     balances = balances_of(p.model, None, within, options)
-    families = [family_of(contact=one.contact) for one in balances]
+    families = [family_of(one) for one in balances]
     family, rest = (
         families[0],
         {name: ends for name, ends in between.items() if name != over},
@@ -230,7 +230,7 @@ def extrema(
         yield "end", folds(at_end, along, between=rest, within=within, options=options)
     for balance in balances if bends else ():
         for contact in balance.opens:
-            near = family_of(contact=balance.contact, room=OVER_BORDER, beyond=contact)
+            near = family_of(balance.extended(OVER_BORDER, contact))
             yield "border", isolated(near, fold_on_border(contact), "border")
 
 
@@ -244,17 +244,15 @@ def border_extrema(
     if contact is None or over not in balance.balanced:
         return
     yield isolated(near, touch_turn(contact), BORDER)
-    family_of = partial(
-        Family.of, contact=balance.contact, room=OVER_BORDER, options=balance.options
-    )
     closed = [other for other in balance.opens if balance.pushing[other] and other > contact]
     for other in closed:  # where a curve of one contact ends at that of another
-        yield isolated(family_of(p, near.vary, between, within), both_touch(contact, other), BORDER)
+        over_all = Family.of(p, near.vary, between, within, balance.extended(OVER_BORDER))
+        yield isolated(over_all, both_touch(contact, other), BORDER)
     rest = {name: ends for name, ends in between.items() if name != over}
     low, high = near.spans[0].tolist()
     for end in (low, high):
         here = p.replace(**{over: p.ranges[over].reached(end, high - low)})
-        at_end = family_of(here, (along,), rest, within, beyond=contact)
+        at_end = Family.of(here, (along,), rest, within, near.balance)
         yield isolated(at_end, touch(contact), BORDER)
 
 

@@ -65,16 +65,8 @@ def borders(
     found = []
     for balance in balances:
         for contact, other in passages(balances, balance):
-            family = Family.of(
-                p,
-                (vary,),
-                between,
-                within,
-                contact=balance.contact,
-                room=OVER_BORDER,
-                beyond=contact,
-                options=balance.options,
-            )
+            near = balance.extended(OVER_BORDER, contact)
+            family = Family.of(p, (vary,), between, within, near)
             there = search(family, touch(contact))
             kind = kinds_of_borders(family, there.roots.ends, other)
             found.append(arranged(family, there, kind))
@@ -212,7 +204,7 @@ def _at_border(points: Points, row: int) -> tuple[str, str]:
     """
     model = points.parameters.model
     p, contact = points.parameters.of(model.search), combination(points, row)
-    family = Family.of(p, points.vary, contact=contact)
+    family = Family.of(p, points.vary, balance=Balance(p.model, contact))
     closed = family.balance
     labels = [label_of(entry) for entry in model.contacts]
     number = labels.index(points[own_name(model, "at_border")][row])

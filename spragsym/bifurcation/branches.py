@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import ConvergenceError
-from ..core.questions import Method, question
+from ..core.questions import question
 from ..models.parameters import ParameterSet, Span
 from ..numerics.arithmetic import determinant
 from ..numerics.columns import ByColumn
@@ -106,18 +106,15 @@ def linked(
     eq: Equilibria,
     turns: Points | None,
     *,
-    most: int | None = 3,
     only: int | None = None,
     options: ContinuationOptions | None = None,
-    method: Method = "auto",
 ) -> list[dict[int, int]]:
     """For each step between values of a parameter and each slot at its beginning, the slot at its
     end on the same branch, if any.
 
     ``turns`` are all points along it at which states vanish, None in lift-off, where there are
-    none. A step is halved ``most`` times; if it is not known then it has the pairs that tubes join
-    and no others, or is an error where it is None and the halvings of the options do
-    not tell. ``only`` one step may be asked for.
+    none. A step is halved as often as the options say; if it is not known then it has the pairs
+    that tubes join and no others. ``only`` one step may be asked for: that is an error then.
     """
     at, kinds, q = np.empty(0), np.empty(0, dtype=str), np.empty((0, 0))
     if turns is not None:
@@ -136,13 +133,12 @@ def linked(
     states, known = _states(along, eq, turned), dict[Span, dict[int, int]]()
     open_, halved = steps, list[tuple[Span, float]]()
     options = options or ContinuationOptions()
-    last = options.halvings if most is None else most
-    for halvings in range(last + 1):
+    for halvings in range(options.halvings + 1):
         more, complete = _by_tubes(along, open_, states, options)
         known |= more
         failed = [step for step in open_ if step not in complete]
-        abandoned = len(failed) > options.open_steps or halvings == last
-        if failed and abandoned and most is None:
+        abandoned = len(failed) > options.open_steps or halvings == options.halvings
+        if failed and abandoned and only is not None:
             why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
             one, two = open_[0]
             raise ConvergenceError(

@@ -4,7 +4,6 @@ that is followed ends.
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -415,15 +414,16 @@ class _CandidateSearch:
             yield kind, points
 
         for balance in self.balances:
-            family_of = functools.partial(Family.of, contact=balance.contact)
             if not whole:
-                yield INFINITY, escapes(family_of(self.p, both, between))
+                yield INFINITY, escapes(Family.of(self.p, both, between, None, balance))
                 for end in self.spans[0].tolist():
                     here, rest = self.p.replace(**{self.over: end}), {self.vary: between[self.vary]}
-                    yield INFINITY, escapes(family_of(here, (self.vary,), rest))
+                    yield INFINITY, escapes(Family.of(here, (self.vary,), rest, None, balance))
             for contact in balance.opens:
                 if balance.pushing[contact]:
-                    near = family_of(self.p, both, between, room=OVER_BORDER, beyond=contact)
+                    near = Family.of(
+                        self.p, both, between, None, balance.extended(OVER_BORDER, contact)
+                    )
                     for points in border_extrema(near, balance, between, None):
                         yield BORDER, points
 

@@ -24,7 +24,6 @@ import numpy as np
 
 from ..core.errors import ParameterError
 from ..models import Model
-from ..models.model import Touching
 from ..models.parameters import Ranges, as_ranges
 from ..numerics import contractors
 from ..numerics.arithmetic import (
@@ -57,7 +56,6 @@ from ..numerics.tape import Tape
 from ..statics.balance import ENDLESS, Balance, direction_entries, no_direction
 from ..statics.forces import Evaluation, Values
 from ..statics.namespaces import XP
-from ..statics.options import SearchOptions
 from ..statics.precise_balance import refined_in_digits
 from ..statics.regions import requested_region
 from ..statics.systems import Boxes, Entries, StateSystem, at_anchors
@@ -100,20 +98,14 @@ class Family:
         vary: Sequence[str],
         between: Ranges | None = None,
         within: Ranges | None = None,
-        *,
-        contact: Touching = True,
-        room: float = 0.0,
-        beyond: int | None = None,
-        given: FloatArray | None = None,
-        options: SearchOptions | None = None,
+        balance: Balance | None = None,
     ) -> Self:
-        """Of a set of parameters, or a column ``given``; ``room`` is how far beyond the borders of
-        contacts, or that of number ``beyond``, states count, too.
-        """
-        balance = Balance(p.model, contact, room=room, beyond=beyond, options=options)
+        """Of a set of parameters, by the balance in contact unless another one is given."""
+        # Curves may begin and end on a border: states on it count.
+        balance = Balance(p.model) if balance is None else balance.extended(balance.room)
         between = between or {}
         spans, asked = ranges(p.model, vary, between), requested_region(p.model, within)
-        given = given_column(p, balance.parameters, vary) if given is None else given
+        given = given_column(p, balance.parameters, vary)
         # Of these nobody has said how far they are searched.
         endless = tuple(
             name

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from itertools import chain
@@ -192,7 +193,7 @@ def precise_cusps(
         [[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in p.model.parameters]
     )
     parts = [
-        _cusps_of(Family.of(p, vary, between, given=given, contact=balance.contact), exact, digits)
+        _cusps_of(replace(Family.of(p, vary, between, None, balance), given=given), exact, digits)
         for balance in balances_of(p.model, None)
     ]
     ordered = sorted(

@@ -137,10 +137,9 @@ def flutter_onsets(
     ([0.101, 1.4035], ['supercritical', 'subcritical'])
     """
     name = p.model.one(vary)
-    contacts = [balance.contact for balance in balances_of(p.model, None, within)]
     families = (
-        Family.of(p, (name,), between, within, contact=contact, options=options)
-        for contact in contacts
+        Family.of(p, (name,), between, within, balance)
+        for balance in balances_of(p.model, None, within, options)
     )
     return Onsets(**vars(together([_in_combination(family, damping) for family in families])))
 

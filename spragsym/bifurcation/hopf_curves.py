@@ -178,10 +178,7 @@ def onset_curves(
     as_count("n", n, 2)
     options = options or ContinuationOptions()
     balances = balances_of(p.model, None, None, options.asked)
-    planes = [
-        _Plane.of(p, vary, between, contact=balance.contact, options=options.asked)
-        for balance in balances
-    ]
+    planes = [_Plane.of(p, vary, between, None, balance) for balance in balances]
     damped = [
         is_damped(plane.balance, plane.over) if damping is None else damping for plane in planes
     ]

@@ -73,7 +73,7 @@ class ContinuationOptions(Options):
     secant_steps: int = limit(40)
     segments: int = limit(400)
     fold_distance: float = option(1e-3, 1e-9, 0.1)
-    halvings: int = limit(40)
+    halvings: int = limit(40, 0)
     open_steps: int = limit(500)
     smoothness: float = option(2e-4, 1e-8, 0.1)
     refinements: int = limit(7, 0)

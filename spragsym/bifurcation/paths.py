@@ -211,13 +211,13 @@ def border_ends(
     if they do, beside the folds ``turns``.
     """
     balances, found = balances_of(p.model, None, options=options), list[Points]()
-    family_of = functools.partial(Family.of, p, (vary,), {vary: span}, options=options)
+    family_of = functools.partial(Family.of, p, (vary,), {vary: span}, None)
     known = {tuple(balance.pushing) for balance in balances}
     for balance in balances:
         for contact in balance.opens:
             other = tuple(balance.across(contact).pushing)
             if balance.pushing[contact] and other not in known:
-                near = family_of(contact=balance.contact, room=OVER_BORDER, beyond=contact)
+                near = family_of(balance.extended(OVER_BORDER, contact))
                 found.append(isolated(near, touch(contact), BORDER))
                 if not found[-1].decided:
                     raise ConvergenceError(
@@ -227,7 +227,7 @@ def border_ends(
     if not (
         turns.whole and np.isfinite(turns.region).all()
     ):  # states run to infinity only where nothing bounds them
-        found += [escapes(family_of(contact=balance.contact)) for balance in balances]
+        found += [escapes(family_of(balance)) for balance in balances]
     return found
 
 
@@ -280,25 +280,25 @@ class QuasiStaticContinuation:
             )
         #: All pairs of slots of a step on one branch, not only those that tubes join at once.
         self._links = functools.cache(self._linked)
-        self.joined = self._in_combinations(most=0)
+        self.joined = self._in_combinations()
 
     def _equilibria(self, values: ArrayLike) -> Equilibria:
         """All equilibria at values of the parameter."""
         return equilibria(self.p.replace(**{self.vary: values}), options=self.search)
 
-    def _in_combinations(self, **how: Any) -> list[dict[int, int]]:
+    def _in_combinations(self, only: int | None = None) -> list[dict[int, int]]:
         """Pairs of slots on one branch for each step, or for the one that is asked for, in which no
         contact is lost or regained.
         """
         found = list[dict[int, int]]()
+        options = replace(self.options, halvings=0) if only is None else self.options
         for touching, balance in self.balances.items():
             eq, slots = combination_of(self.eq, touching, balance.contact)
             turns = together([self.turns, self.passes]) if len(self.balances) > 1 else self.turns
             turns = turns.select(met_by(turns, balance))
-            pairs = linked(self.p, self.vary, eq, turns, options=self.options, **how)
+            pairs = linked(self.p, self.vary, eq, turns, only=only, options=options)
             found = found or [{} for _ in pairs]
-            first = how.get("only") or 0
-            for step, (every, part) in enumerate(zip(found, pairs, strict=True), first):
+            for step, (every, part) in enumerate(zip(found, pairs, strict=True), only or 0):
                 every |= {slots[step][a]: slots[step + 1][b] for a, b in part.items()}
         return found
 
@@ -306,7 +306,7 @@ class QuasiStaticContinuation:
         """All pairs of slots of a step on one branch, those that pass from one combination of
         contacts into another included.
         """
-        (found,) = self._in_combinations(most=None, only=step)
+        (found,) = self._in_combinations(step)
         low, high = sorted(self.mesh[step : step + 2])
         passed = self.passes.select(
             (self.passes[self.vary] >= low) & (self.passes[self.vary] <= high)

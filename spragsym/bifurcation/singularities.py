@@ -104,9 +104,7 @@ def _folds_in(
     balance: Balance, p: ParameterSet, vary: str, between: Ranges | None, within: Ranges | None
 ) -> Points:
     """Folds of one combination of contacts that touch."""
-    family = Family.of(
-        p, (vary,), between, within, contact=balance.contact, options=balance.options
-    )
+    family = Family.of(p, (vary,), between, within, balance)
     found, pitchforks = with_pitchforks(family, search(family, FOLD))
     kind = np.repeat(["fold", "pitchfork"], [found.roots.point.size - pitchforks, pitchforks])
 
@@ -131,8 +129,8 @@ def cusps_of(
 ) -> Points:
     """All cusps in the plane of two parameters; arguments as of :func:`spragsym.cusps`."""
     families = (
-        Family.of(p, vary, between, within, contact=one.contact, options=options)
-        for one in balances_of(p.model, None, within)
+        Family.of(p, vary, between, within, one)
+        for one in balances_of(p.model, None, within, options)
     )
     return joined([arranged(family, isolated(family), "cusp") for family in families])
 
@@ -398,7 +396,7 @@ def _at(points: Points, row: int) -> tuple[str, str]:
     vanish.
     """
     p = points.parameters.of(points.parameters.model.search)
-    family = Family.of(p, points.vary, contact=combination(points, row))
+    family = Family.of(p, points.vary, balance=Balance(p.model, combination(points, row)))
     z = np.array([float(points[name][row]) for name in (*family.balance.coordinates, *family.vary)])
     size = points.error[row] * scale_of(z)
     side, lower = _normal_form(family, Intervals(ends_around(z, size)[:, :, None]))

@@ -27,18 +27,24 @@ def in_usual_state(function: Callable[P, R]) -> Callable[P, R]:
         with np.errstate(divide="warn", over="warn", under="ignore", invalid="warn"):
             try:
                 return function(*args, **options)
-            except TypeError:
-                _require_arguments(function, args, options)
+            except TypeError as error:
+                _require_arguments(function, args, options, str(error))
                 raise
 
     return calculated
 
 
 def _require_arguments(
-    function: Callable[..., Any], args: tuple[Any, ...], options: Mapping[str, Any]
+    function: Callable[..., Any], args: tuple[Any, ...], options: Mapping[str, Any], trouble: str
 ) -> None:
-    """Refuse arguments that a function does not take, and the lack of one that it needs."""
+    """Refuse arguments that a function does not take, and the lack of one that it needs; a name
+    that was taken for that of a parameter, if it is like one of an argument.
+    """
     signature = inspect.signature(function)
+    for name in options:
+        meant = hint(name, signature.parameters)
+        if trouble.startswith(f"{name} is ") and name not in signature.parameters and meant:
+            raise ParameterTypeError(f"{function.__name__}: {trouble.partition(';')[0]}{meant}")
     try:
         signature.bind(*args, **options)
     except TypeError as error:

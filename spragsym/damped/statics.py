@@ -38,7 +38,6 @@ def linked(
     eq: Equilibria,
     turns: Points | None,
     *,
-    most: int = 0,
     only: int | None = None,
     options: object = None,
 ) -> list[dict[int, int]]:
@@ -50,7 +49,7 @@ def linked(
     """
     if turns is None or vary not in NAMES or not eq.complete:
         raise NotInClosedForm
-    return states.linked(undamped(p), vary, eq, turns, most=most, only=only)
+    return states.linked(undamped(p), vary, eq, turns, only=only)
 
 
 def count(p: ParameterSet) -> Int8Array:

@@ -254,7 +254,9 @@ def chains(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> 
     """Equilibria of one curve, by their indices into the columns, for each curve."""
     # Of each state the number of its curve.
     curve, numbers = np.zeros(eq.undamped.shape, dtype=int), itertools.count(1)
-    for place, pairs in enumerate([{}, *linked(p, vary, eq, turns)]):
+    # Curves that these do not tell apart are drawn as two.
+    halved = ss.ContinuationOptions(halvings=3)
+    for place, pairs in enumerate([{}, *linked(p, vary, eq, turns, options=halved)]):
         before = {other: curve[place - 1, one] for one, other in pairs.items()}
         for slot in range(eq.count[place]):
             curve[place, slot] = before.get(slot) or next(numbers)

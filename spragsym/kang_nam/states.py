@@ -97,7 +97,6 @@ def linked(
     eq: Equilibria,
     turns: Points | None,
     *,
-    most: int = 0,
     only: int | None = None,
     options: object = None,
 ) -> list[dict[int, int]]:

@@ -52,8 +52,6 @@ if TYPE_CHECKING:
 def simulate(
     p: ParameterSet,
     *,
-    V: float | None = None,
-    d: float | None = None,
     start: ArrayLike | None = None,
     t_end: float = 2000.0,
     rtol: float = 1e-10,
@@ -61,7 +59,7 @@ def simulate(
     estimate_error: bool = False,
     backend: str | None = None,
     max_steps: int = MAX_STEPS,
-    **initial: float,
+    **values: float | None,
 ) -> Trajectory:
     """Integrate the motion of a model from an initial state, the article's (8)–(11) among them.
 
@@ -72,14 +70,8 @@ def simulate(
     ----------
     p : Parameters of any model
         Scalars.
-    V, d : float, optional
-        In place of those of ``p``, for models that have them. The article states neither: 0.5 and
-        10, unless they are given, are this package's assumption.
     start : array_like, shape (2 n,), optional
         Coordinates, then rates.
-    x0, y0, vx0, vy0, … : float, optional
-        The same one by one, by the names of the model's coordinates and rates; 0 where nothing is
-        given. For the article's model that is rest at x = y = 0, which lies on a kink.
     t_end : float
         Until when, in the model's unit of time: sqrt(m/k_c).
     rtol : float
@@ -97,6 +89,11 @@ def simulate(
         Where to give up. A smooth motion takes a few steps per time unit; a stiff one, of large d,
         up to d times the friction, as it creeps. Ten million take heyoka some ten seconds to a
         minute, and several GB to keep.
+    **values : float, optional
+        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``, and the initial state number
+        by number, by the names of the model's coordinates and rates, as ``x0, y0, vx0, vy0``; 0
+        where nothing is given. For the article's model that is rest at x = y = 0, which lies on a
+        kink.
 
     Returns
     -------
@@ -127,7 +124,8 @@ def simulate(
     >>> tr.components, round(tr.largest(), 2)
     (('x', 'vx'), 0.61)
     """
-    model, p = model_of(p), p.given(V=V, d=d)
+    model = model_of(p)
+    p, initial = started(p, values)
     problem = prepare(
         model,
         p,
@@ -946,6 +944,18 @@ def row_of(of: str | None, offered: tuple[str, ...]) -> int:
     return 0 if of is None else offered.index(one_of("of", of, offered))
 
 
+def started(
+    p: ParameterSet, values: Mapping[str, ArrayLike | None]
+) -> tuple[ParameterSet, dict[str, ArrayLike]]:
+    """Parameters with those among values by name, and the other values, of the initial state."""
+    known = {name: value for name, value in values.items() if value is not None}
+    initial = {f"{name}0" for name in p.model.components} | {*known} - {*p.ranges}
+    return (
+        p.given(**{name: value for name, value in known.items() if name not in initial}),
+        {name: value for name, value in known.items() if name in initial},
+    )
+
+
 def initial_state(
     model: Model,
     start: ArrayLike | None,
@@ -972,8 +982,6 @@ def initial_state(
     for name, value in initial.items():
         if name not in values:
             remedy = hint(name, names) or "; the initial state is " + ", ".join(names)
-            if name in model.parameters:
-                remedy = f" but a parameter; give it within the first one, as p.replace({name}=...)"
             raise ParameterTypeError(f"{name} is no argument{remedy}")
         values[name] = value
     if model.clock and not np.all(np.abs(np.asarray(values[names[-1]]) - rate) <= 1e-9 * rate):

@@ -39,29 +39,36 @@ class Crossing(NamedTuple):
     came: int
 
 
+class Deviations(NamedTuple):
+    """Derivatives of a state by its start and by ``directions`` of the parameters: ``columns``,
+    None where none are carried.
+    """
+
+    directions: FloatArray | None = None
+    columns: FloatArray | None = None
+
+
 def passed(
     problem: Problem,
     row: int,
     mode: Mode,
     t: float,
     state: FloatArray,
-    directions: FloatArray | None,
-    columns: FloatArray | None = None,
+    deviations: Deviations,
 ) -> tuple[Mode, tuple[Crossing, ...]]:
     """Continuation of a motion behind a border: its next mode, and the crossings, none where there
     is no kink; of several at one instant the border's own is the first. What is left at the same
     instant is left with it.
 
-    Where the field jumps, the state and its derivatives by start and ``directions``, the
-    ``columns``, are moved: they go on from the border itself, not from where it was noticed; so
-    does one that leaves a border on which it stayed, from which errors of steps may have taken it.
-    An error where the border does not say how.
+    Where the field jumps, the state and its derivatives are moved: they go on from the border
+    itself, not from where it was noticed; so does one that leaves a border on which it stayed, from
+    which errors of steps may have taken it. An error where the border does not say how.
     """
     done, crossings = set[int](), list[Crossing]()
     following: int | None = row
     while following is not None:
         done.add(following)
-        mode, found = _through(problem, following, mode, t, state, directions, columns)
+        mode, found = _through(problem, following, mode, t, state, deviations)
         crossings += found
         following = _met(problem, mode, state, done)
     return mode, tuple(crossings)
@@ -87,12 +94,11 @@ def _through(
     mode: Mode,
     t: float,
     state: FloatArray,
-    directions: FloatArray | None,
-    columns: FloatArray | None,
+    deviations: Deviations,
 ) -> tuple[Mode, tuple[Crossing, ...]]:
     """:func:`passed` through one border, and what begins or ends to stick with it."""
     if problem.field.sticking_borders:
-        project(problem, mode, state, None)
+        project(problem, mode, state, Deviations())
     border, constants = problem.field.borders[row], problem.constants
     last = border.beyond(mode, np.asarray(state).tolist(), constants)
     crossings = list[Crossing]()
@@ -115,9 +121,9 @@ def _through(
         crossing = Crossing(t, row, int(border.sign(after)), state.copy(), int(border.sign(mode)))
         if border.jumps is not None and border.jumps(*at):
             if border.slopes is not None:
-                late, there = saltation(problem, border, (mode, after), state, directions, columns)
+                late, there = saltation(problem, border, (mode, after), state, deviations)
                 crossing = crossing._replace(t=max(t - late, 0.0), state=there)
-            elif directions is not None:
+            elif deviations.directions is not None:
                 raise ConvergenceError(JUMPED)
         crossings += [crossing] * border.kink
         mode = after
@@ -129,8 +135,7 @@ def saltation(
     border: Border,
     modes: tuple[Mode, Mode],
     state: FloatArray,
-    directions: FloatArray | None,
-    columns: FloatArray | None,
+    deviations: Deviations,
 ) -> tuple[float, FloatArray]:
     """Move a state and its derivatives by the saltation matrix 1 + (f⁺ − f⁻) ∇h/ḣ⁻ of a border h =
     0 between two modes; by how long ago it was passed, and the state there.
@@ -138,10 +143,11 @@ def saltation(
     Where that is so long ago that its square counts, they are carried back to the border in one
     mode, and on from there in the other.
     """
-    border_at = _back(problem, border, modes[0], state, directions, columns)
+    border_at = _back(problem, border, modes[0], state, deviations)
     if border_at is None:
         return 0.0, state.copy()
     late, there, own, rate = border_at
+    directions, columns = deviations
     field, constants, values = problem.field, problem.constants, there.tolist()
     before, behind = (
         np.array(field.acceleration(values, constants, mode, FLOATS), dtype=float) for mode in modes
@@ -153,7 +159,7 @@ def saltation(
         turned[len(state) :] += slopes[len(state) :] @ directions.T if directions.size else 0.0
         own = own + np.outer(jump, turned)
     if abs(late) > AT_ONCE and there is not state:
-        state[:], own = carried(problem, modes[1], late, there, directions, own)
+        state[:], own = carried(problem, modes[1], late, there, deviations._replace(columns=own))
     else:
         there = state - late * np.concatenate([state[len(state) // 2 :], before])
         state += jump * border.level(values, constants, modes[0])
@@ -167,14 +173,13 @@ def _back(
     border: Border,
     mode: Mode,
     state: FloatArray,
-    directions: FloatArray | None,
-    columns: FloatArray | None,
+    deviations: Deviations,
 ) -> tuple[float, FloatArray, FloatArray, float] | None:
     """Time since a border was passed, with state, derivatives and the level's rate there: by
     Newton's method, if that leads back a short time, else to first order; None where nothing brings
     a motion across.
     """
-    field, constants = problem.field, problem.constants
+    field, constants, columns = problem.field, problem.constants, deviations.columns
     own = np.empty((len(state), 0)) if columns is None else columns
 
     def ago(at: FloatArray) -> tuple[float, float]:
@@ -192,7 +197,7 @@ def _back(
     if AT_ONCE < abs(late) < latest:
         # Steps of Newton's method, at most.
         for _ in range(5):
-            there, along = carried(problem, mode, -late, state, directions, columns)
+            there, along = carried(problem, mode, -late, state, deviations)
             more, rate_there = ago(there)
             if abs(more) <= AT_ONCE:
                 return late, there, along, rate_there
@@ -207,13 +212,13 @@ def carried(
     mode: Mode,
     duration: float,
     state: FloatArray,
-    directions: FloatArray | None,
-    columns: FloatArray | None,
+    deviations: Deviations,
 ) -> tuple[FloatArray, FloatArray]:
     """A state and its derivatives a short time on in a mode, by the classical Runge–Kutta method of
     fourth order.
     """
     field, constants, n = problem.field, problem.constants, len(state) // 2
+    directions, columns = deviations
 
     def rates(whole: FloatArray) -> FloatArray:
         values = whole[:, 0].tolist()
@@ -239,17 +244,12 @@ def carried(
     return begun[:, 0], begun[:, 1:]
 
 
-def start_mode(
-    problem: Problem,
-    state: FloatArray,
-    directions: FloatArray | None,
-    columns: FloatArray | None = None,
-) -> Mode:
+def start_mode(problem: Problem, state: FloatArray, deviations: Deviations) -> Mode:
     """The mode in which a motion begins; a state that sticks, and its derivatives, are projected
     onto the border.
     """
     mode = problem.field.initial_mode(state.tolist(), problem.constants)
-    project(problem, mode, state, directions, columns)
+    project(problem, mode, state, deviations)
     return mode
 
 
@@ -257,8 +257,7 @@ def project(
     problem: Problem,
     mode: Mode,
     state: FloatArray,
-    directions: FloatArray | None,
-    columns: FloatArray | None = None,
+    deviations: Deviations,
 ) -> None:
     """Project a state onto the border on which it stays in a mode, and its derivatives onto the
     tangent of that.
@@ -267,7 +266,7 @@ def project(
         at = border.place
         ways = [(*mode[:at], side, *mode[at + 1 :]) for side in (1, -1)]
         fastest = max(ways, key=lambda way: speed_across(problem, border, way, state))
-        saltation(problem, border, (fastest, mode), state, directions, columns)
+        saltation(problem, border, (fastest, mode), state, deviations)
 
 
 def speed_across(problem: Problem, border: Border, mode: Mode, state: FloatArray) -> float:

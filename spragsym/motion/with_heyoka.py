@@ -33,6 +33,7 @@ from .problem import (
 )
 from .solution import (
     Crossing,
+    Deviations,
     Extremum,
     FlowResult,
     Samples,
@@ -200,7 +201,7 @@ class MotionState:
     def __post_init__(self) -> None:
         """At the start."""
         self.carried = np.array(self.problem.start, dtype=float)
-        self.mode = start_mode(self.problem, self.carried, None)
+        self.mode = start_mode(self.problem, self.carried, Deviations())
 
     @property
     def most(self) -> int:
@@ -315,9 +316,8 @@ class BatchIntegrator:
             if direction > 0:
                 raise missed_event(one.problem.time(t))
             columns = self._columns(self.state[:, lane]) if self.field.borders[row].slopes else None
-            one.mode, crossings = passed(
-                one.problem, row, one.mode, t, state, self._directions(one), columns
-            )
+            deviations = Deviations(self._directions(one), columns)
+            one.mode, crossings = passed(one.problem, row, one.mode, t, state, deviations)
         except ConvergenceError as error:
             one.error = error
             return False
@@ -407,13 +407,8 @@ class BatchIntegrator:
         self.pars[:, : len(some)] = np.array(pars, dtype=float).T[: len(self.pars)]
         if self.derivatives:
             columns = np.eye(self.m, (len(self.state) - 2) // self.m - 1)
-            project(
-                some[0].problem,
-                some[0].mode,
-                self.state[: self.m, 0],
-                self._directions(some[0]),
-                columns,
-            )
+            deviations = Deviations(self._directions(some[0]), columns)
+            project(some[0].problem, some[0].mode, self.state[: self.m, 0], deviations)
             self.state[self.m : -2, 0] = columns.T.ravel() * UNIT
         if self.solver.with_events:  # heyoka has no cooldowns where there are none
             self.solver.reset_cooldowns()

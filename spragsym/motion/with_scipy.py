@@ -19,6 +19,7 @@ from .lobatto import sample_times
 from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
 from .solution import (
     Crossing,
+    Deviations,
     Extremum,
     FlowResult,
     Samples,
@@ -144,7 +145,9 @@ class Flight:
         m, most = field.size, self.problem.max_steps or MAX_STEPS
         first: float | None = None
         mode, looked, steps = (
-            start_mode(self.problem, whole[:m], self.directions, whole[m:].reshape(m, -1)),
+            start_mode(
+                self.problem, whole[:m], Deviations(self.directions, whole[m:].reshape(m, -1))
+            ),
             0.0,
             0,
         )
@@ -194,10 +197,8 @@ class Flight:
                 if abs(clear) > GAP / 10 and rate:
                     at = max(at - clear / rate, begin)
                     whole = self._stepped(mode, before, begin, at)
-            met, columns = whole.copy(), whole[m:].reshape(m, -1)
-            after, crossings = passed(
-                self.problem, row, mode, clock + at, whole[:m], self.directions, columns
-            )
+            met, carried = whole.copy(), Deviations(self.directions, whole[m:].reshape(m, -1))
+            after, crossings = passed(self.problem, row, mode, clock + at, whole[:m], carried)
             yield _ModeStep(clock, begin, at, met, whole, dense, mode, crossings)
             clock, mode = clock + at, after
 

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
 from ..core.progress import doing
+from ..core.questions import model_of
 from ..models.parameters import (
     POSITIVE,
     FloatArray,
@@ -86,8 +87,6 @@ class BasinBoundary(Result):
 def basin_boundary(
     p: ParameterSet,
     *,
-    V: float | None = None,
-    d: float | None = None,
     plane: tuple[str, str] | None = None,
     start: ArrayLike | None = None,
     saddle: ArrayLike | Trajectory | Cycle | None = None,
@@ -96,6 +95,7 @@ def basin_boundary(
     points: int = 80,
     backend: str | None = None,
     options: MotionOptions | None = None,
+    **values: float | None,
 ) -> BasinBoundary:
     """The stable manifold of a divergent equilibrium in a plane of starts, and where it is the
     boundary of a basin.
@@ -105,8 +105,6 @@ def basin_boundary(
     p : Parameters of any model
         Scalars, where there is a divergent equilibrium; in the article's model that is where there
         are three.
-    V, d : float, optional
-        In place of those of ``p``.
     plane : tuple of str, optional
         Two of the coordinates and rates, as x, y, vx, vy; the others are those of ``start``. The
         first coordinate and its rate unless told otherwise.
@@ -126,6 +124,8 @@ def basin_boundary(
         Most points either way.
     options : MotionOptions, optional
         Numbers by which fates are told.
+    **values : float, optional
+        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``.
 
     Returns
     -------
@@ -157,14 +157,15 @@ def basin_boundary(
     >>> found.boundary.tolist(), found.sides[0].tolist()
     ([False, False, False], ['a cycle of period 34.0235', 'a cycle of period 34.0235'])
     """
-    system, model = System.of(p, backend, options, V=V, d=d), p.model
+    model = model_of(p)
     model.require_answered("basin_boundary")
+    system = System.of(p := p.given(**values), backend, options)
     names = model.components
     plane = (model.coordinates[0], model.rates[0]) if plane is None else plane
     if not len(plane) == len({*plane} & {*names}) == 2:
         raise ParameterError(f"plane = {plane!r} is not two of {', '.join(names)}")
     axes = [names.index(name) for name in plane]
-    known = _saddle(system, p.given(V=V, d=d), saddle)
+    known = _saddle(system, p, saddle)
     scales = system.scales(known.state)
     units = scales.states[axes]
     widths = units * [3.0 if name in model.coordinates else 1.0 for name in plane]

@@ -84,12 +84,11 @@ class Lyapunov(Result):
 def lyapunov(
     p: ParameterSet,
     *,
-    V: float | None = None,
-    d: float | None = None,
     start: ArrayLike | None = None,
     t_end: float | None = None,
     backend: str | None = None,
     options: MotionOptions | None = None,
+    **values: float | None,
 ) -> Lyapunov:
     """The Lyapunov exponents of a motion with their errors, and what they prove.
 
@@ -102,8 +101,6 @@ def lyapunov(
     ----------
     p : Parameters of any model
         Scalars.
-    V, d : float, optional
-        In place of those of ``p``.
     start : array_like, optional
         Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
     t_end : float, optional
@@ -112,6 +109,8 @@ def lyapunov(
     backend : {"heyoka", "scipy"}, optional
     options : MotionOptions, optional
         Numbers by which exponents are told from 0.
+    **values : float, optional
+        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``.
 
     Returns
     -------
@@ -140,7 +139,7 @@ def lyapunov(
     True
     """
     model_of(p).require_answered("lyapunov")
-    system = System.of(p, backend, options, V=V, d=d)
+    system = System.of(p, backend, options, **values)
     state = state_of(p.model, start, p=p)
     if t_end is None:
         t_end = system.options.span * system.scales(state).time

@@ -98,11 +98,10 @@ def fate_boundary(
     vary: str,
     *,
     between: Ranges,
-    V: float | None = None,
-    d: float | None = None,
     start: ArrayLike | None = None,
     backend: str | None = None,
     options: MotionOptions | None = None,
+    **values: float | None,
 ) -> FateBoundary:
     """The value of a parameter at which a start changes its fate, and which saddle it then hovers
     at.
@@ -121,12 +120,12 @@ def fate_boundary(
     between : mapping
         Its range, by its name, with different fates at its ends. Where there are several changes
         between them, one is found, and ``others`` tells of those that were seen.
-    V, d : float, optional
-        In place of those of ``p``.
     start : array_like, optional
         Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
     options : MotionOptions, optional
         Numbers by which fates are told.
+    **values : float, optional
+        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``.
 
     Returns
     -------
@@ -161,7 +160,7 @@ def fate_boundary(
     model.require_answered("fate_boundary")
     model.require_parameter(vary)
     low, high = varied_range(vary, between, model.any_of(vary))
-    system = System.of(p.given(V=V, d=d).replace(**{vary: low}), backend, options)
+    system = System.of(p.given(**values).replace(**{vary: low}), backend, options)
     samples = _FateSamples(system, vary, state_of(model, start))
     ends = samples.verified(samples.sample(low)), samples.verified(samples.sample(high))
     for share in (0.2, 0.4, 0.6, 0.8):

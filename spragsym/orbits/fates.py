@@ -92,12 +92,11 @@ class Fate(Result):
 def fate(
     p: ParameterSet,
     *,
-    V: float | None = None,
-    d: float | None = None,
     start: ArrayLike | None = None,
     t_end: float | None = None,
     backend: str | None = None,
     options: MotionOptions | None = None,
+    **values: float | None,
 ) -> Fate:
     """Long-run fate of a motion: rest, a cycle, chaos or lift-off, or undecided with the reason.
 
@@ -111,8 +110,6 @@ def fate(
     ----------
     p : Parameters of any model
         Scalars.
-    V, d : float, optional
-        In place of those of ``p``.
     start : array_like, optional
         Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
     t_end : float, optional
@@ -122,6 +119,8 @@ def fate(
     backend : {"heyoka", "scipy"}, optional
     options : MotionOptions, optional
         Numbers by which a fate is told.
+    **values : float, optional
+        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``.
 
     Returns
     -------
@@ -149,7 +148,7 @@ def fate(
     227000.0
     """
     model_of(p).require_answered("fate")
-    system = System.of(p, backend, options, V=V, d=d)
+    system = System.of(p, backend, options, **values)
     state = state_of(p.model, start, p=p)
     if t_end is not None:
         t_end = as_number("t_end", t_end, POSITIVE)
@@ -381,8 +380,6 @@ class FateMap(Result):
 def fate_map(
     p: ParameterSet,
     *,
-    V: ArrayLike | None = None,
-    d: ArrayLike | None = None,
     start: ArrayLike | None = None,
     t_end: float | None = None,
     backend: str | None = None,
@@ -390,6 +387,7 @@ def fate_map(
     workers: Workers = 1,
     progress: bool = False,
     store: str | os.PathLike[str] | None = None,
+    **values: ArrayLike | None,
 ) -> FateMap:
     """Fates of the motion from one start, at every point of a broadcast of parameters.
 
@@ -397,8 +395,6 @@ def fate_map(
     ----------
     p : Parameters of any model
         Any shape.
-    V, d : array_like, optional
-        In place of those of ``p``.
     start : array_like, optional
         Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
     t_end : float, optional
@@ -411,6 +407,8 @@ def fate_map(
     store : path, optional
         ``*.csv``. Finished points go to ``<store>.partial`` one by one; the same call goes on from
         there after a kill, and loads the file when it is finished.
+    **values : array_like, optional
+        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``.
 
     Returns
     -------
@@ -432,7 +430,7 @@ def fate_map(
     model = model_of(p)
     model.require_answered("fate_map")
     p.require(*p.ranges)
-    p = p.given(V=V, d=d)
+    p = p.given(**values)
     inputs = {name: p[name] for name in p.ranges}
     # The rate of a clock is that of each point.
     given = list(initial_state(model, start, {}, p).values())[: model.field.deviations]

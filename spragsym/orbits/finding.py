@@ -55,8 +55,6 @@ def cycle(
     p: ParameterSet | None = None,
     near: ArrayLike | Trajectory | Cycle | None = None,
     *,
-    V: float | None = None,
-    d: float | None = None,
     backend: str | None = None,
     patient: bool = True,
     onset: Onsets | None = None,
@@ -64,6 +62,7 @@ def cycle(
     amplitude: float | None = None,
     turns: int | None = None,
     options: ShootingOptions | None = None,
+    **values: float | None,
 ) -> Cycle:
     """The cycle near a state, or the one that a motion approaches, or the one that is born at an
     onset of flutter.
@@ -80,16 +79,14 @@ def cycle(
         A state near the cycle, stable or not, coordinates, then rates, of the article's model x, y,
         x', y'; or a motion whose end approaches it; or a cycle for other values of the parameters.
         0 where left out.
-    V, d : float, optional
-        In place of those of ``p``.
     backend : {"heyoka", "scipy"}, optional
         As for :func:`~spragsym.simulate`.
     patient : bool
         Whether to follow the motion from a state that is not near a cycle, for up to 40 000 time
         units.
     onset : Onsets, optional
-        Of :func:`~spragsym.flutter_onsets`. They know their model and its parameters: ``p``, ``V``,
-        ``d`` and ``near`` are left out.
+        Of :func:`~spragsym.flutter_onsets`. They know their model and its parameters: ``p``,
+        ``near`` and ``values`` are left out.
     index : int
         The number of the onset among them.
     amplitude : float, optional
@@ -101,6 +98,8 @@ def cycle(
         Newton's method from ``near``; without that from the end of a motion of a hundred turns.
     options : ShootingOptions, optional
         Tolerances and limits of Newton's method, and of what is followed from the cycle.
+    **values : float, optional
+        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``.
 
     Returns
     -------
@@ -139,7 +138,7 @@ def cycle(
     if p is None:
         raise ParameterTypeError("p is missing; give parameters, or the onset of a model")
     motions = None if options is None else MotionOptions(shooting=options)
-    system = System.of(p, backend, motions, V=V, d=d)
+    system = System.of(p, backend, motions, **values)
     if turns is not None:
         return _after_turns(system, near, as_count("turns", turns))
     return cycle_near(system, near, patient=patient)

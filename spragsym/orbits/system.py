@@ -49,12 +49,12 @@ class System:
         p: ParameterSet,
         backend: str | None,
         options: MotionOptions | None = None,
-        **belt: float | None,
+        **values: float | None,
     ) -> System:
         """The system of a set of parameters, with values in place of some of its own."""
         options = options or MotionOptions()
         flow = Flow.of(model_of(p).field, backend, options.shooting)
-        return cls(flow, p.given(**belt).scalars(*p.ranges), options)
+        return cls(flow, p.given(**values).scalars(*p.ranges), options)
 
     @property
     def field(self) -> Field:

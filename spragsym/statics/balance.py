@@ -64,9 +64,12 @@ class Balance(Forces, StateSystem):
         )
         return Balance(self.model, touching, self.law, self.room, self.beyond, self.options)
 
-    def extended(self, room: float, contact: int) -> Balance:
-        """The same balance, where states count that far beyond the border of that contact too."""
-        return Balance(self.model, self.contact, self.law, room, contact, self.options)
+    def extended(self, room: float, contact: int | None = None) -> Balance:
+        """The same balance, where states count that far beyond the border of that contact too, or
+        of the one that it was extended beyond.
+        """
+        beyond = self.beyond if contact is None else contact
+        return Balance(self.model, self.contact, self.law, room, beyond, self.options)
 
     @property
     def touching(self) -> str:

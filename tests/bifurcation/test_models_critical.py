@@ -116,7 +116,7 @@ def test_no_tube_is_followed_to_the_fold_at_which_it_ends(monkeypatch: pytest.Mo
         return segment(tubes, *given)
 
     monkeypatch.setattr(Tubes, "segment", counted)
-    before, over = linked(p, "mu0", eq, turns, most=0)
+    before, over = linked(p, "mu0", eq, turns, options=ss.ContinuationOptions(halvings=0))
     assert before == {0: 0, 1: 1, 2: 2}
     assert len(over) == 1
     assert len(rounds) <= 20

@@ -5,6 +5,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.bifurcation.branches import linked
+from spragsym.damped import statics
 
 
 def drawn(seed: int) -> "ss.Parameters":
@@ -79,7 +80,9 @@ def test_branches_go_on_as_tubes_do() -> None:
     fold = float(ss.jump_value(p, "mu0"))
     eq = ss.equilibria(p.replace(mu0=np.array([0.5 * fold, 0.99 * fold, 1.01 * fold])))
     turns = ss.folds(p, "mu0")
-    ways = [linked(p, "mu0", eq, turns, method=way) for way in ("closed", "search")]
+    halved = ss.ContinuationOptions(halvings=3)
+    found = linked(p.of(p.model.search), "mu0", eq, turns, options=halved)
+    ways = [statics.linked(p, "mu0", eq, turns), found]
     assert ways[0] == ways[1]
     assert any(len(step) < count for step, count in zip(ways[0], eq.count, strict=False))
 

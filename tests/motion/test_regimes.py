@@ -108,7 +108,7 @@ def test_a_cycle_that_grazes_the_belt_is_one_whatever_the_phase(t_end: float) ->
     )
     start = {"x0": 0.1009949493101665, "vx0": 0.1636269484446078, "vy0": 0.01329781021160948}
     found = rms_sweep(
-        p, 0.15216712083347134, 5.41751330401023, **start, t_end=t_end, transient=t_end - 500.0
+        p, V=0.15216712083347134, d=5.41751330401023, **start, t_end=t_end, transient=t_end - 500.0
     )
     assert found.regime == Regime.LIMIT_CYCLE
     assert found.period == pytest.approx(20.673374, abs=1e-5)

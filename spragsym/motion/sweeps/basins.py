@@ -65,8 +65,6 @@ class Basin(Named):
 @in_usual_state
 def basin(
     p: ParameterSet,
-    V: float | None = None,
-    d: float | None = None,
     **starts: Any,
 ) -> Basin:
     """Basins of attraction on a grid of starts: two coordinates or rates, as x and vx.
@@ -75,14 +73,13 @@ def basin(
     ----------
     p : Parameters
         Scalars, of any model.
-    V, d : float, optional
-        In place of those of ``p``.
     **starts
         Two of the coordinates and rates by their names, one axis each, as ``x=…, vx=…``: every
-        value of one with every value of the other. The rest of the initial state, as ``y0=…``, and
-        the options are those of :func:`rms_sweep`. A motion that by ``t_end`` approaches nothing is
-        ``Regime.UNSETTLED``: in the article's model deviations die out at a rate of μ₀ d exp(−d V)
-        n, n the contact force, so that it can take tens of thousands of time units.
+        value of one with every value of the other. The rest of the initial state, as ``y0=…``,
+        parameters, as ``V=0.5``, and the options are those of :func:`rms_sweep`. A motion that by
+        ``t_end`` approaches nothing is ``Regime.UNSETTLED``: in the article's model deviations die
+        out at a rate of μ₀ d exp(−d V) n, n the contact force, so that it can take tens of
+        thousands of time units.
 
     Returns
     -------
@@ -107,7 +104,7 @@ def basin(
     """
     model_of(p).require_answered("basin")
     names = model_of(p).components
-    p = p.given(V=V, d=d)
+    p = p.given(**{name: starts.pop(name) for name in [*starts] if name in p.ranges})
     p.scalars(*p.ranges)
     plane = tuple(name for name in starts if name in names)
     if len(plane) != 2:

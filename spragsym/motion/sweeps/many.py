@@ -41,7 +41,7 @@ from ..options import MotionOptions
 from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, Event, Problem, out_of_range, undirected
 from ..regimes import LIMITS, Outcome, Regime
 from ..return_map import Onward
-from ..simulation import initial_state
+from ..simulation import initial_state, started
 from ..with_heyoka import LANES
 from .workers import Workers, made_or_loaded
 
@@ -59,8 +59,6 @@ RECORDS = 1
 @in_usual_state
 def rms_sweep(
     p: ParameterSet,
-    V: ArrayLike | None = None,
-    d: ArrayLike | None = None,
     *,
     t_end: float = 2000.0,
     transient: float | None = None,
@@ -71,7 +69,7 @@ def rms_sweep(
     workers: Workers = 1,
     progress: bool = False,
     store: str | os.PathLike[str] | None = None,
-    **initial: ArrayLike,
+    **values: ArrayLike | None,
 ) -> Sweep:
     """Simulate every point of a broadcast of parameters and initial states, and tell what each
     comes to.
@@ -80,10 +78,6 @@ def rms_sweep(
     ----------
     p : Parameters of any model
         Any shape.
-    V, d : array_like, optional
-        In place of those of ``p``, for models that have them. The article states neither.
-    x0, y0, vx0, vy0, … : array_like, optional
-        As for :func:`~spragsym.simulate`; they broadcast with ``p``.
     t_end, transient : float
         Until when to integrate, and what to leave out of every result, by default three quarters of
         it.
@@ -105,6 +99,9 @@ def rms_sweep(
         ``*.nc`` or ``*.csv``. Finished points go to ``<store>.partial`` task by task. The same call
         resumes from there after a kill, and loads the file when it is finished. One process at a
         time may write to it.
+    **values : array_like, optional
+        Parameters and the initial state, as for :func:`~spragsym.simulate`; they broadcast with
+        ``p``.
 
     Returns
     -------
@@ -138,7 +135,8 @@ def rms_sweep(
     >>> [Regime(code).name for code in sweep.regime]
     ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'UNSETTLED']
     """
-    model, p = model_of(p), p.given(V=V, d=d)
+    model = model_of(p)
+    p, initial = started(p, values)
     p.require(*model.parameters)
     inputs = {
         **{name: p[name] for name in model.parameters},

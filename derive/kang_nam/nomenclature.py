@@ -31,12 +31,11 @@ def _scaled(
     scale: str,
     remark: str = "",
     domain: str = "real",
-    meaning: str = "",
 ) -> sp.Symbol:
     """A quantity over its scale; the remark says more about its values."""
     over = f", times {scale[3:-1]}" if scale.startswith("1/(") else f" over {scale}"
     said = f", {remark}" if remark else ""
-    return _define(code, article, meaning or f"{measured}{over}{said}", "1", domain, scale)
+    return _define(code, article, f"{measured}{over}{said}", "1", domain, scale)
 
 
 def _local(code: str, meaning: str) -> sp.Symbol:
@@ -90,8 +89,8 @@ s = _define("sin", r"\sin\theta", "sin θ", domain="[-1, 1]")
 L = _scaled("L", "L", "spring length", "L_0", domain="> 0")
 x = _scaled("x", "x", "displacement along the belt", "L_0")
 y = _scaled("y", "y", "displacement across the belt", "L_0", "negative into the belt")
-vx = _scaled("vx", "x'", "speed along the belt", "L_0 sqrt(k_c/m)", meaning="dx/dτ")
-vy = _scaled("vy", "y'", "speed across the belt", "L_0 sqrt(k_c/m)", meaning="dy/dτ")
+vx = _define("vx", "x'", "dx/dτ", scale="L_0 sqrt(k_c/m)")
+vy = _define("vy", "y'", "dy/dτ", scale="L_0 sqrt(k_c/m)")
 tau = _scaled("tau", r"\tau", "time", "sqrt(m/k_c)")
 mu = _define("mu", r"\mu", "friction coefficient at the current sliding speed")
 n = _define("n", "n", "contact force N / (k_c L_0)", domain=">= 0")

@@ -322,6 +322,9 @@ class MarginOptions(Options):
         Halvings of a radius while rays are compared, and at the end.
     steps : int
         Steps of Newton's method towards the border.
+    prove : bool
+        Also prove that nothing jumps within a part of the distance, as large as can be shown in
+        some seconds.
     proof : float
         Parts of a box that a try of a proof may take, as a share of those of a certificate.
 
@@ -340,6 +343,7 @@ class MarginOptions(Options):
     coarse: int = limit(9)
     fine: int = limit(36)
     steps: int = limit(40)
+    prove: bool = False
     proof: float = option(0.15, 0.0, 10.0)
 
 

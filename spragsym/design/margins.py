@@ -50,7 +50,6 @@ def jump_margin(
     *,
     vary: str | None = None,
     begin: float | None = None,
-    prove: bool = False,
     options: MarginOptions | None = None,
     method: Method = "auto",
 ) -> JumpMargin:
@@ -66,11 +65,8 @@ def jump_margin(
     vary, begin : str and float, optional
         The parameter that rises, mu0 unless told otherwise, and from where, the lower end of its
         range.
-    prove : bool
-        Also prove that nothing jumps within a part of the distance, as large as can be shown in
-        some seconds.
     options : MarginOptions, optional
-        Limits of the search and of the proof.
+        Limits of the search, and whether to prove that nothing jumps within a part of the distance.
     method : {"auto", "closed", "search"}
         Whether what is asked on the way may be answered by closed forms.
 
@@ -106,10 +102,10 @@ def jump_margin(
     name, first = model_of(p).rising(vary, begin)
     options = options or MarginOptions()
     designs = space(p, scale, None)
-    if prove and not isinstance(p, ParameterSet):
+    if options.prove and not isinstance(p, ParameterSet):
         raise ParameterError(
-            "prove = True is for dimensionless Parameters; call .dimensionless() and give "
-            "their tolerances"
+            "MarginOptions: prove = True is for dimensionless Parameters; call .dimensionless() "
+            "and give their tolerances"
         )
 
     border = EndOfState(designs, name, first)
@@ -127,7 +123,7 @@ def jump_margin(
     best = nearest(jumped, designs.limits(), on_fold, options)
     # Where nothing was found two tolerances are enough for a proof.
     reach, proved = 2.0 if best is None else norm(best), np.nan
-    if prove:
+    if options.prove:
         radii = (share * reach for share in (0.95, 0.8, 0.5, 0.2) if reach)
         proved = next(
             (

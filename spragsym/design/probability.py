@@ -130,19 +130,21 @@ class JumpProbability(Result):
         )
 
 
-def estimated(
-    variables: Mapping[str, Any],
-    event: Event,
-    *,
-    correlation: Correlation | None,
-    n: int,
-    rng: int | np.random.Generator | None,
-    confidence: float = 0.95,
-    sobol: bool = True,
-    replicates: int,
-    workers: Workers = 1,
-    progress: bool = False,
-) -> JumpProbability:
+@dataclass(frozen=True)
+class Sampling:
+    """Points at which an event is asked for, as arguments of :func:`jump_probability`."""
+
+    correlation: Correlation | None
+    n: int
+    rng: int | np.random.Generator | None
+    replicates: int
+    confidence: float = 0.95
+    sobol: bool = True
+    workers: Workers = 1
+    progress: bool = False
+
+
+def estimated(variables: Mapping[str, Any], event: Event, sampling: Sampling) -> JumpProbability:
     """The probability of any event, 1 or 0 of many points or NaN."""
     varied = tuple(name for name, one in variables.items() if not isinstance(one, float))
     if not varied:
@@ -150,10 +152,9 @@ def estimated(
             "no quantity of distribution varies; give a range or a distribution for one, or "
             "use jump_value"
         )
-    together = dependence(varied, correlation)
-    as_count("n", n, 2)
-    as_count("replicates", replicates, 2)
-    confidence = as_number("confidence", confidence)
+    together, rng = dependence(varied, sampling.correlation), sampling.rng
+    n, replicates = as_count("n", sampling.n, 2), as_count("replicates", sampling.replicates, 2)
+    confidence = as_number("confidence", sampling.confidence)
     if not 0 < confidence < 1:
         raise ParameterError(
             f"confidence = {confidence!r} is not between 0 and 1; give 0.95 for 95 %"
@@ -166,21 +167,21 @@ def estimated(
     seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
     parts = chunks(n, seeds)
     work = partial(
-        sums, partial(_at_points, variables, together, event), [*together.factors], sobol
+        sums, partial(_at_points, variables, together, event), [*together.factors], sampling.sobol
     )
     # Alone a process answers many chunks at once.
     # Points of a set that are asked together.
-    most = max(1, (1 << 16) // parts[0].size) if workers == 1 else 1
+    most = max(1, (1 << 16) // parts[0].size) if sampling.workers == 1 else 1
     tasks = [parts[first : first + most] for first in range(0, len(parts), most)]
     done: dict[int, list[list[float]]] = {}
-    results = processes.results(workers, work, dict(enumerate(tasks)), _chunk_text)
-    with advance(progress, len(tasks), 0) as step, closing(results):
+    results = processes.results(sampling.workers, work, dict(enumerate(tasks)), _chunk_text)
+    with advance(sampling.progress, len(tasks), 0) as step, closing(results):
         for i, records in results:
             done[i] = records
             step()
     every, titles = (
         [one for i in range(len(tasks)) for one in done[i]],
-        together.titles if sobol else (),
+        together.titles if sampling.sobol else (),
     )
     return estimate(every, [part.replicate for part in parts], confidence, titles)
 
@@ -419,18 +420,8 @@ def jump_probability(
         )
     if kind is None and n >= MANY and asked.closed_form("limit_point_passed") is None:
         event = replace(event, proved=_proved(asked, variables, vary, begin))
-    found = estimated(
-        variables,
-        event,
-        correlation=correlation,
-        n=n,
-        rng=rng,
-        confidence=confidence,
-        sobol=sobol,
-        replicates=replicates,
-        workers=workers,
-        progress=progress,
-    )
+    sampling = Sampling(correlation, n, rng, replicates, confidence, sobol, workers, progress)
+    found = estimated(variables, event, sampling)
     if not max_boxes:
         return found
     return replace(found, proved=bracket(asked, variables, vary, begin, max_boxes))

@@ -163,7 +163,7 @@ def curves_between(
         for eq, cuts in pieces_between(p, vary, ends, own, damping, n):
             spans.append(undecided_points(eq, vary, cuts))
             for at in chains(p, vary, eq, own.turns):
-                curves += _by_stability(p, vary, eq, at, cuts, own.turns, damping)
+                curves += _by_stability(vary, eq, at, cuts, own.turns, damping)
     return Branches(curves, p.model, vary, joined(np.concatenate(spans)))
 
 
@@ -184,7 +184,6 @@ def _by_combination(p: ParameterSet, turns: Points | None) -> list[_Combination]
 
 
 def _by_stability(
-    p: ParameterSet,
     vary: str,
     eq: Equilibria,
     at: States,
@@ -193,7 +192,7 @@ def _by_stability(
     damping: bool,
 ) -> Iterator[Branch]:
     """The pieces of one curve, each of one stability."""
-    n = eq.count.size
+    model, n = eq.parameters.model, eq.count.size
     columns = {
         vary: eq.parameters[vary][at[0]],
         **{name: eq[name][at] for name in eq.state_columns},
@@ -226,7 +225,7 @@ def _by_stability(
             kinds = np.insert(kinds, place, kinds[side])
     for part in runs(kinds):
         states = selected_rows(columns, part)
-        yield Branch(p.model, vary, states.pop(vary), states, EquilibriumType(kinds[part][0]))
+        yield Branch(model, vary, states.pop(vary), states, EquilibriumType(kinds[part][0]))
 
 
 def pieces_between(

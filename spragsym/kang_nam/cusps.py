@@ -18,7 +18,7 @@ from ..numerics.balls import Interval, as_mpf, as_numbers, atan2, decided, sign,
 from ..numerics.polynomials import RootOf, roots_on_the_line
 from ..results import Points
 from ..results.precise_states import CuspProof, PreciseCusp
-from .folds import STATE, Angles, SurfacePoint, in_contact, listed, unfolded
+from .folds import STATE, Angles, SurfacePoint, in_contact, listed, unfolded, within
 from .kernel import FIXED
 from .parameters import Parameters
 
@@ -44,7 +44,7 @@ def cusps(
     )
     rows = sorted(found, key=lambda row: (row[1], *row))
     spans = (-math.pi, math.pi), (-math.inf, math.inf)
-    return listed(Points, p, plane, np.full(len(rows), "cusp"), rows, between, spans=spans)
+    return within(listed(p, plane, np.full(len(rows), "cusp"), rows, spans=spans), between)
 
 
 def precise_cusps(

@@ -17,7 +17,7 @@ of the square of that.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -43,7 +43,7 @@ from ..numerics.polynomials import (
 from ..results import Result
 from . import kernel
 from .bifurcation_sets import CurveCondition, curves
-from .folds import SurfacePoint, listed
+from .folds import SurfacePoint, listed, within
 from .kernel import FIXED, Fixed
 from .only import of_article
 from .parameters import Parameters
@@ -86,7 +86,8 @@ def flutter_onsets(
     trace, *_ = kernel.invariants(*kernel.cos_sin(theta), L, 0.0, *p.scalars(*FIXED[1:]), 1)
     omega = np.sqrt(0.5 * trace)
     more = {"omega": omega, "branch": branch, "count": count, "side": side.astype(np.int8)}
-    return listed(Onsets, p, ("theta0",), np.full(len(rows), "flutter"), rows, between, more=more)
+    points = listed(p, ("theta0",), np.full(len(rows), "flutter"), rows)
+    return within(Onsets(**vars(replace(points, _values={**points._values, **more}))), between)
 
 
 # ------------------------------------------------------------------------------------------------

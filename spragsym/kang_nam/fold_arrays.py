@@ -70,7 +70,7 @@ def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     value = -kernel.f(*here, *_rows(without, roots.row)) / slope
     others = dict(zip(LINEAR, _rows(values, roots.row), strict=True)) | {vary: value}
     upper = roots.rising * slope.sign()
-    return _kept(roots, value, (*here, *_rows(angle, roots.row)), others, -roots.rising, upper)
+    return _kept(roots, value, (*here, *_rows(angle, roots.row)), others, (-roots.rising, upper))
 
 
 def friction_sextic(given: Mapping[str, FloatArray]) -> Sequence[Any]:
@@ -131,7 +131,7 @@ def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     )
     named = dict(zip(LINEAR, others, strict=True))
     return _kept(
-        roots, theta0, (*at, cos0, sin0), named, -curvature * change.sign(), curvature, inside
+        roots, theta0, (*at, cos0, sin0), named, (-curvature * change.sign(), curvature), inside
     )
 
 
@@ -154,20 +154,19 @@ def _kept(
     value: Rounded,
     angles: tuple[Rounded, Rounded, Rounded, Rounded],
     here: Mapping[str, Rounded],
-    side: Int8Array,
-    upper: Int8Array,
+    signs: tuple[Int8Array, Int8Array],
     inside: Int8Array | int = 1,
 ) -> FoldArrays:
-    """Candidates in contact with the value in its range; a sign that is needed and open makes the
-    point undecided.
+    """Candidates in contact with the value in its range, with ``signs`` of their side and of where
+    they are upper ones; a sign that is needed and open makes the point undecided.
     """
     L, _, y = kernel.state_of(*angles, *(here[name] for name in kernel.FIXED))
     tests = [value.sign(), L.sign(), -y.sign(), angles[3].sign(), inside]
     out = functools.reduce(np.logical_or, [test < 0 for test in tests])
-    vague = functools.reduce(np.logical_or, [test == 0 for test in (*tests, side, upper)]) & ~out
+    vague = functools.reduce(np.logical_or, [test == 0 for test in (*tests, *signs)]) & ~out
     undecided = roots.undecided.copy()
     undecided[roots.row[vague]] = True
-    every = FoldArrays(roots.row, value, roots.t, side, upper > 0, undecided)
+    every = FoldArrays(roots.row, value, roots.t, signs[0], signs[1] > 0, undecided)
     return every.rows(np.flatnonzero(~out & ~undecided[roots.row]))
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -95,7 +95,7 @@ def folds(
         when,
         dict(zip(STATE, np.array(after, dtype=float).reshape(-1, 4).T.copy(), strict=True)),
     )
-    return listed(Points, p, (vary,), kind, rows, between, ended=ended)
+    return within(listed(p, (vary,), kind, rows, ended=ended), between)
 
 
 def _words(fold: Fold) -> tuple[str, str, str]:
@@ -106,32 +106,31 @@ def _words(fold: Fold) -> tuple[str, str, str]:
 
 
 def listed(
-    kind_of: type[PointsT],
     p: Parameters,
     vary: tuple[str, ...],
     kind: NDArray[np.str_],
     rows: Sequence[tuple[float, ...]],
-    between: Ranges | None,
     *,
-    more: Mapping[str, NDArray[Any]] | None = None,
     ended: Ended | Callable[[Points], Ended] = nothing_ends,
     spans: Sequence[Span] | None = None,
-) -> PointsT:
-    """All points in the ranges of what varies, or in ``spans``, of rows of :meth:`Point.row`; where
-    it is given, ``between``.
-    """
+) -> Points:
+    """All points in the ranges of what varies, or in ``spans``, of rows of :meth:`Point.row`."""
     names = *vary, *STATE
     *columns, error = np.array(rows, dtype=float).reshape(-1, len(names) + 1).T.copy()
-    values = dict(zip(names, columns, strict=True)) | dict(more or {})
+    values = dict(zip(names, columns, strict=True))
     allowed = spans or [(RANGES[name].low, RANGES[name].high) for name in vary]
     region = np.array([(-np.inf, np.inf)] * len(p.model.coordinates) + [*allowed])
     none = np.empty((0, len(region), 2))
-    every = kind_of(p, vary, kind, error, region, True, (), none, (), values, ended)
+    return Points(p, vary, kind, error, region, True, (), none, (), values, ended)
+
+
+def within(points: PointsT, between: Ranges | None) -> PointsT:
+    """Those of some points that lie in ranges of what varies, if these are given."""
     if between is None:
-        return every
+        return points
     from ..bifurcation.defining_systems import ranges  # which loads the search
 
-    return every.between(ranges(p.model, vary, between))
+    return points.between(ranges(points.parameters.model, points.vary, between))
 
 
 @dataclass(frozen=True)

@@ -307,9 +307,8 @@ class _Search:
         most = np.where(single, self.budget, self.system.options.node_budget)
         spent = self.work[pairs.nodes] > most
         if self.plan is not None:
-            return self.plan.decided(
-                given, pairs.ends, parameters, self.limits, single, spent, self.rules
-            )
+            marks = single, spent
+            return self.plan.decided(given, pairs.ends, parameters, self.limits, marks, self.rules)
         # Widened, so that a root on the border of a box lies well inside, or by rounding beside it.
         room = self.rules.margin * Intervals(pairs.ends).width
         room = room + NARROW * scale_of(pairs.ends).max(axis=0)

@@ -103,11 +103,12 @@ class Plan:
         boxes: FloatArray,
         parameters: Intervals,
         limits: FloatArray,
-        single: BoolArray,
-        spent: BoolArray,
+        marks: tuple[BoolArray, BoolArray],
         rules: Rules,
     ) -> tuple[FloatArray, Judged]:
-        """Boxes with room around, and what becomes of them."""
+        """Boxes with room around, and what becomes of them; ``marks`` are those of nodes with one
+        point, and those whose work is spent.
+        """
         count = given.shape[2]
         wide, step, left = np.empty((3, *given.shape))
         verdicts, along = np.empty(count, dtype=np.int8), np.empty(count, dtype=np.int64)
@@ -117,8 +118,7 @@ class Plan:
             np.ascontiguousarray(boxes),
             parameters.ends,
             np.array(np.broadcast_to(limits[..., 0], (2, self.n))),
-            single,
-            spent,
+            *marks,
             rules.sharp,
             (rules.margin, rules.spread, rules.small, rules.narrow, rules.shrunk, NARROW),
             wide,
@@ -134,17 +134,17 @@ def planned(
     n: int,
     coordinates: int,
     parameters: int,
-    values: Tape,
-    slopes: Tape,
-    contraction: Tape | None,
+    equations: tuple[Tape, Tape, Tape | None],
     besides: Exclusions,
 ) -> Plan | None:
-    """The plan of a system; None where compiled code has no room for it."""
+    """The plan of a system, by the tapes of its values, slopes and own contraction, if it has one;
+    None where compiled code has no room for it.
+    """
     sizes = len(besides.lines), len(besides.borders), len(besides.sides), besides.arcs.shape[2]
     # As many lines, borders, sides and arcs as compiled code has room for.
     if np.greater(sizes, (8, 8, 16, 64)).any():
         return None
-    tapes = values, slopes, contraction, besides.gaps, besides.anchors, besides.turnings
+    tapes = *equations, besides.gaps, besides.anchors, besides.turnings
     lines = tuple(
         (given(line.forces), given(line.direction), given(line.determinant))
         for line in besides.lines

@@ -30,7 +30,7 @@ from ..motion.regimes import Outcome, Regime
 from ..motion.scales import scales_of
 from ..motion.simulation import initial_state, state_of
 from ..motion.sweeps.many import fingerprint, with_degrees
-from ..motion.sweeps.workers import Workers, made_or_loaded
+from ..motion.sweeps.workers import Computation, Workers, made_or_loaded
 from ..numerics.interval_arrays import Int8Array
 from ..results.result import Result
 from .attractors import attractor_exponents
@@ -449,7 +449,9 @@ def fate_map(
         raise ParameterError(f"store = {store} does not end in .csv")
     work, made = partial(_records, model, settings), partial(_made, model, inputs, settings)
     key = partial(fingerprint, model, inputs, settings)
-    return made_or_loaded(inputs, work, made, MEASURED, "why", key, workers, progress, store)
+    return made_or_loaded(
+        Computation(inputs, work, made, MEASURED, "why", key), workers, progress, store
+    )
 
 
 def _longest(

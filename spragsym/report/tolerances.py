@@ -14,7 +14,7 @@ import numpy as np
 from ..core.errors import ConvergenceError
 from ..design.certificates import Certificate
 from ..design.jumps import limit_point_passed
-from ..design.probability import JumpProbability, estimated, measured
+from ..design.probability import JumpProbability, Sampling, estimated, measured
 from ..design.tube_certificates import Splitting, certify
 from ..models.parameters import FloatArray, Span
 from ..models.quantities import Unit
@@ -194,10 +194,7 @@ def chance(study: Brake, n: int) -> JumpProbability:
     return estimated(
         study.values | {name: study.quantities[name].whole for name in varied(study)},
         lambda values: ending(study, values),
-        correlation=study.pairs(varied(study)),
-        n=n,
-        rng=0,
-        replicates=8,
+        Sampling(study.pairs(varied(study)), n, rng=0, replicates=8),
     )
 
 

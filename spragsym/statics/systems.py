@@ -251,9 +251,11 @@ class StateSystem(EquationSystem):
             n,
             some,
             parameters,
-            made(self.value_entries(self.balance.anywhere), of_state=False),
-            made(self.slope_entries(), of_state=False),
-            made(self.directed_entries(), some, of_state=False) if self.contracts else None,
+            (
+                made(self.value_entries(self.balance.anywhere), of_state=False),
+                made(self.slope_entries(), of_state=False),
+                made(self.directed_entries(), some, of_state=False) if self.contracts else None,
+            ),
             self.exclusions(made),
         )
 

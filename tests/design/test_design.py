@@ -281,7 +281,7 @@ def test_a_box_that_touches_the_fold_ends_undecided() -> None:
 
 def test_the_margin_of_friction_alone_is_the_jump_value() -> None:
     p = BASE.replace(theta0=0.6)
-    margin = ss.jump_margin(p, {"mu0": 0.05}, prove=True)
+    margin = ss.jump_margin(p, {"mu0": 0.05}, options=ss.MarginOptions(prove=True))
     assert margin.distance == pytest.approx((ss.jump_value(p) - 0.5) / 0.05, rel=1e-9)
     assert 0.5 * margin.distance < margin.proved < margin.distance
     jumped = ss.jump_margin(p.replace(mu0=0.9), {"mu0": 0.05})

@@ -161,7 +161,7 @@ def test_tapes_of_other_systems_are_refused() -> None:
     assert made is not None
     for slopes, parameters in ((made, 3), (replace(made, outputs=4), 0)):
         with pytest.raises(ValueError, match="not as its system is"):
-            plans.planned(2, 2, parameters, made, slopes, None, plans.Exclusions())
+            plans.planned(2, 2, parameters, (made, slopes, None), plans.Exclusions())
     with quiet():
         plan = system.plan(system.prepared(Intervals.point(column)))
     assert plan is not None

@@ -43,7 +43,7 @@ from ..regimes import LIMITS, Outcome, Regime
 from ..return_map import Onward
 from ..simulation import initial_state, started
 from ..with_heyoka import LANES
-from .workers import Workers, made_or_loaded
+from .workers import Computation, Workers, made_or_loaded
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -165,9 +165,8 @@ def rms_sweep(
         partial(fingerprint, model, inputs, settings),
     )
     columns = [own_name(model, name) for name in (*reported(model), "regime", "reason")]
-    return made_or_loaded(
-        inputs, work, made, columns[:-1], columns[-1], key, workers, progress, store, together
-    )
+    computation = Computation(inputs, work, made, columns[:-1], columns[-1], key, together)
+    return made_or_loaded(computation, workers, progress, store)
 
 
 def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:

@@ -22,8 +22,9 @@ from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import closing, contextmanager, suppress
+from dataclasses import dataclass
 from functools import partial
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -51,26 +52,30 @@ Point: TypeAlias = tuple[float, ...]
 Work: TypeAlias = Callable[[Sequence[Point]], list[Record]]
 
 
-def made_or_loaded(
-    inputs: Mapping[str, FloatArray],
-    work: Work,
-    made: Callable[[dict[str, Any], Mapping[str, Any]], R],
-    names: Sequence[str],
-    text: str,
-    key: Callable[[], str],
-    workers: Workers,
-    progress: bool,
-    store: str | os.PathLike[str] | None,
-    together: Callable[[int, int], int] = lambda *_: 1,
-) -> R:
-    """The result for a broadcast of ``inputs``: computed, or gone on with, or loaded, if its file
-    is there.
+@dataclass(frozen=True)
+class Computation(Generic[R]):
+    """A result over a broadcast of ``inputs``, point by point.
 
     ``work(points)`` gives a record each, in other processes too, ``made(columns, known)`` the
     result, of ``known`` columns of the file if it is loaded: ``names`` for the numbers of a record,
     ``text`` for its words. ``key()`` is a hash of everything that decides the bits of the result;
     ``together(points, workers)`` says how many are one task.
     """
+
+    inputs: Mapping[str, FloatArray]
+    work: Work
+    made: Callable[[dict[str, Any], Mapping[str, Any]], R]
+    names: Sequence[str]
+    text: str
+    key: Callable[[], str]
+    together: Callable[[int, int], int] = lambda *_: 1
+
+
+def made_or_loaded(
+    of: Computation[R], workers: Workers, progress: bool, store: str | os.PathLike[str] | None
+) -> R:
+    """The result of a computation: computed, or gone on with, or loaded, if its file is there."""
+    inputs, names, text = of.inputs, of.names, of.text
     shape = common_shape({name: values.shape for name, values in inputs.items()})
     columns = [np.broadcast_to(values, shape).ravel().tolist() for values in inputs.values()]
     points = list(zip(*columns, strict=True))
@@ -80,7 +85,7 @@ def made_or_loaded(
         numbers: Sequence[Any] | FloatArray, words: Iterable[str], known: Mapping[str, Any]
     ) -> R:
         table = np.asarray(numbers, dtype=float).reshape(len(names), *shape)
-        return made(
+        return of.made(
             {
                 **dict(zip(names, table, strict=True)),
                 text: np.array([*words], dtype=np.str_).reshape(shape),
@@ -90,10 +95,10 @@ def made_or_loaded(
 
     def compute(done: dict[int, Record], keep: Callable[[int, Record], None]) -> R:
         left = [i for i in range(len(points)) if i not in done]
-        size = together(len(left), parallel)
+        size = of.together(len(left), parallel)
         parts = [left[begin : begin + size] for begin in range(0, len(left), size)]
         tasks = {number: tuple(points[i] for i in part) for number, part in enumerate(parts)}
-        found = results(workers, work, tasks, partial(_values_of, inputs))
+        found = results(workers, of.work, tasks, partial(_values_of, inputs))
         with advance(progress, len(points), len(done)) as step, closing(found):
             for number, records in found:
                 for i, record in zip(parts[number], records, strict=True):
@@ -106,7 +111,7 @@ def made_or_loaded(
     if store is None:
         kept: dict[int, Record] = {}
         return compute(kept, kept.__setitem__)
-    target, hashed, total = resolved(store), key(), len(points)
+    target, hashed, total = resolved(store), of.key(), len(points)
 
     def loaded() -> R | None:
         if not target.is_file() or storage.OVERWRITING.get():

@@ -374,7 +374,6 @@ def _sides(
 def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: FloatArray) -> Roots:
     """All roots of points, as boxes of coordinates."""
     found = certified_roots.search(system, sides, given, given)
-    found = refined(system, given, found)
     found = refined_in_digits(system, given, sides, found)
     found = found if system.turns else reduced_by_turns([0], found)
     prepared = system.prepared_at(given)

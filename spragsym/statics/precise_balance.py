@@ -61,7 +61,7 @@ def refined_in_digits(
     most: int = 24,
 ) -> Roots:
     """Clusters that a search has left or knows to few digits, with many digits, one after the
-    other.
+    other; a root that is known to be alone has its digits before that.
 
     Not of points with more clusters than ``most``, if the options do not say, nor with more boxes
     than their ``folded``, of which the hull is left.
@@ -77,6 +77,7 @@ def refined_in_digits(
         return told.concatenated(
             found.of(many).select(undecided=slice(0)).with_undecided(np.stack(whole, axis=2), many)
         )
+    found = refined(system, given, found)
     poor = ~(found.error <= options.tolerance)
     boxes = np.concatenate([found.undecided, found.ends[:, :, poor] + 2.0**-13], axis=2)
     hulls, owner = clusters(boxes, np.concatenate([found.undecided_point, found.point[poor]]))

@@ -205,7 +205,7 @@ def search(
         # A look at one box costs as much as at a few.
         here.run(_parted(first, options.pieces) if low.shape[1] <= 4 else first)
     unique, where, undecided = (
-        first.concatenated(*others) for first, *others in (here.unique, here.where, here.undecided)
+        first[:0].concatenated(*found) for found in (here.unique, here.where, here.undecided)
     )
     return SearchOutcome(unique, where, undecided, points, here.looks)
 
@@ -258,9 +258,10 @@ class _Search:
         np.add.at(self.work, pairs.nodes, 1)
         given, pairs = self._contracted(pairs)
         wide, found = self._decided(given.ends, pairs)
-        proved = found.verdicts == BoxVerdict.PROVED
-        self.unique.append(Pairs(wide, pairs.nodes)[proved])
-        self.where.append(Pairs(found.step, pairs.nodes)[proved])
+        proved = np.flatnonzero(found.verdicts == BoxVerdict.PROVED)
+        if proved.size:
+            self.unique.append(Pairs(wide, pairs.nodes)[proved])
+            self.where.append(Pairs(found.step, pairs.nodes)[proved])
         left = np.flatnonzero(found.verdicts > BoxVerdict.PROVED)
         return self._divided(
             Pairs(found.left, pairs.nodes)[left], found.verdicts[left], found.along[left]
@@ -286,7 +287,7 @@ class _Search:
             ends, keep = self.plan.kept(given.ends, parameters, self.rules.margin)
             excluded = self.system.excluded_without_plan
         rows = np.flatnonzero(keep)
-        boxes = ends[:, :, rows]
+        boxes = ends.take(rows, axis=2)
         gone = excluded(Intervals(boxes), parameters[:, rows]) if rows.size else None
         if gone is not None:
             left = np.flatnonzero(~gone)
@@ -323,15 +324,22 @@ class _Search:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much
         narrower.
         """
-        hard = self.system.abandoned(Intervals(now.ends), self.parameters[:, now.nodes])
+        hard = self.system.abandoned(Intervals(now.ends), self._at(now.nodes))
         verdicts[hard] = BoxVerdict.UNDECIDED
-        self.undecided.append(now[verdicts == BoxVerdict.UNDECIDED])
-        better, halve = (
-            now[verdicts == BoxVerdict.AGAIN],
-            np.flatnonzero(verdicts == BoxVerdict.HALVED),
+        undecided, better, halve, parted = (
+            np.flatnonzero(verdicts == which)
+            for which in (
+                BoxVerdict.UNDECIDED,
+                BoxVerdict.AGAIN,
+                BoxVerdict.HALVED,
+                BoxVerdict.PARTED,
+            )
         )
-        left = better.concatenated(_cut(now[halve], along[halve]))
-        parted = np.flatnonzero(verdicts == BoxVerdict.PARTED)
+        if undecided.size:
+            self.undecided.append(now[undecided])
+        left = _cut(now[halve], along[halve])
+        if better.size:
+            left = now[better].concatenated(left)
         if not parted.size:
             return left
         places, children = self.points.children(now.nodes[parted])
@@ -359,13 +367,13 @@ def _parted(pairs: Pairs, pieces: int) -> Pairs:
 def _cut(pairs: Pairs, along: IntArray) -> Pairs:
     """Both halves of each box, cut in the unknown of that number."""
     columns = np.arange(len(pairs))
+    ends = np.concatenate([pairs.ends, pairs.ends], axis=2)
+    low, high = -ends[0, along, columns], ends[1, along, columns]
     # Not in the middle, where symmetric systems have their roots.
-    low, high = -pairs.ends[0, along, columns], pairs.ends[1, along, columns]
     cut = np.clip(low + 0.4921875 * (high - low), low, high)
-    lower, upper = pairs.ends.copy(), pairs.ends.copy()
-    lower[1, along, columns] = cut
-    upper[0, along, columns] = -cut
-    return Pairs(np.concatenate([lower, upper], axis=2), np.concatenate([pairs.nodes, pairs.nodes]))
+    ends[1, along, columns] = cut
+    ends[0, along, columns + len(pairs)] = -cut
+    return Pairs(ends, np.concatenate([pairs.nodes, pairs.nodes]))
 
 
 @dataclass(frozen=True)

@@ -34,6 +34,14 @@ class ByColumn:
     """
 
     def __getitem__(self, rows: Selection) -> Self:
+        if isinstance(rows, np.ndarray) and rows.ndim == 1:
+            # NumPy takes by numbers in a third of the time.
+            number = np.flatnonzero(rows) if rows.dtype == np.bool_ else rows
+            return self._made(
+                lambda part: (
+                    part[number] if isinstance(part, ByColumn) else part.take(number, axis=-1)
+                )
+            )
         return self._made(
             lambda part: part[rows] if isinstance(part, ByColumn) else part[..., rows]
         )

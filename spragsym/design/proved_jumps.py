@@ -121,5 +121,5 @@ def _known(box: Splitting, pieces: Pieces) -> BoolArray:
     bounds = Intervals.between(low, high)
     around, whole = region(balance, bounds)
     held = pieces.base.box().ends[:, :-1]
-    found = is_reference(balance, balance.prepared(bounds), held, around)
+    found = is_reference(balance, bounds, held, around)
     return found & whole & pieces.base.sure

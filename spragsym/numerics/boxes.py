@@ -171,6 +171,11 @@ class SearchOutcome:
     points: Tree
     looks: int
 
+    @property
+    def every(self) -> Pairs:
+        """Boxes that hold all roots."""
+        return self.where.concatenated(self.undecided)
+
 
 def search(
     system: EquationSystem,

@@ -8,6 +8,7 @@ where two are alike to within their errors.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 from operator import mul
 from typing import Any
 
@@ -19,7 +20,7 @@ from ..models.field import undecorated
 from ..models.forces import named
 from ..models.model import Model
 from ..models.parameters import ParameterSet
-from ..numerics import contractors
+from ..numerics import boxes, contractors
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
@@ -138,7 +139,7 @@ def chosen_state(
         second = (slope * place).sum(axis=0) + 0.5 * (place[:, None] * stiffness * place).sum(
             axis=(0, 1)
         )
-    convex = np.asarray(np.isfinite(stiffness).all(axis=(0, 1)))
+    convex = np.asarray(np.isfinite(stiffness).all(axis=(0, 1)) & _has_stiffness(model))
     low, most = _stiffest(stiffness, convex)
     convex &= low > CONVEX * most
     strain = np.where(convex, second, strain)
@@ -158,6 +159,21 @@ def _at_origin(energy: Callable[[Any], Any], n: int, shape: Shape) -> tuple[Inte
     return value, slope, matrix(rows, shape)
 
 
+@cache
+def _has_stiffness(model: Model) -> bool:
+    """Whether the strain energy has a stiffness at the origin of the coordinates, where all
+    contacts touch: that of a power between 1 and 2 has none, at whatever parameters.
+    """
+    (_, point), *_ = model.cases()
+    given = [*map(Intervals.point, np.reshape(model.arguments(point, "motion"), (-1, 1)))]
+    energy, pushing = undecorated(model.algebra.strain_energy), [1] * len(model.contacts)
+    with quiet():
+        *_, found = _at_origin(
+            lambda q: energy(*q, *given, *pushing, xp=XP), len(model.coordinates), (1,)
+        )
+    return bool(np.isfinite(found.middle).all())
+
+
 def _stiffest(stiffness: FloatArray, among: BoolArray) -> tuple[FloatArray, FloatArray]:
     """Least eigenvalue, and largest by size, of matrices (n, n, …); 0 where not ``among``."""
     roots = np.linalg.eigvalsh(np.moveaxis(np.where(among, stiffness, 0.0), (0, 1), (-2, -1)))
@@ -165,47 +181,83 @@ def _stiffest(stiffness: FloatArray, among: BoolArray) -> tuple[FloatArray, Floa
 
 
 def is_reference(
-    balance: Balance, parameters: Intervals, ends: FloatArray, around: FloatArray
+    balance: Balance, bounds: Intervals, ends: FloatArray, around: FloatArray
 ) -> BoolArray:
-    """Boxes, each with one stable state for all of its prepared parameters, in which that is proved
-    to be the reference state; ``around`` are boxes that hold all states.
+    """Boxes, each with one stable state for all parameters within its ``bounds``, shape (P, N), in
+    which that is proved to be the reference state; ``around`` are boxes that hold all states.
 
-    Source: a state of no more strain energy to second order, ½ qᵀ S q + s · q, lies in an ellipsoid
-    about the origin. Two states in a box around that would be a and b with K (a − b) = 0, K within
-    its bounds over the box.
+    Source: what may be the reference state lies in a box about the one that is asked for. Two
+    states in that would be a and b with K (a − b) = 0, K within its bounds over the box.
     """
-    n, shape, values = balance.n, parameters.shape[1:], balance.arguments(parameters)
-
-    def energy(q: Sequence[Any]) -> Any:
-        return balance.at(q, values, shape).call("strain_energy", q, *balance.pushing)
-
+    parameters = balance.prepared(bounds)
     with quiet():
         codes, proved = stability.types_over(balance, parameters, ends)
-        value, slope, stiffness = _at_origin(energy, n, shape)
-
-        def strain(q: Intervals) -> FloatArray:
-            rows = [
-                sum(map(mul, row, q), 2 * one) for one, row in zip(slope, stiffness, strict=True)
-            ]
-            return (sum(map(mul, rows, q), 0 * value) * 0.5).magnitude
-
-        off = 0.5 * n * stiffness.width.max(axis=(0, 1))
-        low, most = _stiffest(stiffness.middle, np.asarray(np.isfinite(off)))
-        convex = low - off > CONVEX * (most + off)
-        S = np.where(convex, stiffness.middle - off * np.eye(n)[:, :, None], np.eye(n)[:, :, None])
-        along = np.sqrt(np.diagonal(np.linalg.inv(np.moveaxis(S, 2, 0)), axis1=1, axis2=2)).T
-        # What counts as alike is a share of the largest energy of all states.
-        largest = np.maximum(strain(Intervals(around)), value.magnitude)
-        least = (slope.magnitude * along).sum(axis=0)
-        t = least + np.sqrt(least**2 + 2 * (strain(Intervals(ends)) + 2 * ALIKE * largest))
-        # S is no worse conditioned than 1/CONVEX, so that a thousandth covers all roundings.
-        reach = np.minimum(1.001 * t * along, balance.border[:, :, None])
+        if _has_stiffness(balance.model):
+            reach, known = _little_strained(balance, parameters, ends, around)
+        else:
+            reach, known = _less_strained(balance, bounds, ends, around), proved
         K = balance.jacobian(Intervals(reach), parameters)
         Y = contractors.inverse(K.middle)
-        left = Intervals(contractors.product(Y, K.ends)) + Intervals.point(-np.eye(n)[:, :, None])
+        one = Intervals.point(-np.eye(balance.n)[:, :, None])
+        left = Intervals(contractors.product(Y, K.ends)) + one
         # Far more than the roundings of a product and a sum of n numbers.
         alone = left.magnitude.sum(axis=1).max(axis=0) < 1 - 1e-9
-    return np.asarray(proved & (codes == EquilibriumType.STABLE) & convex & alone)
+    return np.asarray(proved & (codes == EquilibriumType.STABLE) & known & alone)
+
+
+def _strain_energy(balance: Balance, parameters: Intervals) -> Callable[[Sequence[Any]], Any]:
+    """Strain energy at coordinates, for boxes of prepared parameters."""
+    values, shape = balance.arguments(parameters), parameters.shape[1:]
+    return lambda q: balance.at(q, values, shape).call("strain_energy", q, *balance.pushing)
+
+
+def _little_strained(
+    balance: Balance, parameters: Intervals, ends: FloatArray, around: FloatArray
+) -> tuple[FloatArray, BoolArray]:
+    """Boxes that hold all of no more strain energy to second order, ½ qᵀ S q + s · q, an ellipsoid
+    about the origin; and where that is proved to be one.
+    """
+    n, shape = balance.n, parameters.shape[1:]
+    value, slope, stiffness = _at_origin(_strain_energy(balance, parameters), n, shape)
+
+    def strain(q: Intervals) -> FloatArray:
+        rows = [sum(map(mul, row, q), 2 * one) for one, row in zip(slope, stiffness, strict=True)]
+        return (sum(map(mul, rows, q), 0 * value) * 0.5).magnitude
+
+    off = 0.5 * n * stiffness.width.max(axis=(0, 1))
+    low, most = _stiffest(stiffness.middle, np.asarray(np.isfinite(off)))
+    convex = np.asarray(low - off > CONVEX * (most + off))
+    S = np.where(convex, stiffness.middle - off * np.eye(n)[:, :, None], np.eye(n)[:, :, None])
+    along = np.sqrt(np.diagonal(np.linalg.inv(np.moveaxis(S, 2, 0)), axis1=1, axis2=2)).T
+    # What counts as alike is a share of the largest energy of all states.
+    largest = np.maximum(strain(Intervals(around)), value.magnitude)
+    least = (slope.magnitude * along).sum(axis=0)
+    t = least + np.sqrt(least**2 + 2 * (strain(Intervals(ends)) + 2 * ALIKE * largest))
+    # S is no worse conditioned than 1/CONVEX, so that a thousandth covers all roundings.
+    return np.minimum(1.001 * t * along, balance.border[:, :, None]), convex
+
+
+def _less_strained(
+    balance: Balance, bounds: Intervals, ends: FloatArray, around: FloatArray
+) -> FloatArray:
+    """Hulls of boxes and of all stable states of no more strain energy, by a search that parts no
+    box narrower than a thirty-second: what it leaves has more energy, or is not stable, or near.
+    """
+    # Many more than a box takes that is told from all others at all.
+    found = boxes.search(balance, around, bounds.low, bounds.high, budget=2000, narrow=2.0**-5)
+    place, part = found.points.below(found.every.nodes)
+    every, parameters = found.every.ends.take(place, axis=2), balance.prepared(bounds)
+    here = parameters[:, part]
+    codes, proved = stability.types_over(balance, here, every)
+    strain = _strain_energy(balance, here)(list(Intervals(every)))
+    own = _strain_energy(balance, parameters)(list(Intervals(ends))).high
+    largest = np.zeros(own.shape)
+    np.maximum.at(largest, part, strain.magnitude)
+    more = strain.low > (own + 2 * ALIKE * largest)[part]
+    left = np.flatnonzero(~(more | (proved & (codes != EquilibriumType.STABLE))))
+    hull = np.moveaxis(ends, 2, 0).copy()
+    np.maximum.at(hull, part[left], np.moveaxis(every, 2, 0)[left])
+    return np.moveaxis(hull, 0, 2)
 
 
 def _pushing(model: Model, p: ParameterSet, q: Sequence[FloatArray]) -> list[Any]:

@@ -85,7 +85,7 @@ def test_another_state_is_followed_where_it_is_chosen() -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name", ["kang_nam", "two_springs"])
+@pytest.mark.parametrize("name", ["kang_nam", "two_springs", "hertz_contact"])
 def test_what_is_proved_to_be_the_reference_state_is_the_one_chosen_of_all(name: str) -> None:
     rng, count, model = np.random.default_rng(80), 3000, ss.load(name).search
     theta0, mu0 = rng.uniform(0.1, 3.0, count), rng.uniform(0.0, 4.0, count)
@@ -96,8 +96,8 @@ def test_what_is_proved_to_be_the_reference_state_is_the_one_chosen_of_all(name:
     eq, balance = ss.equilibria(p), Balance(model)
     point, slot = eq.states
     q = np.array([eq[key][point, slot] for key in balance.coordinates])
-    parameters = balance.prepared(Intervals.point(columns(p, balance.parameters)[:, point]))
+    bounds = Intervals.point(columns(p, balance.parameters)[:, point])
     region = (eq["region"][point] * np.array([-1.0, 1.0])).T
-    found = is_reference(balance, parameters, ends_around(q, np.full(q.shape, 1e-9)), region)
+    found = is_reference(balance, bounds, ends_around(q, np.full(q.shape, 1e-9)), region)
     assert 0.4 < found.sum() / count
     assert not (found & (reference_state(eq)[point] != slot)).any()

@@ -54,6 +54,15 @@ def few(parameters: Iterable[Any], *kept: Any) -> list[Any]:
     return found
 
 
+def box_of(low: Any, high: Any) -> dict[str, tuple[float, float]]:
+    """Sides of a box, by the parameters at two of its corners."""
+    return {
+        name: (float(low[name]), float(high[name]))
+        for name in low.ranges
+        if low[name] is not None and low[name] != high[name]
+    }
+
+
 def as_fraction(value: mpmath.mpf) -> Fraction:
     """The rational that a number of mpmath is."""
     negative, mantissa, exponent, _ = value._mpf_

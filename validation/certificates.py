@@ -100,7 +100,12 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     name = names[number // len(CLAIMS) % len(names)]
     model = ss.load(name)
     low, high = box(model, rng)
-    found = ss.certify(low, high, claim, method="search", max_boxes=PARTS)
+    sides = {
+        name: (float(low[name]), float(high[name]))
+        for name in model.parameters
+        if low[name] < high[name]
+    }
+    found = ss.certify(low, claim, between=sides, method="search", max_boxes=PARTS)
     told: dict[str, Any] = {"kind": f"{claim}, {found.outcome}", "wrong": [], "motions": 0}
     if found.outcome == "refuted" and claim == "no jump":
         end = end_of(model, found.counterexample)

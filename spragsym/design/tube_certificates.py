@@ -16,7 +16,7 @@ from ..bifurcation.turning_points import passed, size_of
 from ..core.error_states import in_usual_state
 from ..core.errors import ParameterError
 from ..core.questions import Method, model_of, question
-from ..models.parameters import ParameterSet, as_count
+from ..models.parameters import ParameterSet, Ranges, as_count, as_ranges
 from ..models.quantities import Unit, checked_units
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ..statics.balance import BalanceInUnits
@@ -286,23 +286,22 @@ def claims(
 
 @in_usual_state
 def certify(
-    low: ParameterSet,
-    high: ParameterSet,
+    p: ParameterSet,
     claim: str = "no jump",
     *,
+    between: Ranges | None = None,
     vary: str | None = None,
     begin: float | None = None,
     max_boxes: int | None = None,
     refute: bool = True,
-    units: Mapping[str, Unit] | None = None,
     method: Method = "auto",
 ) -> Certificate:
     """Prove a claim for every point of a box of parameters, or find a point at which it is false.
 
     Parameters
     ----------
-    low, high : Parameters
-        Two corners, scalars, of one model; a parameter may have the same value in both.
+    p : Parameters
+        Scalars, of any model.
     claim : {"no jump", "one equilibrium", "no flutter"}
         ``"no jump"``: the state that is stable and of smallest first coordinate in the middle of
         the box where ``vary`` begins, and what it becomes over the box, goes on as ``vary`` rises
@@ -311,6 +310,9 @@ def certify(
         contact does any λ of det(λ² M + K) = 0 have both a real and an imaginary part, as in (27):
         without dampers and the slope of the friction law, with which a state may grow all the same,
         see :func:`spragsym.flutter_onsets`.
+    between : mapping, optional
+        Ranges of parameters, by their names, in place of their values in ``p``: the sides of the
+        box, which is a point without.
     vary : str, optional
         The parameter that rises, mu0 unless told otherwise, for ``"no jump"`` only.
     begin : float, optional
@@ -320,9 +322,6 @@ def certify(
         forms, else 2000.
     refute : bool
         Also look for a point where the claim is false.
-    units : mapping of str to Unit, optional
-        Units of measure that have tolerances too, as :class:`spragsym.design.certificates.Unit`:
-        the corners are those at their base values. The search takes them for ``"no jump"`` only.
     method : {"auto", "closed", "search"}
         A closed form if the model brings one for these arguments, the closed form only, or tubes
         and boxes of states.
@@ -335,7 +334,7 @@ def certify(
     Raises
     ------
     ParameterError
-        For corners that are not scalars or in the wrong order, or another claim.
+        For parameters that are not scalars, ranges that leave theirs, or another claim.
 
     Notes
     -----
@@ -352,16 +351,20 @@ def certify(
     --------
     >>> import numpy as np, spragsym as ss
     >>> base = ss.Parameters.article(theta0=np.radians(30.0), mu0=0.6)
-    >>> ss.certify(base, base.replace(theta0=np.radians(32.0), mu0=0.7), "no jump").outcome
+    >>> ss.certify(base, between={"theta0": np.radians([30.0, 32.0]), "mu0": (0.6, 0.7)}).outcome
     'proved'
-    >>> ss.certify(base, base.replace(mu0=0.9), "no jump").outcome
+    >>> ss.certify(base, between={"mu0": (0.6, 0.9)}).outcome
     'refuted'
-    >>> low = ss.load("two_springs").Parameters(theta0=0.5, mu0=0.2)
-    >>> ss.certify(low, low.replace(theta0=0.52, mu0=0.3, sigma=0.11), "no jump").outcome
+    >>> p = ss.load("two_springs").Parameters()
+    >>> sides = {"theta0": (0.5, 0.52), "mu0": (0.2, 0.3), "sigma": (0.1, 0.11)}
+    >>> ss.certify(p, between=sides).outcome
     'proved'
     """
-    model_of(low, high).require_answered("certify")
-    box = claims(low, high, claim, vary=vary, begin=begin, units=units, method=method)
+    model = model_of(p)
+    model.require_answered("certify")
+    sides = as_ranges("between", between, p.ranges)
+    low, high = (p.replace(**{name: ends[side] for name, ends in sides.items()}) for side in (0, 1))
+    box = claims(low, high, claim, vary=vary, begin=begin, method=method)
     return box.certificate(
         claim, box.most if max_boxes is None else as_count("max_boxes", max_boxes), refute
     )

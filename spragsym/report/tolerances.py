@@ -15,7 +15,7 @@ from ..core.errors import ConvergenceError
 from ..design.certificates import Certificate
 from ..design.jumps import limit_point_passed
 from ..design.probability import JumpProbability, Sampling, estimated, measured
-from ..design.tube_certificates import Splitting, certify
+from ..design.tube_certificates import Splitting, claims
 from ..models.parameters import FloatArray, Span
 from ..models.quantities import Unit
 from .brake import Brake
@@ -165,8 +165,8 @@ def certificate(study: Brake, *, coarse: bool = False) -> Certificate:
         return Certificate("no jump", "refuted", point, 0.0, 0)
     low, high, units = box(study)
     most = budget.boxes_of_change if coarse else budget.boxes
-    found = certify(
-        low, high, "no jump", max_boxes=most, refute=False, units=units, **study.along()
+    found = claims(low, high, "no jump", units=units, **study.along()).certificate(
+        "no jump", most, refute=False
     )
     # A part of the box where all jump need not hold a brake: the bounds of its friction may be
     # loose.

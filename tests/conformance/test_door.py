@@ -91,7 +91,7 @@ def test_two_ways_to_one_answer() -> None:
     ).vary == ("kappa", "mu0")
     # Ranges of no parameter say nothing, so that the closed form still answers.
     assert ss.critical_friction(one, between={}, method="closed").value == ss.critical_friction(one)
-    rises = functools.partial(ss.certify, one, claim="no jump", vary="theta0")
+    rises = functools.partial(ss.certify, claim="no jump", vary="theta0")
     for function, p in (
         (ss.equilibria, a_set("stribeck")),
         (ss.jump_value, a_set("stribeck")),

@@ -35,7 +35,7 @@ QUESTIONS: dict[str, Callable[[], Any]] = {
     "jump_gradient": lambda: ss.jump_gradient(P),
     "jump_margin": lambda: ss.jump_margin(P, {"theta0": 0.02, "kappa": 0.001}),
     "redesign": lambda: ss.redesign(P, {"mu0": 0.5}, {"theta0": 0.02}),
-    "certify": lambda: ss.certify(*BOX, "no jump"),
+    "certify": lambda: ss.certify(P, between={"mu0": (0.1, 0.12), "theta0": (0.5, 0.52)}),
     "jump_probability": lambda: ss.jump_probability(
         {**dict.fromkeys(("alpha", "beta"), 0.01), "kappa": 0.007, "sigma": 0.1}
         | {"theta0": 0.8, "mu0": (0.3, 0.6)},

@@ -281,8 +281,9 @@ class Asked:
         """What is proved of a box is true at random points of it, and what is refuted is not true
         at the counterexample.
         """
-        low, high = (self.p.replace(**{self.vary: share * self.own}) for share in (0.995, 1.005))
-        if not self.answers(ss.certify, low, high):
+        low = self.p.replace(**{self.vary: 0.995 * self.own})
+        sides = {self.vary: (0.995 * self.own, 1.005 * self.own)}
+        if not self.answers(ss.certify, low, between=sides):
             return
         points = self.p.replace(
             **{self.vary: self.own * np.random.default_rng(1).uniform(0.995, 1.005, 4)}
@@ -303,12 +304,12 @@ class Asked:
                     "is known to be stable",
                     ss.certify,
                     low,
-                    high,
                     claim,
+                    between=sides,
                     **rises,
                 )
                 continue
-            found = ss.certify(low, high, claim, max_boxes=60, **rises)
+            found = ss.certify(low, claim, between=sides, max_boxes=60, **rises)
             if claim == "no flutter" and found.outcome == "undecided":
                 continue  # of several coordinates, in so few boxes
             assert is_false(

@@ -61,7 +61,7 @@ def asked_of(p: Any) -> dict[str, Callable[[], object]]:
         "basin": lambda: ss.basin(p, **plane, **short),
         "basin_boundary": lambda: ss.basin_boundary(p),
         "bifurcation_set": lambda: ss.bifurcation_set(p, PLANE, n=4),
-        "certify": lambda: ss.certify(p, p.replace(mu_k=0.5), **rises),
+        "certify": lambda: ss.certify(p, between={"mu_k": (float(p.mu_k), 0.5)}, **rises),
         "count": lambda: ss.count(p),
         "critical_friction": lambda: ss.critical_friction(p, "mu_k", "kappa", **both),
         "critical_value": lambda: _no_value(p, **both),

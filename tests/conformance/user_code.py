@@ -16,7 +16,7 @@ eq: ss.results.Equilibria = ss.equilibria(
 found: ss.results.Points = ss.folds(p, "mu0", between={"mu0": (0.0, 1.0)}, method="closed")
 value = ss.jump_value(p, "sigma", until=1.0)
 path: ss.results.Path = ss.quasi_static_path(p, "mu0", np.linspace(0.0, 1.0, 3), method="search")
-proved: ss.results.Certificate = ss.certify(p, p, "no jump", vary="mu0", begin=0.0, max_boxes=10)
+proved: ss.results.Certificate = ss.certify(p, "no jump", vary="mu0", begin=0.0, max_boxes=10)
 odds: ss.results.JumpProbability = ss.jump_probability({"mu0": (0.2, 0.4)}, model=model, n=64)
 lowest: ss.results.CriticalLoad = ss.critical_friction(p, between={"mu0": (0.0, 1.0)})
 sweep: ss.results.Sweep = ss.rms_sweep(p, t_end=1.0)

@@ -33,7 +33,7 @@ def said_by(ask: Callable[[], Any]) -> list[str]:
             marks=pytest.mark.thorough,
         ),
         (
-            lambda: ss.certify(P.replace(mu0=0.0), P.replace(mu0=0.01, theta0=1.01), "no jump"),
+            lambda: ss.certify(P, between={"mu0": (0.0, 0.01), "theta0": (1.0, 1.01)}),
             "parts of the box looked at",
         ),
         pytest.param(

@@ -90,10 +90,10 @@ def test_branches_go_on_as_tubes_do() -> None:
 def test_a_brake_that_refutes_a_claim_has_its_dampers() -> None:
     p = drawn(0)
     fold = float(ss.jump_value(p, "mu0"))
-    found = ss.certify(p.replace(mu0=0.0), p.replace(mu0=1.1 * fold), "no jump")
+    found = ss.certify(p, between={"mu0": (0.0, 1.1 * fold)})
     assert found.outcome == "refuted"
     assert found.counterexample.model is p.model
-    assert ss.certify(p.replace(mu0=0.0), p.replace(mu0=0.9 * fold), "no jump").outcome == "proved"
+    assert ss.certify(p, between={"mu0": (0.0, 0.9 * fold)}).outcome == "proved"
 
 
 def test_dampers_may_be_many() -> None:

@@ -23,7 +23,7 @@ from spragsym.kang_nam.jump_values import limit_point_passed
 from spragsym.numerics import bernstein
 from spragsym.numerics.affine import Rounded
 from tests.oracles import families, reference
-from tests.support import few
+from tests.support import box_of, few
 
 BASE = ss.Parameters.article()
 NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
@@ -224,7 +224,7 @@ def test_what_is_proved_holds_at_random_points_and_what_is_refuted_does_not(clai
     rng = np.random.default_rng(11)
     seen = set()
     for low, high in boxes(12, 14, (0.01, 0.08)):
-        found = ss.certify(low, high, claim, max_boxes=400)
+        found = ss.certify(low, claim, between=box_of(low, high), max_boxes=400)
         seen.add(found.outcome)
         corners = {name: (float(getattr(low, name)), float(getattr(high, name))) for name in NAMES}
         if found.outcome == "proved":
@@ -264,13 +264,13 @@ def test_a_proof_does_not_lean_on_the_search_for_counterexamples(claim: str) -> 
 def test_a_box_that_touches_the_fold_ends_undecided() -> None:
     low = BASE.replace(theta0=0.5, mu0=0.5)
     (fold,) = (float(value) for value in ss.folds(low, "mu0").mu0)
-    found = ss.certify(low, low.replace(mu0=fold), "no jump", max_boxes=60)
+    found = ss.certify(low, between={"mu0": (0.5, fold)}, max_boxes=60)
     assert found.outcome == "undecided"
     assert found.undecided == 1.0
-    assert ss.certify(low, low.replace(mu0=fold * (1 - 1e-9)), "no jump").outcome == "proved"
-    assert ss.certify(low, low.replace(mu0=fold * (1 + 1e-9)), "no jump").outcome == "refuted"
+    assert ss.certify(low, between={"mu0": (0.5, fold * (1 - 1e-9))}).outcome == "proved"
+    assert ss.certify(low, between={"mu0": (0.5, fold * (1 + 1e-9))}).outcome == "refuted"
     # With width in θ₀ only the boxes at the fold's side stay open.
-    wide = ss.certify(low.replace(theta0=0.45), low.replace(mu0=fold), "no jump", max_boxes=60)
+    wide = ss.certify(low, between={"theta0": (0.45, 0.5), "mu0": (0.5, fold)}, max_boxes=60)
     assert wide.outcome == "undecided"
     assert 0 < wide.undecided < 0.2
 
@@ -445,12 +445,9 @@ MISTAKES: list[tuple[Callable[[], Any], str]] = [
     (lambda: ss.jump_value(BASE), "theta0"),
     (lambda: ss.jump_value(AT, direction="down"), "direction = 'down'"),
     (lambda: ss.jump_value(AT, "kappa", direction="left"), "direction = 'left'"),
-    (lambda: ss.certify(LATER, LATER, "no sprag"), "'no sprag'.*'no flutter'"),
-    (
-        lambda: ss.certify(LATER, LATER.replace(mu0=0.1), "no jump"),
-        r"low\.mu0 = 0\.5.*high\.mu0 = 0\.1",
-    ),
-    (lambda: ss.certify(LATER, LATER.replace(mu0=[0.6, 0.7]), "no jump"), "high"),
+    (lambda: ss.certify(LATER, "no sprag"), "'no sprag'.*'no flutter'"),
+    (lambda: ss.certify(LATER, between={"mu0": (0.5, 0.1)}), r"between\['mu0'\] = \(0\.5, 0\.1\)"),
+    (lambda: ss.certify(LATER.replace(mu0=[0.6, 0.7])), "low"),
     (lambda: ss.jump_margin(AT, {}), "scale"),
     (lambda: ss.jump_margin(AT, {"k_x": 1.0}), "'k_x' in scale"),
     (lambda: ss.jump_margin(AT, {"mu0": -1.0}), r"scale\['mu0'\] = -1"),

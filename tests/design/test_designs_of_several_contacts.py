@@ -17,6 +17,7 @@ from spragsym.design.tube_certificates import Splitting
 from spragsym.statics.search import balances_of
 from tests.oracles.contact_pages import JAMMING, PAD, WORN
 from tests.oracles.user_pages import model_of
+from tests.support import box_of
 
 pytest.importorskip("sympy")
 
@@ -204,7 +205,7 @@ def test_a_box_is_proved_below_the_border_and_refuted_where_states_end_there() -
     def outcome(mu0: float, P: float) -> Any:
         low = shoe().Parameters(**given, mu0=mu0, P=0.01)
         high = low.replace(P=P, mu0=mu0 * 1.01)
-        return ss.certify(low, high, vary="P", begin=-0.1, max_boxes=50)
+        return ss.certify(low, between=box_of(low, high), vary="P", begin=-0.1, max_boxes=50)
 
     least = touches(given)
     assert outcome(locking, least * 0.99).outcome == "proved"
@@ -221,8 +222,12 @@ def test_states_of_all_combinations_are_counted(mu0: float, outcome: str) -> Non
     given = {"b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s": 0.2, "s_0": 0.3}
     low = shoe().Parameters(**given, mu0=mu0, P=0.01)
     assert (int(ss.equilibria(low).count) == 1) == (outcome == "proved")
-    high = low.replace(mu0=mu0 + 0.01)
-    assert ss.certify(low, high, "one equilibrium", max_boxes=100).outcome == outcome
+    assert (
+        ss.certify(
+            low, "one equilibrium", between={"mu0": (mu0, mu0 + 0.01)}, max_boxes=100
+        ).outcome
+        == outcome
+    )
 
 
 @pytest.mark.thorough

@@ -9,7 +9,8 @@ import pytest
 
 import spragsym as ss
 from spragsym.bifurcation.paths import first_end
-from spragsym.design.tube_certificates import ENDS, OPEN, Splitting, certify
+from spragsym.design.tube_certificates import ENDS, OPEN, Splitting
+from tests.support import box_of
 
 SEARCH = ss.load("kang_nam").search
 BOX = {"theta0": (0.69, 0.71), "mu0": (0.55, 0.63), "sigma": (0.095, 0.105)}
@@ -33,8 +34,11 @@ def test_nothing_is_proved_of_one_face_where_the_other_holds_a_state(claim: str)
         for off in (-1e-6, 1e-6)
     )
     assert set(ss.equilibria(low).touching.ravel()) == {"face", "opposite face"}
-    assert ss.certify(low, high, claim, max_boxes=200, refute=False).outcome == "undecided"
-    assert ss.certify(low, high, claim).outcome == "refuted"
+    assert (
+        ss.certify(low, claim, between=box_of(low, high), max_boxes=200, refute=False).outcome
+        == "undecided"
+    )
+    assert ss.certify(low, claim, between=box_of(low, high)).outcome == "refuted"
 
 
 def test_tubes_hold_the_states_of_all_points_of_a_box() -> None:
@@ -90,18 +94,18 @@ def test_at_a_fold_and_without_friction() -> None:
     below, above = (
         model.Parameters(theta0=1.0, mu0=end.value * (1 + side)) for side in (-1e-3, 1e-3)
     )
-    assert ss.certify(below, below).outcome == "proved"
-    assert ss.certify(above, above).outcome == "refuted"
-    assert ss.certify(below, above).outcome == "refuted"
+    assert ss.certify(below).outcome == "proved"
+    assert ss.certify(above).outcome == "refuted"
+    assert ss.certify(below, between=box_of(below, above)).outcome == "refuted"
     at = model.Parameters(theta0=1.0, mu0=end.value)
-    found = ss.certify(at, at)
+    found = ss.certify(at)
     assert (found.outcome, found.undecided, found.boxes) == (
         "undecided",
         1.0,
         1,
     )  # a point can't be halved
     none = model.Parameters(theta0=1.0, mu0=0.0)
-    assert ss.certify(none, none).outcome == "proved"
+    assert ss.certify(none).outcome == "proved"
 
 
 @pytest.mark.thorough
@@ -110,10 +114,10 @@ def test_flutter_begins_where_its_onset_is_proved() -> None:
     model = ss.load("mode_coupling")
     onset = float(np.min(ss.flutter_onsets(model.Parameters(), vary="mu0", damping=False).mu0))
     below, close, above = (model.Parameters(mu0=onset * (1 + side)) for side in (-0.5, -1e-4, 1e-4))
-    assert ss.certify(below, close, "no flutter").outcome == "proved"
-    assert ss.certify(below, above, "no flutter").outcome == "refuted"
+    assert ss.certify(below, "no flutter", between=box_of(below, close)).outcome == "proved"
+    assert ss.certify(below, "no flutter", between=box_of(below, above)).outcome == "refuted"
     found = ss.certify(
-        below, model.Parameters(mu0=onset), "no flutter", max_boxes=100, refute=False
+        below, "no flutter", between={"mu0": (0.5 * onset, onset)}, max_boxes=100, refute=False
     )
     assert found.outcome == "undecided"
     assert found.boxes <= 100
@@ -131,13 +135,11 @@ def test_where_two_states_meet() -> None:
     at, below, above = (
         model.Parameters(theta0=1.0, mu0=fold * (1 + side)) for side in (0.0, -1e-6, 1e-6)
     )
-    found = ss.certify(at, at, "one equilibrium", refute=False)
+    found = ss.certify(at, "one equilibrium", refute=False)
     assert (found.outcome, found.undecided, found.boxes) == ("undecided", 1.0, 1)
     counts = [int(ss.equilibria(p).count) for p in (below, above)]
     for p, count in zip((below, above), counts, strict=True):
-        assert ss.certify(p, p, "one equilibrium").outcome == (
-            "proved" if count == 1 else "refuted"
-        )
+        assert ss.certify(p, "one equilibrium").outcome == ("proved" if count == 1 else "refuted")
     assert abs(counts[0] - counts[1]) == 2 or 0 in counts
 
 
@@ -146,6 +148,6 @@ def test_nothing_rises() -> None:
     with pytest.raises(
         ss.errors.ParameterError, match=r"vary = 'mu0': 'no flutter' is about all states"
     ):
-        ss.certify(p, p, "no flutter", vary="mu0")
-    with pytest.raises(ss.errors.ParameterError, match="exchange the two"):
-        certify(p.replace(mu0=0.3), p, "one equilibrium", vary=None)
+        ss.certify(p, "no flutter", vary="mu0")
+    with pytest.raises(ss.errors.ParameterError, match="give its lower and upper end"):
+        ss.certify(p, "one equilibrium", between={"mu0": (0.3, 0.2)})

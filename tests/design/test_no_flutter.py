@@ -25,19 +25,15 @@ page.force(S * k * l * (x / l - 2) * (x / l - 2 - h) * (x / l - 2 - 2 * h) * (x 
 
 
 def test_no_state_of_one_coordinate_flutters() -> None:
-    low = model_of(FOUR_ROOTS, "four_roots").Parameters(P=-1.0)
-    assert (
-        ss.certify(low, low.replace(P=1.0, S=1000.0, h=0.1), "no flutter", max_boxes=4).outcome
-        == "proved"
-    )
+    low = model_of(FOUR_ROOTS, "four_roots").Parameters()
+    sides = {"P": (-1.0, 1.0), "S": (float(low.S), 1000.0), "h": (float(low.h), 0.1)}
+    assert ss.certify(low, "no flutter", between=sides, max_boxes=4).outcome == "proved"
 
 
 def test_without_friction_a_potential_has_no_flutter() -> None:
-    low = ss.load("mode_coupling").Parameters(mu0=0.0)
-    assert (
-        ss.certify(low, low.replace(alpha=2.0, sigma=1.0), "no flutter", max_boxes=4).outcome
-        == "proved"
-    )
+    p = ss.load("mode_coupling").Parameters(mu0=0.0)
+    sides = {"alpha": (float(p.alpha), 2.0), "sigma": (float(p.sigma), 1.0)}
+    assert ss.certify(p, "no flutter", between=sides, max_boxes=4).outcome == "proved"
 
 
 @pytest.mark.thorough

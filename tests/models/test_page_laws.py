@@ -16,7 +16,7 @@ import spragsym as ss
 pytest.importorskip("sympy")
 
 from tests.oracles.user_pages import model_of, shipped_page
-from tests.support import few
+from tests.support import box_of, few
 
 OFFERED = "import Abs, Page, atan, cos, cosh, exp, log, pi, sgn, sin, sinh, sqrt, tanh"
 
@@ -139,7 +139,7 @@ def test_tolerances_are_proved_with_any_law(model: Any) -> None:
         middle.replace(sigma=SIGMA * (1 + side), d=10 * (1 + side), mu0=0.1 * (1 + side))
         for side in (-0.02, 0.02)
     )
-    assert ss.certify(low, high, "no jump", max_boxes=200).outcome == "proved"
+    assert ss.certify(low, between=box_of(low, high), max_boxes=200).outcome == "proved"
     rng = np.random.default_rng(1)
     values = {
         name: rng.uniform(float(getattr(low, name)), float(getattr(high, name)), 50)

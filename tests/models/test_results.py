@@ -108,7 +108,7 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "JumpGradient": lambda: ss.jump_gradient(P),
     "JumpMargin": lambda: ss.jump_margin(ONE, {"mu0": 0.05}),
     "JumpProbability": lambda: ss.jump_probability((ONE, ONE.replace(mu0=0.9)), n=256, rng=1),
-    "Certificate": lambda: ss.certify(ONE, ONE, "no jump"),
+    "Certificate": lambda: ss.certify(ONE),
     "Redesign": lambda: ss.redesign(ONE, "theta0", {"mu0": 0.8}),
     "Cycle": _cycle,
     "Phases": lambda: _cycle().phases,

@@ -304,7 +304,7 @@ def test_what_is_not_answered_of_a_clock_is_refused_by_its_name() -> None:
     asked: dict[str, Callable[[], object]] = {
         "basin_boundary": lambda: ss.basin_boundary(p),
         "bifurcation_set": lambda: ss.bifurcation_set(p, plane),
-        "certify": lambda: ss.certify(p, p, vary="c"),
+        "certify": lambda: ss.certify(p, vary="c"),
         "count": lambda: ss.count(p),
         "critical_friction": lambda: ss.critical_friction(p, *plane),
         "critical_value": lambda: ss.critical_value(p, "omega", between=ranges),

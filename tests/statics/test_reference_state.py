@@ -73,8 +73,8 @@ def test_another_state_is_followed_where_it_is_chosen() -> None:
     (fold,) = ss.folds(rod, "mu0", between={"mu0": (0.0, 2.0)}).mu0
     assert ss.jump_value(rod, "mu0", until=2.0) == pytest.approx(fold, abs=1e-12)
     assert np.isnan(ss.jump_value(other, "mu0", until=2.0))
-    assert ss.certify(rod, rod, "no jump").outcome == "refuted"
-    assert ss.certify(other, other, "no jump").outcome == "proved"
+    assert ss.certify(rod).outcome == "refuted"
+    assert ss.certify(other).outcome == "proved"
     article = ss.Parameters.article(theta0=0.5, mu0=0.6)
     far = article.following(x=1.8)
     assert ss.quasi_static_path(far, "mu0", [0.0, 0.3]).x[0] == pytest.approx(

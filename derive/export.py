@@ -201,6 +201,8 @@ def _motion(
         )
     # Of forces, energy and power: what each is, its unit in SI, and the order of its
     # derivative.
+    slips = zip(moves.borders[len(it.contacts) :], it.frictions, strict=True)
+    held = [slip for slip, friction in slips if friction.holds is not None]
     outputs = {
         "force.normal": ("normal force of the contact", "N", 0),
         "force.friction": ("force of friction, positive in the belt's direction", "N", 0),
@@ -218,7 +220,7 @@ def _motion(
             *(
                 replace(
                     variable(str(place.rate), f"rate of {place.symbol}", place.unit, 1),
-                    reset=it.holds and moves.borders[1].has(rate),
+                    reset=any(level.has(rate) for level in held),
                 )
                 for place, rate in zip(places, it.rates, strict=True)
             ),
@@ -228,21 +230,37 @@ def _motion(
         ),
         given=tuple(map(given, (*it.parameters, *measures))),
         step=float(f"{0.1 * time.nominal:.0e}"),
-        borders=(
-            *(["gap"] if it.contact.unilateral else []),
-            *(["face"] if it.contact.either_face else []),
-            *(["slip"] if it.friction.along is not None else []),
-            *(["ahead", "behind"] if it.holds else []),
-            *(f"turning{count}" for count, _ in enumerate(it.torsions, 1)),
-        ),
-        rooted=not it.contact.polynomial,
-        outputs=tuple(
-            variable(
-                name, *outputs.get(name, ("tension of a spring, negative where it pushes", "N", 0))
-            )
-            for name in moves.outputs
-        ),
+        borders=_edges(it),
+        turnings=len(it.torsions),
+        rooted=tuple(not contact.polynomial for contact in it.contacts),
+        of_place=tuple(len(it.contacts) > 1 and contact.unilateral for contact in it.contacts),
+        rubbing=tuple(it.contacts.index(friction.normal) for friction in it.frictions),
+        outputs=tuple(variable(name, *_of_contact(name, outputs)) for name in moves.outputs),
     )
+
+
+def _of_contact(name: str, outputs: Mapping[str, tuple[str, str, int]]) -> tuple[str, str, int]:
+    """What an output is, its unit in SI, and the order of its derivative; the name of a contact, of
+    several, stands behind.
+    """
+    spring = "tension of a spring, negative where it pushes", "N", 0
+    kind, what, *contact = name.split(".") if "." in name else (name, "")
+    meaning, unit, order = outputs.get(f"{kind}.{what}" if what else kind, spring)
+    return ", ".join((meaning, *contact)), unit, order
+
+
+def _edges(it: Mechanics) -> tuple[targets.Edge, ...]:
+    """Borders of all contacts, and then of all frictions."""
+    found = list[targets.Edge]()
+    for place, contact in enumerate(it.contacts):
+        kinds = ["gap"] * contact.unilateral + ["face"] * contact.either_face
+        found += [targets.Edge(kind, place, contact.name) for kind in kinds]
+    holding = [friction for friction in it.frictions if friction.holds is not None]
+    for place, friction in enumerate(it.frictions, len(it.contacts)):
+        row = holding.index(friction) if friction in holding else -1
+        kinds = ["slip"] * (friction.along is not None) + ["ahead", "behind"] * (row >= 0)
+        found += [targets.Edge(kind, place, friction.normal.name, row) for kind in kinds]
+    return tuple(found)
 
 
 def _following(it: Mechanics, function: Function) -> Function:

@@ -310,10 +310,10 @@ class Mechanics:
         if others:
             raise PageError(
                 others[0].line,
-                "check, explore and export to fmu are not answered yet of a page with several "
-                "contacts; equilibria and motions are, of the folder that spragsym derive writes, "
-                "and exports to C, JavaScript, MATLAB, JAX and CasADi; for the rest say all but "
-                "one contact by springs and forces",
+                "check and explore are not answered yet of a page with several contacts; "
+                "equilibria and motions are, of the folder that spragsym derive writes, and "
+                "exports to all languages; for the rest say all but one contact by springs and "
+                "forces",
             )
         return contact
 

@@ -459,17 +459,26 @@ class Motion:
         holds.
         """
         it = self.model
-        force = self.friction_force(it.friction)
-        sliding = it.friction.rate
-        powers = force * sliding + self.damper_power + self.applied_power + self.clock_power
+        frictions = [friction for friction in it.frictions if friction.along is not None]
+        forces = [self.friction_force(friction) for friction in frictions]
+        rubbing = sum((f * one.rate for f, one in zip(forces, frictions, strict=True)), sp.S.Zero)
+        powers = rubbing + self.damper_power + self.applied_power + self.clock_power
         springs = enumerate(zip(it.lines, it.stiffnesses, strict=True), 1)
+        pressed = [friction.normal for friction in frictions]
+
+        def of(what: str, contact: NormalForce) -> str:
+            return f"{what}.{contact.name}" if contact.name else what
+
         return {
-            **(
-                {}
-                if it.contact.gap is None and it.friction.along is None
-                else {"force.normal": it.contact.force}
-            ),
-            **({} if it.friction.along is None else {"force.friction": force}),
+            **{
+                of("force.normal", contact): contact.force
+                for contact in it.contacts
+                if contact.gap is not None or contact in pressed
+            },
+            **{
+                of("force.friction", friction.normal): force
+                for friction, force in zip(frictions, forces, strict=True)
+            },
             **{f"force.spring{n}": k * (line.l - line.rest) for n, (line, k) in springs if k != 0},
             "energy": self.energy,
             "power": powers,
@@ -618,7 +627,7 @@ def outputs(model: Mechanics) -> Module:
                 taken,
                 slopes,
                 "((∂out_1/∂q_1, …, ∂out_1/∂v_1, …, ∂out_1/∂p_1, …), …)",
-                shorthands,
+                shorthands | motion.turned(symbols),
             ),
         ),
     )

@@ -52,6 +52,7 @@ SEVERAL = (
     "diagram",
     "equilibria",
     "export",
+    "export to fmu",
     "fate",
     "fate_boundary",
     "fate_map",

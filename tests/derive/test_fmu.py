@@ -27,6 +27,8 @@ from spragsym.cli.export import _of_page
 from spragsym.derive.emit.targets import fmu
 from spragsym.models.load import shipped
 from tests.conformance.models import answers, starts
+from tests.oracles.contact_pages import BLOCKS, PADS, STOPPED_ROW
+from tests.oracles.user_pages import derived
 from tests.shown import DOCS, programs, run
 from tests.support import ROOT, few
 
@@ -79,10 +81,13 @@ def outputs(tr: ss.results.Trajectory) -> dict[str, float]:
     """Forces, energy and power at the end of a motion, by the names that they have in an FMU."""
     model = tr.model
     told = {"energy": tr.energy()[-1], "power": tr.power()[-1]}
-    if model.about["contacts"][0]["gap"] or model.frictions:
-        told["force.normal"] = tr.contact_force()[-1]
-    if model.frictions:
-        told["force.friction"] = tr.friction[-1]
+    rubbing = [one["name"] for one in model.frictions]
+    for name, gap in ((one["name"], one["gap"]) for one in model.contacts):
+        behind = f".{name}" if name else ""
+        if gap or name in rubbing:
+            told[f"force.normal{behind}"] = tr.contact_force(name)[-1]
+        if name in rubbing:
+            told[f"force.friction{behind}"] = tr.friction_force(name)[-1]
     turned = [torsion["spring"] + 1 for torsion in model.about["torsions"]]
     for count, spring in enumerate(model.about["springs"], 1):
         if count in turned:  # a line without a spring along it
@@ -379,3 +384,29 @@ def test_the_compiler_is_the_one_that_is_named(
         monkeypatch.setenv("CC", given)
         with pytest.raises(ChildProcessError, match=re.escape(words)):
             fmu.packed(FILES)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize(
+    ("name", "text", "changes"),
+    [
+        ("pads", PADS, {}),
+        ("stopped_row", STOPPED_ROW, {}),
+        ("blocks", BLOCKS, {"N_2": 1.0, "beta": 1.0}),
+    ],
+)
+def test_modes_of_several_contacts_are_entered_as_python_enters_them(
+    name: str, text: str, changes: dict[str, float], tmp_path: Path
+) -> None:
+    """Stops that open, three frictions beside a stop, and equal blocks that slip together."""
+    page = derived(text, name)
+    p, file = ss.load(page).Parameters(**changes), exported(tmp_path, "--model", str(page))
+    names = [*p.model.starting]
+    start = dict(zip(names, [0.12] * len(names), strict=True)) | changes
+    tr = ss.simulate(p, start=[0.12] * len(names), t_end=40.0, rtol=1e-13)
+    assert tr.events is not None
+    state, events = stepped(file, start, names, 40.0)
+    np.testing.assert_allclose(state, tr.state[:, -1], atol=1e-8)
+    times = tr.events.t[tr.events.t > 0]
+    np.testing.assert_allclose(events, times[np.diff(times, prepend=0.0) > 1e-9], atol=1e-8)
+    assert len(events) > 5

@@ -10,7 +10,6 @@ import pytest
 
 import spragsym as ss
 from spragsym.cli.article import _check_model
-from spragsym.cli.export import _of_page
 from spragsym.core.questions import SEVERAL
 from tests.oracles.contact_pages import FOUR, LADDER, PAD, RANGES, SHOES, THREE, balanced, pad
 from tests.oracles.user_pages import model_of, replaced
@@ -144,7 +143,6 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
         "explore": lambda: ss.explore(p),
         "report": lambda: a_study(model).report(),
         "check": lambda: _check_model(model.where, False, ()),
-        "export to fmu": lambda: _of_page(model, "fmu", None, ()),
     }
     for name, ask in asked.items():
         says = f"{name} is not answered yet of pad_on_2, {model.refusal(name)}"

@@ -52,6 +52,22 @@ class Variable:
 
 
 @dataclass(frozen=True)
+class Edge:
+    """A border at which a mode of a motion ends, and the number of the mode that it changes."""
+
+    kind: (
+        str  #: ``gap`` and ``face`` of a contact, ``slip``, ``ahead`` and ``behind`` of a friction
+    )
+    place: int
+    contact: str  #: its name, of several
+    row: int = -1  #: of friction that holds, its number among these
+
+    def said(self, what: str) -> str:
+        """What is said of it, by the name of its contact, of several."""
+        return f"{what}.{self.contact}" if self.contact else what
+
+
+@dataclass(frozen=True)
 class MotionMaterial:
     """Motion of a page's model, for languages that hand it over as a whole."""
 
@@ -62,12 +78,14 @@ class MotionMaterial:
         Variable, ...
     ]  #: parameters in their order, then units of measure where there are any
     step: float  #: between two samples, in the unit of time
-    borders: tuple[
-        str, ...
-        # where it is not smooth: ``gap`` that opens, ``slip``, ``ahead``, ``behind`` of friction,
-        # turnings
-    ]
-    rooted: bool  #: whether the contact law has no values without contact
+    borders: tuple[Edge, ...]  #: where it is not smooth
+    turnings: int  #: springs whose turning is counted, each with a border too
+    #: Of each contact whether its law has no values without contact, and whether it goes with the
+    #: place of a state at rest.
+    rooted: tuple[bool, ...]
+    of_place: tuple[bool, ...]
+    #: Of each friction its contact, by its number; of a page without friction there is one.
+    rubbing: tuple[int, ...]
     outputs: tuple[Variable, ...]  #: forces, energy and power, in the order of the function outputs
 
 

@@ -25,7 +25,7 @@ from xml.sax.saxutils import quoteattr
 
 from ...definitions import Definition
 from ...expressions import number
-from .. import Material, MotionMaterial, Variable, c, runtime, spoken, taken
+from .. import Edge, Material, MotionMaterial, Variable, c, runtime, spoken, taken
 from ..c.layout import plain
 
 
@@ -150,27 +150,31 @@ def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -
         len(algebra[name].leaves) if name in algebra else 0
         for name in ("layers", "turning_borders")
     )
+    kinds = [one.kind for one in seen.borders]
+    contacts, sides = len(seen.rooted), len(seen.rubbing)
+    near = contacts + sides
     sizes = {
         "coordinates": count,
         "parameters": parameters,
         "units": len(seen.given) - parameters,
-        "lifts": bool({"gap", "face"} & {*seen.borders}),
-        "slides": "slip" in seen.borders,
-        "holds": "ahead" in seen.borders,
+        "contacts": contacts,
+        "sides": sides,
+        "lifts": kinds.count("gap") + kinds.count("face"),
+        "slides": kinds.count("slip"),
+        "holds": kinds.count("ahead"),
         "layers": layers,
         "turnings": turnings,
         "clock": "clock" in algebra,
-        "rooted": seen.rooted,
         "springs": len(algebra["geometry"].leaves) // 3 if "geometry" in algebra else 0,
         "outputs": len(seen.outputs),
     }
     places = {
         "s": [f"s[{i}]" for i in range(2 * count)],
         "a": [f"a[{i}]" for i in range(count)],
-        "l": ["m[1]"],
+        "l": [f"m[{i}]" for i in range(contacts, near)],
         "p": [f"p[{i}]" for i in range(parameters)],
-        "m": [f"m[{i}]" for i in range(2 + layers + turnings)],
-        "w": [f"m[{i}]" for i in range(2 + layers, 2 + layers + turnings)],
+        "m": [f"m[{i}]" for i in range(near + layers + turnings)],
+        "w": [f"m[{i}]" for i in range(near + layers, near + layers + turnings)],
     }
     # Functions of the library that the motion calls, and what they are given: state,
     # accelerations, parameters, numbers of the mode.
@@ -207,12 +211,29 @@ def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -
         "powers": ", ".join(map(_powers, (*seen.states[:count], seen.time))),
         "angles": ", ".join(f"{bool(one.dimension[3]):d}" for one in seen.states[:count]),
         "output_powers": ", ".join(map(_powers, seen.outputs)),
+        "rooted": ", ".join(f"{one:d}" for one in seen.rooted),
+        "of_place": ", ".join(f"{one:d}" for one in seen.of_place),
+        "rubbing": ", ".join(
+            f"{{{contact}, {_row(seen, contacts + side)}}}"
+            for side, contact in enumerate(seen.rubbing)
+        ),
+        "event_borders": ", ".join(map(_event_border, seen.borders)) or '{LIFT, 0, -1, ""}',
         "adapters": "\n".join(called),
     }
     return spoken(
         runtime(__file__, "model.h"),
         {**words, **{name: str(int(size)) for name, size in sizes.items()}, **texts},
     )
+
+
+def _row(seen: MotionMaterial, place: int) -> int:
+    """The number of a friction among those that hold, by that of a mode; −1 of one that doesn't."""
+    return max((one.row for one in seen.borders if one.place == place), default=-1)
+
+
+def _event_border(one: Edge) -> str:
+    kind = {"gap": "lift", "face": "lift"}.get(one.kind, one.kind).upper()
+    return f'{{{kind}, {one.place}, {one.row}, "{one.contact and f" of {plain(one.contact)}"}"}}'
 
 
 def _adapter(
@@ -309,7 +330,8 @@ def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
             initial="calculated",
             derivative=str(place + 1),
         )
-    for name in seen.borders:
+    turned = [f"turning{count}" for count in range(1, seen.turnings + 1)]
+    for name in (*(one.said(one.kind) for one in seen.borders), *turned):
         add(
             "EventIndicator",
             Variable(f"clearance.{name}", f"event indicator, dimensionless: {name}"),
@@ -332,10 +354,11 @@ def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
         "slip": ("mode.belt_ahead", "whether the belt is ahead"),
         "ahead": ("mode.sticks", "whether friction holds the mass"),
     }
-    for flag in (flagged[name] for name in seen.borders if name in flagged):
+    for edge in (edge for edge in seen.borders if edge.kind in flagged):
+        name, meaning = flagged[edge.kind]
         add(
             "Output InitialUnknown",
-            Variable(*flag),
+            Variable(edge.said(name), ", ".join(filter(None, (meaning, edge.contact)))),
             "Boolean",
             causality="output",
             variability="discrete",

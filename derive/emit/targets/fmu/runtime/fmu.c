@@ -412,8 +412,12 @@ FMI(fmi3Status, GetBoolean)(void *instance, const fmi3ValueReference *references
     for (size_t i = 0; i < count; i++) {
         const fmi3ValueReference one = references[i];
         EXPECT(one >= FLAG && one < FLAG + FLAGS, "there is no Boolean with the value reference %u", (unsigned)one)
-        const int flag = (int)(one - FLAG);
-        values[i] = flag < LIFTS + SLIDES ? motion.mode[flag < LIFTS ? 0 : 1] > 0.0 : motion.mode[1] == 0.0;
+        int flag = (int)(one - FLAG), border = 0;
+        while (EVENT_BORDERS[border].kind == BEHIND || flag--) {
+            border++; /* the one that brings the flag */
+        }
+        const double number = motion.mode[EVENT_BORDERS[border].place];
+        values[i] = (EVENT_BORDERS[border].kind == AHEAD) ? number == 0.0 : number > 0.0;
     }
     return fmi3OK;
 }
@@ -669,7 +673,7 @@ static int enter(Instance *it) {
     }
     if (!it->now.jumped) {
         memcpy(motion.mode, it->now.next, sizeof motion.mode);
-        if (mode[1] != motion.mode[1] && mode[1] * motion.mode[1] == 0.0 && stop(&motion, at.state)) {
+        if (stop(&motion, mode + CONTACTS, at.state)) {
             return 1;
         }
     }
@@ -678,12 +682,18 @@ static int enter(Instance *it) {
     }
     keep(it, &motion);
     it->now.jumped = false;
-    if (LIFTS && mode[0] != motion.mode[0]) {
-        say(it, fmi3OK, "at %.12g contact is %s", it->now.time, motion.mode[0] > 0.0 ? "regained" : "lost");
-    }
-    if (SLIDES && mode[1] != motion.mode[1]) {
-        say(it, fmi3OK, "at %.12g the %s", it->now.time,
-            motion.mode[1] > 0.0 ? "belt overtakes" : (motion.mode[1] < 0.0 ? "mass overtakes" : "mass sticks"));
+    for (int k = 0; k < EVENTS; k++) {
+        const int kind = EVENT_BORDERS[k].kind, place = EVENT_BORDERS[k].place;
+        const double number = motion.mode[place];
+        if (kind > SLIP || mode[place] == number) {
+            continue;
+        }
+        if (kind == LIFT) {
+            say(it, fmi3OK, "at %.12g contact%s is %s", it->now.time, EVENT_BORDERS[k].contact, number > 0.0 ? "regained" : "lost");
+            continue;
+        }
+        say(it, fmi3OK, "at %.12g the %s%s", it->now.time,
+            number > 0.0 ? "belt overtakes" : (number < 0.0 ? "mass overtakes" : "mass sticks"), EVENT_BORDERS[k].contact);
         for (int i = COORDINATES; HOLDS && i < STATES; i++) {
             it->now.state[i] = at.state[i] * unit[i];
         }

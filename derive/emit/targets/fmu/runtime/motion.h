@@ -5,8 +5,8 @@
  * powers of four, 1 between 1/32 and 32, which are taken from the numbers of its start as Python
  * takes them (spragsym.motion.scales).
  *
- * A mode is: whether the contact is closed (1, 0), the sign of the sliding speed (1, -1; 0 while
- * friction holds the mass), for each exponential of the friction law whether it is felt (1, 0), for each torsion spring the way on
+ * A mode is: for each contact whether it is closed (1, 0), for each friction the sign of its sliding speed (1, -1; 0 while it
+ * holds), for each exponential of a friction law whether it is felt (1, 0), for each torsion spring the way on
  * which its turning is counted (1, -1). Each has a border, and the force of friction that holds has two, its limits; the clearance of
  * a border is positive within the mode. A mode is left GAP beyond its border: two crossings are never closer than 2 GAP, so that
  * rounding makes no chatter.
@@ -19,7 +19,9 @@ enum {
     EVENTS = LIFTS + SLIDES + 2 * HOLDS, /* borders whose crossings are events */
     INDICATORS = EVENTS + TURNINGS,      /* borders that an importer watches; exponentials are always felt there */
     BORDERS = INDICATORS + LAYERS,
-    MODES = 2 + LAYERS + TURNINGS,
+    NEAR = CONTACTS + SIDES, /* the first exponential of a mode */
+    WAY = NEAR + LAYERS,     /* and the first torsion spring */
+    MODES = WAY + TURNINGS,
     WIDE = STATES + PARAMETERS, /* derivatives of one number by all */
     STAGES = 7,
     DONE = -1,
@@ -27,8 +29,6 @@ enum {
 };
 
 #define GAP 1e-12
-/* A contact law with a root has no values beyond its border: its mode is left before it. */
-#define SHIFT (ROOTED ? 2.0 * GAP * it->level[0] : 0.0)
 /* Minus the exponent beyond which an exponential is left out, and how much sooner it is taken in again. */
 #define REACH 36.0
 #define WIDTH 5.0
@@ -63,6 +63,9 @@ typedef struct {
     double change[BORDERS + 1]; /* of the clearances, in time */
 } Point;
 
+/* A contact law with a root has no values beyond its border: its mode is left before it. */
+static double shift(const Motion *it, int border) { return ROOTED[EVENT_BORDERS[border].place] ? 2.0 * GAP * it->level[border] : 0.0; }
+
 /* Rates of a state; where the mode has no continuation, as beyond a root, those of the field everywhere. Not 0: there are none. */
 static int rates(const Motion *it, const double *state, double *rate) {
     for (int i = 0; i < COORDINATES; i++) {
@@ -74,35 +77,40 @@ static int rates(const Motion *it, const double *state, double *rate) {
 /* Clearances of a point whose rates are known. */
 static int look(const Motion *it, Point *at) {
     const double *mode = it->mode, *acceleration = at->rate + COORDINATES;
-    double level[2], change[2];
-    int k = 0;
+    double level[NEAR], change[NEAR];
+    int k;
     if (borders(at->state, it->p, level) || border_rates(at->state, acceleration, it->p, change)) {
         return 1;
     }
-    if (LIFTS) {
-        const double sign = 1.0 - 2.0 * mode[0];
-        at->clearance[k] = sign * (level[0] + SHIFT) / it->level[k] + GAP;
-        at->change[k] = sign * change[0] / it->level[k];
-        k++;
-    }
-    if (SLIDES) {
-        at->clearance[k] = mode[1] != 0.0 ? mode[1] * level[1] / it->level[k] + GAP : FREE;
-        at->change[k] = mode[1] * change[1] / it->level[k];
-        k++;
-    }
 #if HOLDS
     /* Beyond a root there is no force that holds: there the contact's border is crossed. */
-    double margin[2], slope[3 * WIDE];
-    const int held = mode[1] == 0.0 && !grip(at->state, it->p, mode, margin) && !grip_slopes(at->state, it->p, mode, slope);
-    for (int i = 0; i < 2; i++) {
-        at->clearance[k] = held ? margin[i] / it->level[k] + GAP : FREE;
-        at->change[k] = 0.0;
-        for (int j = 0; held && j < STATES; j++) {
-            at->change[k] += slope[(i + 1) * WIDE + j] * at->rate[j] / it->level[k];
-        }
-        k++;
+    double margin[2 * HOLDS], slope[3 * HOLDS * WIDE];
+    int sticks = 0;
+    for (int i = CONTACTS; i < NEAR; i++) {
+        sticks |= mode[i] == 0.0;
     }
+    sticks = sticks && !grip(at->state, it->p, mode, margin) && !grip_slopes(at->state, it->p, mode, slope);
 #endif
+    for (k = 0; k < EVENTS; k++) {
+        const int kind = EVENT_BORDERS[k].kind, place = EVENT_BORDERS[k].place;
+        const double sign = (kind == LIFT) ? 1.0 - 2.0 * mode[place] : mode[place];
+        at->clearance[k] = FREE;
+        at->change[k] = 0.0;
+        if (kind <= SLIP) {
+            const double off = (kind == LIFT) ? shift(it, k) : 0.0;
+            at->clearance[k] = sign != 0.0 ? sign * (level[place] + off) / it->level[k] + GAP : FREE;
+            at->change[k] = sign * change[place] / it->level[k];
+        }
+#if HOLDS
+        if (kind > SLIP && sticks && sign == 0.0) {
+            const int row = EVENT_BORDERS[k].row, limit = kind - AHEAD;
+            at->clearance[k] = margin[2 * row + limit] / it->level[k] + GAP;
+            for (int j = 0; j < STATES; j++) {
+                at->change[k] += slope[(3 * row + 1 + limit) * WIDE + j] * at->rate[j] / it->level[k];
+            }
+        }
+#endif
+    }
 #if TURNINGS
     if (turning_borders(at->state, it->p, mode, at->clearance + k) ||
         turning_rates(at->state, acceleration, it->p, mode, at->change + k)) {
@@ -121,7 +129,7 @@ static int look(const Motion *it, Point *at) {
             return 1;
         }
         for (int i = 0; i < LAYERS; i++) {
-            const double near = mode[2 + i], sign = 1.0 - 2.0 * near;
+            const double near = mode[NEAR + i], sign = 1.0 - 2.0 * near;
             at->clearance[k] = sign * (depth[i] - REACH - WIDTH * near);
             at->change[k++] = sign * deeper[i];
         }
@@ -130,38 +138,128 @@ static int look(const Motion *it, Point *at) {
     return 0;
 }
 
-/* The side where nothing slides: none in contact while the force of friction is within its limits, else the one it is pulled to. */
-static int hold(Motion *it, const double *state) {
 #if HOLDS
-    double margin[2];
-    if (grip(state, it->p, it->mode, margin)) {
-        return 1;
+/* Whether in a mode each friction of some that sticks is within its limits, and each that slips can't stick, or is driven the way
+ * it slips. */
+static int agrees(const Motion *it, const double *state, const double *mode, const int *some) {
+    double margin[2 * HOLDS], pull[COORDINATES], change[NEAR];
+    if (grip(state, it->p, mode, margin)) {
+        return 0;
     }
-    const int sticks = it->mode[0] > 0.0 && fmin(margin[0], margin[1]) >= 0.0 && fmax(margin[0], margin[1]) > 0.0;
-    const double pulled = (margin[0] < margin[1]) ? 1.0 : -1.0;
-    it->mode[1] = sticks ? 0.0 : pulled;
-#else
-    (void)state;
-    it->mode[1] = -it->mode[1];
-#endif
-    return 0;
+    for (int i = 0; i < SIDES; i++) {
+        if (!some[i]) {
+            continue;
+        }
+        const double side = mode[CONTACTS + i], ahead = margin[2 * RUBBING[i].row], behind = margin[2 * RUBBING[i].row + 1];
+        const int sticks = fmin(ahead, behind) >= 0.0 && fmax(ahead, behind) > 0.0;
+        const double pulled = (ahead < behind) ? 1.0 : -1.0;
+        if (side == (sticks ? 0.0 : pulled)) {
+            continue;
+        }
+        if (!sticks || regime_rhs(state, it->p, mode, pull) || border_rates(state, pull, it->p, change) ||
+            side * change[CONTACTS + i] <= 0.0) {
+            return 0;
+        }
+    }
+    return 1;
 }
 
-/* Brings the sliding speed to 0 where friction begins to hold or ceases to: it is off by as much as a border is crossed late. */
-static int stop(const Motion *it, double *state) {
-#if HOLDS
-    double level[2], slope[3 * WIDE], size = 0.0;
-    if (borders(state, it->p, level) || grip_slopes(state, it->p, it->mode, slope)) {
+/* The sides of some frictions that hold that agree with the accelerations; of those that do the ones of which most stick. Not 0:
+ * there are none, or several that are no part of one. */
+static int settled(Motion *it, const double *state, const int *some) {
+    double mode[MODES], found[MODES];
+    unsigned stuck = 0;
+    int known = 0, count = 0, most = 1;
+    for (int i = 0; i < SIDES; i++) {
+        count += some[i];
+        most *= some[i] ? 3 : 1;
+    }
+    for (int slips = 0; slips <= count; slips++) {
+        for (int code = 0; code < most; code++) {
+            unsigned still = 0;
+            int rest = code, sliding = 0;
+            memcpy(mode, it->mode, sizeof mode);
+            for (int i = 0; i < SIDES; i++) {
+                if (some[i]) {
+                    const int side = rest % 3; /* none, belt ahead, mass ahead */
+                    rest /= 3;
+                    mode[CONTACTS + i] = (side == 2) ? -1.0 : side;
+                    sliding += side > 0;
+                    still |= side ? 0u : 1u << i;
+                }
+            }
+            const int part = known && (still & ~stuck) == 0u && still != stuck;
+            if (sliding != slips || part || !agrees(it, state, mode, some)) {
+                continue;
+            }
+            if (known) {
+                return 1;
+            }
+            known = 1;
+            stuck = still;
+            memcpy(found, mode, sizeof found);
+        }
+    }
+    if (known) {
+        memcpy(it->mode, found, sizeof found);
+    }
+    return !known;
+}
+
+/* The sides where frictions come to a border: those that stick and those that hardly slide may begin and end to stick with the one
+ * that came. */
+static int hold(Motion *it, const double *state, int came) {
+    double level[NEAR];
+    int some[SIDES] = {0};
+    if (borders(state, it->p, level)) {
         return 1;
     }
-    for (int i = COORDINATES; i < STATES; i++) {
-        size += slope[i] * slope[i];
+    for (int k = 0; k < EVENTS; k++) {
+        const int place = EVENT_BORDERS[k].place;
+        if (EVENT_BORDERS[k].kind == SLIP && EVENT_BORDERS[k].row >= 0) {
+            some[place - CONTACTS] = place == came || it->mode[place] == 0.0 || fabs(level[place]) <= STILL * it->level[k];
+        }
     }
-    for (int i = COORDINATES; i < STATES; i++) {
-        state[i] -= level[1] * slope[i] / size;
+    return settled(it, state, some);
+}
+#endif
+
+/* Brings sliding speeds to 0 where friction begins to hold or ceases to: they are off by as much as a border is crossed late. */
+static int stop(const Motion *it, const double *sides, double *state) {
+#if HOLDS
+    double level[NEAR], slope[3 * HOLDS * WIDE];
+    int changes = 0;
+    for (int i = 0; i < SIDES; i++) {
+        const double now = it->mode[CONTACTS + i];
+        changes |= now != sides[i] && now * sides[i] == 0.0;
+    }
+    if (!changes) {
+        return 0;
+    }
+    if (grip_slopes(state, it->p, it->mode, slope)) {
+        return 1;
+    }
+    for (int round = 0; round < SIDES; round++) {
+        for (int i = 0; i < SIDES; i++) {
+            const double now = it->mode[CONTACTS + i], *own = slope + 3 * RUBBING[i].row * WIDE;
+            double size = 0.0;
+            if (RUBBING[i].row < 0 || now * sides[i] != 0.0) {
+                continue;
+            }
+            if (borders(state, it->p, level)) {
+                return 1;
+            }
+            for (int j = COORDINATES; j < STATES; j++) {
+                size += own[j] * own[j];
+            }
+            for (int j = COORDINATES; j < STATES; j++) {
+                state[j] -= level[CONTACTS + i] * own[j] / size;
+            }
+        }
     }
 #else
     (void)it;
+    (void)sides;
     (void)state;
 #endif
     return 0;
@@ -169,36 +267,54 @@ static int stop(const Motion *it, double *state) {
 
 /* Enters the mode on the other side of a border. Not 0: there is none. */
 static int cross(Motion *it, double *state, int border) {
-    double *const mode = it->mode;
-    const double side = mode[1];
-    if (border < LIFTS) {
-        mode[0] = 1.0 - mode[0];
-        if (side == 0.0 && hold(it, state)) {
-            return 1;
-        }
-    } else if (border < EVENTS) {
-        if (hold(it, state)) {
-            return 1;
-        }
-    } else if (border < INDICATORS) {
-        mode[2 + LAYERS + border - EVENTS] *= -1.0;
-    } else {
-        mode[2 + border - INDICATORS] = 1.0 - mode[2 + border - INDICATORS];
+    double *const mode = it->mode, sides[SIDES];
+    memcpy(sides, mode + CONTACTS, sizeof sides);
+    if (border >= INDICATORS) {
+        mode[NEAR + border - INDICATORS] = 1.0 - mode[NEAR + border - INDICATORS];
+        return 0;
     }
-    return HOLDS && mode[1] != side && side * mode[1] == 0.0 && stop(it, state);
+    if (border >= EVENTS) {
+        mode[WAY + border - EVENTS] *= -1.0;
+        return 0;
+    }
+    const int place = EVENT_BORDERS[border].place;
+    if (EVENT_BORDERS[border].kind == LIFT) {
+        mode[place] = 1.0 - mode[place];
+    } else if (EVENT_BORDERS[border].row < 0) {
+        mode[place] *= -1.0;
+    }
+#if HOLDS
+    int came = EVENT_BORDERS[border].row < 0 ? -1 : place;
+    for (int i = 0; i < SIDES && EVENT_BORDERS[border].kind == LIFT; i++) {
+        came = (RUBBING[i].contact == place && sides[i] == 0.0) ? CONTACTS + i : came;
+    }
+    if (came >= 0 && hold(it, state, came)) {
+        return 1;
+    }
+#endif
+    return stop(it, sides, state);
 }
 
 /* The mode of a state, which on a border may be on either side. */
 static int mode_of(Motion *it, const double *state) {
-    double level[2];
+    double level[NEAR];
+    int some[SIDES] = {0}, still = 0;
     if (borders(state, it->p, level)) {
         return 1;
     }
     for (int i = 0; i < MODES; i++) {
         it->mode[i] = 1.0;
     }
-    it->mode[0] = (!LIFTS || level[0] <= -SHIFT) ? 1.0 : 0.0;
-    it->mode[1] = (!SLIDES || level[1] >= 0.0) ? 1.0 : -1.0;
+    for (int k = 0; k < EVENTS; k++) {
+        const int place = EVENT_BORDERS[k].place;
+        if (EVENT_BORDERS[k].kind == LIFT) {
+            it->mode[place] = (level[place] <= -shift(it, k)) ? 1.0 : 0.0;
+        } else if (EVENT_BORDERS[k].kind == SLIP) {
+            it->mode[place] = (level[place] >= 0.0) ? 1.0 : -1.0;
+            some[place - CONTACTS] = EVENT_BORDERS[k].row >= 0 && fabs(level[place]) <= STILL * it->level[k];
+            still |= some[place - CONTACTS];
+        }
+    }
 #if TURNINGS
     double forward[TURNINGS], backward[TURNINGS], ways[MODES];
     for (int i = 0; i < MODES; i++) {
@@ -208,7 +324,7 @@ static int mode_of(Motion *it, const double *state) {
         return 1;
     }
     for (int i = 0; i < TURNINGS; i++) {
-        it->mode[2 + LAYERS + i] = (forward[i] >= backward[i]) ? 1.0 : -1.0;
+        it->mode[WAY + i] = (forward[i] >= backward[i]) ? 1.0 : -1.0;
     }
 #endif
 #if LAYERS
@@ -218,11 +334,15 @@ static int mode_of(Motion *it, const double *state) {
             return 1;
         }
         for (int i = 0; i < LAYERS; i++) {
-            it->mode[2 + i] = (depth[i] <= REACH) ? 1.0 : 0.0;
+            it->mode[NEAR + i] = (depth[i] <= REACH) ? 1.0 : 0.0;
         }
     }
 #endif
-    return HOLDS && fabs(level[1]) <= STILL * it->level[LIFTS] && hold(it, state);
+#if HOLDS
+    return still && settled(it, state, some);
+#else
+    return 0;
+#endif
 }
 
 static double unit_near(double value) {
@@ -239,8 +359,8 @@ static double distances(const Motion *it, const double *state, double *ways) {
     for (int first = 0; first < 2; first++) {
         Motion one = *it;
         double moved[STATES], slope[COORDINATES * STATES];
-        for (int i = 0; first && i < 2 + LAYERS; i++) {
-            one.mode[i] = 1.0; /* at rest */
+        for (int i = 0; first && i < WAY; i++) {
+            one.mode[i] = (i < CONTACTS && OF_PLACE[i]) ? one.mode[i] : 1.0; /* at rest */
         }
         if (rates(&one, state, moved) || regime_jacobian(state, it->p, one.mode, slope)) {
             continue;
@@ -267,24 +387,27 @@ static double distances(const Motion *it, const double *state, double *ways) {
         ways[i] = fmax(fabs(state[i]), fmax(fabs(state[COORDINATES + i]) / rate, pull[i] / (rate * rate)));
     }
 #if HOLDS
-    Motion held = *it;
-    double margin[2], slope[3 * WIDE];
-    for (int i = 0; i < 2 + LAYERS; i++) {
-        held.mode[i] = (i == 1) ? 0.0 : 1.0;
-    }
-    if (!grip(state, it->p, held.mode, margin) && !grip_slopes(state, it->p, held.mode, slope)) {
-        for (int row = 0; row < 2; row++) {
-            for (int angle = 1; angle >= 0; angle--) {
-                double steepest = 0.0;
-                for (int i = 0; i < COORDINATES; i++) {
-                    steepest = (ANGLES[i] == angle) ? fmax(steepest, fabs(slope[(row + 1) * WIDE + i])) : steepest;
-                }
-                for (int i = 0; steepest > 0.0 && i < COORDINATES; i++) {
-                    ways[i] = (ANGLES[i] == angle) ? fmax(ways[i], fabs(margin[row]) / steepest) : ways[i];
-                }
-                if (angle && steepest * TURN > fabs(margin[row])) {
-                    break; /* within a turn an angle uses it up, however far the others would have to go */
-                }
+    for (int k = 0; k < EVENTS; k++) {
+        Motion held = *it;
+        double margins[2 * HOLDS], slopes[3 * HOLDS * WIDE];
+        const int row = EVENT_BORDERS[k].row, limit = EVENT_BORDERS[k].kind - AHEAD;
+        for (int i = 0; i < WAY; i++) {
+            held.mode[i] = (i == EVENT_BORDERS[k].place) ? 0.0 : 1.0;
+        }
+        if (limit < 0 || grip(state, it->p, held.mode, margins) || grip_slopes(state, it->p, held.mode, slopes)) {
+            continue;
+        }
+        const double margin = fabs(margins[2 * row + limit]), *slope = slopes + (3 * row + 1 + limit) * WIDE;
+        for (int angle = 1; angle >= 0; angle--) {
+            double steepest = 0.0;
+            for (int i = 0; i < COORDINATES; i++) {
+                steepest = (ANGLES[i] == angle) ? fmax(steepest, fabs(slope[i])) : steepest;
+            }
+            for (int i = 0; steepest > 0.0 && i < COORDINATES; i++) {
+                ways[i] = (ANGLES[i] == angle) ? fmax(ways[i], margin / steepest) : ways[i];
+            }
+            if (angle && steepest * TURN > margin) {
+                break; /* within a turn an angle uses it up, however far the others would have to go */
             }
         }
     }
@@ -311,18 +434,20 @@ static void measure(Motion *it, const double *state) {
         it->unit[COORDINATES + i] = it->unit[i] / it->second;
     }
     double size[BORDERS + 1] = {0.0};
-    for (int trial = 0; trial < 4 * COORDINATES; trial++) {
+    for (int trial = 0; trial < 2 * (SIDES + 1) * COORDINATES; trial++) {
         Motion one = *it;
         Point at;
-        const int moved = trial % COORDINATES, held = trial / COORDINATES % 2, aside = trial / COORDINATES / 2;
+        const int moved = trial % COORDINATES, held = trial / COORDINATES % (SIDES + 1), aside = trial / COORDINATES / (SIDES + 1);
         memset(&at, 0, sizeof at);
         for (int i = 0; i < COORDINATES; i++) {
             at.state[i] = state[i] + aside * it->unit[i];
         }
         at.state[COORDINATES + moved] = at.rate[moved] = it->unit[COORDINATES + moved];
         at.rate[COORDINATES + moved] = it->unit[COORDINATES + moved] / it->second;
-        one.mode[1] = held ? 0.0 : 1.0;
-        if ((held && !HOLDS) || look(&one, &at)) {
+        for (int i = 0; i < SIDES; i++) {
+            one.mode[CONTACTS + i] = (held == i + 1) ? 0.0 : 1.0;
+        }
+        if ((held && RUBBING[held - 1].row < 0) || look(&one, &at)) {
             continue;
         }
         for (int k = 0; k < INDICATORS && k < one.borders; k++) {
@@ -412,21 +537,23 @@ static double nearest(const Motion *it, const Point *at, int *border) {
 /* How long ago a border was met where the field jumps; it is noticed GAP behind. 0 where that is not told. */
 static double lateness(const Motion *it, const Point *at, int border) {
     const double late = (GAP - at->clearance[border]) / -at->change[border];
-    return (HOLDS && border >= LIFTS && border < EVENTS && late > 0.0 && late < it->second) ? late : 0.0;
+    const int holds = border < EVENTS && EVENT_BORDERS[border].kind != LIFT && EVENT_BORDERS[border].row >= 0;
+    return (holds && late > 0.0 && late < it->second) ? late : 0.0;
 }
 
 /* Passes a border, on the other side of which the mode is told: where friction begins to hold or ceases to, from where the border
  * was met, which is GAP ahead. */
 static int pass(Motion *it, Point *at, int border) {
-    const double late = lateness(it, at, border), side = it->mode[1];
-    double error;
+    const double late = lateness(it, at, border);
+    double error, sides[SIDES];
     Point met, behind;
     const int back = late > 0.0 && !step(it, at, -late, &met, &error);
+    memcpy(sides, it->mode + CONTACTS, sizeof sides);
     if (cross(it, at->state, border)) {
         return 1;
     }
-    if (back && side != it->mode[1]) {
-        if (stop(it, met.state) || rates(it, met.state, met.rate) || step(it, &met, late, &behind, &error)) {
+    if (back && memcmp(sides, it->mode + CONTACTS, sizeof sides) != 0) {
+        if (stop(it, sides, met.state) || rates(it, met.state, met.rate) || step(it, &met, late, &behind, &error)) {
             return 1;
         }
         memcpy(at->state, behind.state, sizeof at->state);

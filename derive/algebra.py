@@ -223,12 +223,12 @@ def _lowered(
 ) -> tuple[PolyElement, int]:
     """A polynomial times a power of ``below``, modulo name^order = above/below; and the power."""
     ring = polynomial.ring
-    place, divisor = ring.gens.index(name), _multiplied(ring.one, below)
+    index, divisor = ring.gens.index(name), _multiplied(ring.one, below)
     parts: dict[int, dict[tuple[int, ...], int]] = {}
     for powers, value in polynomial.terms():
-        times, rest = divmod(powers[place], order)
+        times, rest = divmod(powers[index], order)
         part = parts.setdefault(times, {})
-        part[(*powers[:place], rest, *powers[place + 1 :])] = value
+        part[(*powers[:index], rest, *powers[index + 1 :])] = value
     most = max(parts, default=0)
     terms = (
         ring.from_dict(part) * above**times * divisor ** (most - times)

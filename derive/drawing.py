@@ -244,7 +244,7 @@ def _tied_to_ground(drawing: Drawing, page: Page, coordinate: Coordinate) -> Non
 
 
 def _rows(count: int, apart: float) -> list[float]:
-    return [apart * (place - 0.5 * (count - 1)) for place in range(count)]
+    return [apart * (index - 0.5 * (count - 1)) for index in range(count)]
 
 
 def _between_ends(drawing: Drawing, page: Page) -> None:
@@ -261,17 +261,17 @@ def _between_ends(drawing: Drawing, page: Page) -> None:
     shared: dict[complex, list[Element]] = {}
     for part in (it for it in (*page.springs, *page.dampers) if it.ends is not None):
         shared.setdefault(place_of(part), []).append(part)
-    for count, (place, parts) in enumerate(shared.items()):
-        axis = Axis(top, place)
+    for count, (index, parts) in enumerate(shared.items()):
+        axis = Axis(top, index)
         _side_by_side(drawing, axis, parts)
         moving = [it for it in page.coordinates[2:] if anchor(parts[0])[0].has(it.symbol)]
         if moving:
-            _trolley(drawing, page, place, moving[0])
+            _trolley(drawing, page, index, moving[0])
         else:
-            _anchor(drawing, place)
+            _anchor(drawing, index)
         for torsion in page.torsions:
-            if place_of(torsion) == place:
-                _turning(drawing, place, _letter(torsion.strength))
+            if place_of(torsion) == index:
+                _turning(drawing, index, _letter(torsion.strength))
         if count == 0:
             _angle(drawing, axis)
 
@@ -382,7 +382,7 @@ def _forces(drawing: Drawing, page: Page) -> None:
     given += [force for energy, _ in page.energies if (force := _weight(page, energy))]
     if page.normal is not None and page.normal.gap is None:
         given.append((sp.S.Zero, -sp.sympify(page.normal.law(sp.Dummy(positive=True)))))
-    for place, components in enumerate(given):
+    for index, components in enumerate(given):
         x, y = (float(component.subs(values)) for component in components)
         if x == y == 0:  # as that of a follower where nothing is displaced
             continue
@@ -390,7 +390,7 @@ def _forces(drawing: Drawing, page: Page) -> None:
         bare = sp.Add(*components).replace(
             lambda node: isinstance(node, sp.sin | sp.cos), lambda node: sp.S.One
         )
-        if place == 0:  # onto the mass, on the side that no spring leans to
+        if index == 0:  # onto the mass, on the side that no spring leans to
             side = 1.0 if any(not _weight(page, energy) for energy, _ in page.energies) else -1.0
             # near the edge, beside a second spring that leans to it
             end = complex(side * 0.92 * half.real, -half.imag - 4)

@@ -324,8 +324,8 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
         "LIBRARY": library(model.name).upper(),
         "values": ", ".join(values.values()) or "0.0",
         "names": ", ".join(map(str, values)) or "none",
-        "state": ", ".join(f"state[{place}]" for place in range(2 * count)),
-        "given": ", ".join(f"p[{place}]" for place in range(len(values))),
+        "state": ", ".join(f"state[{index}]" for index in range(2 * count)),
+        "given": ", ".join(f"p[{index}]" for index in range(len(values))),
         "start": ", ".join(map(repr, start)),
         "shown": "  ".join(f"{name} %+.9f" for name in (*it.coordinates, *it.rates)),
         "texts": " ".join("%s" for _ in it.contacts),
@@ -337,18 +337,18 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
         def chosen(touches: Callable[[NormalForce], str], lifted: str) -> str:
             """Text on each contact, by its border where it opens."""
             return ", ".join(
-                choice.format(border.format(place), touches(one), lifted)
+                choice.format(border.format(index), touches(one), lifted)
                 if one.unilateral
                 else touches(one)
-                for place, one in enumerate(it.contacts)
+                for index, one in enumerate(it.contacts)
             )
 
         taken = [
-            f"{of}{'cos' if place else 'sin'}({values[symbol]})"
+            f"{of}{'cos' if index else 'sin'}({values[symbol]})"
             if part != symbol
             else values[symbol]
             for symbol in values
-            for part, place in _placed(it.parts(symbol))
+            for part, index in _placed(it.parts(symbol))
         ]
         words = common | {
             "arguments": ", ".join(taken),

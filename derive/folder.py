@@ -213,9 +213,9 @@ def description(model: PageModel) -> dict[str, Any]:
                 "rate_scale": _scale(
                     model.page, units.times(units.read(entry.unit), units.TIME, -1)
                 ),
-                **_comes_around(it, place, turns.get(place, {})),
+                **_comes_around(it, index, turns.get(index, {})),
             }
-            for place, entry in enumerate(model.page.coordinates)
+            for index, entry in enumerate(model.page.coordinates)
         ],
         "parameters": [
             {
@@ -279,9 +279,9 @@ def description(model: PageModel) -> dict[str, Any]:
         "mirror": {
             "turned": [str(symbol) for symbol in mirror.centres],
             "zero": mirror.zero,
-            "upright": [place for place, line in enumerate(it.lines) if mirror.takes(line, line)],
+            "upright": [index for index, line in enumerate(it.lines) if mirror.takes(line, line)],
         },
-        "ties": [_ties(it, place) for place in range(min(2, len(it.coordinates)))],
+        "ties": [_ties(it, index) for index in range(min(2, len(it.coordinates)))],
         "torsions": [{"spring": it.lines.index(torsion.line)} for torsion in it.torsions],
         "symmetric": balance_rows.symmetric(it, sp.Matrix(statics.jacobian(it))),
         "springs": [

@@ -366,9 +366,9 @@ class _MethodReader:
         for i, j in itertools.combinations(range(len(self.places)), 2):
             if C[i, j] != 0:
                 self.page.damper(-C[i, j], along=self.places[i] - self.places[j])
-        for row, place in enumerate(self.places):  # what is left of the diagonal
+        for row, index in enumerate(self.places):  # what is left of the diagonal
             if (coefficient := sp.expand(sum(C.row(row)))) != 0:
-                self.page.damper(coefficient, along=place)
+                self.page.damper(coefficient, along=index)
 
     def springs(self, forces: sp.Matrix) -> None:
         """Straight springs, those along coordinates, other potentials, and applied forces."""

@@ -714,11 +714,11 @@ def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
         depth = _of(DEPTH, name)
         gap = None if contact.gap is None else scaled(contact.gap)
         law = scaled(expression_of(contact.law(depth)))
-        told = _in_coordinates(page, gap, law, depth)
+        expressed = _in_coordinates(page, gap, law, depth)
         opens = contact.unilateral and gap is not None
         rubs = any(friction.on in (None, contact) for friction in page.frictions)
         either = rubs and not contact.unilateral
-        found[contact] = NormalForce(name, gap, opens, either, law, told, contact.line, mark)
+        found[contact] = NormalForce(name, gap, opens, either, law, expressed, contact.line, mark)
     return found
 
 

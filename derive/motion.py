@@ -105,12 +105,12 @@ class Motion:
         places = self._coupled(own)
         mobility, _ = self._in_symbols("mobility", self.mobility)
         system, right = sp.zeros(len(places)), sp.zeros(len(places), 1)
-        for row, place in enumerate(places):
-            share = sp.S.One if place == own else self.holding[place].stuck
+        for row, index in enumerate(places):
+            share = sp.S.One if index == own else self.holding[index].stuck
             for column, other in enumerate(places):
                 none = sp.S.One if row == column else sp.S.Zero
-                system[row, column] = none + share * (mobility[place, other] - none)
-            right[row] = share * stuck[place] + (1 - share) * slipping[place]
+                system[row, column] = none + share * (mobility[index, other] - none)
+            right[row] = share * stuck[index] + (1 - share) * slipping[index]
         whole = system.det(method="berkowitz")
         system[:, places.index(own)] = right
         return system.det(method="berkowitz") / whole
@@ -588,8 +588,8 @@ def _sides(model: Mechanics) -> Symbols:
 def outputs(model: Mechanics) -> Module:
     """Forces, energy and power of a motion with their derivatives, for an export as a whole."""
     motion = Motion(model)
-    place = (*model.coordinates, *model.rates)
-    regime = (*place, *model.arguments, *_mode(model))
+    variables = (*model.coordinates, *model.rates)
+    regime = (*variables, *model.arguments, *_mode(model))
     taken = (*regime, *(torsion.way for torsion in model.torsions))
     shorthands = {
         **directions(model),
@@ -600,7 +600,7 @@ def outputs(model: Mechanics) -> Module:
         **{torsion.phi: torsion.continued for torsion in model.torsions},
     }
     rows = tuple(motion.outputs.values())
-    symbols = (*place, *map(number, model.parameters))
+    symbols = (*variables, *map(number, model.parameters))
     turns = [motion.turns(symbol) for symbol in symbols]
     slopes = tuple(
         tuple(
@@ -640,8 +640,8 @@ def module(model: Mechanics) -> Module:
         raise ArithmeticError(
             "the energy does not balance: the equations of motion are not those of the energies"
         )
-    place = (*model.coordinates, *model.rates)
-    moving = (*place, *model.arguments)
+    variables = (*model.coordinates, *model.rates)
+    moving = (*variables, *model.arguments)
     regime = (*moving, *_mode(model))
     ways = tuple(torsion.way for torsion in model.torsions)
     shorthands = {
@@ -653,7 +653,7 @@ def module(model: Mechanics) -> Module:
     }
     accelerations = motion.named
     layers = tuple(layer for friction in model.frictions for layer in laws.layers(friction))
-    accelerated = (*place, *accelerations, *model.arguments)
+    accelerated = (*variables, *accelerations, *model.arguments)
     function = partial(of_page, shorthands=shorthands)
 
     def smooth(
@@ -664,7 +664,7 @@ def module(model: Mechanics) -> Module:
         return of_page(name, summary, (*regime, *ways), results, returns, continued)
 
     parameters = tuple(map(number, model.parameters))
-    jacobian = _rows(motion, place)
+    jacobian = _rows(motion, variables)
     by_parameters = _rows(motion, parameters)
     turnings = tuple(torsion.border for torsion in model.torsions)
     turns = (
@@ -706,7 +706,7 @@ def module(model: Mechanics) -> Module:
                 "grip_slopes",
                 "Derivatives of the sliding speed, and of these while it sticks, by "
                 "coordinates, rates and all parameters.",
-                _slopes(motion, (*place, *parameters)),
+                _slopes(motion, (*variables, *parameters)),
                 "((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …)",
             ),
         )
@@ -729,7 +729,7 @@ def module(model: Mechanics) -> Module:
                 "Derivatives of regime_rhs by the coordinates and the rates.",
                 jacobian,
                 "((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …)",
-                place,
+                variables,
             ),
             smooth(
                 "regime_by_parameters",
@@ -839,7 +839,7 @@ def _stored(motion: Motion, moving: Symbols) -> tuple[Function, ...]:
 def _kinks(motion: Motion) -> tuple[Function, ...]:
     """Every contact's border and every sliding speed."""
     model, accelerations = motion.model, motion.named
-    place = (*model.coordinates, *model.rates)
+    variables = (*model.coordinates, *model.rates)
     gaps, slips = ("gap, slip", "gap and the sliding speed")
     if len(model.contacts) > 1:
         gaps, slips = "gap_1, …, slip_1, …", "gaps and the sliding speeds"
@@ -848,7 +848,7 @@ def _kinks(motion: Motion) -> tuple[Function, ...]:
         of_page(
             "borders",
             f"The {slips}, each zero on a kink of the field; 1 where there is none.",
-            (*place, *model.arguments),
+            (*variables, *model.arguments),
             motion.borders,
             gaps,
             shorthands,
@@ -856,7 +856,7 @@ def _kinks(motion: Motion) -> tuple[Function, ...]:
         of_page(
             "border_rates",
             "How the borders change along a motion with the given accelerations.",
-            (*place, *accelerations, *model.arguments),
+            (*variables, *accelerations, *model.arguments),
             tuple(motion.rate(border, accelerations) for border in motion.borders),
             f"rates of {gaps}",
             shorthands,

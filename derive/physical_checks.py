@@ -82,9 +82,9 @@ def groups(page: Page) -> dict[str, sp.Expr]:
     """
     known = _dimensions(page)
     measures = tuple(known[unit.symbol] for unit in page.units)
-    for place, unit in enumerate(page.units):
-        if units.powers(measures[place], measures[:place]) is not None:
-            others = ", ".join(str(other.symbol) for other in page.units[:place]) or "numbers"
+    for index, unit in enumerate(page.units):
+        if units.powers(measures[index], measures[:index]) is not None:
+            others = ", ".join(str(other.symbol) for other in page.units[:index]) or "numbers"
             raise PageError(
                 unit.line,
                 f"{unit.symbol} is in {unit.unit}, as is a product of powers of {others}: it "

@@ -158,8 +158,8 @@ def spring(drawing: Drawing, axis: Axis, turns: int = 6, width: float = 8.0) -> 
     lead = 0.18 * axis.length
     step = (axis.length - 2 * lead) / (2 * turns)
     inner = [
-        axis.at(lead + (place + 0.5) * step, width if place % 2 else -width)
-        for place in range(2 * turns)
+        axis.at(lead + (index + 0.5) * step, width if index % 2 else -width)
+        for index in range(2 * turns)
     ]
     drawing.line(axis.start, axis.at(lead), *inner, axis.at(axis.length - lead), axis.end)
 
@@ -179,8 +179,8 @@ def wall(drawing: Drawing, centre: complex, half: float, outward: complex) -> No
     along = half * 1j * outward
     drawing.line(centre + along, centre - along)
     strokes = max(2, round(half / 6))
-    for place in range(strokes + 1):
-        foot = centre + (1 - 2 * place / strokes) * along
+    for index in range(strokes + 1):
+        foot = centre + (1 - 2 * index / strokes) * along
         drawing.line(foot, foot + (8 - 5j) * outward, style="ink thin")
 
 

@@ -119,14 +119,14 @@ def witness(model: Mechanics, expression: sp.Expr) -> str:
     ]
     by_floats = sp.lambdify([needed], _placed(expression, angles, {s: s for s in needed}), "math")
     for trial in range(_TRIALS):
-        place = [_drawn(rng, domains[symbol], trial) for symbol in needed]
+        point = [_drawn(rng, domains[symbol], trial) for symbol in needed]
         try:
-            negative = by_floats(place) < 0
+            negative = by_floats(point) < 0
         except (ArithmeticError, ValueError, TypeError):
             continue
         if not negative:
             continue
-        exact = dict(zip(needed, (sp.Rational(str(one)) for one in place), strict=True))
+        exact = dict(zip(needed, (sp.Rational(str(one)) for one in point), strict=True))
         value = _placed(expression, angles, exact)
         if value.is_number and value.is_negative:
             where = ", ".join(f"{_shown(symbol)} = {sp.N(one, 3)}" for symbol, one in exact.items())

@@ -95,10 +95,10 @@ def _check_names(page: Page) -> None:
                 raise PageError(line, f"{what} is named {name!r}, {why}")
         if name in taken:
             other, first = taken[name]
-            place = f" of line {first}" if first else ""
+            where = f" of line {first}" if first else ""
             raise PageError(
                 line,
-                f"{what} is named {name!r}, as is {other}{place}; give one of them another name",
+                f"{what} is named {name!r}, as is {other}{where}; give one of them another name",
             )
         taken[name] = what, line
 

@@ -65,7 +65,7 @@ def _shortest(model: Mechanics, expression: sp.Expr) -> sp.Expr:
 
 def module(model: Mechanics) -> Module:
     """The generated module."""
-    place = (*model.coordinates, *arguments(model))
+    variables = (*model.coordinates, *arguments(model))
     state = (
         *model.coordinates,
         *model.directions,
@@ -128,7 +128,7 @@ def module(model: Mechanics) -> Module:
             function(
                 "torsions",
                 "The stiffness of every torsion spring.",
-                place,
+                variables,
                 tuple(torsion.stiffness for torsion in model.torsions),
                 "(k_1, …)",
             ),
@@ -156,7 +156,7 @@ def module(model: Mechanics) -> Module:
                 "geometry",
                 "The vector from the mass's end of every spring to its anchor, and its "
                 "undeformed length.",
-                place,
+                variables,
                 tuple((line.dx, line.dy, line.rest) for line in model.lines),
                 "((dx, dy, rest), …)",
             ),
@@ -164,7 +164,7 @@ def module(model: Mechanics) -> Module:
                 function(
                     named("contact_gap", contact),
                     _border(contact),
-                    place,
+                    variables,
                     contact.border or contact.gap or sp.S.Zero,
                     "minus N" if contact.either_face else "gap",
                 )
@@ -174,7 +174,7 @@ def module(model: Mechanics) -> Module:
                 "mirror",
                 'The image of a state in the model\'s mirror, if it has one: see "mirror" in '
                 "model.json.",
-                place,
+                variables,
                 tuple(map(mirror.image, model.coordinates)),
                 "image",
             ),
@@ -190,14 +190,14 @@ def module(model: Mechanics) -> Module:
             function(
                 "stiffnesses",
                 "The stiffness of every spring.",
-                place,
+                variables,
                 model.stiffnesses,
                 "(k_1, …)",
             ),
             function(
                 "spring_forces",
                 "The tension of every spring, negative where it pushes.",
-                place,
+                variables,
                 tuple(
                     k * (line.l - line.rest)
                     for k, line in zip(model.stiffnesses, model.lines, strict=True)

@@ -95,10 +95,10 @@ def _pieces(items: Tokens) -> list[list[Token]]:
     broken = False
     for number, it in enumerate(items):
         if it.text in ("\\\\", r"\quad", r"\qquad", ",", ";"):
-            around = [
+            neighbours = [
                 one.text[0] for one in (*items[number - 1 : number], *items[number + 1 :][:1])
             ]
-            if it.text == "," and len(around) == 2 and "".join(around).isdigit():
+            if it.text == "," and len(neighbours) == 2 and "".join(neighbours).isdigit():
                 raise Unread("a comma between digits: a decimal comma, or two values", it.at[0])
             broken = broken or it.text == "\\\\"
             pieces.append([])

@@ -156,7 +156,7 @@ class Derivation:
     @cached_property
     def _lines(self) -> list[tuple[str, str]]:
         """Names of the length and the inclination of every line."""
-        marks = [f"_{place}" for place in range(1, len(self.model.lines) + 1)]
+        marks = [f"_{index}" for index in range(1, len(self.model.lines) + 1)]
         marks = [""] if len(marks) == 1 else marks
         return [(f"L{mark}", f"theta{mark}") for mark in marks]
 

@@ -173,9 +173,9 @@ def prepared(statement: Statement, book: Book) -> Item | Verdict:
             equations = equations_of(statement.judged, statement, it, book)
             return _item(statement, it, held, equations, book)
         except Unread as error:
-            place = f"at {error.place}, {statement.judged[error.place :][:20]!r}: "
+            where = f"at {error.place}, {statement.judged[error.place :][:20]!r}: "
             readings = f"; either {' or '.join(error.readings)}" if error.readings else ""
-            problem = problem or f"{place}{error.reason}{readings}"
+            problem = problem or f"{where}{error.reason}{readings}"
         except (NoObject, ArithmeticError) as error:
             return Verdict(statement, "unread", str(error))
     return Verdict(statement, "unread", problem)

@@ -252,26 +252,26 @@ class _Alternatives:
         if id(tree) not in self.lifted:
             parts = [self.numbers.of(part) for part in tree.args]
             rows = [np.empty((0, self.numbers.size))] if not parts else []
-            for place, part in enumerate(tree.args):
+            for index, part in enumerate(tree.args):
                 below = np.concatenate([self.own(part, tree)[1], self.inside(part)], axis=-2)
                 if tree.kind == "add":
-                    rows.append(below + (self.numbers.of(tree) - parts[place]))
+                    rows.append(below + (self.numbers.of(tree) - parts[index]))
                 else:
-                    rows.append(_applied(tree, [*parts[:place], below, *parts[place + 1 :]]))
+                    rows.append(_applied(tree, [*parts[:index], below, *parts[index + 1 :]]))
             self.lifted[id(tree)] = tree, np.concatenate(rows, axis=-2)
         return self.lifted[id(tree)][1]
 
     def edit(self, tree: Node, number: int) -> tuple[Path, Edit]:
         """An edit inside a tree by its number, and its place."""
-        for place, part in enumerate(tree.args):
+        for index, part in enumerate(tree.args):
             edits, _ = self.own(part, tree)
             if number < len(edits):
-                return (place,), edits[number]
+                return (index,), edits[number]
             number -= len(edits)
             below = self.inside(part).shape[-2]
             if number < below:
                 path, edit = self.edit(part, number)
-                return (place, *path), edit
+                return (index, *path), edit
             number -= below
         raise IndexError(number)
 
@@ -304,8 +304,8 @@ def _inverted(tree: Node, parts: Sequence[Values], whole: Values, need: Values) 
             rest = need - whole
             yield from (rest + value for value in parts)
         case "mul":
-            for place in range(len(parts)):
-                yield need / math.prod([*parts[:place], *parts[place + 1 :]])
+            for index in range(len(parts)):
+                yield need / math.prod([*parts[:index], *parts[index + 1 :]])
         case "div":
             yield need * parts[1]
             yield parts[0] / need
@@ -326,8 +326,8 @@ def _places(
     yield path, tree, above, value, need
     if (tree.args and tree.kind != "call") or tree.value in ("sqrt", "exp"):
         parts = [numbers.of(part) for part in tree.args]
-        for place, below in enumerate(_inverted(tree, parts, value, need)):
-            yield from _places(tree.args[place], below, numbers, (*path, place), tree)
+        for index, below in enumerate(_inverted(tree, parts, value, need)):
+            yield from _places(tree.args[index], below, numbers, (*path, index), tree)
 
 
 class _Products:
@@ -383,9 +383,9 @@ class _Products:
         low = np.searchsorted(self.table[:, 0], first - near)
         high = np.searchsorted(self.table[:, 0], first + near, "right")
         for row in np.flatnonzero((high > low) & usable):
-            for place in range(low[row], high[row]):
-                if same(wanted[row], self.table[place]):
-                    found.setdefault(int(row), self.alone[place])
+            for index in range(low[row], high[row]):
+                if same(wanted[row], self.table[index]):
+                    found.setdefault(int(row), self.alone[index])
         powers = np.log(np.abs(wanted)) @ self.inverse
         halves = np.round(2 * powers[:, :-1]) / 2
         gap = np.abs(powers[:, :-1] - halves).max(axis=1, initial=0.0)
@@ -576,5 +576,5 @@ def _parts(
     tree: Node, path: Path = (), above: Node | None = None
 ) -> Iterator[tuple[Path, Node, Node | None]]:
     yield path, tree, above
-    for place, part in enumerate(tree.args):
-        yield from _parts(part, (*path, place), tree)
+    for index, part in enumerate(tree.args):
+        yield from _parts(part, (*path, index), tree)

@@ -241,8 +241,8 @@ def no_jump_falling() -> Outcome:
         quasi_static_path(p, "theta0", _RISING[::-1], start=start) for start in ("small", "large")
     )
     ends = sorted((int(np.argmin(back.x)), int(np.argmax(back.x))))
-    rises = (np.diff(back.x[slice(*ends)]) > 0).all() and back.values[ends[1]] < np.radians(2.0)
-    return not back.jumps and rises and len(large.jumps) == 1, {
+    grows = (np.diff(back.x[slice(*ends)]) > 0).all() and back.values[ends[1]] < np.radians(2.0)
+    return not back.jumps and grows and len(large.jumps) == 1, {
         "jumps on the way back": len(back.jumps),
         "x grows from theta0_deg, to": rounded(_deg(back.values[ends]), 3),
         "x there": back.x[ends],

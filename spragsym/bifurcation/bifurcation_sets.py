@@ -139,8 +139,8 @@ def bifurcation_set(
             more = np.concatenate([none, *(rows_of(near, points) for points in ends)], axis=1)
             parts.append(on_lines(near, touch(contact), n, more, more[-1], options))
             for chain in parts[-1].chains:
-                around = ends_around(chain, options.half_width * scale_of(chain))
-                passes = kinds_of_borders(near, around, other) == PASSES
+                enclosures = ends_around(chain, options.half_width * scale_of(chain))
+                passes = kinds_of_borders(near, enclosures, other) == PASSES
                 cuts = np.flatnonzero(np.diff(passes)) + 1
                 pieces = zip(np.split(chain, cuts, axis=1), np.split(passes, cuts), strict=True)
                 curves += [_curve(near, piece) for piece, goes_on in pieces if not goes_on.any()]
@@ -450,8 +450,8 @@ class FoldCurves:
         is smooth.
         """
         for _ in range(self.options.refinements):
-            place, along = states / self.scale[:, None], self.tangents(states)
-            chord, centre = np.diff(place, axis=1), 0.5 * (place[:, :-1] + place[:, 1:])
+            scaled, along = states / self.scale[:, None], self.tangents(states)
+            chord, centre = np.diff(scaled, axis=1), 0.5 * (scaled[:, :-1] + scaled[:, 1:])
             length = np.linalg.norm(chord, axis=0)
             one, two = (
                 part * np.sign((part * chord).sum(axis=0)) for part in (along[:, :-1], along[:, 1:])
@@ -536,9 +536,9 @@ class FoldCurves:
         number = int(share.argmin())
         if not share[number] <= 1:
             return to, None
-        start, place = end + share[number] * way, len(end) - 2 + number
-        start[place] = last[number]
-        return start, place
+        start, slot = end + share[number] * way, len(end) - 2 + number
+        start[slot] = last[number]
+        return start, slot
 
     def _lies_between(self, point: FloatArray, one: FloatArray, two: FloatArray) -> bool:
         """Whether a point of the curve lies between two others near to each other, or is the second

@@ -173,8 +173,8 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
     K, sides = linearization(balance, q, given)[2], np.zeros(point.size)
     off = rounded_outward(eq.error[point, slot] * scale_of(q))
     with quiet():
-        around = Intervals(rounded_outward(ends_around(q, off)))
-        at = balance.state(around, balance.prepared_at(given))
+        boxes = Intervals(rounded_outward(ends_around(q, off)))
+        at = balance.state(boxes, balance.prepared_at(given))
         proved = determinant([list(row) for row in matrix(at.stiffness(), at.shape)]).signs
     if turned:
         across = q - np.array(
@@ -227,14 +227,14 @@ def _by_tubes(
         """
         known = joined(there)
         by_tubes = {step: len(pairs) for step, pairs in known.items()}
-        told = {
+        complete = {
             (one, two)
             for one, two in completed(known)
             if (along.whole and states[one].sure.all() and states[two].sure.all())
             or by_tubes[one, two] == min(states[end].signs.size for end in (one, two))
         }
-        told = {step for step in told if "pitchfork" not in _kinds_within(along, step)}
-        return np.array([(one, two) in told for one, two, _ in begun], dtype=np.bool_)
+        complete = {step for step in complete if "pitchfork" not in _kinds_within(along, step)}
+        return np.array([(one, two) in complete for one, two, _ in begun], dtype=np.bool_)
 
     known = joined(tubes.followed(start, goal, needless=needless))
     return known, completed(known)

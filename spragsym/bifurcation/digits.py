@@ -64,7 +64,7 @@ def precise_equilibria(
 
 def _in_combination(balance: Balance, exact: Mapping[str, Any], digits: int) -> PreciseEquilibria:
     """The equilibria of one combination of contacts that touch."""
-    found, around, whole = _isolated(balance, exact)
+    found, searched, whole = _isolated(balance, exact)
     if found.undecided_point.size:
         closer = (
             ""
@@ -82,7 +82,7 @@ def _in_combination(balance: Balance, exact: Mapping[str, Any], digits: int) -> 
 
     states = with_enough_bits(digits, attempt, "equilibria")
     return PreciseEquilibria(
-        tuple(states), bool(whole.all()), _searched(balance.coordinates, around)
+        tuple(states), bool(whole.all()), _searched(balance.coordinates, searched)
     )
 
 
@@ -90,8 +90,8 @@ def _each(found: Roots, tell: Callable[[FloatArray, FloatArray], T | None]) -> l
     """Values of ``tell`` for each root, from its box and the one in which it is alone; no None
     among them.
     """
-    told = map(tell, *(np.moveaxis(boxes, 2, 0) for boxes in (found.ends, found.alone)))
-    return [one for one in told if one is not None]
+    results = map(tell, *(np.moveaxis(boxes, 2, 0) for boxes in (found.ends, found.alone)))
+    return [one for one in results if one is not None]
 
 
 def _searched(names: Sequence[str], region: FloatArray) -> Ranges:
@@ -134,10 +134,10 @@ def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatA
     ]
     if (low == high).all():
         return roots_of(balance, high)
-    around, whole = region(balance, Intervals.between(low, high))
+    searched, whole = region(balance, Intervals.between(low, high))
     return (
-        reduced_by_turns(balance.periodic, certified_roots.search(balance, around, low, high)),
-        around,
+        reduced_by_turns(balance.periodic, certified_roots.search(balance, searched, low, high)),
+        searched,
         whole,
     )
 

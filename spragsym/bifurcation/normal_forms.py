@@ -171,8 +171,8 @@ class _Point:
         """
         found = list[Any]()
         borders = self._borders([Jet(terms, 1) for terms in self._along(q)])
-        for place in self.felt:
-            slip = borders[place]
+        for index in self.felt:
+            slip = borders[index]
             terms = slip.terms if isinstance(slip, Jet) else {}
             found += [terms.get(key, 0) for key in ((), (0,), (1,))]
         return found
@@ -182,8 +182,8 @@ class _Point:
         """Frictions whose contact touches, by their places among borders and in the mode."""
         names, pushing = self.balance.contacts, self.balance.pushing
         return {
-            place: friction
-            for place, friction in enumerate(self.balance.model.frictions, len(names))
+            index: friction
+            for index, friction in enumerate(self.balance.model.frictions, len(names))
             if pushing[names.index(friction["name"])]
             or presses_either(self.balance.model.contacts[names.index(friction["name"])])
         }
@@ -240,16 +240,16 @@ class _Point:
         """
         model, kink = self.balance.model, "line {} of the model page, has a kink"
         borders = self._borders(self.state)
-        for place, contact in enumerate(model.contacts):
+        for index, contact in enumerate(model.contacts):
             if contact["border"]:
                 yield (
-                    borders[place] * (1 - 2 * self.mode[place]),
+                    borders[index] * (1 - 2 * self.mode[index]),
                     "the state lies on the border of contact, where the law of line "
                     f"{contact['line']} of the model page has a kink",
                 )
-        for place, friction in self.felt.items():
+        for index, friction in self.felt.items():
             yield (
-                borders[place],
+                borders[index],
                 "the sliding speed is 0, where the law of friction, "
                 + kink.format(friction["line"]),
             )
@@ -315,8 +315,8 @@ class _Point:
 
         none = [0] * len(more)
         without, missing = forces(*none), [0] * balance.n
-        for place, change in enumerate(more):
-            with_unit = forces(*none[:place], 1, *none[place + 1 :])
+        for index, change in enumerate(more):
+            with_unit = forces(*none[:index], 1, *none[index + 1 :])
             rows = zip(missing, with_unit, without, strict=True)
             missing = [total + (b - a) * change for total, a, b in rows]
         return linear_solution([list(map(self.known, row)) for row in at.mass()], missing)

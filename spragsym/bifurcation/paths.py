@@ -342,17 +342,17 @@ class QuasiStaticContinuation:
             states = self.q[:, here].T
             room = self.options.fold_distance * scale_of(states)
             boxes = [box for box in eq.undecided if box.index == (node,)]
-            around = np.array(
+            near = np.array(
                 [
                     ((states - box.low <= room) & (box.high - states <= room)).all(axis=-1)
                     for box in boxes
                 ]
             )
-            if not around.any(axis=-1).all():
+            if not near.any(axis=-1).all():
                 continue
             eq = as_decided(eq, node)
             for number in here.tolist():
-                if self.kinds[number] == "pitchfork" and around[:, here == number].any():
+                if self.kinds[number] == "pitchfork" and near[:, here == number].any():
                     eq = with_state(
                         eq,
                         node,

@@ -96,26 +96,26 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     balance, alone = family.balance, family.given.shape[1] == len(family.vary) == 1
     if condition.singular and is_affine(family):
         return _of_affine_forces(family)
-    around, whole = _region(family, balance)
+    searched, whole = _region(family, balance)
     if condition.touching is not None and not whole.all():
         # On the border the contact's force is 0: these are states where it is open, too.
-        around, whole = _region(family, balance.across(condition.touching))
+        searched, whole = _region(family, balance.across(condition.touching))
     system, fixed = Augmented(family, condition), family.begin
     if budget is None and system.options.budget is None:
         # Of more than four unknowns each costs many times as much.
         budget = 200_000 if system.n <= 3 else 1_000_000 if system.n == 4 else 6_000
-    from_least = alone and begins_at_zero(system, around)
-    wide = _between(around, LOW, around[1, -1, 0]) if from_least else around
+    from_least = alone and begins_at_zero(system, searched)
+    wide = _between(searched, LOW, searched[1, -1, 0]) if from_least else searched
     roots = certified_roots.search(system, wide, fixed, fixed, budget=budget)
     if from_least:
-        roots = _joined(_by_logarithm(system, around), roots)
-        around = _between(around, LEAST, around[1, -1, 0])
+        roots = _joined(_by_logarithm(system, searched), roots)
+        searched = _between(searched, LEAST, searched[1, -1, 0])
     if alone:
-        roots = refined_roots(system, around, roots)
+        roots = refined_roots(system, searched, roots)
     roots = reduced_by_turns(balance.periodic, on_contact_side(system, fixed, roots))
     if alone:
         roots = roots.select(undecided=~shared(system, roots.undecided))
-    return Found(roots, around, whole)
+    return Found(roots, searched, whole)
 
 
 def nothing(family: Family) -> Found:
@@ -125,8 +125,8 @@ def nothing(family: Family) -> Found:
 
 def _region(family: Family, balance: Balance) -> tuple[FloatArray, BoolArray]:
     """Coordinates and the parameters that vary, and whether that holds all equilibria."""
-    around, whole = region(balance, family.over, family.asked)
-    return with_sides(around, family.spans), whole
+    searched, whole = region(balance, family.over, family.asked)
+    return with_sides(searched, family.spans), whole
 
 
 def with_sides(around: FloatArray, spans: FloatArray) -> FloatArray:
@@ -149,11 +149,11 @@ def _of_affine_forces(family: Family) -> Found:
     roots, whole = Roots.none(n + len(family.vary)), np.ones(count, dtype=np.bool_)
     if not point.size:
         return Found(roots, with_sides(np.full((2, n, count), np.inf), family.spans), whole)
-    around, whole = _region(family, family.balance)
-    near = np.broadcast_to(around, (*around.shape[:2], count))[:, :n, point]
+    searched, whole = _region(family, family.balance)
+    near = np.broadcast_to(searched, (*searched.shape[:2], count))[:, :n, point]
     left = roots.with_undecided(np.concatenate([near, values], axis=1), point)
     where = "where det K is 0 in every state: equilibria there form lines, or there are none"
-    return Found(left, around, whole, where)
+    return Found(left, searched, whole, where)
 
 
 def matrices(family: Family, z: FloatArray, damping: bool = True) -> tuple[FloatArray, ...]:

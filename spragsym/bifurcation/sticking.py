@@ -107,7 +107,7 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     if (found := line(p)) is not None:
         return found
     own = held(p, [holding[0]["name"]])
-    turns = [_turns(own, place) for place in range(len(model.coordinates))]
+    turns = [_turns(own, index) for index in range(len(model.coordinates))]
     try:
         continuation = QuasiStaticContinuation(
             own,

@@ -59,13 +59,13 @@ def region(p: ParameterSet) -> StickingStates:
                 column = [C[r][i] for r in range(n)]
                 edges.append([part * (whole - none) for part in _solution(K, det, column)])
                 opposed.append([-part / pressed[holding.index(name)] for part in column])
-        around = [sum((abs(edge[j]) for edge in edges), middle[j] * 0) for j in range(n)]
+        reach = [sum((abs(edge[j]) for edge in edges), middle[j] * 0) for j in range(n)]
         products = [
             [sum(a * b for a, b in zip(one, edge, strict=True)) for edge in edges]
             for one in opposed
         ]
         measure = abs(as_intervals(determinant(products), ONE)) * 2 ** len(edges)
-    ends = [*((middle[j] - around[j], middle[j] + around[j]) for j in range(n)), (measure,)]
+    ends = [*((middle[j] - reach[j], middle[j] + reach[j]) for j in range(n)), (measure,)]
     return _result(p, ends, ["measure"])
 
 

@@ -43,12 +43,12 @@ def folds(case: Case) -> object:
     """
     along = case.span
     with show_progress(f"searching for folds along {along.name}"):
-        told = points_of(
+        answer = points_of(
             case,
             ss.folds(case.set(along.name), along.name, **case.searching(along.name)),
             after=True,
         )
-    return {"vary": along.title, **told}, lambda: print_points("Folds", told, [along.title])
+    return {"vary": along.title, **answer}, lambda: print_points("Folds", answer, [along.title])
 
 
 @o.of_model(statics=True)
@@ -112,14 +112,14 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> object
         )
     if plot is not None:
         _draw(case, plot, names, found, n, undamped)
-    told = {title: points_of(case, one) for title, one in found.items()}
+    answer = {title: points_of(case, one) for title, one in found.items()}
 
     def tables() -> None:
         titles = [span.title for span in case.spans]
-        for title, one in told.items():
+        for title, one in answer.items():
             print_points(title.capitalize(), one, titles[: len(found[title].vary)])
 
-    return {"parameters": case.parameter_row(), **told}, tables
+    return {"parameters": case.parameter_row(), **answer}, tables
 
 
 def _draw(
@@ -200,7 +200,7 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> object:
     between = found.changes[own("error")]
     kinds, errors = [*found.points.kind, *["GH"] * len(between)], [*found.points.error, *between]
     points = case.rows({own("kind"): kinds, **special, own("error"): errors}, ss.results.Onsets)
-    told = {
+    answer = {
         "curves": curves,
         "points": points,
         "complete": found.complete,
@@ -233,13 +233,13 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> object:
         print_rows(
             "Points on them", [{title: row[title] for title in ("kind", *titles)} for row in points]
         )
-        print_open("Onsets", told)
+        print_open("Onsets", answer)
         click.echo(
             f"Onsets: sought on {n} lines of either parameter; a curve that closes between "
             "two of them is not seen"
         )
 
-    return {"parameters": case.parameter_row(), **told}, tables
+    return {"parameters": case.parameter_row(), **answer}, tables
 
 
 def points_of(case: Case, found: Points, after: bool = False) -> Row:

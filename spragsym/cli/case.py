@@ -255,8 +255,11 @@ class Case:
     ) -> list[Row]:
         """Rows of columns of one length, and of those that have no unit."""
         own = {own_name(self.model, name): values for name, values in more.items()}
-        told = {**self.row(columns, kind), **own}
-        return [dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True)]
+        titled_columns = {**self.row(columns, kind), **own}
+        return [
+            dict(zip(titled_columns, row, strict=True))
+            for row in zip(*titled_columns.values(), strict=True)
+        ]
 
     def varied(self, name: str) -> tuple[str, str, float]:
         """A parameter, or with a file its quantity: the parameter, its title, and what one of it is

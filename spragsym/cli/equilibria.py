@@ -87,10 +87,10 @@ def equilibria(case: Case, plot: Path | None) -> object:
         every = [
             dict(zip(values, combination, strict=True)) for combination in itertools.product(*lists)
         ]  # the first slowest
-        told = [{title: unit * at[name] for name, (title, unit) in titles.items()} for at in every]
+        named = [{title: unit * at[name] for name, (title, unit) in titles.items()} for at in every]
         points = [
             {"parameters": at, **one}
-            for at, one in zip(told, _all_states(case, every), strict=True)
+            for at, one in zip(named, _all_states(case, every), strict=True)
         ]
     return {"points": points} if many else points[0], lambda: _print(
         case, points, [titles[name][0] for name in many]
@@ -152,26 +152,26 @@ def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[Row]:
         if len(points) > 1
     }
     for at, point in enumerate(points):
-        told: Row = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
+        answer: Row = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
         for contact, state in case.model.regimes.items():
             if every and (every[contact].decided & every[contact].whole)[at]:
-                told["equilibria"] += _rows(case, every[contact], (at,))
+                answer["equilibria"] += _rows(case, every[contact], (at,))
                 continue
             try:
                 eq = ss.equilibria(case.model.Parameters(**point), contact=contact, **case.ask)
             except ConvergenceError as reason:  # the other regime may be known
-                told["undecided"].append({"state": state, "reason": str(reason)})
-                told["complete"] = False
+                answer["undecided"].append({"state": state, "reason": str(reason)})
+                answer["complete"] = False
                 continue
-            told["equilibria"] += _rows(case, eq)
-            told["complete"] &= eq.complete
+            answer["equilibria"] += _rows(case, eq)
+            answer["complete"] &= eq.complete
             for one in eq.undecided:
                 box = zip(one.low, one.high, strict=True)
-                told["undecided"] += case.boxes(
+                answer["undecided"] += case.boxes(
                     [box], case.model.coordinates, state=state, reason=one.reason
                 )
-            told["remarks"] += [f"{state}: {text}" for text in case.said(eq.remarks)]
-        yield told
+            answer["remarks"] += [f"{state}: {text}" for text in case.said(eq.remarks)]
+        yield answer
 
 
 def _rows(case: Case, eq: Equilibria, point: tuple[int, ...] = ()) -> list[Row]:

@@ -401,8 +401,8 @@ class OfModel(Command):
         asked = given.pop("vary", None) or [Span(name, name) for name in self.varied]
         asked = [asked] if isinstance(asked, Span) else asked
         spans = tuple(
-            units.spanning(one, self.values, place < self.spanned)
-            for place, one in enumerate(asked)
+            units.spanning(one, self.values, index < self.spanned)
+            for index, one in enumerate(asked)
         )
         ask, force = {name: one for name, one in ask.items() if one}, given.pop("force", False)
         case = Case(self.model, ctx.obj, values, start, ask, spans, force)
@@ -413,9 +413,9 @@ class OfModel(Command):
         refuse([plot], force)
         done = self.work(case, **given)
         if done is not None:
-            told, tables = done
+            answer, tables = done
             if json_output:
-                print_json({"model": self.model.name, **told})
+                print_json({"model": self.model.name, **answer})
             else:
                 tables()
 

@@ -359,12 +359,14 @@ class ClaimOfStates(Claim):
         if parts.holds.all():
             return parts, parts.low
         located = [
-            self._located(balance, parts, around)
-            for balance, around in zip(self.balances, np.moveaxis(parts.around, 1, 0), strict=True)
+            self._located(balance, parts, searched)
+            for balance, searched in zip(
+                self.balances, np.moveaxis(parts.around, 1, 0), strict=True
+            )
         ]
         states, where = zip(*located, strict=True)
-        around = np.stack(where, axis=1)
-        whole = np.isfinite(around).all(axis=(0, 1, 2))
+        searched = np.stack(where, axis=1)
+        whole = np.isfinite(searched).all(axis=(0, 1, 2))
         bounds = Intervals.between(parts.low, parts.high)
         with quiet():
             holds = whole & self.true(
@@ -373,7 +375,7 @@ class ClaimOfStates(Claim):
         weight = parts.slight
         for balance, roots in zip(self.balances, states, strict=True):
             self._weigh(weight, balance, parts, roots)
-        return replace(parts, holds=holds, around=around), weight
+        return replace(parts, holds=holds, around=searched), weight
 
     def _located(
         self, balance: Balance, parts: LocatedParts, around: FloatArray

@@ -156,9 +156,9 @@ def space(
     )
     for name in (*names, *tolerances):
         if name not in design.given:
-            place = "scale" if name in tolerances else what
+            argument = "scale" if name in tolerances else what
             raise ParameterError(
-                f"{name!r} in {place} is not a quantity here; the quantities are "
+                f"{name!r} in {argument} is not a quantity here; the quantities are "
                 f"{', '.join(design.given)}"
             )
     if not names:

@@ -320,8 +320,8 @@ class Followed:
             eq = equilibria(self._points(rows[left]).replace(**{self.vary: goal[left]}))
             ended[left[eq.decided & eq.whole & (eq.count == 0)]] = 1.0
             left = np.flatnonzero(np.isnan(ended))
-            told = self._by_tubes(tubes[left], start[left], goal[left], coarse=coarse)
-            ended[left] = np.where(told.decided, np.isfinite(told.z[-1]), np.nan)
+            proved = self._by_tubes(tubes[left], start[left], goal[left], coarse=coarse)
+            ended[left] = np.where(proved.decided, np.isfinite(proved.z[-1]), np.nan)
             found[rows] = ended
         return found.reshape(self.shape)
 
@@ -337,13 +337,13 @@ class Followed:
         z, error, reasons = np.empty((n + 1, size)), np.empty(size), dict[int, str]()
         combination = np.zeros(size, dtype=np.int64)
         for rows, tubes, start, goal in self._parts():
-            told = self._by_tubes(tubes, start, goal)
-            z[:, rows], error[rows], combination[rows] = told.z, told.error, told.combination
-            for i, contact in zip(rows.tolist(), told.border.tolist(), strict=True):
+            proved = self._by_tubes(tubes, start, goal)
+            z[:, rows], error[rows], combination[rows] = proved.z, proved.error, proved.combination
+            for i, contact in zip(rows.tolist(), proved.border.tolist(), strict=True):
                 if contact >= 0:
                     others[i] = self._at_border(z[:, i], error[i], combination[i], contact)
                     z[:n, i] = np.nan
-            for i in rows[~told.decided].tolist():
+            for i in rows[~proved.decided].tolist():
                 span = float(self.begin[i]), float(self.until[i])
                 try:
                     end = (

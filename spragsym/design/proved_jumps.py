@@ -119,7 +119,7 @@ def _known(box: Splitting, pieces: Pieces) -> BoolArray:
     low[box.rows[:-1]], high[box.rows[:-1]] = pieces.low[:-1], pieces.high[:-1]
     low[box.rows[-1]] = high[box.rows[-1]] = box.begin
     bounds = Intervals.between(low, high)
-    around, whole = region(balance, bounds)
+    searched, whole = region(balance, bounds)
     held = pieces.base.box().ends[:, :-1]
-    found = is_reference(balance, bounds, held, around)
+    found = is_reference(balance, bounds, held, searched)
     return found & whole & pieces.base.sure

@@ -245,10 +245,10 @@ def described(model: Model, points: Sequence[Mapping[str, float]]) -> dict[str, 
         "coordinates": [
             {
                 "name": one["name"],
-                "turns": turns.get(place, {}),
+                "turns": turns.get(index, {}),
                 "angle": one["unit"] == "rad",
             }
-            for place, one in enumerate(about["coordinates"])
+            for index, one in enumerate(about["coordinates"])
         ],
         "parameters": [
             {key: entry[key] for key in ("name", "meaning", "role")}

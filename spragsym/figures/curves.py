@@ -255,10 +255,10 @@ def chains(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> 
     curve, numbers = np.zeros(eq.undamped.shape, dtype=int), itertools.count(1)
     # Curves that these do not tell apart are drawn as two.
     halved = ss.ContinuationOptions(halvings=3)
-    for place, pairs in enumerate([{}, *linked(p, vary, eq, turns, options=halved)]):
-        before = {other: curve[place - 1, one] for one, other in pairs.items()}
-        for slot in range(eq.count[place]):
-            curve[place, slot] = before.get(slot) or next(numbers)
+    for index, pairs in enumerate([{}, *linked(p, vary, eq, turns, options=halved)]):
+        before = {other: curve[index - 1, one] for one, other in pairs.items()}
+        for slot in range(eq.count[index]):
+            curve[index, slot] = before.get(slot) or next(numbers)
     for number in range(1, next(numbers)):
         yield np.nonzero(curve == number)
 

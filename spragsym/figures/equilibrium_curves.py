@@ -58,11 +58,11 @@ def figure_4() -> Sheet:
     figure, axes = panels(2, 2, DOUBLE, 4.4)
     p = Parameters.article()
     contact, lifted = branches(p), branches(p, contact=False)
-    for place, ax in enumerate(axes.flat):
-        name, above = "xy"[place % 2], place < 2
+    for index, ax in enumerate(axes.flat):
+        name, above = "xy"[index % 2], index < 2
         curves = contact if above else lifted
         draw_panel(ax, p if above else None, curves, name)
-        figure.tables["abcd"[place]] = table_of(curves)
+        figure.tables["abcd"[index]] = table_of(curves)
         remark(ax, "contact" if above else "lift-off")
     for text, x, y in (("stable", 62, 1.2), ("divergent", 27, 0.88), ("stable", 6, 0.25)):
         write_along(axes[0, 0], text, x, y)

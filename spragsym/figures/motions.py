@@ -160,10 +160,10 @@ def draw_motion(
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     names = motion.components
-    place, t = row_of(of, names), np.linspace(motion.t[0], motion.t[-1], 4000)
+    row, t = row_of(of, names), np.linspace(motion.t[0], motion.t[-1], 4000)
     ax = own_axes(ax)
-    (line,) = ax.plot(time * t, length * motion(t)[place], color=BLUE, linewidth=0.8)
-    across, up = labels or (_said(motion, motion._own("t")), _said(motion, names[place]))
+    (line,) = ax.plot(time * t, length * motion(t)[row], color=BLUE, linewidth=0.8)
+    across, up = labels or (_said(motion, motion._own("t")), _said(motion, names[row]))
     ax.set(xlabel=across, ylabel=up)
     return line
 
@@ -182,10 +182,10 @@ def draw_phase(
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     ax, names = own_axes(ax), motion.model.coordinates
-    place, states = row_of(of, names), motion(np.linspace(motion.t[0], motion.t[-1], 6000))
-    name, rate = names[place], motion.model.rates[place]
+    row, states = row_of(of, names), motion(np.linspace(motion.t[0], motion.t[-1], 6000))
+    name, rate = names[row], motion.model.rates[row]
     (line,) = ax.plot(
-        length * states[place], speed * states[len(names) + place], color=BLUE, linewidth=0.8
+        length * states[row], speed * states[len(names) + row], color=BLUE, linewidth=0.8
     )
     belts = [it["belt"] for it in motion.model.frictions if it["along"] == name]
     for belt in dict.fromkeys(belt for belt in belts if belt is not None):

@@ -16,7 +16,7 @@ def verdict_figure(found: Verdicts) -> Figure:
     """
     figure, columns = Figure(layout="constrained"), [*zip(*found.rows, strict=True)]
     several = len(found.titles) == 6
-    told = [*zip(*columns[-2:], strict=True)]
+    verdicts = [*zip(*columns[-2:], strict=True)]
     first, jumps = (np.array(column, dtype=float) for column in columns[:2])
     none = bool(np.isnan(jumps).all())  # it never jumps: there is nothing but the state to show
     panels = figure.subplots(1 if several or none else 2, sharex=True, squeeze=False)[:, 0]
@@ -32,8 +32,8 @@ def verdict_figure(found: Verdicts) -> Figure:
         values = np.array(columns[1 + row], dtype=float)
         if none:
             ax.set_yticks([])
-        for word, state in dict.fromkeys(told):
-            here = np.array([each == (word, state) for each in told])
+        for word, state in dict.fromkeys(verdicts):
+            here = np.array([each == (word, state) for each in verdicts])
             style = {"color": colours[word], "markersize": 4, "label": f"{word}, {state}"}
             if state == "unstable":
                 style["markerfacecolor"] = "white"

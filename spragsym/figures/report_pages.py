@@ -142,22 +142,22 @@ def _planes(report: Facts) -> Rows:
     options: dict[str, Any] = dict(
         length=size if unit == "mm" else 1.0, up=f"{first['name']} in {unit}", n=80
     )
-    rises, vary = "the friction", study.loading.name
+    load, vary = "the friction", study.loading.name
     if not study.of_friction:
-        rises, scale = study.loading.quantity, study.load_scale
-        low, high, one = low / scale, high / scale, study.quantities[rises]
-        drawn = math.radians(1.0) if study.kind.units[rises] == "rad" else 1.0
+        load, scale = study.loading.quantity, study.load_scale
+        low, high, one = low / scale, high / scale, study.quantities[load]
+        drawn = math.radians(1.0) if study.kind.units[load] == "rad" else 1.0
         options["begin"] = study.start()
-        options["size"] = study.in_file(rises, drawn * scale)
-        options["across"] = f"{rises} in {one.unit}" if one.unit else rises
+        options["size"] = study.in_file(load, drawn * scale)
+        options["across"] = f"{load} in {one.unit}" if one.unit else load
     meaning = first["meaning"].partition(",")[0]
     turns, varies = vary in report.folds and len(report.folds[vary]) > 0, high > low
     yield (
         picture(partial(draw_rising, p, vary, between={vary: (low, high)}, **options)),
-        f"{meaning[:1].upper()}{meaning[1:]} as {rises} rises "
+        f"{meaning[:1].upper()}{meaning[1:]} as {load} rises "
         f"(orange{', with its jumps' * turns}); grey: all states, full where stable."
         + " Dots: folds, where two states meet and end." * turns
-        + f" Shaded: {rises} within its tolerances." * varies,
+        + f" Shaded: {load} within its tolerances." * varies,
     )
 
 

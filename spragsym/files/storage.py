@@ -164,8 +164,10 @@ def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], described: Column
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
     text.writelines(f"# {name}: {value}\n" for name, value in attrs.items())
-    told = [described.get(name, Column(name, "")) for name in columns]
-    text.writelines(f"# {each.name} [{each.dimension}]: {each.meaning}\n" for each in told)
+    described_columns = [described.get(name, Column(name, "")) for name in columns]
+    text.writelines(
+        f"# {each.name} [{each.dimension}]: {each.meaning}\n" for each in described_columns
+    )
     writer.writerows(zip(*(np.ravel(values).tolist() for values in columns.values()), strict=True))
     return _sealed(text.getvalue().encode())
 

@@ -300,8 +300,8 @@ def _links(columns: _Columns, number: IntArray, step: float) -> list[set[int]]:
     on = columns[:-1].goes_on(columns[1:], step)
     same = (number[:, :-1] >= 0) & (number[:, 1:] >= 0) & on
     link(links, zip(number[:, :-1][same].tolist(), number[:, 1:][same].tolist(), strict=True))
-    for place in np.flatnonzero(~on):
-        both = slice(place, place + 2)
+    for index in np.flatnonzero(~on):
+        both = slice(index, index + 2)
         some = number[:, both] >= 0
         who, pairs = (
             number[:, both][some].tolist(),

@@ -272,18 +272,22 @@ def _sharpened(
     t, value = near
     while True:
         centre, v = middle(t), middle(value)
-        (here, around), values = (on_circle(one) for one in (centre, t)), with_value(value)
+        (here, enclosing), values = (on_circle(one) for one in (centre, t)), with_value(value)
         trig, change = (
             kernel.f_coefficients(*values, 1),
             kernel.f_changes(*values)[NAMES.index(vary)],
         )
         drift = (
-            kernel.f_slope(*around[:2], *trig) / kernel.f(*around[:2], *change) * (2 * (t - centre))
+            kernel.f_slope(*enclosing[:2], *trig)
+            / kernel.f(*enclosing[:2], *change)
+            * (2 * (t - centre))
         )  # dθ ≤ 2 dt
         on_surface = v - kernel.f(*here[:2], *kernel.f_coefficients(*with_value(v), 1)) / kernel.f(
             *here[:2], *change
         )
         value = narrower(value, on_surface + drift)
         slope = kernel.f_slope(*here[:2], *kernel.f_coefficients(*with_value(value), 1))
-        t = narrower(t, centre - slope / kernel.f_curvature(*around[:2], *trig) * around.scale / 2)
+        t = narrower(
+            t, centre - slope / kernel.f_curvature(*enclosing[:2], *trig) * enclosing.scale / 2
+        )
         yield t, value

@@ -64,13 +64,13 @@ def folds(
     vary = vary or "theta0"
     if vary not in NAMES:
         raise NotInClosedForm
-    fixed, place = [name for name in NAMES if name != vary], NAMES.index(vary)
+    fixed, index = [name for name in NAMES if name != vary], NAMES.index(vary)
     exact = dict(zip(fixed, map(Fraction, p.scalars(*fixed)), strict=True))
 
     def attempt(bits: int) -> list[tuple[Fraction, Fraction, Fold, tuple[float, ...], list[float]]]:
         found = []
         for fold in proved_folds(vary, exact, bits):
-            value = fold.point.parameters[place]
+            value = fold.point.parameters[index]
             if (
                 decided(value, f"{vary} = 0 on a fold") > 0
                 and (row := fold.point.row(vary))[0] < RANGES[vary].high

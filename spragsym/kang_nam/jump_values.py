@@ -192,9 +192,9 @@ def _walk(
     )
     undecided[row[1:][same & ~apart]] = True
     rank, jumped = rank.astype(np.int64), np.full(start.size, -1)
-    place = np.arange(row.size) - np.searchsorted(row, row)  # which fold of its point
-    for k in range(int(place.max(initial=-1)) + 1):
-        now = np.flatnonzero(place == k)
+    number = np.arange(row.size) - np.searchsorted(row, row)  # which fold of its point
+    for k in range(int(number.max(initial=-1)) + 1):
+        now = np.flatnonzero(number == k)
         points, grows, upper = row[now], forward * kept.side[now] > 0, kept.upper[now]
         jumps = (
             ~grows & (jumped[points] < 0) & np.where(upper, rank[points] >= 1, rank[points] <= 1)

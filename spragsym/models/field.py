@@ -392,7 +392,7 @@ class _Motion:
         self.holds = [entry["holds"] for entry in model.frictions] or [False]
         self.sides = [(1, -1, 0) if holds else (1, -1) for holds in self.holds]
         #: Frictions that hold, in the order of what is generated of them.
-        self.holding = [place for place, holds in enumerate(self.holds) if holds]
+        self.holding = [index for index, holds in enumerate(self.holds) if holds]
         self.rooted = [not entry["polynomial"] for entry in self.contacts]
         #: Contacts whose gap is a coordinate, at each turn of which a motion is stopped.
         self.turns = [
@@ -469,7 +469,7 @@ class _Motion:
             for gap, shift, entry in zip(gaps, self.shifts, self.contacts, strict=True)
         )
         mode = *pushing, *sides, *near, *turn, *torsion_sides
-        still = [place for place in self.holding if abs(slips[place]) <= self.still[place]]
+        still = [index for index in self.holding if abs(slips[index]) <= self.still[index]]
         return self._settled(mode, state, constants, still) if still else mode
 
     def held(self, mode: Mode, state: Vector, constants: Vector, come: Sequence[int] = ()) -> Mode:
@@ -478,11 +478,11 @@ class _Motion:
         """
         slips = undecorated(self.model.algebra.borders)(*state, *constants)[self.side :]
         chosen = [
-            place
-            for place in self.holding
-            if place in come
-            or not mode[self.side + place]
-            or abs(slips[place]) <= self.still[place]
+            index
+            for index in self.holding
+            if index in come
+            or not mode[self.side + index]
+            or abs(slips[index]) <= self.still[index]
         ]
         return self._settled(mode, state, constants, chosen)
 
@@ -494,10 +494,10 @@ class _Motion:
         found: list[tuple[set[int], Mode]] = []
         for sides in sorted(itertools.product((0, 1, -1), repeat=len(chosen)), key=_count_slips):
             own = dict(zip(chosen, sides, strict=True))
-            stuck = {place for place in chosen if not own[place]}
+            stuck = {index for index in chosen if not own[index]}
             after = tuple(
-                own.get(place - self.side, number) if self.side <= place < self.near else number
-                for place, number in enumerate(mode)
+                own.get(index - self.side, number) if self.side <= index < self.near else number
+                for index, number in enumerate(mode)
             )
             if any(stuck < others for others, _ in found):
                 continue
@@ -505,7 +505,7 @@ class _Motion:
                 found.append((stuck, after))
         if len(found) == 1:
             return found[0][1]
-        names = ", ".join(self.model.frictions[place]["name"] for place in chosen)
+        names = ", ".join(self.model.frictions[index]["name"] for index in chosen)
         several = f"{len(found)} ways to go on" if found else "no way to go on"
         raise ConvergenceError(
             f"where the frictions {names} stick or slip at one instant, dry friction leaves "
@@ -517,13 +517,13 @@ class _Motion:
         stick, or is driven the way it slips.
         """
         margins = self.in_mode("grip")(state, constants, mode, FLOATS)
-        for place in chosen:
-            side, row = mode[self.side + place], 2 * self.holding.index(place)
+        for index in chosen:
+            side, row = mode[self.side + index], 2 * self.holding.index(index)
             ahead, behind = margins[row : row + 2]
             sticks = min(ahead, behind) >= 0 < max(ahead, behind)  # in lift-off these are −F and F
             if side == (0 if sticks else 1 if ahead < behind else -1):
                 continue
-            if not (sticks and side * self._slip_rate(place, mode, state, constants) > 0):
+            if not (sticks and side * self._slip_rate(index, mode, state, constants) > 0):
                 return False
         return True
 
@@ -629,14 +629,14 @@ class _Motion:
         levels = self._generated("borders", "border_rates", contact, shift=lambda _: shift)
         sign, opened = _side(contact, 1)
         rubbing = [
-            self.side + place
-            for place in self.holding
-            if self.model.frictions[place]["name"] == entry["name"]
+            self.side + index
+            for index in self.holding
+            if self.model.frictions[index]["name"] == entry["name"]
         ]
 
         def lifted(mode: Mode, *at: Any) -> Mode:
             after = opened(mode)
-            return after if all(mode[place] for place in rubbing) else self.held(after, *at)
+            return after if all(mode[index] for index in rubbing) else self.held(after, *at)
 
         return Border(
             f"{_said(entry)}{entry['border']} = 0",

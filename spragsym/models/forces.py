@@ -43,7 +43,7 @@ def _ends(model: Model) -> list[str]:
     several.
     """
     count = len(model.about["springs"])
-    return [""] if count == 1 else [f"_{place + 1}" for place in range(count)]
+    return [""] if count == 1 else [f"_{index + 1}" for index in range(count)]
 
 
 def named(function: str, contact: str) -> str:
@@ -115,11 +115,11 @@ def forces_of(model: Model) -> dict[str, partial[FloatArray]]:
         return tensions[spring]
 
     found = {
-        f"spring_force{end}": partial(tension, place) for place, end in enumerate(_ends(model))
+        f"spring_force{end}": partial(tension, index) for index, end in enumerate(_ends(model))
     }
     return found | {
-        named("contact_force", entry["name"]): partial(contact_force, model, place=place)
-        for place, entry in enumerate(model.contacts)
+        named("contact_force", entry["name"]): partial(contact_force, model, place=index)
+        for index, entry in enumerate(model.contacts)
         if entry["gap"] is not None
     }
 

@@ -191,11 +191,11 @@ class Model:
     def whole_turns(self) -> WholeTurns:
         """Turns of angles after which all is as before, by the place of the one that makes one."""
         found = {}
-        for place, entry in enumerate(self.about["coordinates"]):
+        for index, entry in enumerate(self.about["coordinates"]):
             if moved := entry.get("comes_around"):
                 others = {} if moved is True else moved
                 counts = {self.coordinates.index(name): count for name, count in others.items()}
-                found[place] = {place: 1, **counts}
+                found[index] = {index: 1, **counts}
         return found
 
     def require_answered(self, question: str) -> None:

@@ -130,10 +130,10 @@ def as_numbers(
     inside = allowed.inside(array)
     if not inside.all():
         index = tuple(int(i) for i in np.argwhere(~inside)[0]) if array.ndim else ()
-        place = f"{name}[{', '.join(map(str, index))}]" if index else name
+        element = f"{name}[{', '.join(map(str, index))}]" if index else name
         more = int(np.count_nonzero(~inside)) - 1
         raise ParameterError(
-            f"{place} = {shown(array[index].item())} is not in {allowed}"
+            f"{element} = {shown(array[index].item())} is not in {allowed}"
             + (f", nor are {more} more of its values" if more else "")
             + (f": {allowed.remedy}" if allowed.remedy else "")
         )

@@ -73,8 +73,8 @@ def held_along(
             np.repeat(middle[:, None], PHASES, axis=1), (reach + half * (1 + ROOM))[:, None]
         )
         ends[:, n - 1] = -edges[:-1], edges[1:]
-        around = [_Enclosed(row) for row in np.moveaxis(ends, 1, 0)]
-        if not _is_held(field, mode, around, given):
+        enclosures = [_Enclosed(row) for row in np.moveaxis(ends, 1, 0)]
+        if not _is_held(field, mode, enclosures, given):
             return False
     return True
 

@@ -132,13 +132,13 @@ class Onward:
             raise ConvergenceError("Newton's method left the range of numbers") from error
         if orbit.lead != self.field.lead:
             raise ConvergenceError("another coordinate marks the rounds of the orbit")
-        place = orbit.state
-        aside, flow = off_jumps(orbit), orbit.rate(place)
+        start = orbit.state
+        aside, flow = off_jumps(orbit), orbit.rate(start)
         if aside is not orbit:  # as it arrives there
             flow = orbit.monodromy @ flow
         if flow[fixed] == 0:
             raise ConvergenceError("the orbit does not pass through the section")
-        back = np.eye(place.size)
+        back = np.eye(start.size)
         back[:, fixed] -= flow / flow[fixed]  # along the flow to the section again
         slope = section(section(back @ orbit.monodromy, fixed).T, fixed).T
         largest = magnitude(aside.multipliers.others)
@@ -361,8 +361,8 @@ def _goes_on(cycle: Closed, off: FloatArray) -> bool:
     slowest = int(np.argmax(np.abs(values)))
     left = np.abs(np.linalg.solve(vectors, off))[slowest]
     places = np.array(list(_same_size(off, values, vectors)))
-    place = cycle.scaled(cycle.state)
-    images = cycle.returned(place + places) - place
+    start = cycle.scaled(cycle.state)
+    images = cycle.returned(start + places) - start
     missed = np.abs(images - places @ cycle.slope.T).max(axis=1)
     if not (missed <= options.missed * np.abs(places).max(axis=1) + tol).all():
         return False

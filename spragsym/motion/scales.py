@@ -115,7 +115,7 @@ class MotionScales:
 
     def flow_result(self, it: FlowResult) -> FlowResult:
         """A flow over a time with its derivatives."""
-        place = self.places[0]
+        length = self.places[0]
         first, square = it.integrals
         return replace(
             it,
@@ -124,12 +124,12 @@ class MotionScales:
             by_parameters=self._by_parameters(it.by_parameters),
             crossings=tuple(map(self.crossing, it.crossings)),
             extrema=tuple(map(self.extremum, it.extrema)),
-            integrals=(self.time * place * first, self.time * place**2 * square),
+            integrals=(self.time * length * first, self.time * length**2 * square),
         )
 
     def statistics(self, it: MotionStatistics) -> MotionStatistics:
         """Quantities measured on a motion."""
-        place = self.places[it.lead]
+        length = self.places[it.lead]
         others = np.delete(self.places, it.lead)
         low, high = it.reach
         return replace(
@@ -140,24 +140,24 @@ class MotionScales:
             last=self.states * it.last,
             maxima_t=self.time * it.maxima_t,
             maxima=self.states * it.maxima,
-            integrals=self.time * np.array([place, place**2, *others]) * it.integrals,
+            integrals=self.time * np.array([length, length**2, *others]) * it.integrals,
             minima=self.states * it.minima,
-            reach=(place * low, place * high),
+            reach=(length * low, length * high),
             passages_t=self.time * it.passages_t,
             passages=self.states * it.passages,
         )
 
     def outcome(self, it: Outcome) -> Outcome:
         """The limit of a motion; the distance to rest is a length, that to a cycle a share."""
-        place = self.places[0]
+        length = self.places[0]
         return replace(
             it,
             rest=tuple((self.states[: len(it.rest)] * it.rest).tolist()),
             rate=it.rate / self.time,
             distance=it.distance * (self.length if it.rest else 1.0),
             period=it.period * self.time,
-            cycle_mean=it.cycle_mean * place,
-            cycle_rms=it.cycle_rms * place,
+            cycle_mean=it.cycle_mean * length,
+            cycle_rms=it.cycle_rms * length,
             cycle=tuple((self.states[: len(it.cycle)] * it.cycle).tolist()),
         )
 

@@ -140,7 +140,7 @@ class Orbit:
     def windings(self) -> dict[int, int]:
         """Turns in one round, by the places of coordinates that come around."""
         moved = (self.ends - self.states).sum(axis=0) / TURN
-        return {place: round(float(moved[place])) for place in self.field.periodic}
+        return {index: round(float(moved[index])) for index in self.field.periodic}
 
     @property
     def winding(self) -> int:
@@ -543,10 +543,10 @@ def _most_rounds(orbit: Orbit) -> int:
         return 1
     low, high = orbit.bounds
     n, options = len(orbit.field.coordinates), orbit.options
-    for place in range(n):
-        extent = float(high[place] - low[place])
-        if extent > options.moves * orbit.errors[place] and not orbit.windings.get(place):
-            up, down = high[n + place], -low[n + place]
+    for index in range(n):
+        extent = float(high[index] - low[index])
+        if extent > options.moves * orbit.errors[index] and not orbit.windings.get(index):
+            up, down = high[n + index], -low[n + index]
             most.append(
                 int((1 + options.same_range) * orbit.period / (extent / up + extent / down))
             )
@@ -581,7 +581,7 @@ def _ranges(orbit: Orbit) -> FloatArray:
     """Ranges of all numbers of the state, a turn of those that turn around."""
     low, high = orbit.bounds
     ranges = high - low
-    ranges[[place for place, turns in orbit.windings.items() if turns]] = TURN
+    ranges[[index for index, turns in orbit.windings.items() if turns]] = TURN
     return ranges
 
 

@@ -561,11 +561,11 @@ class Events(Rows):
 def events_of(field: Field, crossings: Sequence[Crossing]) -> Events:
     """The crossings that have a name for users."""
     kinds = kinds_of(field)
-    told = [each for each in crossings if (each.border, each.sign) in kinds]
+    counted = [each for each in crossings if (each.border, each.sign) in kinds]
     return Events(
-        np.array([each.t for each in told]),
-        np.array([each.state for each in told]).reshape(-1, field.size),
-        np.array([kinds[each.border, each.sign] for each in told], dtype=np.intp),
+        np.array([each.t for each in counted]),
+        np.array([each.state for each in counted]).reshape(-1, field.size),
+        np.array([kinds[each.border, each.sign] for each in counted], dtype=np.intp),
         field.components,
-        tuple(filter(None, (field.borders[each.border].contact for each in told))),
+        tuple(filter(None, (field.borders[each.border].contact for each in counted))),
     )

@@ -208,10 +208,10 @@ def _refined(parts: Parts, undecided: BoolArray) -> PolynomialRoots:
     noise = parts.error.max(axis=0) + 8 * degree * UNIT * np.abs(parts.value).max(axis=0)
     rising = np.where(parts.value[-1] > 0, 1, -1).astype(np.int8)
     low, high = np.zeros(parts.row.size), np.ones(parts.row.size)
-    place, slope = parts.value[0] / (parts.value[0] - parts.value[-1]), np.empty(parts.row.size)
+    root, slope = parts.value[0] / (parts.value[0] - parts.value[-1]), np.empty(parts.row.size)
     active = np.arange(parts.row.size)
     for _ in range(60):
-        here = place[active]
+        here = root[active]
         value, slope[active] = _at(parts.value[:, active], here)
         below = value * rising[active] < 0
         low[active], high[active] = (
@@ -220,15 +220,15 @@ def _refined(parts: Parts, undecided: BoolArray) -> PolynomialRoots:
         )
         fresh = here - value / slope[active]
         inside = (fresh > low[active]) & (fresh < high[active])
-        place[active] = np.where(inside, fresh, 0.5 * (low[active] + high[active]))
-        done = (np.abs(value) <= noise[active]) | (np.abs(place[active] - here) < UNIT)
-        place[active[done]] = here[done]
+        root[active] = np.where(inside, fresh, 0.5 * (low[active] + high[active]))
+        done = (np.abs(value) <= noise[active]) | (np.abs(root[active] - here) < UNIT)
+        root[active[done]] = here[done]
         active = active[~done]
         if not active.size:
             break
     radius = 4 * noise / np.abs(slope) + 8 * UNIT
     for _ in range(5):
-        left, right = np.maximum(place - radius, 0.0), np.minimum(place + radius, 1.0)
+        left, right = np.maximum(root - radius, 0.0), np.minimum(root + radius, 1.0)
         # At the ends of a part the signs are known.
         proved = (left == 0.0) | (_at(parts.value, left)[0] * rising < -noise)
         proved &= (right == 1.0) | (_at(parts.value, right)[0] * rising > noise)
@@ -238,8 +238,8 @@ def _refined(parts: Parts, undecided: BoolArray) -> PolynomialRoots:
     undecided = undecided.copy()
     undecided[parts.row[~proved]] = True
     keep = ~undecided[parts.row]
-    w = Rounded((parts.low + parts.width * place)[keep], (parts.width * radius)[keep] + 2 * UNIT)
+    w = Rounded((parts.low + parts.width * root)[keep], (parts.width * radius)[keep] + 2 * UNIT)
     complement = Rounded(
-        ((1 - parts.low) - parts.width * place)[keep], (parts.width * radius)[keep] + 2 * UNIT
+        ((1 - parts.low) - parts.width * root)[keep], (parts.width * radius)[keep] + 2 * UNIT
     )
     return PolynomialRoots(parts.row[keep], w / complement * SCALE, rising[keep], undecided)

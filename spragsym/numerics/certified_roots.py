@@ -141,9 +141,9 @@ def different(found: Roots, regions: FloatArray) -> Roots:
     ``regions`` have the shape (2, n, points).
     """
     found = distinct(found)
-    around = regions[:, :, found.point]
-    border = ~contractors.within(found.ends, around)
-    return found.reopened(~border, border & ~contractors.apart(found.ends, around))
+    neighbourhoods = regions[:, :, found.point]
+    border = ~contractors.within(found.ends, neighbourhoods)
+    return found.reopened(~border, border & ~contractors.apart(found.ends, neighbourhoods))
 
 
 def distinct(found: Roots) -> Roots:

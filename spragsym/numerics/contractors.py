@@ -136,13 +136,13 @@ def _newton_step(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatA
     magnitude[diagonal, diagonal] = 0.0
     # Products and sums of what is not negative lose at most n/2 units, the bound itself another
     # one; twice as much is added.
-    around = (magnitude * reach).sum(axis=1) * (1 + 2 * (n + 1) * EPS) + TINY
+    radius = (magnitude * reach).sum(axis=1) * (1 + 2 * (n + 1) * EPS) + TINY
     least, most = -A[0, diagonal, diagonal], A[1, diagonal, diagonal]
-    ends = rounded_outward(b[::-1] + around)
+    ends = rounded_outward(b[::-1] + radius)
     ends = rounded_outward(np.where(ends >= 0, ends / least, ends / most))
     ends = rounded_outward(ends_around(middle, ends))
     noise = 0.5 * width_of(b)
-    none = np.logical_or.reduce(-np.minimum(b[0], b[1]) > rounded_outward(around + own, 2))
+    none = np.logical_or.reduce(-np.minimum(b[0], b[1]) > rounded_outward(radius + own, 2))
     return Newton(np.where(least > 0, ends, np.inf), noise, none)
 
 

@@ -186,7 +186,7 @@ class Intervals(Arithmetic):
         return Intervals(self.ends[(slice(None), *index)])
 
     def __iter__(self) -> Iterator[Intervals]:
-        return (Intervals(self.ends[:, place]) for place in range(self.ends.shape[1]))
+        return (Intervals(self.ends[:, index]) for index in range(self.ends.shape[1]))
 
     def __neg__(self) -> Intervals:
         return Intervals(self.ends[::-1])
@@ -360,11 +360,11 @@ def stacked(parts: Sequence[Any], shape: Shape) -> Intervals:
     first.
     """
     out = np.empty((2, len(parts), *shape))
-    for place, part in enumerate(parts):
+    for index, part in enumerate(parts):
         if isinstance(part, Intervals):
-            out[:, place] = part.ends
+            out[:, index] = part.ends
         else:
-            out[0, place], out[1, place] = -exactly(part), exactly(part)
+            out[0, index], out[1, index] = -exactly(part), exactly(part)
     return Intervals(out)
 
 
@@ -446,11 +446,11 @@ def _wave(angle: Intervals, function: np.ufunc, peak: float) -> Intervals:
     # More than the error of an angle over 2π: an extremum so near to an end counts as
     # inside, where it hardly widens anything.
     turn_error = 1e-10
-    for place, shift in ((1, 0.0), (0, 0.5)):
+    for end, shift in ((1, 0.0), (0, 0.5)):
         inside = np.floor(turns_high + (shift + turn_error)) >= np.ceil(
             turns_low + (shift - turn_error)
         )
-        ends[place] = np.where(inside | unknown, 1.0, np.minimum(ends[place], 1.0))
+        ends[end] = np.where(inside | unknown, 1.0, np.minimum(ends[end], 1.0))
     return Intervals(ends)
 
 

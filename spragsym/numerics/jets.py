@@ -60,8 +60,8 @@ class Jet(Arithmetic):
         for term, coefficient in self.terms.items():
             times = term.count(variable)
             if times:
-                place = term.index(variable)
-                terms[term[:place] + term[place + 1 :]] = (
+                index = term.index(variable)
+                terms[term[:index] + term[index + 1 :]] = (
                     coefficient * times if times > 1 else coefficient
                 )
         return Jet(terms, self.order - 1)

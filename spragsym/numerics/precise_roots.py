@@ -244,7 +244,7 @@ class _Task:
 
     def _ordered(self, values: Sequence[Any]) -> list[Any]:
         """Unknowns in their order, of u and the others."""
-        return [values[self.unknowns.index(place)] for place in range(len(values))]
+        return [values[self.unknowns.index(index)] for index in range(len(values))]
 
     def _values(self, unknowns: Sequence[Any]) -> list[Any]:
         """F, the equation that is left first."""

@@ -34,8 +34,8 @@ def apart(one: ArrayLike, other: ArrayLike, periodic: WholeTurns) -> FloatArray:
     around the shorter way.
     """
     off: FloatArray = np.subtract(one, other, dtype=float)
-    for place, moved in periodic.items():
-        _turned_back(off, np.round(off[..., place] / TURN), moved)
+    for index, moved in periodic.items():
+        _turned_back(off, np.round(off[..., index] / TURN), moved)
     return off
 
 
@@ -43,8 +43,8 @@ def in_one_turn(state: ArrayLike, periodic: WholeTurns, begin: ArrayLike = BEGIN
     """The state less whole turns, each angle that comes around in the one from ``begin`` on."""
     found = np.array(state, dtype=float)
     begins = np.broadcast_to(begin, found.shape)
-    for place, moved in periodic.items():
-        _turned_back(found, np.floor((found[..., place] - begins[..., place]) / TURN), moved)
+    for index, moved in periodic.items():
+        _turned_back(found, np.floor((found[..., index] - begins[..., index]) / TURN), moved)
     return found
 
 
@@ -54,5 +54,5 @@ def makes_turns(place: int, periodic: WholeTurns) -> bool:
 
 
 def _turned_back(state: FloatArray, turns: FloatArray, moved: Mapping[int, int]) -> None:
-    for place, count in moved.items():
-        state[..., place] -= TURN * (count * turns)
+    for index, count in moved.items():
+        state[..., index] -= TURN * (count * turns)

@@ -170,8 +170,8 @@ def basin_boundary(
     units = scales.states[axes]
     widths = units * [3.0 if name in model.coordinates else 1.0 for name in plane]
     given = as_ranges("between", between, {name: model.any_of(name) for name in plane})
-    around = zip(plane, known.state[axes] - widths, known.state[axes] + widths, strict=True)
-    ranges = [given.get(name, (low, high)) for name, low, high in around]
+    default_ranges = zip(plane, known.state[axes] - widths, known.state[axes] + widths, strict=True)
+    ranges = [given.get(name, (low, high)) for name, low, high in default_ranges]
     ranges = [(low / unit, high / unit) for (low, high), unit in zip(ranges, units, strict=True)]
     low, high = ranges[0]
     # Distance of neighbours on the curve by default, as a share of the range.
@@ -182,7 +182,7 @@ def basin_boundary(
     first, error, span = walk.begun(state_of(model, start) / scales.states)
     (back, why_back), (forth, why_forth) = (walk.follow(first, span, sign) for sign in (-1.0, 1.0))
     found = [*reversed(back), (first, error), *forth]
-    differ, told = map(
+    differ, sides = map(
         np.array, zip(*(walk.sides_verified(each, span) for each, _ in found), strict=True)
     )
     return BasinBoundary(
@@ -190,7 +190,7 @@ def basin_boundary(
         np.array([units * each[axes] for each, _ in found]),
         np.array([units.max() * error for _, error in found]),
         differ,
-        told,
+        sides,
         known.state,
         known.growth,
         (why_back, why_forth),
@@ -438,11 +438,11 @@ class _Walk:
             not near.decided or _differ(self.system, one, near)
             for one, near in zip(both, nearer, strict=True)
         ]
-        told = [
+        sides = [
             one.described() + (f", and nearer by {near.described()}" if differs else "")
             for one, near, differs in zip(both, nearer, other, strict=True)
         ]
-        return not any(other), told
+        return not any(other), sides
 
     def sides(self, state: FloatArray, span: float, aside: float) -> list[FateVerdict]:
         """Fates of starts to either side of a point: where the part along the direction of growth

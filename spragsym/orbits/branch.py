@@ -208,14 +208,14 @@ class CycleBranch(Result):
         >>> [event.kind for _, event in branch.changes()]
         ['fold']
         """
-        for place in (np.flatnonzero(np.diff(self.stable)) + 1).tolist():
+        for index in (np.flatnonzero(np.diff(self.stable)) + 1).tolist():
             between = [
                 event
                 for event, before in zip(self.events, self.places, strict=True)
-                if before == place and event.kind in CRITERIA
+                if before == index and event.kind in CRITERIA
             ]
             if between:
-                yield place, between[0 if self.stable[place - 1] else -1]
+                yield index, between[0 if self.stable[index - 1] else -1]
 
     def of(self, *kinds: str) -> tuple[CycleEvent, ...]:
         """The events of some kinds only.

@@ -362,16 +362,16 @@ def _labels(rest: FixedPoints, line: Sequence[BranchPoint], number: int) -> Iter
 
 def _passes(line: Sequence[BranchPoint], point: BranchPoint) -> bool:
     """Whether a branch passes through a point."""
-    place, periodic = point.orbit.state, point.orbit.field.periodic
+    state, periodic = point.orbit.state, point.orbit.field.periodic
     for end in (line[0], line[-1]):  # it ends within a step of a border, which the point may be on
         off = abs(end.value - point.value) / point.setting.spans[0]
         if (
-            max(off, magnitude(apart(place, end.orbit.state, periodic)))
+            max(off, magnitude(apart(state, end.orbit.state, periodic)))
             <= 2 * OF_EQUILIBRIA.shortest_step
         ):
             return True
     for one, other in pairwise(line):
-        near = magnitude(apart(place, one.orbit.state, periodic)) < 2 * OF_EQUILIBRIA.longest_step
+        near = magnitude(apart(state, one.orbit.state, periodic)) < 2 * OF_EQUILIBRIA.longest_step
         if (
             near
             and (one.value - point.value) * (other.value - point.value) <= 0
@@ -380,7 +380,7 @@ def _passes(line: Sequence[BranchPoint], point: BranchPoint) -> bool:
             with suppress(ConvergenceError):
                 met = placed(one, point.value, other.coordinates - one.coordinates).orbit.state
                 # Equilibria closer than this, in units of the motion, are one.
-                if magnitude(apart(place, met, periodic)) < 1e-7:
+                if magnitude(apart(state, met, periodic)) < 1e-7:
                     return True
     return False
 

@@ -362,7 +362,7 @@ def _error(
     if kind in SLIDING:
         return own  # the orbit itself tells
     change = abs(criterion(kind, one) - criterion(kind, other))
-    place = unsure(point.orbit, kind) * length / change
+    spread = unsure(point.orbit, kind) * length / change
     # By how much it scatters where orbits at one parameter are found from either side, times the
     # step in that: near a grazing multipliers change so fast with the orbit that its rounding, and
     # not theirs, limits what is known.
@@ -371,7 +371,7 @@ def _error(
         with suppress(ConvergenceError, ZeroDivisionError):
             scatter.append(abs(criterion(kind, placed(base, point.value)) - criterion(kind, point)))
     width = abs(other.value - one.value)
-    return own + abs(turning(point)) * place + SCATTER * (width * max(scatter)) / change
+    return own + abs(turning(point)) * spread + SCATTER * (width * max(scatter)) / change
 
 
 def crossing_difference(one: BranchPoint, other: BranchPoint) -> Counter[int]:
@@ -474,9 +474,9 @@ def touching(
             orbit.states.size + 1,
             orbit.field.size,
         )
-        place = np.append(orbit.state, orbit.guess.varied)
-        slopes, rows = differences(both, place, 1e-7), np.zeros((2, len(orbit.guess.coordinates)))
+        point = np.append(orbit.state, orbit.guess.varied)
+        slopes, rows = differences(both, point, 1e-7), np.zeros((2, len(orbit.guess.coordinates)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]
-        return both(place) - (level, 0.0), rows
+        return both(point) - (level, 0.0), rows
 
     return conditions

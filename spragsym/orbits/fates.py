@@ -169,7 +169,7 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
     t_end = looks[-1] * scales.time if t_end is None else t_end
     times = (*(t * scales.time for t in looks if t * scales.time < t_end / 2), t_end)
     verdict = judged(system, start, times=times)
-    scale, place = _time_scale(system, verdict)
+    scale, nearby = _time_scale(system, verdict)
     if verdict.decided:
         why = f"it comes to {verdict.described()}"
         held = verdict.kind == Regime.EQUILIBRIUM and system.field.clock
@@ -200,12 +200,12 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
     if why:
         why, near = stands_still(system, rates.end) or why, _near(system, rates.end)
         if scale < np.inf:
-            where = system.field.place(place, ".6g")
+            where = system.field.place(nearby, ".6g")
             why += f"; at steady sliding, {where}, deviations die out as exp(−τ / {scale:.3g})"
     lasting = (
         (system.options.neighbours + 1) * t_end / 3
     )  # none of so many has settled: with 95 %, the mean life is above a third of their time
-    told = why or (
+    reason = why or (
         "every exponent but the trivial one is told from 0, and one at least is positive; as "
         "a transient it would live for more "
         f"than {lasting:.2g} on the average (95 %)"
@@ -217,7 +217,7 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
     )
     t = verdict.t + rates.span
     return Fate(
-        kind, told, t, verdict.outcome, exponents, error, rates.trivial, scale, near, rates.end
+        kind, reason, t, verdict.outcome, exponents, error, rates.trivial, scale, near, rates.end
     )
 
 
@@ -230,10 +230,10 @@ def _time_scale(system: System, verdict: FateVerdict) -> tuple[float, FloatArray
     places = [np.zeros_like(verdict.end), verdict.end]
     for near in places[:: -1 if verdict.kind == Regime.EQUILIBRIUM else 1]:
         with suppress(ConvergenceError, ParameterError, ArithmeticError):
-            place = system.equilibrium(near)
-            eigenvalues, _, error = spectrum(system, place)
+            rest = system.equilibrium(near)
+            eigenvalues, _, error = spectrum(system, rest)
             if (eigenvalues.real + error < 0).all():  # it attracts, by more than rounding may add
-                return float(-1 / eigenvalues.real.max()), place
+                return float(-1 / eigenvalues.real.max()), rest
     return float("inf"), verdict.end
 
 

@@ -492,11 +492,11 @@ def _of_the_motion(
     scale = 1 + magnitude(found)
     # Least half-width of the box that is taken around the Hopf point of the motion, over its
     # numbers, which are no less than 1 in units of the motion and of the parameter.
-    around = 1e-13
+    rounding = 1e-13
     for _ in range(TRIALS):
         step = np.linalg.lstsq(differences(residual, found, 1e-6 * scale), residual(found))[0]
         found, width = found - step, magnitude(step)
-        if not around * scale < width < scale:
+        if not rounding * scale < width < scale:
             break
     if not width <= 1e-7 * scale:
         vary = model.parameters[place]
@@ -507,7 +507,7 @@ def _of_the_motion(
         )
     there = given.copy()
     *q, there[place] = units * found
-    return there, np.array(q), 4 * max(width, around * scale) * units
+    return there, np.array(q), 4 * max(width, rounding * scale) * units
 
 
 def _first_border(system: System, rest: FloatArray, form: NormalForm) -> tuple[str, float]:

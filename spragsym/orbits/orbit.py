@@ -284,7 +284,7 @@ def cycle_of(orbit: Orbit) -> Cycle:
     scales = found.field.scales
     if not scales:
         return found
-    place, events = scales.places[0], found.events
+    length, events = scales.places[0], found.events
     return dataclasses.replace(
         found,
         period=scales.time * found.period,
@@ -292,9 +292,9 @@ def cycle_of(orbit: Orbit) -> Cycle:
         events=dataclasses.replace(
             events, t=scales.time * events.t, state=scales.states * events.state
         ),
-        rms=place * found.rms,
-        mean=place * found.mean,
-        amplitude=place * found.amplitude,
+        rms=length * found.rms,
+        mean=length * found.mean,
+        amplitude=length * found.amplitude,
         orbit=natural(found.orbit),
     )
 
@@ -316,8 +316,8 @@ def _cycle_of(orbit: Orbit) -> Cycle:
         )
     (mean, rms), (lowest, highest) = orbit.moments(), range_of(orbit)
     scales = orbit.field.scales
-    place = max(scales.states.tolist()) if scales else 1.0
-    unit = max(scales.time, place) if scales else 1.0
+    size = max(scales.states.tolist()) if scales else 1.0
+    unit = max(scales.time, size) if scales else 1.0
     return Cycle(
         period=orbit.period,
         state=orbit.state.copy(),
@@ -325,7 +325,7 @@ def _cycle_of(orbit: Orbit) -> Cycle:
         multiplier_errors=found.errors,
         stable=is_stable(orbit),
         error=max(unit * error_of(orbit, difference(orbit)), lost),
-        residual=place * orbit.largest_gap,
+        residual=size * orbit.largest_gap,
         events=events_of(orbit.field, orbit.crossings()),
         rms=rms,
         mean=mean,

@@ -68,19 +68,19 @@ class CycleProof(Result):
         ``digits`` are significant ones; by default as many as are proved. A multiplier's imaginary
         part has a row of its own.
         """
-        told = {
+        numbers = {
             f"state_{i + 1}": rounded_decimal(value, self.error, digits)
             if value
             else Decimal("0", "0")  # the section is exactly x' = 0
             for i, value in enumerate(self.state)
         }
         if self.proved:
-            told["period"] = rounded_decimal(self.period, self.error, digits)
+            numbers["period"] = rounded_decimal(self.period, self.error, digits)
         for i, (value, radius) in enumerate(self.multipliers, 1):
-            told[f"multiplier_{i}"] = rounded_decimal(value.real, radius, digits)
+            numbers[f"multiplier_{i}"] = rounded_decimal(value.real, radius, digits)
             if value.imag:
-                told[f"multiplier_{i}_imaginary"] = rounded_decimal(value.imag, radius, digits)
-        return told
+                numbers[f"multiplier_{i}_imaginary"] = rounded_decimal(value.imag, radius, digits)
+        return numbers
 
     def as_table(self) -> Table:
         """The decimals, a row each."""

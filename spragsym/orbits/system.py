@@ -147,8 +147,8 @@ class FateVerdict:
         """Verdict in words."""
         found, limit = self.outcome, f"nothing that is decided by t = {self.t:g}"
         if self.kind == Regime.EQUILIBRIUM:
-            place = zip(found.names, found.rest, strict=False)
-            limit = "rest at " + ", ".join(f"{name} = {value:.6g}" for name, value in place)
+            coordinates = zip(found.names, found.rest, strict=False)
+            limit = "rest at " + ", ".join(f"{name} = {value:.6g}" for name, value in coordinates)
         elif self.kind == Regime.LIMIT_CYCLE:
             limit = f"a cycle of period {found.period:.6g}"
         elif self.kind == Regime.LIFT_OFF:
@@ -229,15 +229,15 @@ def saddle_near(system: System, state: FloatArray) -> Saddle:
     """The saddle near a state; ConvergenceError where the equilibrium there has no direction of
     growth, or several.
     """
-    place = system.equilibrium(state)
-    eigenvalues, vectors, error = spectrum(system, place)
+    rest = system.equilibrium(state)
+    eigenvalues, vectors, error = spectrum(system, rest)
     growing = np.flatnonzero(eigenvalues.real > error)
     if len(growing) != 1 or abs(eigenvalues[growing[0]].imag) > 0:
         raise ConvergenceError("the equilibrium is no saddle")
     which = int(growing[0])
     left_eigenvector = np.linalg.inv(vectors)[which].real * norm(vectors[:, which].real)
     attracts = bool((np.delete(eigenvalues.real + error, which) < 0).all())
-    return Saddle(place, float(eigenvalues[which].real), left_eigenvector, attracts)
+    return Saddle(rest, float(eigenvalues[which].real), left_eigenvector, attracts)
 
 
 def spectrum(system: System, place: FloatArray) -> tuple[Any, Any, FloatArray]:

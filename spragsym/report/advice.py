@@ -277,11 +277,11 @@ def _measurements(report: Facts) -> Rows:
 
 
 def _other_state(report: Facts) -> Rows:
-    for place, _ in report.others[:1]:
-        name, _, unit = next(iter(place)).rpartition("_")
-        there = f"{place[f'{name}_{unit}']:.3g} {unit}"
+    for state, _ in report.others[:1]:
+        name, _, unit = next(iter(state)).rpartition("_")
+        there = f"{state[f'{name}_{unit}']:.3g} {unit}"
         how = f'for the other one write state = {{ {name} = "{there}" }}'
-        if not comes_from_near(report.study, place):
+        if not comes_from_near(report.study, state):
             how = f"the other one, {name} = {there}, comes by a jump or a push, not as "
             how += f"{report.study.loading.word} rises"
         yield "decide", f"which stable state the brake works in; {how}"

@@ -487,8 +487,8 @@ def _given(parameters: object, kind: Quantities, damping_ratio: float | None) ->
         if name not in allowed:
             remark = hint(name, allowed) or f"; it has {', '.join(allowed)}"
             raise ParameterError(f"parameters: {name!r} is no quantity of {model}{remark}")
-    told = kind.of_the_law + (() if damping_ratio is None else kind.dampers)
-    missing = [name for name in allowed if name not in parameters and name not in told]
+    optional = kind.of_the_law + (() if damping_ratio is None else kind.dampers)
+    missing = [name for name in allowed if name not in parameters and name not in optional]
     if missing:
         raise ParameterError(f"parameters are without {', '.join(missing)}; give them in SI units")
     return {name: as_number(name, value, allowed[name]) for name, value in parameters.items()}
@@ -496,20 +496,20 @@ def _given(parameters: object, kind: Quantities, damping_ratio: float | None) ->
 
 def _measured(name: str, value: float, off: Any, si: str, allowed: Range) -> Measured:
     """A value with its tolerance as Python is told it: numbers become the text of a file."""
-    told, unit, in_si = f"tolerance of {name}", PLAIN_UNITS.get(si, si), "" if si == "1" else si
+    title, unit, in_si = f"tolerance of {name}", PLAIN_UNITS.get(si, si), "" if si == "1" else si
     if off is None:
         return Measured(value, value, value, unit)
     if isinstance(off, tuple):
         if len(off) != 2:
-            raise ParameterError(f"{told} = {off!r}; give two ends, the smaller first")
-        off = f"[{', '.join(repr(as_number(told, end, allowed)) for end in off)}] {in_si}"
+            raise ParameterError(f"{title} = {off!r}; give two ends, the smaller first")
+        off = f"[{', '.join(repr(as_number(title, end, allowed)) for end in off)}] {in_si}"
     elif not isinstance(off, str):
-        off = f"{abs(as_number(told, off))!r} {in_si}"
+        off = f"{abs(as_number(title, off))!r} {in_si}"
     if not off.lstrip().startswith("["):
         sign = "" if off.lstrip().startswith(("±", "+-", "+/-", "+\N{MINUS SIGN}", "sd ")) else "± "
         off = f"{value!r} {in_si} {sign}{off}"
     try:
         ends = read(off, si, allowed)
     except ParameterError as error:
-        raise ParameterError(f"{told}: {error}") from error
+        raise ParameterError(f"{title}: {error}") from error
     return replace(ends, value=value if ends.low <= value <= ends.high else ends.value, unit=unit)

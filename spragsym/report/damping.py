@@ -52,7 +52,7 @@ def modal_dampers(
     0.8
     """
     names, size = kind.dampers, len(kind.coordinates)
-    told = f"damping_ratio = {ratio:g}: the model {kind.model.name}"
+    subject = f"damping_ratio = {ratio:g}: the model {kind.model.name}"
     values = {name: one.value for name, one in known.items()}
     for name in names:
         if name in values:
@@ -60,7 +60,9 @@ def modal_dampers(
                 f"damping_ratio = {ratio:g}: {name} is given too; leave one of the two out"
             )
     if not names:
-        raise ParameterError(f"{told} has no dampers; add them to its page, or leave this line out")
+        raise ParameterError(
+            f"{subject} has no dampers; add them to its page, or leave this line out"
+        )
     none = dict.fromkeys(names, 0.0)
     M, C, K = _matrices(kind, {**values, **none})
     each = [_matrices(kind, {**values, **none, name: 1.0})[1] - C for name in names]
@@ -68,7 +70,7 @@ def modal_dampers(
     squares, modes = np.linalg.eigh(inverse @ (0.5 * (K + K.T)) @ inverse.T)
     if not squares[0] > 0:
         raise ParameterError(
-            f"{told} has a mode without stiffness where it is unloaded; write {_lines(kind)}"
+            f"{subject} has a mode without stiffness where it is unloaded; write {_lines(kind)}"
         )
     back = M @ inverse.T @ modes
     asked = back @ np.diag(2 * ratio * np.sqrt(squares)) @ back.T
@@ -81,7 +83,7 @@ def modal_dampers(
     rounding = 1e-9
     if off > rounding * np.linalg.norm(asked) or found.min() < -rounding * found.max():
         raise ParameterError(
-            f"{told} has {' and '.join(names)}, which cannot give all {size} modes one ratio; "
+            f"{subject} has {' and '.join(names)}, which cannot give all {size} modes one ratio; "
             f"write {_lines(kind)}"
         )
     units = kind.units

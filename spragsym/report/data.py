@@ -139,8 +139,10 @@ class _FileReader:
         self, given: Set[str], own: Mapping[str, Any], kind: Quantities, dampers: Set[str]
     ) -> None:
         """Refuse a file that lacks a quantity; ``dampers`` are those that a damping ratio adds."""
-        told = {*kind.of_the_law} if own["friction"] is None else {*kind.of_the_law, kind.friction}
-        missing = [key for key in kind.units if key not in given | told]
+        needed = (
+            {*kind.of_the_law} if own["friction"] is None else {*kind.of_the_law, kind.friction}
+        )
+        missing = [key for key in kind.units if key not in given | needed]
         if missing and own["damping_ratio"] is not None:
             missing = [key for key in missing if key not in (dampers or kind.dampers)]
         if missing:

@@ -53,22 +53,20 @@ def example(model: Model) -> str:
             else f"{float(f'{value / factor(unit, si):.3g}'):g} {unit}".strip()
         )
 
-    rises, lines = kind.rises, list[str]()
+    load, lines = kind.rises, list[str]()
     tolerances = {"k": " +- 10 %", "k_t": " +- 10 %", "theta0": " +- 1 deg", "mu0": " +- 10 %"}
     for name in kind.units:
-        off = "" if name == rises else tolerances.get(name, "")
+        off = "" if name == load else tolerances.get(name, "")
         key = name if name.isascii() else json.dumps(name, ensure_ascii=False)
         entry = f'{key} = "{written(name, values[name])}{off}"'
         lines.append(f"{entry:<32}# {kind.meanings[name]}")
     if not kind.dampers:
         lines.append("# No damping but that of the friction law: the page has no dampers.")
-    if rises is not None:
-        least = kind.ranges()[rises]
-        lines.append(f'vary = "{rises}"')
+    if load is not None:
+        least = kind.ranges()[load]
+        lines.append(f'vary = "{load}"')
         lines += (
-            []
-            if least.contains(least.low)
-            else [f'begin = "{written(rises, 0.5 * values[rises])}"']
+            [] if least.contains(least.low) else [f'begin = "{written(load, 0.5 * values[load])}"']
         )
     where = Path(model.where).as_posix()
     return (

@@ -252,11 +252,11 @@ class _Answers:
             unit, size = study.unit_of(study.kind.units[quantity], quantity)
             return f"{quantity}/{unit}" if unit else quantity, size
 
-        told = (
+        reasons_in_units = (
             reason.in_units(units) if isinstance(reason, Remark) else str(reason)
             for reason in reasons
         )
-        return ", and ".join(dict.fromkeys(text.partition(";")[0] for text in told))
+        return ", and ".join(dict.fromkeys(text.partition(";")[0] for text in reasons_in_units))
 
 
 def facts(study: Brake, options: ReportOptions) -> Facts:
@@ -445,8 +445,8 @@ def _rows(study: Brake, found: dict[str, Points]) -> tuple[FoldRow, ...]:
     for vary, points in found.items():
         for i, value in enumerate(points[vary].tolist()):
             angle = math.degrees(value) if vary == study.kind.model.inclination else None
-            told = None if angle is not None else study.displayed(value)
-            friction, other = (told, None) if study.of_friction else (None, told)
+            shown = None if angle is not None else study.displayed(value)
+            friction, other = (shown, None) if study.of_friction else (None, shown)
             places = (points.coordinates, points.after)
             before, after = (in_units(study, selected_rows(place, i)) for place in places)
             words = (points.kind, points.ends, points.when)

@@ -53,7 +53,7 @@ def speed_for(study: Brake, friction: float) -> float:
     ):
         return math.nan
     law, name = _Law(study), study.kind.law["belt"]
-    place, speed = (
+    index, speed = (
         law.balance.parameters.index(name),
         abs(float(study.dimensionless[name])),
     )
@@ -66,7 +66,7 @@ def speed_for(study: Brake, friction: float) -> float:
         if not parts:
             return math.nan
         slow, fast = parts.pop()
-        law.low[place], law.high[place] = slow, fast
+        law.low[index], law.high[index] = slow, fast
         # Boxes of a rough look.
         if law.largest(1, (1 << 6)) < friction:
             continue

@@ -104,9 +104,9 @@ def verdicts_over(study: Brake, over: Mapping[str, FloatArray]) -> Verdicts:
     rows, reason = [], ""
     for number, point in enumerate(points, 1):
         with doing("{} of {} points", number, len(points)):
-            told, why = _verdict_of(study, dict(zip(over, point, strict=True)))
+            verdict, why = _verdict_of(study, dict(zip(over, point, strict=True)))
         reason = reason or why
-        rows.append((*point, *told))
+        rows.append((*point, *verdict))
     units = [_titled(name, study.quantities[name].unit) for name in over]
     load = study.loading
     unit = "" if study.of_friction else study.quantities[load.quantity].unit if load.name else ""

@@ -173,11 +173,11 @@ class _RedesignSearch:
         }
         for shares, target in (None, self.target), (self.corners, None):
             if new:
-                around = [
+                neighbours = [
                     one.values if shares is None else values_at(one, shares) for one in new.values()
                 ]
                 values = {
-                    name: np.concatenate([np.atleast_1d(one[name]) for one in around])
+                    name: np.concatenate([np.atleast_1d(one[name]) for one in neighbours])
                     for name in self.study.values
                 }
                 goes_on = (

@@ -171,15 +171,17 @@ def _of_springs(study: Brake, values: Sequence[Any]) -> OfSprings:
 
 def _forces(study: Brake, ends: Ranges, known: float = 1.0) -> tuple[Any, Any]:
     size = known * study.scales.force
-    told = {name: (low * size, high * size) for name, (low, high) in ends.items()}
-    contact = told.pop("contact_force", None)
-    return _of_springs(study, list(told.values())), contact
+    in_newtons = {name: (low * size, high * size) for name, (low, high) in ends.items()}
+    contact = in_newtons.pop("contact_force", None)
+    return _of_springs(study, list(in_newtons.values())), contact
 
 
 def _extremes(p: ParameterSet, states: FloatArray) -> Ranges:
     constants = [float(value) for value in p.model.arguments(p, "motion")]
-    told = ((name, force(states, constants)) for name, force in forces.forces_of(p.model).items())
-    return {name: (float(np.min(force)), float(np.max(force))) for name, force in told}
+    forces_over_time = (
+        (name, force(states, constants)) for name, force in forces.forces_of(p.model).items()
+    )
+    return {name: (float(np.min(force)), float(np.max(force))) for name, force in forces_over_time}
 
 
 def states(study: Brake, eq: Equilibria, here: Numbers | None) -> tuple[State, ...]:
@@ -273,7 +275,7 @@ def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: boo
     where = [
         name for name in forces.columns_of(model) if name not in place
     ]  # direction and length of each spring in turn
-    told = forces.forces_of(model)
+    force_functions = forces.forces_of(model)
     rate = _roots(study, list(place.values())) / scales.time
     size = np.abs(rate).max()
     # Where nothing damps, as without friction, the sign of the real part is the rounding's.
@@ -294,9 +296,11 @@ def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: boo
         direction_deg=of(where[::2], math.degrees(1.0)),
         places=in_units(study, place),
         spring_length_mm=of(where[1::2], 1e3 * scales.length),
-        spring_force_N=of((name for name in told if name != "contact_force"), scales.force),
+        spring_force_N=of(
+            (name for name in force_functions if name != "contact_force"), scales.force
+        ),
         contact_force_N=scales.force * float(eq.contact_force[slot])
-        if "contact_force" in told
+        if "contact_force" in force_functions
         else None,
         frequencies_hz=tuple(float(root.imag) / (2 * math.pi) for root in upper),
         damping_ratio=ratios,
@@ -430,12 +434,19 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
             followed[word] = motion, outcome = _followed(p, start)
             found = _cycle_of(p, start, outcome)
             if found is not None and found.stable:  # no motion comes to one that is not
-                frequency, told = (
+                frequency, force_ranges = (
                     1 / (found.period * study.scales.time),
                     _forces(study, found.forces),
                 )
                 return Oscillation(
-                    "cycle", frequency, found.amplitude * size, unit, *told, beside, word, found
+                    "cycle",
+                    frequency,
+                    found.amplitude * size,
+                    unit,
+                    *force_ranges,
+                    beside,
+                    word,
+                    found,
                 )
     word = "rest"
     motion, outcome = followed.get(word) or _followed(p, rest)
@@ -462,11 +473,13 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
     )
     kind = _COMES_TO.get(regime, goes).replace("cycle", "motion")
     goes_on = 1.0 if kind == "motion" else math.nan
-    told, lives = (
+    force_ranges, lives = (
         _forces(study, _extremes(p, late.state), goes_on),
         beside if kind == "motion" else None,
     )
-    return Oscillation(kind, math.nan, goes_on * 0.5 * now * size, unit, *told, lives, word, late)
+    return Oscillation(
+        kind, math.nan, goes_on * 0.5 * now * size, unit, *force_ranges, lives, word, late
+    )
 
 
 def _followed(p: ParameterSet, start: FloatArray) -> tuple[Trajectory, Outcome]:

@@ -33,8 +33,8 @@ def verdict(report: Facts) -> Iterator[str]:
 
 
 def _on_others(report: Facts) -> str:
-    study, told = report.study, []
-    for place, end in report.others:
+    study, sentences = report.study, []
+    for state, end in report.others:
         until = ""
         if end is not None:
             until = (
@@ -42,8 +42,10 @@ def _on_others(report: Facts) -> str:
                 if math.isnan(end)
                 else f", until {study.named(end)}"
             )
-        told.append(_places(place) + until)
-    return f"At the design another state is stable: {'; and '.join(told)}." if told else ""
+        sentences.append(_places(state) + until)
+    return (
+        f"At the design another state is stable: {'; and '.join(sentences)}." if sentences else ""
+    )
 
 
 def followed_state(study: Brake) -> str:
@@ -531,17 +533,19 @@ def _tolerances(report: Facts) -> Rows:
                     "this says next to nothing, as few brakes within so many tolerances are decided"
                 )
             yield "the same by proof", f"{low:g} % to {high:g} %: {what}"
-    told = {name: indices for name, indices in odds.sobol.items() if not math.isnan(indices[1])}
+    known_indices = {
+        name: indices for name, indices in odds.sobol.items() if not math.isnan(indices[1])
+    }
     # Sobol' indices are told where the samples resolve all of them: next to a certainty too few
     # differ.
     # Sobol' indices whose 95 % interval is wider to either side are not told.
-    if any(not error <= 0.2 for *_, error in told.values()):
+    if any(not error <= 0.2 for *_, error in known_indices.values()):
         yield (
             "how much each of them decides",
             f"not told by {odds.n} samples, of which too few differ",
         )
         return
-    for name, indices in told.items():
+    for name, indices in known_indices.items():
         # A share is not negative; what is estimated from samples may be.
         alone, all_of_it = (max(0.0, 100 * part) for part in indices[:2])
         shares = (

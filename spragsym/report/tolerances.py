@@ -91,13 +91,13 @@ def corners(study: Brake) -> FloatArray:
     """Shares of the brake as drawn with most of what rises, and of all corners of the tolerances
     that may occur, at its upper end only.
     """
-    names, rises = varied(study), study.loading.quantity
+    names, load = varied(study), study.loading.quantity
     together = study.together(names)
     found = together.corners()
-    if rises in together.titles:  # it depends on no other quantity
-        found = found[found[:, names.index(rises)] == 1.0]
+    if load in together.titles:  # it depends on no other quantity
+        found = found[found[:, names.index(load)] == 1.0]
     drawn = [
-        1.0 if name == rises else float(study.quantities[name].cdf(study.values[name]))
+        1.0 if name == load else float(study.quantities[name].cdf(study.values[name]))
         for name in names
     ]
     return np.vstack([drawn, found])

@@ -358,10 +358,10 @@ class Equilibria(OfStates):
 
     def _rows(self, states: tuple[IntArray, ...]) -> dict[str, NDArray[Any]]:
         p, found = self.parameters, self._source.linearized(self, states)
-        told = {self._own(name): of for name, (of, _) in _LINEARIZED.items()}
+        attributes = {self._own(name): of for name, (of, _) in _LINEARIZED.items()}
 
         def column(name: str) -> Any:
-            return getattr(found, told[name]) if name in told else self[name][states]
+            return getattr(found, attributes[name]) if name in attributes else self[name][states]
 
         vary = [name for name in p.ranges if np.size(p[name]) > 1]
         given = {name: np.broadcast_to(p[name], p.shape)[states[:-1]] for name in vary}
@@ -409,7 +409,7 @@ class Equilibria(OfStates):
         made = {self._own(each.name): each for each in self.schema if each.of is not None}
         if name in made:
             return made[name].value(self)
-        linearized = {self._own(each): told for each, told in _LINEARIZED.items()}
+        linearized = {self._own(each): attribute for each, attribute in _LINEARIZED.items()}
         if name not in linearized:
             return self._made[name]
         of, empty = linearized[name]

@@ -275,8 +275,8 @@ class Points(OfStates, Rows):
     def _derived(self) -> dict[str, FloatArray]:
         """Quantities that follow from where the states are."""
         p = self.parameters.replace(**{name: self[name] for name in self.vary})
-        told = derived_of_states(p, [place[:, None] for place in self.coordinates.values()])
-        return selected_rows(told, (slice(None), 0))
+        derived = derived_of_states(p, [place[:, None] for place in self.coordinates.values()])
+        return selected_rows(derived, (slice(None), 0))
 
     @property
     def ends(self) -> NDArray[np.str_]:

@@ -191,7 +191,7 @@ class Result(Tabular):
             dims = (
                 ("row",)
                 if column.ndim == 1
-                else tuple(f"axis_{place}" for place in range(column.ndim))
+                else tuple(f"axis_{index}" for index in range(column.ndim))
             )
             variables[name] = (dims, column.astype(object) if column.dtype.kind == "U" else column)
         return storage.dataset(variables, {}, {}, self._in_model_units)

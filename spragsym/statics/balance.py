@@ -190,7 +190,7 @@ class Balance(Forces, StateSystem):
         # What directions change by goes with one over the length, and of these lengths that is 0 to
         # rounding. So no law is asked for a derivative that its stiffness has in a sharper form.
         lengths = range(2, 3 * self.springs, 3)
-        fixed = [ENDLESS if place in lengths else part for place, part in enumerate(at.directions)]
+        fixed = [ENDLESS if index in lengths else part for index, part in enumerate(at.directions)]
         return _rows(at, near, forces, slopes(replace(at, fixed=fixed)))
 
 

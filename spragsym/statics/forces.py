@@ -222,9 +222,9 @@ class Forces:
         laws, own = at.of_frictions("friction_by_parameters"), self.model.about["by_parameters"]
 
         def slope(row: Sequence[Any], name: str) -> Number:
-            place, found = self.parameters.index(name), row[own.index(name)] if name in own else 0
+            index, found = self.parameters.index(name), row[own.index(name)] if name in own else 0
             for by_mu, law in zip(row[-len(laws) :], laws, strict=True):
-                found = found + by_mu * law[place]
+                found = found + by_mu * law[index]
             return found
 
         return [[slope(row, name) for name in names] for row in at.rows(rows)]
@@ -302,8 +302,8 @@ class Evaluation:
         if self.fixed is not None:
             return list(self.fixed)
         steps = [
-            (0 if place in self.upright else dx, dy)
-            for place, (dx, dy, _) in enumerate(self.geometry)
+            (0 if index in self.upright else dx, dy)
+            for index, (dx, dy, _) in enumerate(self.geometry)
         ]
         parts = [part for step in steps for part in self.direction(*step)]
         if self.turnings is not None or not self.balance.torsions:

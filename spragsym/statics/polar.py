@@ -169,9 +169,9 @@ class Polar(StateSystem):
         if self.balance.springs == 1:
             return forces
         lines = zip(at.of_springs("stiffnesses"), at.geometry, end_slopes(at), strict=True)
-        for place, (k, (*_, rest), (a, b)) in enumerate(lines):
-            if place != self.spring:
-                c, s, length = at.directions[3 * place : 3 * place + 3]
+        for index, (k, (*_, rest), (a, b)) in enumerate(lines):
+            if index != self.spring:
+                c, s, length = at.directions[3 * index : 3 * index + 3]
                 tension = (length - rest) * k
                 forces = [
                     force + tension * (c * a[row] + s * b[row]) for row, force in enumerate(forces)

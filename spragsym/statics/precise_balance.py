@@ -215,11 +215,11 @@ def reduced_by_turns(periodic: Iterable[int], found: Roots) -> Roots:
     What meets an end of the turn itself, of which this can't be said, is among the boxes that are
     left.
     """
-    around = list(periodic)
-    if not around:
+    angles = list(periodic)
+    if not angles:
         return found
-    beyond, across = _parted(found.ends, around)
-    hidden, _ = _parted(found.undecided, around)
+    beyond, across = _parted(found.ends, angles)
+    hidden, _ = _parted(found.undecided, angles)
     return found.select(undecided=~hidden).reopened(~beyond & ~across, across & ~beyond)
 
 

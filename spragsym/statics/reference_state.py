@@ -130,13 +130,13 @@ def chosen_state(
     energy, shape = undecorated(model.algebra.strain_energy), (*p.shape, 1)
     with quiet():  # beyond ``count`` there are no numbers
         strain = energy(*q, *given, *_pushing(model, p, q), xp=np)
-        place = np.array(q)
+        state = np.array(q)
         here = [*map(Intervals.point, given), *[1] * len(model.contacts)]
         at_origin, slope, stiffness = (
             part.middle for part in _at_origin(lambda q: energy(*q, *here, xp=XP), len(q), shape)
         )
         at_origin = np.nan_to_num(np.abs(at_origin))
-        second = (slope * place).sum(axis=0) + 0.5 * (place[:, None] * stiffness * place).sum(
+        second = (slope * state).sum(axis=0) + 0.5 * (state[:, None] * stiffness * state).sum(
             axis=(0, 1)
         )
     convex = np.asarray(np.isfinite(stiffness).all(axis=(0, 1)) & _has_stiffness(model))

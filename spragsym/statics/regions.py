@@ -167,11 +167,11 @@ def _cut_in_cells(balance: Balance, bounds: Intervals, ends: FloatArray) -> Floa
         nowhere = np.zeros(count, dtype=np.bool_)
         for _ in range(balance.options.sweeps):
             before = ends
-            for place in range(balance.n):
+            for index in range(balance.n):
                 point, cell = np.divmod(np.arange(count * low.size), low.size)
                 parts = ends[:, :, point]
-                parts[0, place] = np.minimum(parts[0, place], -low[cell])
-                parts[1, place] = np.minimum(parts[1, place], high[cell])
+                parts[0, index] = np.minimum(parts[0, index], -low[cell])
+                parts[1, index] = np.minimum(parts[1, index], high[cell])
                 some = np.flatnonzero((width_of(parts) >= 0).all(axis=0))
                 point, parts = point[some], parts[:, :, some]
                 rounds = balance.options.cell_rounds
@@ -297,9 +297,9 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
             scale = np.maximum(scale, reach)
             for start in (origin, *(way * reach for way in _ways(balance.n))):
                 near = balance.guessed(start, parameters)
-                place = balance.guessed(near, parameters)
-                rests = np.abs(place - near).max(axis=0) <= 1e-9 * np.abs(place).max(axis=0)
-                size = np.abs(place).max(axis=0)
+                guess = balance.guessed(near, parameters)
+                rests = np.abs(guess - near).max(axis=0) <= 1e-9 * np.abs(guess).max(axis=0)
+                size = np.abs(guess).max(axis=0)
                 scale = np.where(rests & (size < farthest), np.maximum(scale, size), scale)
     return scale
 
@@ -314,9 +314,9 @@ def _any_direction(balance: Balance, count: int) -> list[Intervals]:
     they can be.
     """
     directions = [Intervals(np.ones((2, count))) for _ in range(3 * balance.springs)]
-    for place in range(balance.springs):
-        shortest = LENGTH if place in balance.torsions else 0.0
-        directions[3 * place + 2] = Intervals.between(np.full(count, shortest), FAR)
+    for index in range(balance.springs):
+        shortest = LENGTH if index in balance.torsions else 0.0
+        directions[3 * index + 2] = Intervals.between(np.full(count, shortest), FAR)
     return directions + [Intervals(np.full((2, count), HALF_TURN)) for _ in balance.torsions]
 
 
@@ -436,9 +436,9 @@ def _along_force(at: Evaluation, contact: int, lifted: Sequence[int]) -> Interva
 
     force, *rows = slopes(at, 0)
     if np.any(as_intervals(force, shape).holds_zero()):
-        for place, value in enumerate(at.q):
+        for index, value in enumerate(at.q):
             along = jets.Jet.variable(value, 1, 3)
-            moved = replace(at, q=[*at.q[:place], along, *at.q[place + 1 :]])
+            moved = replace(at, q=[*at.q[:index], along, *at.q[index + 1 :]])
             if all(map(is_zero, slopes(moved, 0, 1, 1))) and not is_zero(slopes(moved, 0, 1)[0]):
                 force, *rows = slopes(moved, 0, 1)
                 break
@@ -453,13 +453,13 @@ def _closed(at: Evaluation, contact: int) -> FloatArray:
     at_near, slopes, *_ = linear(replace(at, xp=FREE), near, lambda at: [at.gap(contact)])
     shift = at.box - Intervals.point(near)
     found = ends.copy()
-    for place in range(len(at.q)):
-        others = sum((slopes[0, j] * shift[j] for j in range(len(at.q)) if j != place), at_near[0])
-        most = Intervals.point(near[place]) - others / slopes[0, place]
+    for index in range(len(at.q)):
+        others = sum((slopes[0, j] * shift[j] for j in range(len(at.q)) if j != index), at_near[0])
+        most = Intervals.point(near[index]) - others / slopes[0, index]
         for side in (0, 1):  # where the gap grows towards that side
-            grows = slopes.ends[1 - side, 0, place] < 0
-            found[side, place] = np.where(
-                grows, np.fmin(ends[side, place], most.ends[side]), ends[side, place]
+            grows = slopes.ends[1 - side, 0, index] < 0
+            found[side, index] = np.where(
+                grows, np.fmin(ends[side, index], most.ends[side]), ends[side, index]
             )
     return np.where(width_of(found) >= 0, found, ends)
 

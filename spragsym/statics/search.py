@@ -180,8 +180,8 @@ def float_candidates(balance: Balance, given: FloatArray, asked: FloatArray | No
     """The roots of all points that one search in floats decides, on either side of the border;
     those it leaves are missing.
     """
-    around, _ = region(balance, Intervals.point(given), asked)
-    return certified_roots.search(balance, around, given, given, budget=8000)
+    searched, _ = region(balance, Intervals.point(given), asked)
+    return certified_roots.search(balance, searched, given, given, budget=8000)
 
 
 def roots_of(
@@ -190,13 +190,17 @@ def roots_of(
     """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by
     hand.
     """
-    around, whole = region(balance, Intervals.point(given), asked)
-    turned, turning = turned_points(balance, given, around)
-    stiff, done = stiff_points(balance, given, around)
+    searched, whole = region(balance, Intervals.point(given), asked)
+    turned, turning = turned_points(balance, given, searched)
+    stiff, done = stiff_points(balance, given, searched)
     rest = np.flatnonzero(~(turning | done))
-    others = _by_boxes(balance, given[:, rest], around[:, :, rest]).numbered(rest)
+    others = _by_boxes(balance, given[:, rest], searched[:, :, rest]).numbered(rest)
     found = refined(balance, given, turned.concatenated(stiff, others))
-    return reduced_by_turns(balance.periodic, on_contact_side(balance, given, found)), around, whole
+    return (
+        reduced_by_turns(balance.periodic, on_contact_side(balance, given, found)),
+        searched,
+        whole,
+    )
 
 
 def _in_slots(found: Roots) -> tuple[IndexArray, IntArray]:
@@ -215,8 +219,8 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     # What is left is looked at with many digits.
     narrow = balance.options.narrow or 2.0**-19
     found = certified_roots.search(balance, around, given, given, narrow=narrow)
-    told = refined_in_digits(balance, given, around, found)
-    return around_anchors(balance, given, around, told)
+    refined = refined_in_digits(balance, given, around, found)
+    return around_anchors(balance, given, around, refined)
 
 
 def _arranged(

@@ -160,9 +160,9 @@ def _fold_roots(
     slope = derivative(quartic)
     bend = derivative(slope)
     flat = [*_places(slope, bits), *_places(bend, bits)]
-    place = min(flat, key=lambda t: max(map(abs, balls.ends(evaluate(quartic, t)))))
+    flattest = min(flat, key=lambda t: max(map(abs, balls.ends(evaluate(quartic, t)))))
     three, two = (
-        place * balls.between(1 - off, 1 + off)
+        flattest * balls.between(1 - off, 1 + off)
         for off in (Fraction(16, 1 << bits // alike) for alike in (3, 2))
     )
     double = two if balls.sign(evaluate(bend, three)) else three  # at a cusp three are alike

@@ -283,13 +283,18 @@ class Sweep(Named):
         """
         names = reported(self.model)
         columns = (self.measured[self._own(name)] for name in names)
-        told = {name: float(one[index]) for name, one in zip(names, columns, strict=True)}
+        measures = {name: float(one[index]) for name, one in zip(names, columns, strict=True)}
         rest, cycle = (
-            tuple(told[f"{what}_{name}"] for name in places if not np.isnan(told[f"{what}_{name}"]))
+            tuple(
+                measures[f"{what}_{name}"]
+                for name in places
+                if not np.isnan(measures[f"{what}_{name}"])
+            )
             for what, places in (("rest", self.model.coordinates), ("cycle", self.model.components))
         )
         known = {
-            name: told[name] for name in ("rate", "distance", "period", "cycle_mean", "cycle_rms")
+            name: measures[name]
+            for name in ("rate", "distance", "period", "cycle_mean", "cycle_rms")
         }
         regime, which = Regime(int(self.regime[index])), int(self.equilibrium[index])
         return Outcome(regime, which, rest, cycle=cycle, names=self.model.components, **known)
@@ -324,8 +329,8 @@ class Sweep(Named):
 
     def _words_and_measures(self) -> dict[str, NDArray[Any]]:
         ours = {"regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}
-        told = {self._own(name): one for name, one in ours.items()}
-        return {**self.measured, **told, **following(self)}
+        measures = {self._own(name): one for name, one in ours.items()}
+        return {**self.measured, **measures, **following(self)}
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         points = self._of_points()
@@ -416,9 +421,11 @@ def _record(statistics: MotionStatistics | Exception, problem: Problem, backend:
         outcome = classify(statistics, Onward(problem, backend))
     except (ConvergenceError, ArithmeticError) as error:
         return _no_result(error)
-    told, field = vars(outcome) | outcome.places(), problem.field
+    measures, field = vars(outcome) | outcome.places(), problem.field
     names = (*reported(field), "regime")
-    return [float(value) for value in (*values, *(told[name] for name in names[len(values) :]))], ""
+    return [
+        float(value) for value in (*values, *(measures[name] for name in names[len(values) :]))
+    ], ""
 
 
 def _no_result(error: Exception) -> Record:

@@ -68,7 +68,7 @@ def _statements(function: Definition, result: str) -> list[str]:
     statement.
     """
     if isinstance(function.results, tuple):
-        results = [(f"{result}[{place}] =", value) for place, value in enumerate(function.leaves)]
+        results = [(f"{result}[{index}] =", value) for index, value in enumerate(function.leaves)]
     else:
         results = [(result, function.results)]
     named = [

@@ -96,7 +96,7 @@ class _CPrinter(Printer):
                 f"{function}({self.expressions.listed(called.args)});"
             ]
         else:
-            fields = [f"{results}[{place}]" for place in range(len(names))]
+            fields = [f"{results}[{index}]" for index in range(len(names))]
             kind = REAL
             passed = ", ".join([*map(self.expressions.print, called.args), results])
             lines = [f"double {results}[{len(names)}];", f"{function}({passed});"]

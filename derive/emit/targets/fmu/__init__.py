@@ -297,17 +297,19 @@ def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
     }
 
     def add(parts: str, one: Variable, kind: str = "Float64", **more: str) -> None:
-        place = str(len(variables))
-        told = {
+        index = str(len(variables))
+        attributes = {
             "name": one.name,
-            "valueReference": place,
+            "valueReference": index,
             "description": one.meaning,
             "unit": one.unit,
             **more,
         }
-        variables.append(ET.Element(kind, {name: value for name, value in told.items() if value}))
+        variables.append(
+            ET.Element(kind, {name: value for name, value in attributes.items() if value})
+        )
         for part in parts.split():
-            structure[part].append(f'<{part} valueReference="{place}"/>')
+            structure[part].append(f'<{part} valueReference="{index}"/>')
 
     add("", seen.time, causality="independent", variability="continuous")
     for one in seen.states:
@@ -321,14 +323,14 @@ def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
             nominal=nominal,
             reinit="true" if one.reset else "",
         )
-    for place, one in enumerate((*seen.states[len(seen.accelerations) :], *seen.accelerations)):
-        rate = replace(one, name=f"der({seen.states[place].name})")
+    for index, one in enumerate((*seen.states[len(seen.accelerations) :], *seen.accelerations)):
+        rate = replace(one, name=f"der({seen.states[index].name})")
         add(
             "ContinuousStateDerivative InitialUnknown",
             rate,
             causality="local",
             initial="calculated",
-            derivative=str(place + 1),
+            derivative=str(index + 1),
         )
     turned = [f"turning{count}" for count in range(1, seen.turnings + 1)]
     for name in (*(one.said(one.kind) for one in seen.borders), *turned):

@@ -24,8 +24,8 @@ def definition(function: Definition) -> str:
             "",
         ),
     ]
-    for place, name in enumerate(function.further, len(function.arguments) + 1):
-        lines += [f"  if nargin < {place}", f"    {name} = 0;", "  end"]
+    for index, name in enumerate(function.further, len(function.arguments) + 1):
+        lines += [f"  if nargin < {index}", f"    {name} = 0;", "  end"]
     for name, value in (*function.statements, *zip(names, function.leaves, strict=True)):
         if name != value:
             lines += wrapped(f"  {name} = {_printed(value)};")
@@ -41,8 +41,8 @@ def _outputs(function: Definition) -> list[str]:
     """Names of what is returned: of a result that has a statement of its own, the name there."""
     leaves, known = function.leaves, dict(function.statements)
     return [
-        leaf if leaf in known and leaves.count(leaf) == 1 else f"result{place}"
-        for place, leaf in enumerate(leaves, 1)
+        leaf if leaf in known and leaves.count(leaf) == 1 else f"result{index}"
+        for index, leaf in enumerate(leaves, 1)
     ]
 
 

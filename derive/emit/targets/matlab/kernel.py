@@ -80,7 +80,7 @@ class _MatlabPrinter(Printer):
         """Name of the result, or names of several."""
         match self.it.body[-1]:
             case ast.Return(value=ast.Tuple(elts=results)):
-                return f"[{', '.join(f'result{place + 1}' for place in range(len(results)))}]"
+                return f"[{', '.join(f'result{index + 1}' for index in range(len(results)))}]"
         return "result"
 
     def _constants(self) -> Iterator[str]:
@@ -118,8 +118,8 @@ class _MatlabPrinter(Printer):
 
     def several(self, values: list[ast.expr], indent: str) -> str:
         return "".join(
-            self.assignment(f"result{place}", value, indent)
-            for place, value in enumerate(values, 1)
+            self.assignment(f"result{index}", value, indent)
+            for index, value in enumerate(values, 1)
         )
 
 

@@ -57,6 +57,9 @@ from .points import OVER_BORDER, Found, isolated, listed, search, which
 
 #: How near a line counts as on it, over the range of the parameter.
 ON_LINE = 1e-9
+#: Strips between lines that neighbours on a curve are apart, at most: one line between them may be
+#: undecided.
+STRIPS = 2
 
 
 @question
@@ -311,7 +314,7 @@ def on_lines(
         with doing("{} lines along {}", values.size, *each.vary):
             found = _on_each(each, condition, *effort)
         whole &= bool(found.whole.all())
-        decided[across] = np.delete(values, found.roots.undecided_point)
+        decided[across] = ~np.isin(np.arange(values.size), found.roots.undecided_point)
         rows.append(
             np.insert(found.roots.middle, balance.n + across, values[found.roots.point], axis=0)
         )
@@ -321,17 +324,17 @@ def on_lines(
         )
     states = np.concatenate([*rows, more], axis=1)
     undecided, remarks = listed(family, np.concatenate(left, axis=2))
-    reach = np.ptp(states[: balance.n], axis=1).max(initial=1e-9) if states.size else 1.0
     curves = FoldCurves(
-        Augmented(family, condition),
-        np.append(np.full(balance.n, reach), np.ptp(spans, axis=1)),
-        options or ContinuationOptions(),
+        Augmented(family, condition), _scales(states, spans), options or ContinuationOptions()
     )
-    near = np.logical_and(
-        *(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1))
-    )
-    joined = curves.joined([states[:, places] for places in _chains(curves, states, near)])
-    chains = [curves.smooth(chain) for chain in joined]
+    over_lines = [lines[name] for name in vary], [decided[k] for k in (0, 1)]
+    with doing("curves through {} points", states.shape[1]):
+        pairs = _pairs(states[balance.n :], *over_lines, spans)
+        chains = [states[:, places] for places in _chains(curves, states, pairs)]
+        # Neighbours in order may lie on different curves: they are told apart before these are
+        # followed to their ends.
+        for joined in (list, curves.joined):
+            chains = [piece for chain in joined(chains) for piece in curves.smooth(chain)]
     return OnLines(
         curves,
         chains,
@@ -340,6 +343,21 @@ def on_lines(
         whole,
         tuple(Remark("on lines: {}", text) for text in remarks),
     )
+
+
+def _scales(states: FloatArray, spans: FloatArray) -> FloatArray:
+    """Of coordinates, how far apart they are in states, shape (n + 2, number), and of both
+    parameters their ranges.
+
+    A coordinate that is small beside others of its unit counts as much as they do: branches that
+    differ in nothing else are told apart by it.
+    """
+    rows = states[: len(states) - 2]
+    reach = np.ptp(rows, axis=1) if states.size else np.ones(len(rows))
+    # Coordinates that do not change, but for rounding.
+    still = reach <= 1e-9 * np.maximum(1.0, np.abs(rows).max(initial=0.0))
+    usual = np.where(still, 0.0, reach).max(initial=0.0) or 1e-9
+    return np.append(np.where(still, usual, reach), np.ptp(spans, axis=1))
 
 
 def _effort(families: Sequence[Family], condition: Condition) -> tuple[int, int]:
@@ -387,45 +405,82 @@ def _between(values: Iterable[float], span: FloatArray, lines: FloatArray) -> Fl
 # order of points
 
 
-def _no_line_between(places: FloatArray, lines: FloatArray, span: FloatArray) -> BoolArray:
-    """Whether no line separates two points, for every pair: where a curve crosses a line, there is
-    a point of its own.
+def _pairs(
+    places: FloatArray, lines: Sequence[FloatArray], decided: Sequence[BoolArray], spans: FloatArray
+) -> Iterator[IntArray]:
+    """Points that may be neighbours on a curve, by their values of both parameters, in pairs, shape
+    (2, pairs), each once.
+
+    No ``decided`` line of either separates them, as a curve has a point where it crosses one; and
+    one that is not at most: beyond, curves are followed.
     """
-    room = ON_LINE * (span[1] - span[0])
-    first, last = (
-        np.searchsorted(lines, places - room, "left"),
-        np.searchsorted(lines, places + room, "right"),
-    )
-    return np.maximum.outer(first, first) <= np.minimum.outer(last, last)
+    bounds = [_strips(*each) for each in zip(places, lines, spans, strict=True)]
+    below = [np.concatenate([[0], np.cumsum(known)]) for known in decided]
+    for one, other in _close(np.array([first for first, _ in bounds])):
+        near = np.ones(one.size, dtype=np.bool_)
+        for (first, last), count in zip(bounds, below, strict=True):
+            begin = np.minimum(last[one], last[other])
+            end = np.maximum(begin, np.maximum(first[one], first[other]))
+            near &= (end - begin < STRIPS) & (count[begin] == count[end])
+        yield np.array([one[near], other[near]])
 
 
-def _chains(folds: FoldCurves, states: FloatArray, near: BoolArray) -> list[IntArray]:
+def _strips(places: FloatArray, lines: FloatArray, span: FloatArray) -> tuple[IntArray, IntArray]:
+    """First and last strip between lines in which a point is: on both sides of a line if on it."""
+    room = ON_LINE * np.ptp(span)
+    first = np.searchsorted(lines, places - room, "left").astype(np.int64)
+    return first, np.searchsorted(lines, places + room, "right").astype(np.int64)
+
+
+def _close(cells: IntArray) -> Iterator[IntArray]:
+    """Points of which neither of two numbers, shape (2, points), differs by more than STRIPS, in
+    pairs, each once; of so many points that all pairs would not fit into memory.
+    """
+    width = int(cells[1].max(initial=0)) + 1 + STRIPS
+    key = cells[0] * width + cells[1]
+    order = np.argsort(key, kind="stable")
+    key = key[order]
+    ahead = [(0, across) for across in range(STRIPS + 1)]
+    ahead += itertools.product(range(1, STRIPS + 1), range(-STRIPS, STRIPS + 1))
+    for along, across in ahead:
+        cell = key + along * width + across
+        # Of the same cell those behind a point.
+        begin = np.searchsorted(key, cell) if along or across else 1 + np.arange(key.size)
+        number = np.searchsorted(key, cell, "right") - begin
+        which_of = np.arange(number.sum()) - np.repeat(np.cumsum(number) - number, number)
+        yield np.array([np.repeat(order, number), order[np.repeat(begin, number) + which_of]])
+
+
+def _chains(folds: FoldCurves, states: FloatArray, pairs: Iterable[IntArray]) -> list[IntArray]:
     """Points in order along curves: each is joined to the next ones ahead and behind along its
     tangent, if they agree.
 
-    ``near`` says which two may be neighbours, shape (points, points).
+    ``pairs`` of points may be neighbours.
     """
     count = states.shape[1]
     place, tangent = states / folds.scale[:, None], folds.tangents(states)
-    gap = place[:, None, :] - place[:, :, None]
-    distance = np.linalg.norm(gap, axis=0)
-    ahead = (gap * tangent[:, :, None]).sum(axis=0)
-    with quiet():
-        straight = np.abs(ahead) / distance
-        cost = np.where(
-            near & (straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf
+    joints = [np.empty((5, 0))]
+    for one, other in pairs:
+        gap = place[:, other] - place[:, one]
+        distance = np.linalg.norm(gap, axis=0)
+        ahead = np.array(
+            [(gap * tangent[:, one]).sum(axis=0), (-gap * tangent[:, other]).sum(axis=0)]
         )
+        with quiet():
+            straight = np.abs(ahead) / distance
+            cost = (distance / straight**2).sum(axis=0)
+        near = (straight > 0.5).all(axis=0) & (distance > 1e-12)
+        joints.append(np.array([cost, one, other, *np.where(ahead > 0, 0, 1)])[:, near])
     # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link, the
     # nearest pairs first.
-    side = np.where(ahead > 0, 0, 1)
-    cost = np.where(np.tri(count, dtype=np.bool_), np.inf, cost + cost.T)
+    cost, one, other, *sides = np.concatenate(joints, axis=1)
     links: list[set[int]] = [set() for _ in range(count)]
     free = np.ones((count, 2), dtype=np.bool_)
-    for place in np.argsort(cost, axis=None)[: int(np.isfinite(cost).sum())].tolist():
-        one, other = divmod(place, count)
-        ports = (one, side[one, other]), (other, side[other, one])
+    order = np.lexsort((other, one, cost))
+    for ends in np.array([one, sides[0], other, sides[1]])[:, order].T.astype(int).tolist():
+        ports = (ends[0], ends[1]), (ends[2], ends[3])
         if free[ports[0]] and free[ports[1]]:
-            link(links, [(one, other)])
+            link(links, [(ends[0], ends[2])])
             free[ports[0]] = free[ports[1]] = False
     return walked(links)
 
@@ -445,29 +500,58 @@ class FoldCurves:
         """Ranges of both parameters, shape (2, 2)."""
         return self.system.family.spans
 
-    def smooth(self, states: FloatArray) -> FloatArray:
+    def smooth(self, states: FloatArray) -> list[FloatArray]:
         """A chain of folds, shape (n + 2, number), with further ones between neighbours, until it
-        is smooth.
+        is smooth; in pieces where neighbours are found to lie on different curves.
         """
-        for _ in range(self.options.refinements):
-            scaled, along = states / self.scale[:, None], self.tangents(states)
-            chord, centre = np.diff(scaled, axis=1), 0.5 * (scaled[:, :-1] + scaled[:, 1:])
-            length = np.linalg.norm(chord, axis=0)
-            one, two = (
-                part * np.sign((part * chord).sum(axis=0)) for part in (along[:, :-1], along[:, 1:])
-            )
-            middle = centre + 0.125 * length * (one - two)
-            rows = np.flatnonzero(
-                (np.linalg.norm((middle - centre)[-2:], axis=0) > self.options.smoothness)
-                & (length > 0)
-            )
-            found, good = self.on_curve(
-                middle[:, rows] * self.scale[:, None], chord[:, rows] / length[rows], length[rows]
-            )
-            if not good.any():
+        off = np.full(states.shape[1] - 1, np.nan)
+        for left in range(self.options.refinements, -1, -1):
+            rows = np.flatnonzero(np.isnan(off))
+            found, off[rows], bent = self._between(states[:, rows], states[:, rows + 1])
+            more = bent | (off[rows] > self.options.deviation)
+            more &= np.isfinite(off[rows]) & self._in_range(found)
+            if not left or not more.any():
                 break
-            states = np.insert(states, rows[good] + 1, found[:, good], axis=1)
-        return states
+            rows = rows[more]
+            off[rows] = np.nan
+            states = np.insert(states, rows + 1, found[:, more], axis=1)
+            off = np.insert(off, rows + 1, np.nan)
+        return np.split(states, np.flatnonzero(off > self.options.deviation) + 1, axis=1)
+
+    def _between(
+        self, one: FloatArray, two: FloatArray
+    ) -> tuple[FloatArray, FloatArray, BoolArray]:
+        """The middles between pairs of points; how far each is from that of the cubic between them,
+        over their distance, infinite where none is found; and whether the curve is not straight in
+        the plane of the parameters.
+
+        Of two points on one curve that falls with the third power of their distance, of others it
+        grows.
+        """
+        middle, chord, length = self._cubic(one, two, 0.5)
+        with quiet():
+            found, good = self.on_curve(middle * self.scale[:, None], chord / length, length)
+            off = np.linalg.norm(found / self.scale[:, None] - middle, axis=0) / length
+        centre = 0.5 * (one + two) / self.scale[:, None]
+        bent = np.linalg.norm((middle - centre)[-2:], axis=0) > self.options.smoothness
+        return found, np.where(length > 0, np.where(good, off, np.inf), 0.0), bent & (length > 0)
+
+    def _cubic(
+        self, one: FloatArray, two: FloatArray, share: float | FloatArray
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Points at a share of the way of cubics between pairs of points with their tangents, the
+        chords and their lengths, all over the scales.
+        """
+        start, end = (states / self.scale[:, None] for states in (one, two))
+        chord = end - start
+        length = np.linalg.norm(chord, axis=0)
+        ahead, behind = (
+            part * np.sign((part * chord).sum(axis=0)) * length
+            for part in (self.tangents(one), self.tangents(two))
+        )
+        rest = 1.0 - share
+        straight = start + share**2 * (3.0 - 2.0 * share) * chord
+        return straight + share * rest * (rest * ahead - share * behind), chord, length
 
     def joined(self, chains: Sequence[FloatArray]) -> list[FloatArray]:
         """Chains followed beyond both ends: to the end of a range, or to the end of another chain,
@@ -494,6 +578,7 @@ class FoldCurves:
         """
         ahead = [(k, other[:, ::way]) for k, other in enumerate(others) for way in (1, -1)]
         ahead += [(-1, chain[:, :1])] if chain.shape[1] > 2 else []
+        firsts = np.array([further[:, 0] for _, further in ahead]).reshape(-1, len(self.scale)).T
         path, end, pace = [chain], chain[:, -1], self.options.pace
         before = chain[:, -2] if chain.shape[1] > 1 else None
         for _ in range(self.options.paces):
@@ -507,16 +592,21 @@ class FoldCurves:
             found, good = self.on_curve(start[:, None], normal[:, None], np.array([pace]))
             if stop is not None:
                 found[stop] = start[stop]
-            if not good[0] or abs(self.tangents(found)[:, 0] @ along) < self.options.turn:
+            if (
+                not (good[0] and self._in_range(found)[0])
+                or abs(self.tangents(found)[:, 0] @ along) < self.options.turn
+                or self._between(end[:, None], found)[1][0] > self.options.deviation
+            ):
                 pace *= 0.5
                 if pace < self.options.least_pace:
                     break
                 continue
-            for k, further in ahead:
-                if self._lies_between(further[:, 0], end, found[:, 0]):
-                    if k >= 0:
-                        del others[k]
-                    return np.concatenate([*path, further], axis=1), True
+            met = np.flatnonzero(self._lie_between(firsts, end[:, None], found))
+            if met.size:
+                k, further = ahead[met[0]]
+                if k >= 0:
+                    del others[k]
+                return np.concatenate([*path, further], axis=1), True
             path.append(found)
             if stop is not None:
                 break
@@ -540,14 +630,22 @@ class FoldCurves:
         start[slot] = last[number]
         return start, slot
 
-    def _lies_between(self, point: FloatArray, one: FloatArray, two: FloatArray) -> bool:
-        """Whether a point of the curve lies between two others near to each other, or is the second
-        one.
+    def _lie_between(self, points: FloatArray, one: FloatArray, two: FloatArray) -> BoolArray:
+        """Which points of curves lie between two others of one, or are the second one, and go the
+        same way.
         """
-        chord, away = (two - one) / self.scale, (point - one) / self.scale
-        length = norm(chord)
-        share = float(away @ chord) / length**2
-        return bool(1e-9 < share <= 1 + 1e-6 and norm(away - share * chord) <= 0.05 * length)
+        chord, away = (two - one) / self.scale[:, None], (points - one) / self.scale[:, None]
+        length = norm(chord[:, 0])
+        share = (away * chord).sum(axis=0) / length**2
+        lie = (1e-9 < share) & (share <= 1 + 1e-6)
+        lie[lie] = np.linalg.norm(away[:, lie] - share[lie] * chord, axis=0) <= 0.5 * length
+        if lie.any():
+            off = self._cubic(one, two, share[lie])[0] - points[:, lie] / self.scale[:, None]
+            alike = np.abs((self.tangents(points[:, lie]) * chord).sum(axis=0))
+            lie[lie] = (np.linalg.norm(off, axis=0) <= 2 * self.options.deviation * length) & (
+                alike >= self.options.turn * length
+            )
+        return lie
 
     def tangents(self, states: FloatArray) -> FloatArray:
         """Unit vectors along the curve, over the scales; 0 where there is none."""
@@ -564,7 +662,7 @@ class FoldCurves:
         self, start: FloatArray, normal: FloatArray, near: FloatArray
     ) -> tuple[FloatArray, BoolArray]:
         """Points of the curve in the planes through points with these normals, over the scales, and
-        which are proved.
+        which are proved; they may lie beyond the ranges.
         """
         states, scale = start, self.scale[:, None]
         with quiet():
@@ -584,13 +682,14 @@ class FoldCurves:
                     * scale
                 )
             good = np.linalg.norm((states - start) / scale, axis=0) <= 0.5 * near
-            good &= ((self.spans[:, :1] <= states[-2:]) & (states[-2:] <= self.spans[:, 1:])).all(
-                axis=0
-            )
             # A fold in contact is next to each state, with the same value of what the normal points
             # along most.
             good[good] = self.enclosed(states[:, good], np.abs(normal[:, good]).argmax(axis=0))[1]
         return states, good
+
+    def _in_range(self, states: FloatArray) -> BoolArray:
+        low, high = self.spans[:, :1], self.spans[:, 1:]
+        return np.logical_and.reduce((low <= states[-2:]) & (states[-2:] <= high), axis=0)
 
     def enclosed(self, states: FloatArray, fixed: IntArray) -> tuple[FloatArray, BoolArray]:
         """Boxes, shape (2, n + 2, N), around points of the curve in contact, and which are proved

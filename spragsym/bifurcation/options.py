@@ -41,6 +41,9 @@ class ContinuationOptions(Options):
     smoothness : float
         How far a curve may be from the straight line between two of its points, over the ranges of
         the parameters.
+    deviation : float
+        How far the middle between two of its points may be from that of a cubic with their
+        tangents, over their distance: beyond, they lie on different curves.
     refinements : int
         Times that points are put between all neighbours to that end.
     pace, least_pace : float
@@ -76,6 +79,7 @@ class ContinuationOptions(Options):
     halvings: int = limit(40, 0)
     open_steps: int = limit(500)
     smoothness: float = option(2e-4, 1e-8, 0.1)
+    deviation: float = option(0.01, 1e-6, 0.1)
     refinements: int = limit(7, 0)
     pace: float = option(0.02, 1e-6, 0.5)
     least_pace: float = option(1e-6, 1e-12, 0.5)

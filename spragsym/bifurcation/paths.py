@@ -684,15 +684,14 @@ class QuasiStaticContinuation:
         kind = EquilibriumType(int(eq.undamped[slot]))
         # Another search may list the states at the node in another order.
         return int(nearest_state(self.eq, behind)[node]), Jump(
-            end.value, end.kind, whole, after, kind, end.error
+            end.value, end.kind, whole, after, kind, end.error, end.touching
         )
 
     def escape(self, number: int) -> Jump:
         """The last event of a path whose state runs to infinity."""
         end = self.end(number)
-        return Jump(
-            end.value, end.kind, self._place(number, self.eq.state_columns), {}, None, end.error
-        )
+        place = self._place(number, self.eq.state_columns)
+        return Jump(end.value, end.kind, place, {}, None, end.error, end.touching)
 
     def end(self, number: int) -> ModelEnd:
         """A point at which states vanish, as a result."""

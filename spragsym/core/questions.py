@@ -68,6 +68,7 @@ SEVERAL = (
     "precise_equilibria",
     "quasi_static_path",
     "redesign",
+    "report",
     "rms_sweep",
     "sensitivity",
     "simulate",

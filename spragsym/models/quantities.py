@@ -4,6 +4,7 @@ parameters that follow from them.
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections.abc import Collection, Mapping
@@ -49,14 +50,18 @@ class Quantities:
         self.parameters = by("quantity", "parameters", "name")
         self.units = self.bases | by("quantity", "parameters", "quantity_unit")
         self.meanings = by("name", "units", "meaning") | by("quantity", "parameters", "meaning")
-        self.law: Mapping[str, Any] = next(
-            iter(self.about["frictions"]), {"quantities": (), "at_rest": "", "belt": "0"}
+        #: The law of friction that is told: of several the first that is in full slip the
+        #: coefficient.
+        self.law: Mapping[str, Any] = min(
+            self.about["frictions"],
+            key=lambda law: law["at_rest"] != "full",
+            default={"name": "", "quantities": (), "at_rest": "", "belt": "0"},
         )
 
     @property
-    def contact(self) -> Mapping[str, Any]:
-        """The only contact."""
-        return self.about["contacts"][0]
+    def opens(self) -> bool:
+        """Whether a contact opens."""
+        return any(contact["unilateral"] for contact in self.about["contacts"])
 
     def _quantity(self, name: str | None) -> str | None:
         """The quantity of a file that is a parameter."""
@@ -153,19 +158,24 @@ class Quantities:
         """Quantities on which the states depend: those of the balance and of the friction that
         works at rest.
         """
-        full = self.law["at_rest"] == "full"
-        friction = (self.friction,) if full else self.law["quantities"]
-        return self._ordered({*self.balanced, *friction})
+        frictions = (
+            (self.friction,) if law["at_rest"] == "full" else law["quantities"]
+            for law in self.about["frictions"]
+        )
+        return self._ordered({*self.balanced, *itertools.chain(*frictions)})
 
     @cached_property
     def of_the_law(self) -> tuple[str, ...]:
-        """Quantities that a brake may be given without: those of the friction law alone; then
-        friction is the coefficient, at full slip.
+        """Quantities that a brake may be given without: those of friction laws alone; then friction
+        is the coefficient, at full slip.
 
         Of a law that is not proportional to that, or not that at full slip, there are none.
         """
-        mine = self.law["quantities"] if self.law["at_rest"] == "full" else ()
-        return tuple(name for name in mine if name not in (*self.balanced, self.friction))
+        laws = self.about["frictions"]
+        mine = dict.fromkeys(
+            name for law in laws if law["at_rest"] == "full" for name in law["quantities"]
+        )
+        return tuple(name for name in mine if name not in (*self.of_statics, self.friction))
 
     @cached_property
     def dampers(self) -> tuple[str, ...]:

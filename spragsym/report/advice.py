@@ -67,7 +67,7 @@ def _far(report: Facts) -> Iterator[str]:
 
 
 def _stiffness(study: Brake) -> Iterator[str]:
-    if "k_c" not in study.values or not study.kind.contact["unilateral"]:
+    if "k_c" not in study.values or not study.kind.opens:
         return
     for name in ("k", "k_x", "k_y"):
         ratio = study.values.get(name, 0.0) / study.values["k_c"]

@@ -273,8 +273,9 @@ class Brake:
         """Friction law at work: that at the belt's speed where it is known and a value of μ₀ stands
         for it, else that at rest.
         """
-        law = self.kind.law
-        known = law["belt"] != "0" and set(law["quantities"]) <= set(self.quantities)
+        law, laws = self.kind.law, self.kind.about["frictions"]
+        asked = {name for one in laws for name in one["quantities"]}
+        known = law["belt"] != "0" and asked <= set(self.quantities)
         return "friction_at_speed" if known and law["at_rest"] != "other" else "friction_at_rest"
 
     @property
@@ -294,7 +295,7 @@ class Brake:
         p = self.dimensionless
         if not self.slides:
             return 0.0, 0.0, 0.0
-        here = float(p.model.friction(p, self.law))
+        here = float(p.model.friction(p, self.law, self.kind.law["name"]))
         if not set(friction_depends_on(self)) & set(self.tolerances):
             return here, here, here
         low, high = friction_bounds(self)
@@ -304,14 +305,20 @@ class Brake:
             high if high > here + NOTHING else here,
         )  # bounds of a friction that is 0 are a little above it
 
+    @property
+    def other_frictions(self) -> Numbers:
+        """Those of other contacts by their names, as drawn, where they are not the same."""
+        p = self.dimensionless
+        names = p.model.rubbing if self.slides else ()
+        every = {name: float(p.model.friction(p, self.law, name)) for name in names}
+        return {name: one for name, one in every.items() if one != self.friction[1]}
+
     def of_statics(self, mu0: float) -> float:
         """The friction that statics takes with a value of μ₀."""
-        p = self.dimensionless
-        return (
-            float(p.model.friction(p.replace(**{self.loading.name: mu0}), "friction_at_rest"))
-            if mu0 < math.inf
-            else mu0
-        )
+        if not mu0 < math.inf:
+            return mu0
+        p, contact = self.dimensionless.replace(**{self.loading.name: mu0}), self.kind.law["name"]
+        return float(p.model.friction(p, "friction_at_rest", contact))
 
     @property
     def loading(self) -> LoadParameter:

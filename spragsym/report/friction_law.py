@@ -93,11 +93,12 @@ class _Law:
         low, high, units = parameter_ends(study.with_quantities({**study.quantities, **exact}))
         self.low, self.high = corner_values(low.model.parameters, low, high, units)
         self.balance = BalanceInUnits(low.model, units, study.law)
+        self.place = low.model.rubbing.index(study.kind.law["name"])
 
     def over(self, low: FloatArray, high: FloatArray, sign: int = 1) -> Intervals:
         """Bounds over boxes of the law, or with ``sign=-1`` of its negative."""
         arguments = self.balance.over(Intervals.between(low, high))
-        found = as_intervals(self.balance.at((), arguments).frictions[0], low.shape[1:])
+        found = as_intervals(self.balance.at((), arguments).frictions[self.place], low.shape[1:])
         return found if sign > 0 else -found
 
     def largest(self, sign: int = 1, most: int = 1 << 12) -> float:

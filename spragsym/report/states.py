@@ -5,7 +5,7 @@ the oscillation.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -15,8 +15,9 @@ import numpy as np
 from ..bifurcation.paths import quasi_static_path
 from ..core.errors import ConvergenceError, SpragsymError
 from ..design.jumps import jump_value
+from ..display import own_name
 from ..models import forces
-from ..models.parameters import FloatArray, Ranges, Span
+from ..models.parameters import FloatArray, Ranges
 from ..models.quantities import factor
 from ..motion import Outcome, Regime, Trajectory, simulate
 from ..numerics.interval_arrays import ComplexArray
@@ -26,6 +27,7 @@ from ..orbits.system import System
 from ..results import Equilibria, EquilibriumType, Named, Result
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
+from ..statics.search import balances_of, number_of
 from ..statics.stability import linearization, roots, verdicts
 from .brake import Brake
 from .units import Numbers
@@ -46,7 +48,8 @@ _COMES_TO = {
     Regime.LIFT_OFF: "lift-off",
 }
 
-#: Of the only inclined spring a number, of several their numbers by name, and of none None.
+#: Of the only inclined spring or contact a number, of several their numbers by name, and of none
+#: None.
 OfSprings: TypeAlias = float | Numbers | None
 
 
@@ -56,7 +59,8 @@ class State(Named):
 
     ``places`` are the coordinates by name and unit, ``x_mm`` or ``phi_deg``, and attributes too.
     Direction, length and force of the inclined spring are numbers, mappings by name where there are
-    several, and None where there is none; ``contact_force_N`` is None without a contact.
+    several, and None where there is none; the force of the contact likewise. ``touching`` says
+    which of several contacts touch.
     ``frequencies_hz`` and ``damping_ratio`` belong to the roots of the motion linearized about it,
     slowest first, the friction law's own damping included where the belt speed is known;
     ``growth_per_s`` is their largest real part. ``stability`` says what small disturbances do:
@@ -74,10 +78,11 @@ class State(Named):
     places: Numbers
     spring_length_mm: OfSprings
     spring_force_N: OfSprings
-    contact_force_N: float | None
+    contact_force_N: OfSprings
     frequencies_hz: tuple[float, ...]
     damping_ratio: tuple[float, ...]
     growth_per_s: float
+    touching: str = ""
 
 
 @dataclass(frozen=True)
@@ -88,9 +93,9 @@ class JumpPeak(Named):
     ``at`` is where it jumps, as the report tells it. ``before`` and ``after`` are the coordinates
     on the fold and of the state that is left there, by name and unit, and ``ranges`` how far each
     goes, attributes too. ``spring_force_N`` is that of the inclined spring, of several by their
-    names; ``contact_force_N`` is None without a contact. ``settles`` says what the motion comes to:
-    ``"rest"``, ``"cycle"``, ``"lift-off"``, or ``"unsettled"`` in the ``followed_s`` seconds over
-    which it was looked at; ``lifts_off`` whether the contact opens.
+    names; ``contact_force_N`` that of the contact likewise. ``settles`` says what the motion comes
+    to: ``"rest"``, ``"cycle"``, ``"lift-off"``, or ``"unsettled"`` in the ``followed_s`` seconds
+    over which it was looked at; ``lifts_off`` whether a contact opens.
     """
 
     _held = "ranges"
@@ -100,7 +105,7 @@ class JumpPeak(Named):
     after: Numbers
     ranges: Ranges
     spring_force_N: Any
-    contact_force_N: Span | None
+    contact_force_N: Any
     lifts_off: bool
     settles: str
     followed_s: float
@@ -144,9 +149,13 @@ class Oscillation(Result):
     @property
     def lifts_off(self) -> bool:
         """Whether the contact opens."""
-        return self.kind == "lift-off" or (
-            self.contact_force_N is not None and self.contact_force_N[0] == 0
-        )
+        return self.kind == "lift-off" or _opens(self.contact_force_N)
+
+
+def _opens(forces: Any) -> bool:
+    """Whether a contact opens, by the least and the largest force of the only one, or of each."""
+    each = forces.values() if isinstance(forces, Mapping) else [forces]
+    return any(ends is not None and ends[0] == 0 for ends in each)
 
 
 def unit_of(study: Brake, name: str = "") -> tuple[str, float]:
@@ -169,11 +178,20 @@ def _of_springs(study: Brake, values: Sequence[Any]) -> OfSprings:
     return dict(zip((entry["name"] for entry in study.kind.about["springs"]), values, strict=True))
 
 
+def _of_contacts(study: Brake, in_newtons: Mapping[str, Any]) -> Any:
+    """The force of the only contact, or those of several by their names; None without any."""
+    names = [one["name"] for one in study.kind.about["contacts"]]
+    codes = {name: forces.named("contact_force", name) for name in names}
+    found = {name: in_newtons[code] for name, code in codes.items() if code in in_newtons}
+    return found.get("", found or None)
+
+
 def _forces(study: Brake, ends: Ranges, known: float = 1.0) -> tuple[Any, Any]:
     size = known * study.scales.force
     in_newtons = {name: (low * size, high * size) for name, (low, high) in ends.items()}
-    contact = in_newtons.pop("contact_force", None)
-    return _of_springs(study, list(in_newtons.values())), contact
+    contacts = _of_contacts(study, in_newtons)
+    springs = [force for name, force in in_newtons.items() if not name.startswith("contact_force")]
+    return _of_springs(study, springs), contacts
 
 
 def _extremes(p: ParameterSet, states: FloatArray) -> Ranges:
@@ -275,8 +293,11 @@ def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: boo
     where = [
         name for name in forces.columns_of(model) if name not in place
     ]  # direction and length of each spring in turn
-    force_functions = forces.forces_of(model)
-    rate = _roots(study, list(place.values())) / scales.time
+    names = forces.forces_of(model)
+    springs = [name for name in names if not name.startswith("contact_force")]
+    contacts = {name: scales.force * float(eq[name][slot]) for name in names if name not in springs}
+    touching = str(eq[own_name(model, "touching")][slot]) if model.has_regimes else ""
+    rate = _roots(study, list(place.values()), touching) / scales.time
     size = np.abs(rate).max()
     # Where nothing damps, as without friction, the sign of the real part is the rounding's.
     # What the eigenvalues of a matrix of some rows are off by, relative to the largest,
@@ -296,19 +317,16 @@ def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: boo
         direction_deg=of(where[::2], math.degrees(1.0)),
         places=in_units(study, place),
         spring_length_mm=of(where[1::2], 1e3 * scales.length),
-        spring_force_N=of(
-            (name for name in force_functions if name != "contact_force"), scales.force
-        ),
-        contact_force_N=scales.force * float(eq.contact_force[slot])
-        if "contact_force" in force_functions
-        else None,
+        spring_force_N=of(springs, scales.force),
+        contact_force_N=_of_contacts(study, contacts),
         frequencies_hz=tuple(float(root.imag) / (2 * math.pi) for root in upper),
         damping_ratio=ratios,
         growth_per_s=growth,
+        touching=touching,
     )
 
 
-def _roots(study: Brake, q: list[float]) -> ComplexArray:
+def _roots(study: Brake, q: list[float], touching: str) -> ComplexArray:
     """λ over the unit of time, of the motion at the belt's speed; the friction law has no slope
     where that is not known.
     """
@@ -319,9 +337,9 @@ def _roots(study: Brake, q: list[float]) -> ComplexArray:
         # A speed of the belt at which no friction law has a slope.
         p = p.replace(**{belt: 1e9})
     given = np.array(p.scalars(*p.model.parameters))
-    return roots(
-        *linearization(Balance(p.model, True, study.law), np.array(q)[:, None], given[:, None])
-    )[0]
+    balances = balances_of(p.model, None, law=study.law)
+    balance = balances[number_of(balances, touching)]
+    return roots(*linearization(balance, np.array(q)[:, None], given[:, None]))[0]
 
 
 def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
@@ -350,7 +368,10 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
         for where in (turn.before, turn.after)
     )
     held = int(np.abs(end - begin).argmax())
-    start = _balanced(p.replace(**{load.name: value}), begin + AWAY * (end - begin), held)
+    balances = balances_of(p.model, None)
+    balance = balances[number_of(balances, turn.touching)]
+    on_fold = p.replace(**{load.name: value})
+    start = _balanced(balance, on_fold, begin + AWAY * (end - begin), held)
     # Times, in the model's unit, over which it is followed until it is half way.
     for t_end in (1500.0, 24_000.0):
         try:
@@ -376,7 +397,7 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
         ranges=ranges,
         spring_force_N=springs,
         contact_force_N=contact,
-        lifts_off=contact is not None and contact[0] == 0,
+        lifts_off=_opens(contact),
         settles=_COMES_TO.get(comes_to, "unsettled"),
         followed_s=float(motion.t[-1] * study.scales.time),
     )
@@ -398,14 +419,13 @@ def _moving(study: Brake, value: float, speed: float) -> ParameterSet | None:
             return None
         at = at.replace(**{law["belt"]: speed * study.scales.time / study.scales.length})
     # The law is proportional to it.
-    return at.replace(**{name: jump / float(p.model.friction(at))})
+    return at.replace(**{name: jump / float(p.model.friction(at, contact=law["name"]))})
 
 
-def _balanced(p: ParameterSet, place: FloatArray, held: int) -> FloatArray:
+def _balanced(balance: Balance, p: ParameterSet, place: FloatArray, held: int) -> FloatArray:
     """A place with one coordinate as it is, and the forces on all others balanced: by Newton's
     method.
     """
-    balance = Balance(p.model)
     values = balance.floats(np.array(p.scalars(*balance.parameters)))
     free, q = np.delete(np.arange(place.size), held), place.copy()
     # Steps of Newton's method to balance the other coordinates.

@@ -164,9 +164,9 @@ def _apart(study: Brake, jump: float, ends: Sequence[float]) -> int:
 
 
 def _unknown(report: Facts) -> str:
-    states, contact = report.states, report.study.kind.contact
+    states, contacts = report.states, report.study.kind.about["contacts"]
     where = (" of sliding" if report.study.slides else "") + (
-        " in contact" if contact["gap"] is not None else ""
+        " in contact" if any(one["gap"] is not None for one in contacts) else ""
     )
     unstable = sum(state.stability == "unstable" for state in states)
     there = f"are {len(states)} states{where}, {unstable} unstable"
@@ -282,6 +282,8 @@ def _jump(report: Facts) -> Rows:
             "friction at the belt's speed",
             f"{works:.4g}" + (f", {low:.4g} to {high:.4g}" if high > low else ""),
         )
+        for name, other in study.other_frictions.items():
+            yield f"friction of the contact {name}", f"{other:.4g}"
     if load is None:
         return
     full, most = study.full_slip, study.in_use[2]
@@ -369,13 +371,20 @@ def _springs(told: object, shown: Callable[[Any], str], of: str = "force of ") -
             yield f"{of}{name}", shown(value)
 
 
+def _contacts(told: object, shown: Callable[[Any], str]) -> Rows:
+    """Rows of the force of the contact, or of several by their names; none without any."""
+    named = told if isinstance(told, Mapping) else {"": told}
+    for name, value in named.items():
+        if value is not None:
+            yield f"force of the contact{name and ' '}{name}", shown(value)
+
+
 def _forces(found: Any) -> Rows:
     def ends(force: tuple[float, float]) -> str:
         return f"{force[0]:.5g} N to {force[1]:.5g} N"
 
     yield from _springs(found.spring_force_N, ends)
-    if found.contact_force_N is not None:
-        yield "force of the contact", ends(found.contact_force_N)
+    yield from _contacts(found.contact_force_N, ends)
 
 
 def _pulling(force: float) -> str:
@@ -397,8 +406,9 @@ def _state(report: Facts) -> Rows:
         return
     yield "place of the mass", _places(here.places)
     yield from _springs(here.spring_force_N, _pulling)
-    if here.contact_force_N is not None:
-        yield "force of the contact", f"{here.contact_force_N:.5g} N"
+    if here.touching:
+        yield "touching", here.touching
+    yield from _contacts(here.contact_force_N, lambda force: f"{force:.5g} N")
     roots = zip(here.frequencies_hz, here.damping_ratio, strict=True)
     damped, study = report.study.moves, report.study
     yield (
@@ -465,16 +475,18 @@ def _warnings(report: Facts) -> Rows:
 
 def _folds(report: Facts) -> Rows:
     study = report.study
-    nothing = (
-        "nothing is left in contact" if study.kind.contact["unilateral"] else "nothing is left"
-    )
+    nothing = "nothing is left in contact" if study.kind.opens else "nothing is left"
     for row in report.fold_rows:
         if row.inclination_deg is None:
             name = f"{study.loading.word} {study.load_text(row.friction or row.value or 0.0, 5)}"
         else:
             name = f"inclination {row.inclination_deg:.5g} deg"
+        at_border = {
+            "passes": "the state passes, where a contact is lost or regained",
+            "border_fold": "two states end where a contact is lost or regained",
+        }
         if row.kind != "fold":
-            yield name, f"a {row.kind}"
+            yield name, at_border.get(row.kind, f"a {row.kind}")
         elif not row.ends:
             yield name, "two states meet, neither of them stable"
         elif "undecided" in (row.ends, row.when):
@@ -581,7 +593,7 @@ def _oscillation(report: Facts) -> Rows:
         f"{found.amplitude:.4g} {found.unit}",
     )
     yield from _forces(found)
-    if report.study.kind.contact["unilateral"]:
+    if report.study.kind.opens:
         yield "lifts off the belt", "yes" if found.lifts_off else "no"
     beside = {True: "yes", False: "no", None: "up to the damping of the real brake"}[found.coexists]
     yield f"coexists with stable {'sliding' if sliding else 'rest'}", beside
@@ -675,6 +687,7 @@ def as_json(report: Facts) -> Json:
         "current",
         "stability",
         "undamped",
+        *(("touching",) if report.study.kind.model.has_regimes else ()),
         "direction_deg",
         "spring_length_mm",
         "spring_force_N",

@@ -466,6 +466,7 @@ class Jump(Result):
     after: Mapping[str, float]
     undamped_after: EquilibriumType | None
     error: float  #: bound on the error of ``value``
+    touching: str = ""  #: contacts that touch before it, of several
 
 
 @dataclass(frozen=True, eq=False)

@@ -67,7 +67,7 @@ def test_reports_have_the_same_keys_and_say_what_python_says(name: str, tmp_path
     told = study.report(**LESS).to_dict()
     assert list(told) == keys_of_the_article()
     if p.model.coefficient is not None:
-        works = float(p.model.friction(p))
+        works = float(p.model.friction(p, contact=p.model.rubbing[0]))
         assert told["mu_effective"] == pytest.approx(works, rel=1e-12)
         if (
             p.model.frictions[0]["at_rest"] == "full"

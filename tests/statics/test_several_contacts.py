@@ -141,7 +141,6 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
     p = model.Parameters()
     asked: dict[str, Callable[[], object]] = {
         "explore": lambda: ss.explore(p),
-        "report": lambda: a_study(model).report(),
         "check": lambda: _check_model(model.where, False, ()),
     }
     for name, ask in asked.items():

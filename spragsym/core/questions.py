@@ -66,6 +66,7 @@ SEVERAL = (
     "onset_curves",
     "precise_cusps",
     "precise_equilibria",
+    "prove_cycle",
     "quasi_static_path",
     "redesign",
     "report",

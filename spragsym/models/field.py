@@ -346,17 +346,18 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
 
 
 def exact_field(where: str) -> Field:
-    """The field of a model by the name that loads it, for proofs: its contact law has to be a
-    polynomial.
+    """The field of a model by the name that loads it, for proofs: its contact laws have to be
+    polynomials.
     """
     from .load import load
 
     model = load(where)
-    if not model.contact["polynomial"]:
-        raise ParameterError(
-            "the contact law is no polynomial: it has no continuation beyond its border, "
-            "which proofs need"
-        )
+    for contact in model.contacts:
+        if not contact["polynomial"]:
+            raise ParameterError(
+                f"the contact law{contact['name'] and ' of '}{contact['name']} is no polynomial: "
+                "it has no continuation beyond its border, which proofs need"
+            )
     if model.field.sticking_borders:
         raise ParameterError(
             "friction holds the mass where nothing slides, and proofs of cycles do not take "

@@ -9,8 +9,10 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import spragsym as ss
+from spragsym import precise
 from tests.oracles.hopf_points import Reference
 from tests.support import needs_a_quick_integrator
 
@@ -93,3 +95,32 @@ def test_without_friction_either_pad_parts_and_comes_back_at_the_times_of_arcs()
         exact = begin + parts + 2 * half * np.arange(2)
         np.testing.assert_allclose(lost, exact, atol=1e-9)
         np.testing.assert_allclose(regained, exact + apart, atol=1e-9)
+
+
+@pytest.mark.validate
+@needs_a_quick_integrator
+def test_a_cycle_on_which_both_pads_part_is_proved() -> None:
+    """What is proved comes back in a motion of forces written by hand, by SciPy."""
+    pytest.importorskip("flint")
+    mu0, kappa, iota = 0.6, 0.1, 0.4
+    cycle = ss.cycle(MODEL.Parameters(mu0=mu0, kappa=kappa, iota=iota), near=[1.5, 0.5, 0.0, 0.0])
+    assert {*cycle.events.contact} == {"upper", "lower"}
+    proof = precise.prove_cycle(cycle)
+    assert proof.proved
+    assert proof.stable
+    state = [float(value) for value in proof.state]
+
+    def field(_: float, u: Sequence[float]) -> list[float]:
+        y, phi, y_rate, phi_rate = u
+        pulls = [-y, -phi]
+        for side in (1, -1):
+            N = max(kappa + side * y, 0.0)
+            slides = 0.5 - (side - y) * phi_rate + y_rate * phi
+            mu = mu0 * math.copysign(1 - math.exp(-10 * abs(slides)), slides)
+            pulls[0] -= N * (side + mu * phi)
+            pulls[1] += N * mu * (side - y)
+        return [y_rate, phi_rate, pulls[0], pulls[1] / iota]
+
+    options = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-13, "max_step": 0.01}
+    end = solve_ivp(field, (0.0, float(proof.period)), state, **options).y[:, -1]
+    np.testing.assert_allclose(end, state, atol=1e-9)

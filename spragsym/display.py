@@ -319,7 +319,7 @@ def sorted_out(
 _MAKING: ContextVar[frozenset[int]] = ContextVar("_MAKING", default=frozenset())
 
 
-def following(thing: Any) -> dict[str, Any]:
+def following(thing: Tabular) -> dict[str, Any]:
     """Columns of a result that follow from what it holds; none while one of them is made."""
     model, making = thing._of_model, _MAKING.get()
     ours = [each for each in thing.schema if each.of is not None]

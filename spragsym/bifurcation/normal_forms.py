@@ -567,7 +567,7 @@ class _InMode:
     def _taped(self, name: str, rows: Callable[..., Sequence[Any]], *given: Intervals) -> Intervals:
         return self.balance.taped((name, self.mode, self.vary), rows, *given)
 
-    def _at(self, boxes: Any, parameters: Any) -> _Point:
+    def _at(self, boxes: Intervals, parameters: Intervals) -> _Point:
         *state, parameter = boxes
         return _Point(
             self.balance,
@@ -581,13 +581,15 @@ class _InMode:
             parameters.shape[1:],
         )
 
-    def _linear(self, boxes: Any, parameters: Any) -> list[Any]:
+    def _linear(self, boxes: Intervals, parameters: Intervals) -> list[Any]:
         """A, row by row, and what has to be positive."""
         point = self._at(boxes, parameters)
         A, _ = point.linear()
         return [*(entry for row in A for entry in row), *(level for level, _ in point.required())]
 
-    def _form(self, boxes: Any, X: Any, Z: Any, pair: Any, parameters: Any) -> list[Any]:
+    def _form(
+        self, boxes: Intervals, X: Intervals, Z: Intervals, pair: Intervals, parameters: Intervals
+    ) -> list[Any]:
         """l₁, then the sliding speeds and their slopes along the pair."""
         point, entries, (omega, *z) = self._at(boxes, parameters), list(Z), pair
         half = len(entries) // 2
@@ -597,7 +599,7 @@ class _InMode:
         return [lyapunov, *point.slips(q)]
 
 
-def _entries_in_basis(A: Any, X: Any, R: Any) -> list[Any]:
+def _entries_in_basis(A: Intervals, X: Intervals, R: Intervals) -> list[Any]:
     """Real and imaginary parts of X⁻¹ A X and X⁻¹, row by row, from those of X and R."""
     entries, size = list(A), math.isqrt(A.shape[0])
     rows = [entries[size * row : size * (row + 1)] for row in range(size)]

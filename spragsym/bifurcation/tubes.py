@@ -540,8 +540,10 @@ class Tubes(ByColumn):
             return None
         vanishing, names = balance.vanishing(Intervals(self._centred)), self._wide
 
-        def given(name: str, entries: Callable[[Evaluation], Sequence[Any]]) -> Any:
-            def rows(z: Any, parameters: Any) -> Sequence[Any]:
+        def given(
+            name: str, entries: Callable[[Evaluation], Sequence[Any]]
+        ) -> tuple[bytes, bytes, int, int] | None:
+            def rows(z: Intervals, parameters: Intervals) -> Sequence[Any]:
                 *q, v = z
                 moved = balance.with_angles({self.vary: v}, XP)
                 values = {**balance.arguments(parameters), **moved}
@@ -621,7 +623,7 @@ class Tubes(ByColumn):
         wide[self.others] = off
         by_z = Intervals(ends_around(by_s, wide + np.spacing(np.abs(by_s) + wide)))
 
-        def rows(z: Sequence[Any], by_z: Sequence[Any], parameters: Any) -> Sequence[Any]:
+        def rows(z: Sequence[Any], by_z: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
             *q, v = (Jet({(): one, (0,): slope}, 2) for one, slope in zip(z, by_z, strict=True))
             values = self.balance.arguments(parameters)
             moved = self.balance.with_angles({self.vary: v}, XP)

@@ -20,6 +20,7 @@ from ..bifurcation.defining_systems import ranges
 from ..core.errors import ConvergenceError, ParameterError, SpragsymError
 from ..core.progress import show_progress
 from ..core.remarks import At, Remark
+from ..core.type_variables import T
 from ..design.jumps import first_limit_points, require_known
 from ..display import columns_of_class, own_name
 from ..models.parameters import INSIDE
@@ -359,7 +360,7 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
     own, angle = model.coefficient, model.inclination
     known = {"inclination": angle, "friction coefficient": own}
 
-    def answer(name: str, question: Callable[[], Any], *needed: str) -> Any:
+    def answer(name: str, question: Callable[[], T], *needed: str) -> T | None:
         try:
             if missing := [one for one in needed if known[one] is None]:
                 raise ParameterError(f"{model.name} has no {' and no '.join(missing)}")
@@ -375,7 +376,7 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
             remarks.append(Remark("mu0_jump: followed up to {}; beyond that it is not known", end))
         return float(found.value)
 
-    def fold() -> Any:
+    def fold() -> tuple[float, float, str | None] | None:
         found = ss.critical_friction(p, **case.ask)
         remarks.extend(Remark("mu0_lowest: {}", text) for text in found.remarks)
         return (

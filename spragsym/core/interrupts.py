@@ -10,13 +10,14 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from types import FrameType
 from typing import Any, ClassVar
 
 #: Exit code of a command that Ctrl-C ends.
 INTERRUPTED = 130
 
 
-def _handler() -> Any:
+def _handler() -> Callable[[int, FrameType | None], object] | None:
     """The handler of Ctrl-C; None where that goes to another thread, or is ignored."""
     handler = signal.getsignal(signal.SIGINT)
     return (
@@ -37,7 +38,7 @@ def heard() -> Iterator[Callable[[], None]]:
         yield lambda: None
         return
 
-    def handler(number: int, frame: object) -> None:
+    def handler(number: int, frame: FrameType | None) -> None:
         try:
             former(number, frame)
         except KeyboardInterrupt:
@@ -71,7 +72,7 @@ def held() -> Iterator[None]:
         yield
         return
 
-    def handler(number: int, frame: object) -> None:
+    def handler(number: int, frame: FrameType | None) -> None:
         waiting.append(frame)
         if _Ending.installed is not None:
             _Ending.installed.count_down()

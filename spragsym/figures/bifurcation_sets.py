@@ -226,10 +226,10 @@ def _directions(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
     )
 
 
-def space_axes(figure: Sheet, place: Any, zoom: float) -> Axes3D:
+def space_axes(figure: Sheet, corners: tuple[float, float, float, float], zoom: float) -> Axes3D:
     """Axes in three dimensions, for print."""
     ax: Any = figure.add_axes(
-        place,
+        corners,
         projection="3d",
         computed_zorder=False,
         proj_type="ortho",

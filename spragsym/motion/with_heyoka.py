@@ -158,7 +158,7 @@ def equations(
     return system, (state, known, mode), accelerations, Approach.of(xp.called, system[:m], roots)
 
 
-def _dot(one: Any, other: Any) -> Any:
+def _dot(one: Sequence[Any], other: Sequence[Any]) -> Any:
     return sum(a * b for a, b in zip(one, other, strict=True))
 
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from contextlib import suppress
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -269,7 +268,7 @@ def _rests(orbit: Orbit) -> bool:
     return extent(orbit) <= max(least_extent, 100.0 * error_of(orbit))
 
 
-def _state(system: System, near: Any) -> FloatArray:
+def _state(system: System, near: ArrayLike | None) -> FloatArray:
     field = system.field
     n = len(field.coordinates) - bool(field.clock)
     state = np.zeros(2 * n) if near is None else as_numbers("near", near)

@@ -12,6 +12,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Self, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..core.errors import ParameterError, hint
 from ..design.sampling import Correlation, Dependence, dependence
@@ -501,7 +502,7 @@ def _given(parameters: object, kind: Quantities, damping_ratio: float | None) ->
     return {name: as_number(name, value, allowed[name]) for name, value in parameters.items()}
 
 
-def _measured(name: str, value: float, off: Any, si: str, allowed: Range) -> Measured:
+def _measured(name: str, value: float, off: ArrayLike | None, si: str, allowed: Range) -> Measured:
     """A value with its tolerance as Python is told it: numbers become the text of a file."""
     title, unit, in_si = f"tolerance of {name}", PLAIN_UNITS.get(si, si), "" if si == "1" else si
     if off is None:

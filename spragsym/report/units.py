@@ -100,7 +100,7 @@ class Measured:
             self.value + self.sd * ndtri(value) if self.sd else value, self.low, self.high
         )
 
-    def _below(self, value: FloatArray | float) -> Any:
+    def _below(self, value: FloatArray | float) -> FloatArray | float:
         from scipy.special import ndtr  # heavy, and a refusal does not need it
 
         return ndtr((value - self.value) / self.sd) if self.sd else value

@@ -63,7 +63,7 @@ FORMER_FIELDS: Mapping[str, str] = {
 _COLUMNS = {".csv": "pandas.read_csv", ".nc": "xarray.open_dataset"}
 
 
-def save(result: Any, path: FilePath) -> None:
+def save(result: Result, path: FilePath) -> None:
     """Write a result: all of it as JSON, for :func:`open`, or its columns, by the ending."""
     ending = Path(path_text(path)).suffix
     if ending not in (".json", *_COLUMNS):
@@ -281,7 +281,7 @@ def _part(field: dataclasses.Field[Any], parts: Mapping[str, Any]) -> object:
     return field.default
 
 
-def _class(module: str, name: str) -> Any:
+def _class(module: str, name: str) -> type[Any]:
     """A class of this package that holds data."""
     module, name = MOVED.get((module, name), (module, name))
     package, *inner = module.split(".")

@@ -270,7 +270,7 @@ class Evaluation:
     # directions
 
     @cached_property
-    def geometry(self) -> Any:
+    def geometry(self) -> Sequence[Any]:
         """Vector and undeformed length of every line."""
         return self.call("geometry", self.q, kind="statics")
 

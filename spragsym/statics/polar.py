@@ -216,7 +216,7 @@ class Polar(StateSystem):
         return stacked(self.state(Intervals(ends), parameters).q, ends.shape[2:]).ends
 
 
-def end_slopes(at: Evaluation, near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
+def end_slopes(at: Evaluation, near: Number = 0) -> list[tuple[list[Any], list[Any]]]:
     """Derivatives of the vector of every spring by the coordinates: for ends that are linear in
     them the same everywhere.
     """

@@ -99,7 +99,7 @@ def nearest_state(
 
 
 def _nearest(
-    q: Sequence[FloatArray], off: Sequence[FloatArray], error: Any, among: BoolArray
+    q: Sequence[FloatArray], off: Sequence[FloatArray], error: FloatArray | float, among: BoolArray
 ) -> IndexArray:
     return least_slot(np.where(among, np.linalg.norm(off, axis=0), np.inf), np.array(q), error)
 
@@ -273,7 +273,7 @@ def _pushing(model: Model, p: ParameterSet, q: Sequence[FloatArray]) -> list[Any
     ]
 
 
-def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> IndexArray:
+def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray | float) -> IndexArray:
     """The slot of the least measure, and of those that are alike the one of larger coordinates, the
     first one first.
 

@@ -229,7 +229,7 @@ class Schema:
             return upward(value)
         return f"{self.column(key).size * value:.10g}"
 
-    def listed(self, key: str, values: Any) -> str:
+    def listed(self, key: str, values: NDArray[Any] | np.generic) -> str:
         """The first few numbers of an array."""
         flat = values.ravel()
         text = ", ".join(self.cell(key, value) for value in flat[:8])

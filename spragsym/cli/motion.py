@@ -26,6 +26,8 @@ from .output import drawn, print_rows, refuse, resumed
 
 if TYPE_CHECKING:
     from ..orbits import Cycle
+    from ..orbits.branch import CycleBranch
+    from ..orbits.diagram import EquilibriumBranch
 
 
 @o.of_model(start=True)
@@ -407,7 +409,7 @@ def _diagram(
         for label in found.labels
     ]
 
-    def row(of: str, number: int, branch: Any, ends: str) -> Row:
+    def row(of: str, number: int, branch: CycleBranch | EquilibriumBranch, ends: str) -> Row:
         return {
             "of": of,
             "branch": number,

@@ -46,7 +46,7 @@ class Options:
                 _check(f"{type(self).__name__}: {each.name}", value, each.default, **each.metadata)
 
 
-def _check(name: str, value: Any, default: Any, low: float, high: float, kind: Any) -> None:
+def _check(name: str, value: Any, default: object, low: float, high: float, kind: Any) -> None:
     remedy = "leave it out" if default is None else f"leave it out for {default}"
     if isinstance(default, tuple):
         if not isinstance(value, tuple) or not value:

@@ -31,7 +31,7 @@ from ..models.load import mechanism
 from ..models.parameters import ParameterSet, Ranges, Span
 from ..report.advice import Rows, warnings
 from ..report.facts import Facts
-from ..report.states import unit_of
+from ..report.states import Oscillation, unit_of
 from ..report.texts import about as about_of
 from ..report.texts import sections, verdict
 from ..statics.stability import NEUTRAL
@@ -241,7 +241,7 @@ def _kinds_of(onsets: OnsetCurves) -> str:
     return f"{text[:1].upper()}{text[1:]}." if text else ""
 
 
-def _of_motion(report: Facts, lives: Any) -> Rows:
+def _of_motion(report: Facts, lives: Oscillation) -> Rows:
     (unit, size), time, name = (
         unit_of(report.study),
         report.study.scales.time,

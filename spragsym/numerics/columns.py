@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 Selection: TypeAlias = slice | tuple[Any, ...] | NDArray[np.integer] | NDArray[np.bool_]
 
 
-def selected_rows(columns: Mapping[str, Any], rows: Any) -> dict[str, Any]:
+def selected_rows(columns: Mapping[str, Any], rows: Selection | int) -> dict[str, Any]:
     """Some rows of each of several columns by name."""
     return {name: column[rows] for name, column in columns.items()}
 

@@ -581,7 +581,7 @@ class CriticalLoad(Tabular, NDArrayOperatorsMixin):
     def __len__(self) -> int:
         return len(self.value)
 
-    def __getitem__(self, index: Any) -> CriticalLoad:
+    def __getitem__(self, index: int | slice | tuple[()] | NDArray[Any]) -> CriticalLoad:
         some = {name: getattr(self, name)[index] for name in ("value", "where", "kind", "error")}
         return replace(
             self, **{name: part if np.ndim(part) else part.item() for name, part in some.items()}

@@ -68,6 +68,8 @@ def lines_of_states(family: Family) -> tuple[FloatArray, IntArray]:
     for halving in range(32 * number):
         some = np.flatnonzero(_may_hold_a_line(family, ends, point))
         ends, point = ends[:, :, some], point[some]
+        if not point.size:
+            break
         # Boxes of a point that are kept, or else their hull.
         if np.bincount(point, minlength=1).max() > 100:
             hulls = [ends[:, :, point == one].max(axis=2) for one in np.unique(point)]

@@ -283,7 +283,7 @@ def test_margins_and_lowest_ends_of_random_sets() -> None:
     assert tried == 20
 
 
-@pytest.mark.validate
+@pytest.mark.thorough
 def test_the_wear_at_which_the_lowest_end_is_a_load() -> None:
     p = shoe().Parameters(mu0=1.5, P=0.02)
     ranges = {"s": (0.0, 1.0), "P": (-0.1, 1.0), "d": (0.04, 0.1)}

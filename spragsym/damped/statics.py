@@ -4,24 +4,25 @@ the dampers.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import functools
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from ..core.questions import NotInClosedForm
-from ..design.jumps import Ends
+from ..core.type_variables import R
 from ..kang_nam import certificates, jump_values, lowest_fold, states
 from ..kang_nam.bifurcation_sets import bifurcation_set as bifurcation_set_at_rest
 from ..kang_nam.cusps import cusps as cusps_at_rest
 from ..kang_nam.folds import folds as folds_at_rest
 from ..kang_nam.parameters import NAMES, Parameters
 from ..kang_nam.quartic import solver
-from ..models.parameters import FloatArray, ParameterSet, Ranges, Span
+from ..models.parameters import ParameterSet, Ranges
 from ..models.quantities import Unit
-from ..numerics.interval_arrays import Int8Array
 from ..results import Equilibria
-from ..results.points import BifurcationSet, CriticalLoad, Points
+from ..results.points import BifurcationSet, Points
 
 
 def undamped(p: ParameterSet) -> Parameters:
@@ -30,6 +31,32 @@ def undamped(p: ParameterSet) -> Parameters:
         raise NotInClosedForm
     values = {name: p[name] for name in Parameters.ranges}
     return Parameters(**values | {"kappa": np.broadcast_to(values["kappa"], p.shape)})
+
+
+def without_dampers(closed: Callable[..., R]) -> Callable[..., R]:
+    """A closed form of the article's model, asked without the dampers; what has parameters has
+    those with them.
+    """
+
+    @functools.wraps(closed)
+    def asked(p: ParameterSet, *args: Any, **options: Any) -> R:
+        found: Any = closed(undamped(p), *args, **options)
+        if isinstance(found, Equilibria | Points):
+            found = replace(found, parameters=p)
+        made: R = found
+        return made
+
+    return asked
+
+
+border_ends = without_dampers(states.border_ends)
+count = without_dampers(solver.count)
+critical_friction = without_dampers(lowest_fold.critical_friction)
+cusps = without_dampers(cusps_at_rest)
+equilibria = without_dampers(solver.equilibria)
+first_limit_points = without_dampers(jump_values.first_limit_points)
+folds = without_dampers(folds_at_rest)
+limit_point_passed = without_dampers(jump_values.limit_point_passed)
 
 
 def linked(
@@ -52,51 +79,6 @@ def linked(
     return states.linked(undamped(p), vary, eq, turns, only=only)
 
 
-def count(p: ParameterSet) -> Int8Array:
-    """The closed form of :func:`spragsym.count`."""
-    return solver.count(undamped(p))
-
-
-def equilibria(p: ParameterSet, contact: bool = True) -> Equilibria:
-    """The closed form of :func:`spragsym.equilibria`; stability is that with the dampers."""
-    return replace(solver.equilibria(undamped(p), contact), parameters=p)
-
-
-def border_ends(p: ParameterSet, vary: str, span: Span, turns: Points) -> list[Points]:
-    """The closed form of :func:`spragsym.bifurcation.paths.border_ends`: there are none."""
-    return states.border_ends(undamped(p), vary, span, turns)
-
-
-def first_limit_points(
-    p: ParameterSet, vary: str | None = None, *, direction: str = "up", begin: float | None = None
-) -> Ends:
-    """The closed form of :func:`spragsym.design.jumps.first_limit_points`."""
-    return jump_values.first_limit_points(undamped(p), vary, direction=direction, begin=begin)
-
-
-def limit_point_passed(
-    p: ParameterSet,
-    vary: str | None = None,
-    begin: float | FloatArray | None = None,
-    *,
-    coarse: bool = False,
-) -> FloatArray:
-    """The closed form of :func:`spragsym.design.jumps.limit_point_passed`."""
-    return jump_values.limit_point_passed(undamped(p), vary, begin, coarse=coarse)
-
-
-def folds(p: ParameterSet, vary: str | None = None, *, between: Ranges | None = None) -> Points:
-    """The closed form of :func:`spragsym.folds`."""
-    return replace(folds_at_rest(undamped(p), vary, between=between), parameters=p)
-
-
-def cusps(
-    p: ParameterSet, vary: Sequence[str] | None = None, *, between: Ranges | None = None
-) -> Points:
-    """The closed form of :func:`spragsym.cusps`."""
-    return replace(cusps_at_rest(undamped(p), vary, between=between), parameters=p)
-
-
 def bifurcation_set(
     p: ParameterSet,
     vary: Sequence[str] | None = None,
@@ -107,13 +89,6 @@ def bifurcation_set(
     """The closed form of :func:`spragsym.bifurcation_set`."""
     found = bifurcation_set_at_rest(undamped(p), vary, n, between=between)
     return replace(found, cusps=replace(found.cusps, parameters=p))
-
-
-def critical_friction(
-    p: ParameterSet, vary: str | None = None, over: str | None = None
-) -> CriticalLoad:
-    """The closed form of :func:`spragsym.critical_friction`."""
-    return lowest_fold.critical_friction(undamped(p), vary, over)
 
 
 def claims(

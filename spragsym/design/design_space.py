@@ -142,23 +142,18 @@ class Space:
 
 def space(
     base: ParameterSet | QuantityValues | Design,
-    scale: Mapping[str, float] | None,
-    change: Iterable[str] | None,
-    what: str = "scale",
+    change: str | Iterable[str] | Mapping[str, float],
+    what: str,
 ) -> Space:
-    """The quantities named in ``change``, or all that have a scale; without a scale each is
-    measured by its own value.
+    """The quantities that may change, each measured by its tolerance, or its own value where the
+    argument ``what`` gives none.
     """
     design = base if isinstance(base, Design) else _design(base)
-    tolerances = dict(scale or {})
-    names = tuple(
-        tolerances if change is None else ([change] if isinstance(change, str) else change)
-    )
-    for name in (*names, *tolerances):
+    names = (change,) if isinstance(change, str) else tuple(change)
+    for name in names:
         if name not in design.given:
-            argument = "scale" if name in tolerances else what
             raise ParameterError(
-                f"{name!r} in {argument} is not a quantity here; the quantities are "
+                f"{name!r} in {what} is not a quantity here; the quantities are "
                 f"{', '.join(design.given)}"
             )
     if not names:
@@ -167,20 +162,15 @@ def space(
             f"{', '.join(design.given)}"
         )
     origin = np.array([as_number(name, design.given[name]) for name in names])
-    if scale is None:
-        if (origin == 0).any():
-            zero = names[int(np.abs(origin).argmin())]
-            raise ParameterError(
-                f"{zero} = 0 has no relative change; give scale with a tolerance for it"
-            )
-        tolerances = dict(zip(names, np.abs(origin).tolist(), strict=True))
-    missing = [name for name in names if name not in tolerances]
-    if missing:
+    if isinstance(change, Mapping):
+        sizes = [as_number(f"{what}[{name!r}]", change[name], POSITIVE) for name in names]
+        return Space(design, names, origin, np.array(sizes))
+    if (origin == 0).any():
+        zero = names[int(np.abs(origin).argmin())]
         raise ParameterError(
-            f"scale has no entry for {missing[0]!r}, which is to change; give its tolerance"
+            f"{zero} = 0 has no relative change; give its tolerance, as {what}={{{zero!r}: 0.1}}"
         )
-    sizes = [as_number(f"scale[{name!r}]", tolerances[name], POSITIVE) for name in names]
-    return Space(design, names, origin, np.array(sizes))
+    return Space(design, names, origin, np.abs(origin))
 
 
 def _design(base: ParameterSet | QuantityValues) -> Design:

@@ -101,7 +101,7 @@ def jump_margin(
     """
     name, first = model_of(p).rising(vary, begin)
     options = options or MarginOptions()
-    designs = space(p, scale, None)
+    designs = space(p, scale, "scale")
     if options.prove and not isinstance(p, ParameterSet):
         raise ParameterError(
             "MarginOptions: prove = True is for dimensionless Parameters; call .dimensionless() "
@@ -196,9 +196,8 @@ class Redesign(Result):
 @question
 def redesign(
     p: ParameterSet | QuantityValues | Design,
-    change: str | Iterable[str],
+    change: str | Iterable[str] | Mapping[str, float],
     target: Mapping[str, float],
-    scale: Mapping[str, float] | None = None,
     *,
     begin: float | None = None,
     options: MarginOptions | None = None,
@@ -210,13 +209,12 @@ def redesign(
     ----------
     p : Parameters or PhysicalParameters
         One design.
-    change : str or sequence of str
-        What may change: parameters, or physical quantities of :class:`PhysicalParameters`.
+    change : str, sequence of str, or mapping of str to float
+        What may change: parameters, or physical quantities of :class:`PhysicalParameters`; a
+        mapping gives each a tolerance, in which changes are measured, and otherwise its own value
+        is that.
     target : mapping of str to float
         For parameters that rise, as ``mu0`` or ``theta0``, below what value the state may not end.
-    scale : mapping of str to float, optional
-        A tolerance for each quantity that may change, in which changes are measured; by default its
-        own value.
     begin : float, optional
         From where they rise instead of the lower end of their range: from its value in ``p`` a
         design whose state has ended below that looks like one whose state goes on.
@@ -258,7 +256,7 @@ def redesign(
             f"target = {dict(target)!r}; give parameters of {model.name} below whose values "
             "nothing may end"
         )
-    designs, options = space(p, scale, change, "change"), options or MarginOptions()
+    designs, options = space(p, change, "change"), options or MarginOptions()
     borders = list[EndOfState]()
     for name, value in target.items():
         if name in designs.names:

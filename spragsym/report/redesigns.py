@@ -210,7 +210,7 @@ class _RedesignSearch:
         names = tuple(name for name in self.scale if name in self.study.tolerances)
         try:
             if len(names) < 2:
-                designs = space(design(self.study), self.scale, None)
+                designs = space(design(self.study), self.scale, "scale")
                 start = EndOfState(designs, self.study.loading.name, self.study.start())
                 _, moved = start.ahead(np.zeros(len(designs.names)))
                 names = tuple(
@@ -227,9 +227,8 @@ class _RedesignSearch:
         study = self.study
         try:
             target = {study.loading.name: self.target}
-            after: Any = redesign(
-                self.within, names, target, self.scale, begin=study.start()
-            ).parameters
+            change = {name: self.scale[name] for name in names}
+            after: Any = redesign(self.within, change, target, begin=study.start()).parameters
         except SpragsymError:
             return None
         return (

@@ -397,7 +397,7 @@ def test_a_design_at_a_limit_is_allowed(name: str) -> None:
     values = dict(
         m=0.35, k=180e3, k_x=9e3, k_y=0.0, k_c=1.5e6, F_L=420.0, L_0=0.038, theta0=0.9, mu0=0.3
     )
-    designs = space(ss.PhysicalParameters(**values), None, [name])
+    designs = space(ss.PhysicalParameters(**values), [name], "change")
     assert 0 < getattr(designs.made(designs.limits()[0]), name) < 1e-6 * values[name]
 
 
@@ -451,11 +451,11 @@ MISTAKES: list[tuple[Callable[[], Any], str]] = [
     (lambda: ss.jump_margin(AT, {}), "scale"),
     (lambda: ss.jump_margin(AT, {"k_x": 1.0}), "'k_x' in scale"),
     (lambda: ss.jump_margin(AT, {"mu0": -1.0}), r"scale\['mu0'\] = -1"),
-    (lambda: ss.redesign(AT, "beta", {"mu0": 0.7}), "beta = 0.*scale"),
+    (lambda: ss.redesign(AT, "beta", {"mu0": 0.7}), "beta = 0.*change="),
     (lambda: ss.redesign(AT, "sigma", {"sigma": 0.7}), "sigma is the target"),
     (lambda: ss.redesign(AT, "theta0", {"theta0": 0.7}), "theta0 is the target"),
     (lambda: ss.redesign(AT, "sigma", {}), r"target = \{\}"),
-    (lambda: ss.redesign(AT, ("sigma", "kappa"), {"mu0": 0.7}, {"sigma": 0.01}), "scale.*'kappa'"),
+    (lambda: ss.redesign(AT, {"sigma": -0.01}, {"mu0": 0.7}), r"change\['sigma'\] = -0\.01"),
     (lambda: ss.jump_probability({}), "distribution.*theta0"),
     (lambda: ss.jump_probability(TOLERANCES | {"U": 1.0}), "'U' in distribution"),
     (lambda: ss.jump_probability(TOLERANCES | {"mu0": (0.6, 0.4)}), r"mu0 = \(0\.6, 0\.4\)"),

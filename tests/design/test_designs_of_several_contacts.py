@@ -115,7 +115,7 @@ def test_the_nearest_design_that_jumps_is_on_the_border() -> None:
     changed = given | {"d": float(found.parameters.d)}
     np.testing.assert_allclose(found.parameters.P, touches(changed), rtol=1e-9)
     keeps = ss.redesign(
-        shoe().Parameters(**given), "d", {"P": 0.02}, {"d": 0.01}, begin=-0.1, options=FEW
+        shoe().Parameters(**given), {"d": 0.01}, {"P": 0.02}, begin=-0.1, options=FEW
     )
     # Moved outward until it is verified.
     np.testing.assert_allclose(keeps.jump["P"], 0.02, rtol=1e-7)

@@ -141,10 +141,14 @@ static int solved(int n, const matrix *A, const box *b, const double *middle, co
         const double smallest = -A->ends[0][i][i];
         const double largest = A->ends[1][i][i];
         for (int end = 0; end < 2; end++) {
+            if (!(smallest > 0.0)) {
+                to->ends[end][i] = INFINITY;
+                continue;
+            }
             const double far = raised(b->ends[1 - end][i] + around, 1.0);
             const double away = raised(far >= 0.0 ? far / smallest : far / largest, 1.0);
             const double value = raised((end ? middle[i] : -middle[i]) + away, 1.0);
-            to->ends[end][i] = smallest > 0.0 ? value : INFINITY;
+            to->ends[end][i] = value;
         }
         noise[i] = 0.5 * (b->ends[0][i] + b->ends[1][i]);
         none |= -least(b->ends[0][i], b->ends[1][i]) > raised(around + own, 2.0);

@@ -26,9 +26,9 @@ from typing import Any, Self
 
 import numpy as np
 
-from ..numerics import contractors, plans
+from ..numerics import affine, contractors, plans, tape
 from ..numerics.affine import AFFINE, UNIT, Affine
-from ..numerics.arithmetic import Matrix, Number
+from ..numerics.arithmetic import Number
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import (
     BoolArray,
@@ -36,17 +36,15 @@ from ..numerics.interval_arrays import (
     IntArray,
     Intervals,
     ends_around,
-    matrix,
     pair,
     quiet,
     scale_of,
-    stacked,
 )
 from ..numerics.jets import Jet
-from ..numerics.tape import NotRecorded
+from ..numerics.tape import NotRecorded, Tape
 from ..statics.balance import Balance
 from ..statics.forces import Evaluation, filled
-from ..statics.namespaces import XP
+from ..statics.namespaces import NARROW, XP
 from ..statics.precise_balance import on_side
 from .options import ContinuationOptions
 
@@ -119,70 +117,60 @@ class Place(ByColumn):
         )
         return self.sure & other.sure & (within[:-1] <= other.room[:-1]).all(axis=0)
 
-    def numbers(self, apart: FloatArray) -> list[Affine]:
+    def numbers(self, apart: FloatArray) -> Affine:
         """The coordinates and what moves, with s, then each p over its half-width, then each u for
         the sides.
         """
         size, free, count = self.by_p.shape
-        found = []
-        for i in range(size):
-            terms = np.zeros((1 + free + size, count))
-            terms[0], terms[1 : 1 + free], terms[1 + free + i] = (
-                self.along[i] * self.moved,
-                self.by_p[i] * apart,
-                self.off[i],
-            )
-            found.append(Affine(self.z[i], terms, 2 * UNIT * np.abs(terms).sum(axis=0)))
-        return found
+        terms = np.zeros((1 + free + size, size, count))
+        terms[0] = self.along * self.moved
+        terms[1 : 1 + free] = np.moveaxis(self.by_p * apart, 1, 0)
+        terms[1 + free + np.arange(size), np.arange(size)] = self.off
+        return Affine(self.z, terms, 2 * UNIT * np.abs(terms).sum(axis=0))
 
 
 @dataclass(frozen=True)
 class Slopes:
-    """Rows of slopes by q, v and the free parameters: intervals, or affine numbers that ``Y`` has
-    multiplied.
+    """Rows of slopes by q, v and the free parameters, shape (n, n + 1 + free, N): intervals, or
+    affine numbers that ``Y`` has multiplied.
 
-    ``zero`` is the 0 of their type; what belongs to the rows beside slopes ``Y`` multiplies as
-    well.
+    What belongs to the rows beside slopes ``Y`` multiplies as well.
     """
 
-    rows: Matrix
-    zero: Any
+    rows: Any
     Y: FloatArray | None = None
 
     def taken(self, value: Any) -> Intervals:
-        """A number of the type as an interval."""
+        """Numbers of the type as intervals."""
         return value if self.Y is None else value.interval()
 
-    def left(self, forces: Intervals, tube: Place, apart: FloatArray) -> list[Intervals]:
+    def left(self, forces: Intervals, tube: Place, apart: FloatArray) -> Intervals:
         """F(m, c) and what is left of the changes along a tube and across the box of its
         parameters, by row.
         """
         if self.Y is not None:
             forces = Intervals(contractors.product(self.Y, forces.ends[:, :, None])[:, :, 0])
         moved, strayed = (Intervals(pair(part, part)) for part in (tube.moved, apart))
-        left = []
-        for i, row in enumerate(self.rows):
-            total = forces[i] + self.taken(self.image(i, tube.along)) * moved
-            for k, reach in enumerate(strayed):
-                change = self.image(i, tube.by_p[:, k], row[len(tube.along) + k])
-                total = total + self.taken(change) * reach
-            left.append(total)
-        return left
+        total = forces + self.image(tube.along) * moved
+        for k, reach in enumerate(strayed):
+            total = total + self.image(tube.by_p[:, k], self.rows[:, len(tube.along) + k]) * reach
+        return total
 
-    def image(self, row: int, direction: FloatArray, start: Number | None = None) -> Any:
-        """A row times a vector, shape (n + 1, N), and more: what is 0 for all boxes is left out."""
-        terms = (self.rows[row][j] * part for j, part in enumerate(direction) if part.any())
-        return sum(terms, self.zero if start is None else start)
+    def image(self, direction: FloatArray, start: Any = None) -> Intervals:
+        """The rows times a vector, shape (n + 1, N), and more: what is 0 for all boxes is left
+        out.
+        """
+        total = self.rows[:, 0] * 0 if start is None else start
+        for j, part in enumerate(direction):
+            if part.any():
+                total = total + self.rows[:, j] * part
+        return self.taken(total)
 
-    def newton(
-        self, left: Sequence[Intervals], others: Sequence[int], reach: FloatArray
-    ) -> FloatArray:
+    def newton(self, left: Intervals, others: Sequence[int], reach: FloatArray) -> FloatArray:
         """Ends of a step of interval Newton for the unknowns ``others`` from what is left of the
         forces.
         """
-        shape = reach.shape[1:]
-        entries = matrix([[self.taken(row[j]) for j in others] for row in self.rows], shape)
-        given = stacked(left, shape), entries, np.zeros_like(reach), reach
+        given = left, self.taken(self.rows[:, others]), np.zeros_like(reach), reach
         return contractors.newton(*given).ends if self.Y is None else contractors.by_rows(*given)
 
 
@@ -271,44 +259,68 @@ class Tubes(ByColumn):
         Those are multiplied by the inverse of their midpoints for all unknowns but the pivot,
         before they become intervals.
         """
-        shape = self.half.shape[1:]
         if not self.half.any():
-            return Slopes([*self.slopes(tube.box())], Intervals(np.zeros((2, *shape))))
+            return Slopes(self.slopes(tube.box()))
         with quiet():
-            rows, zero, n = (
-                self.affine_slopes(tube),
-                Affine(np.zeros(shape), np.zeros((1, *shape))),
-                range(self.n),
-            )
-            Y = contractors.inverse(
-                filled(
-                    [[getattr(row[j], "value", row[j]) for j in self.others] for row in rows], shape
-                )
-            )
-            return Slopes(
-                [
-                    [sum((rows[k][j] * Y[i, k] for k in n), zero) for j in range(len(rows[0]))]
-                    for i in n
-                ],
-                zero,
-                Y,
-            )
+            rows = self.affine_slopes(tube)
+            Y = contractors.inverse(rows.value[:, self.others])
+            first, *others = (rows[k, None] * Y[:, k, None] for k in range(self.n))
+            return Slopes(sum(others, first), Y)
 
-    def affine_slopes(self, tube: Place) -> list[list[Any]]:
-        """Slopes in affine arithmetic, by row and column."""
-        apart, shape = self.apart(), self.half.shape[1:]
-        z = tube.numbers(apart)
+    def affine_slopes(self, tube: Place) -> Affine:
+        """Slopes in affine arithmetic, shape (n, n + 1 + free, N)."""
+        apart, (free, count) = self.apart(), self.half.shape
+        moving = tube.numbers(apart)
+        sides = np.zeros((len(moving.terms), free, count))
+        sides[1 + np.arange(free), np.arange(free)] = apart
+        given = Affine(
+            np.concatenate([moving.value, self.centre]),
+            np.concatenate([moving.terms, sides], axis=1),
+            np.concatenate([moving.error, np.zeros((free, count))]),
+        )
+        if (recorded := self._affine_tape) is not None:
+            found = affine.evaluated(recorded, given, Intervals(self.prepared))
+        else:
+            found = self._affine_by_rows(given, tube)
+        shape = self.n, self.n + 1 + free, count
+        terms = found.terms.reshape(-1, *shape)
+        return Affine(found.value.reshape(shape), terms, found.error.reshape(shape))
+
+    @property
+    def _affine_tape(self) -> Tape | None:
+        """Slopes by what moves and is free, and by the prepared parameters; None where no tape has
+        them: of units, and of torsion springs, whose angles are intervals.
+        """
+        balance, n = self.balance, self.n
+        if balance.factors or balance.torsions or not tape.available():
+            return None
+        vanishing = balance.vanishing(Intervals(self.prepared))
+
+        def rows(given: Any, parameters: Any) -> list[Any]:
+            every = list(given)
+            names = dict(zip((self.vary, *self.free), every[n:], strict=True))
+            values = {**balance.arguments(parameters), **balance.with_angles(names, NARROW)}
+            at = balance.at(every[:n], values, parameters.shape[1:], NARROW)
+            return [entry for row in self._rows(at) for entry in row]
+
+        sizes = n + 1 + len(self.free), len(vanishing)
+        try:
+            return balance.tapes.tape(("affine", self.vary, *self.free), rows, sizes, vanishing)
+        except NotRecorded:
+            return None
+
+    def _affine_by_rows(self, given: Affine, tube: Place) -> Affine:
+        """The same by NumPy, from the numbers of what moves and is free."""
+        shape, n = self.half.shape[1:], self.n
         fixed = zip(self.balance.parameters, self.fixed, strict=True)
         values: dict[str, Any] = {
             name: Affine(row, np.zeros((1, *shape))) if row.any() else 0 for name, row in fixed
         }
-        for k, name in enumerate(self.free):
-            terms = np.zeros_like(z[0].terms)
-            terms[1 + k] = apart[k]
-            values[name] = Affine(self.centre[k], terms)
-        values[self.vary] = z[-1]
-        at = self.balance.at(z[:-1], self.balance.arguments_of(values, AFFINE), xp=AFFINE)
-        return self._rows(replace(at, turnings=self._turnings(tube.box())))
+        values |= {name: given[n + k] for k, name in enumerate((self.vary, *self.free))}
+        q = [given[i] for i in range(n)]
+        at = self.balance.at(q, self.balance.arguments_of(values, AFFINE), xp=AFFINE)
+        rows = self._rows(replace(at, turnings=self._turnings(tube.box())))
+        return Affine.stacked([entry for row in rows for entry in row], shape)
 
     def _turnings(self, box: Intervals) -> list[Affine]:
         """Angles of torsion springs, from intervals."""
@@ -605,7 +617,7 @@ class Tubes(ByColumn):
         """
         slopes, about = self.over(tube), by_s.copy()
         about[self.pivot] = 0.0
-        known, _ = self._solved(slopes, [row[self.pivot] for row in slopes.rows], about)
+        known, _ = self._solved(slopes, slopes.rows[:, self.pivot], about)
         return np.where(known, np.sign(by_s[-1]), 0.0)
 
     def bends(self, tube: Place, by_s: FloatArray) -> FloatArray:
@@ -616,9 +628,9 @@ class Tubes(ByColumn):
         """
         if self.free or self.balance.factors:
             return np.zeros(tube.sure.size)
-        slopes, about, n = self.over(tube), by_s.copy(), self.n
+        slopes, about = self.over(tube), by_s.copy()
         about[self.pivot] = 0.0
-        _, off = self._solved(slopes, [row[self.pivot] for row in slopes.rows], about)
+        _, off = self._solved(slopes, slopes.rows[:, self.pivot], about)
         wide = np.zeros(by_s.shape)
         wide[self.others] = off
         by_z = Intervals(ends_around(by_s, wide + np.spacing(np.abs(by_s) + wide)))
@@ -634,15 +646,13 @@ class Tubes(ByColumn):
             bent = self.balance.taped(
                 ("bent", self.vary), rows, tube.box(), by_z, Intervals(self.prepared)
             )
-            entries = matrix([[row[j] for j in self.others] for row in slopes.rows], off.shape[1:])
-            about[self.others] = -np.einsum(
-                "ijN,jN->iN", contractors.inverse(entries.middle), bent.middle
-            )
-            known, _ = self._solved(slopes, [bent[i] for i in range(n)], about)
+            inverse = contractors.inverse(slopes.rows[:, self.others].middle)
+            about[self.others] = -np.einsum("ijN,jN->iN", inverse, bent.middle)
+            known, _ = self._solved(slopes, bent, about)
         return np.where(known, np.sign(about[-1]), 0.0)
 
     def _solved(
-        self, slopes: Slopes, starts: Sequence[Any], about: FloatArray
+        self, slopes: Slopes, starts: Any, about: FloatArray
     ) -> tuple[BoolArray, FloatArray]:
         """Where the solutions of slopes · x + starts = 0, ``about`` so large, have a last one of
         that sign; how far each but the pivot may be off, infinite where nothing is known.
@@ -651,7 +661,7 @@ class Tubes(ByColumn):
         reach = np.tile(0.1 * size + 1e-12, (self.n, 1))
         off = np.full(reach.shape, np.inf)
         with quiet():
-            left = [slopes.taken(slopes.image(i, about, one)) for i, one in enumerate(starts)]
+            left = slopes.image(about, starts)
             for _ in range(self.options.inflations):
                 if np.isfinite(off).all():
                     break

@@ -15,7 +15,7 @@ from ..bifurcation.borders import BORDER, BORDER_FOLD, PASSES
 from ..bifurcation.crossings import crossed
 from ..bifurcation.defining_systems import Augmented, Family, ranges, touch
 from ..bifurcation.paths import ModelEnd, first_end
-from ..bifurcation.tubes import Place, Tubes
+from ..bifurcation.tubes import UP, Place, Tubes
 from ..bifurcation.turning_points import limit_points, passed, past
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, UndecidedWarning
@@ -303,15 +303,23 @@ class Followed:
                 "it, or another direction"
             )
 
-    def have_ended(self, *, coarse: bool = False) -> FloatArray:
+    def have_ended(
+        self,
+        *,
+        coarse: bool = False,
+        of_state: tuple[FloatArray, FloatArray] | None = None,
+    ) -> FloatArray:
         """1 where the state of a point has ended, 0 where it has not, NaN where tubes don't decide
         it, in haste beside cusps too.
+
+        The state is the reference state, or that of which ``of_state`` has about the coordinates
+        and the room around these in which it is the only one, shape (n, M).
 
         Tubes over a coordinate pass a fold without coming near to it. Where they decide nothing and
         a state is left, the fold itself is asked for.
         """
         found = np.full(self.begin.size, np.nan)
-        for rows, tubes, start, goal in self._parts():
+        for rows, tubes, start, goal in self._parts() if of_state is None else self._of(*of_state):
             safe, top, _ = passed(tubes, start, goal)
             ended = np.where(start.sure & (safe >= goal), 0.0, np.where(top <= goal, 1.0, np.nan))
             left = np.flatnonzero(np.isnan(ended) & start.sure)
@@ -409,6 +417,17 @@ class Followed:
                     start = tubes.place(z[:, mine], error=error)
                     start.sure[~known[mine]] = False
                     yield rows[mine], tubes, start, self.until[rows[mine]]
+
+    def _of(
+        self, there: FloatArray, room: FloatArray
+    ) -> Iterator[tuple[IntArray, Tubes, Place, FloatArray]]:
+        """The same for known states, each the only one in a room about some coordinates."""
+        for rows in self._blocks():
+            tubes = Tubes.of_points(self.balance, self.vary, self.fixed[:, rows])
+            start = tubes.place(np.vstack([there[:, rows], self.begin[rows]]))
+            away = np.abs(start.z[:-1] - there[:, rows]) + start.held[:-1]
+            start.sure[:] &= (away * UP <= room[:, rows]).all(axis=0)
+            yield rows, tubes, start, self.until[rows]
 
     def _by_tubes(
         self, tubes: Tubes, start: Place, goal: FloatArray, *, coarse: bool = False

@@ -24,7 +24,7 @@ from ..statics.equilibria import equilibria
 from ..statics.reference_state import is_reference, reference_state
 from ..statics.regions import region
 from ..statics.search import balances_of
-from .jumps import first_limit_points
+from .jumps import Followed, first_limit_points
 from .tube_certificates import Pieces, Splitting
 
 
@@ -50,19 +50,34 @@ class ProvedJumps:
         pieces, (count,) = self.pieces, p.shape
         loading, *free = (np.broadcast_to(p[name], count) for name in (self.vary, *self.free))
         part = self._parts(free) if free else np.zeros(count, dtype=np.int64)
-        asked = np.flatnonzero((part >= 0) & ~(self.known & (p.followed is None))[part])
+        known = (part >= 0) & self.known[part] & (p.followed is None)
+        given = {name: np.broadcast_to(p[name], count) for name in p.ranges if p[name] is not None}
+        asked = np.flatnonzero((part >= 0) & ~known)
         if asked.size:
-            off = np.stack(free)[:, asked] - 0.5 * pieces.of.sum(axis=0)[:, part[asked]]
-            base = pieces.base[part[asked]]
-            there = base.z[:-1] + np.einsum("ikM,kM->iM", base.by_p[:-1], off)
-            given = {
-                name: np.broadcast_to(p[name], count) for name in p.ranges if p[name] is not None
-            }
+            there, room = self._there(free, part, asked)
             states, error = self._reference_states(p.replace(**selected_rows(given, asked)))
-            there = (np.abs(states - there) + error <= base.room[:-1]).all(axis=0)
-            part[asked[~(base.sure & there)]] = -1
+            part[asked[~(np.abs(states - there) + error <= room).all(axis=0)]] = -1
         below, above = loading <= pieces.safe[part], loading > pieces.top[part]
-        return np.where(part < 0, np.nan, np.where(above, 1.0, np.where(below, 0.0, np.nan)))
+        out = np.where(part < 0, np.nan, np.where(above, 1.0, np.where(below, 0.0, np.nan)))
+        left = np.flatnonzero(known & np.isnan(out))
+        if left.size and free:
+            begin = np.full(left.size, self.begin)
+            until = np.maximum(begin, loading[left])
+            of = p.replace(**selected_rows(given, left))
+            followed = Followed(of, self.vary, "up", begin, until)
+            out[left] = followed.have_ended(of_state=self._there(free, part, left))
+        return out
+
+    def _there(
+        self, free: Sequence[FloatArray], part: IntArray, rows: IntArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """About the states of some points where the loading begins, by their parts, and the room
+        about each in which there is no other; shape (n, M). There is none where that is not proved.
+        """
+        off = np.stack(free)[:, rows] - 0.5 * self.pieces.of.sum(axis=0)[:, part[rows]]
+        base = self.pieces.base[part[rows]]
+        there = base.z[:-1] + np.einsum("ikM,kM->iM", base.by_p[:-1], off)
+        return there, np.where(base.sure, base.room[:-1], -1.0)
 
     def _parts(self, free: Sequence[FloatArray]) -> IntArray:
         """Number of the part that each point lies in, −1 where it lies in none."""

@@ -45,7 +45,7 @@ class Pieces(BoxParts):
     above ``top`` to have ended, for all of the piece; −inf and inf where nothing is known.
     """
 
-    few = 256
+    few = 512
 
     base: Place
     of: FloatArray

@@ -78,11 +78,6 @@ static void eliminated(int n, vector *m, vector *Y) {
     }
 }
 
-/* A float inside of an interval, the nearest to its middle or next to it. */
-PART double middle_of(double low, double high) {
-    return least(most(0.5 * high - 0.5 * low, -low), high);
-}
-
 /* The inverse of a matrix, roughly, which is lost; the unit matrix where there is none. */
 static void inverse(int n, vector *m, vector *Y) {
     if (n == 1) {

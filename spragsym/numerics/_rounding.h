@@ -43,4 +43,9 @@ PART double raised(double end, double ulps) {
     return (fabs(end) * (ulps * EPS) + TINY) + end;
 }
 
+/* A float inside of an interval, the nearest to its middle or next to it. */
+PART double middle_of(double low, double high) {
+    return least(most(0.5 * high - 0.5 * low, -low), high);
+}
+
 #endif

@@ -1,13 +1,17 @@
-/* Interval arithmetic over many boxes: operations of a tape, one after the other, see _operations.h.
+/* Interval arithmetic over many boxes: operations of a tape, one after the other, see _operations.h
+ * and, of affine numbers, _affine.h.
  *
  * run(code, numbers, inputs, out, slots)
+ * affine(code, numbers, values, terms, errors, intervals, out_values, out_terms, out_errors, slots)
  *
  * code: int32, four to an operation: which, to, a, b. numbers: doubles that operations name by their place. inputs: a tuple of buffers of
  * doubles of shape (2, rows, N), −low and high, with any strides. out: doubles of shape (2, outputs, N), contiguous. slots: how many
- * intermediate results are alive at once. */
+ * intermediate results are alive at once. values and errors: of affine numbers, doubles of shape (rows, N), terms of shape (sides, rows, N);
+ * of results the same with outputs for rows; all contiguous. intervals: the second input, as those of `run`. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
+#include "_affine.h"
 #include "_arrays.h"
 #include "_operations.h"
 
@@ -74,7 +78,68 @@ end:
     Py_RETURN_NONE;
 }
 
-static PyMethodDef methods[] = {{"run", run, METH_VARARGS, "Operations of a tape over boxes."}, {NULL, NULL, 0, NULL}};
+/* Boxes of a tape of affine numbers whose arrays have been looked at; 0 where there is no memory. */
+static int affine_of_all(const program *tape, const affine_inputs *inputs, const affine_results *out, int sides) {
+    forms all = {sides, PyMem_RawCalloc((size_t)tape->slots * (size_t)(2 + sides) * FEW, sizeof(double))};
+    slot *work = PyMem_RawCalloc(WORK, sizeof(slot));
+    if (all.at != NULL && work != NULL) {
+        Py_BEGIN_ALLOW_THREADS for (ptrdiff_t begin = 0; begin < inputs->every; begin += FEW) {
+            const ptrdiff_t left = inputs->every - begin;
+            affine_block(tape, inputs, &all, work, out, inputs->every, begin, (int)(left < FEW ? left : FEW));
+        }
+        Py_END_ALLOW_THREADS
+    }
+    const int whole = all.at != NULL && work != NULL;
+    PyMem_RawFree(all.at);
+    PyMem_RawFree(work);
+    return whole;
+}
+
+static PyObject *affine(PyObject *module, PyObject *arguments) {
+    (void)module;
+    Py_buffer of[8];
+    Py_buffer intervals;
+    PyObject *given;
+    Py_ssize_t slots;
+    int whole = 0;
+    if (!PyArg_ParseTuple(arguments, "y*y*y*y*y*Ow*w*w*n", of, of + 1, of + 2, of + 3, of + 4, &given, of + 5, of + 6, of + 7, &slots)) {
+        return NULL;
+    }
+    if (taken(given, &intervals, PyBUF_STRIDED_RO) < 0) {
+        release(of, 8);
+        return NULL;
+    }
+    const Py_ssize_t N = intervals.shape[2];
+    const Py_ssize_t row = N * (Py_ssize_t)sizeof(double);
+    const Py_ssize_t rows = N ? of[2].len / row : 0;
+    const Py_ssize_t outputs = N ? of[5].len / row : 0;
+    const Py_ssize_t sides = rows ? of[3].len / of[2].len : 0;
+    const affine_inputs inputs = {of[2].buf, of[4].buf, of[3].buf, rows, N,
+        {intervals.buf, {intervals.strides[0], intervals.strides[1], intervals.strides[2]}, intervals.shape[1], NULL}};
+    const program tape = {of[0].buf, of[0].len / (Py_ssize_t)(4 * sizeof(int32_t)), of[1].buf, of[1].len / (Py_ssize_t)sizeof(double),
+        outputs, slots};
+    const operand both[2] = {{.rows = rows}, {.rows = intervals.shape[1]}};
+    const int fits = slots > 0 && sides > 0 && of[2].len == rows * row && of[4].len == of[2].len && of[3].len == sides * of[2].len &&
+        of[5].len == outputs * row && of[7].len == of[5].len && of[6].len == sides * of[5].len;
+    if (!fits || !sound(&tape, both, 2) || !affine_throughout(&tape)) {
+        PyErr_SetString(PyExc_ValueError, "an operation of the tape is beyond its arrays, or none of affine numbers");
+    } else {
+        const affine_results out = {of[5].buf, of[7].buf, of[6].buf};
+        whole = affine_of_all(&tape, &inputs, &out, (int)sides);
+        if (!whole) {
+            PyErr_NoMemory();
+        }
+    }
+    PyBuffer_Release(&intervals);
+    release(of, 8);
+    if (!whole) {
+        return NULL;
+    }
+    Py_RETURN_NONE;
+}
+
+static PyMethodDef methods[] = {{"run", run, METH_VARARGS, "Operations of a tape over boxes."},
+    {"affine", affine, METH_VARARGS, "Operations of a tape on affine numbers."}, {NULL, NULL, 0, NULL}};
 
 static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_tape", NULL, -1, methods, NULL, NULL, NULL, NULL};
 

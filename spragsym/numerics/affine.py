@@ -13,7 +13,7 @@ the error: a sign that it leaves open is 0.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from types import SimpleNamespace
 from typing import Any, Self, TypeAlias
 
@@ -28,10 +28,12 @@ from .interval_arrays import (
     IndexArray,
     Int8Array,
     Intervals,
+    Shape,
     quiet,
     rounded_outward,
 )
 from .jets import Functions, Jet
+from .tape import Tape
 
 #: Half a unit in the last place, relative.
 UNIT = 2.0**-53
@@ -183,6 +185,27 @@ class Affine(Rounded):
             middle, np.zeros((1, *middle.shape)), np.where(np.isfinite(error), error, np.inf)
         )
 
+    @classmethod
+    def stacked(cls, entries: Sequence[Any], shape: Shape) -> Affine:
+        """Numbers of some entries, which may be floats, along a first axis of their own."""
+        rows = [
+            one if isinstance(one, Affine) else Affine(one, np.zeros((1, *shape)))
+            for one in entries
+        ]
+        sides = max(row.terms.shape[0] for row in rows)
+        terms = np.zeros((sides, len(rows), *shape))
+        for place, row in enumerate(rows):
+            terms[: row.terms.shape[0], place] = row.terms
+        value, error = (
+            np.stack([np.broadcast_to(part, shape) for part in parts])
+            for parts in zip(*((row.value, row.error) for row in rows), strict=True)
+        )
+        return cls(value, terms, error)
+
+    def __getitem__(self, index: Any) -> Affine:
+        index = index if isinstance(index, tuple) else (index,)
+        return Affine(self.value[index], self.terms[(slice(None), *index)], self.error[index])
+
     def __abs__(self) -> Affine:
         return Affine.linear(
             self, Affine.between(abs(Intervals.point(self.value))), self.interval().sign()
@@ -273,6 +296,14 @@ def _taken(value: float | Affine) -> Affine:
     return (
         value if isinstance(value, Affine) else Affine(np.full(1, float(value)), np.zeros((1, 1)))
     )
+
+
+def evaluated(recorded: Tape, given: Affine, intervals: Intervals) -> Affine:
+    """Results of a tape along a first axis, from affine numbers of shape (rows, N) and intervals
+    beside them.
+    """
+    error = np.broadcast_to(given.error, given.value.shape)
+    return Affine(*recorded.affine(given.value, given.terms, error, intervals))
 
 
 class _AffineFunctions(Functions):

@@ -19,7 +19,7 @@ from typing import Any, NoReturn, TypeAlias
 import numpy as np
 
 from .arithmetic import Number
-from .interval_arrays import Intervals, Shape, exactly, stacked
+from .interval_arrays import FloatArray, Intervals, Shape, exactly, stacked
 
 try:
     from . import _tape as compiled
@@ -239,6 +239,19 @@ class Tape:
         out = np.empty((2, self.outputs, given[0].shape[1]))
         compiled.run(self.code, self.numbers, tuple(part.ends for part in given), out, self.slots)
         return Intervals(out)
+
+    def affine(
+        self, values: FloatArray, terms: FloatArray, errors: FloatArray, intervals: Intervals
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Values, terms and errors of results of affine numbers of shape (rows, N), terms (sides,
+        rows, N), see :mod:`.affine`, and of intervals as the second input.
+        """
+        given = [np.ascontiguousarray(part) for part in (values, terms, errors)]
+        sides, count = len(terms), values.shape[1]
+        alone = self.outputs, count
+        out = np.empty(alone), np.empty((sides, *alone)), np.empty(alone)
+        compiled.affine(self.code, self.numbers, *given, intervals.ends, *out, self.slots)
+        return out
 
 
 class Tapes:

@@ -350,6 +350,8 @@ class BalanceInUnits(Balance):
         self, known: FloatArray, fixed: FloatArray, moved: Mapping[str, Intervals]
     ) -> Intervals:
         """All prepared anew: what follows from one parameter may follow from a unit too."""
+        if not self.factors:
+            return super().prepared_beside(known, fixed, moved)
         bounds = Intervals.point(fixed)
         for name, part in moved.items():
             bounds.ends[:, self.parameters.index(name)] = part.ends

@@ -76,6 +76,8 @@ class FreeWaves(LawFunctions):
 
 #: ``xp`` over boxes.
 XP = LawFunctions(interval_arrays, _enclosed)
+#: The same functions for numbers of which directions are quotients: affine ones by tapes.
+NARROW = LawFunctions(interval_arrays, _enclosed)
 #: For bounds far away, where forces are linear but for what is bounded.
 FREE = FreeWaves(interval_arrays, _enclosed)
 

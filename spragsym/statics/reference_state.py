@@ -192,17 +192,26 @@ def is_reference(
     parameters = balance.prepared(bounds)
     with quiet():
         codes, proved = stability.types_over(balance, parameters, ends)
+        own = np.asarray(proved & (codes == EquilibriumType.STABLE))
         if _has_stiffness(balance.model):
-            reach, known = _little_strained(balance, parameters, ends, around)
-        else:
-            reach, known = _less_strained(balance, bounds, ends, around), proved
-        K = balance.jacobian(Intervals(reach), parameters)
-        Y = contractors.inverse(K.middle)
-        one = Intervals.point(-np.eye(balance.n)[:, :, None])
-        left = Intervals(contractors.product(Y, K.ends)) + one
-        # Far more than the roundings of a product and a sum of n numbers.
-        alone = left.magnitude.sum(axis=1).max(axis=0) < 1 - 1e-9
-    return np.asarray(proved & (codes == EquilibriumType.STABLE) & known & alone)
+            reach, convex = _little_strained(balance, parameters, ends, around)
+            return own & convex & _one_at_most(balance, parameters, reach)
+        alone = np.zeros_like(own)
+        for narrow in (2.0**-4, 2.0**-6):  # wider boxes tell it of most, in a fifth of the time
+            if (rows := np.flatnonzero(own & ~alone)).size:
+                some = bounds[:, rows], ends.take(rows, axis=2), around.take(rows, axis=2)
+                reach = _less_strained(balance, *some, narrow)
+                alone[rows] = _one_at_most(balance, parameters[:, rows], reach)
+    return own & alone
+
+
+def _one_at_most(balance: Balance, parameters: Intervals, reach: FloatArray) -> BoolArray:
+    """Boxes in which no two states are, K being regular over them."""
+    K = balance.jacobian(Intervals(reach), parameters)
+    one = Intervals.point(-np.eye(balance.n)[:, :, None])
+    left = Intervals(contractors.product(contractors.inverse(K.middle), K.ends)) + one
+    # Far more than the roundings of a product and a sum of n numbers.
+    return np.asarray(left.magnitude.sum(axis=1).max(axis=0) < 1 - 1e-9)
 
 
 def _strain_energy(balance: Balance, parameters: Intervals) -> Callable[[Sequence[Any]], Any]:
@@ -238,13 +247,13 @@ def _little_strained(
 
 
 def _less_strained(
-    balance: Balance, bounds: Intervals, ends: FloatArray, around: FloatArray
+    balance: Balance, bounds: Intervals, ends: FloatArray, around: FloatArray, narrow: float
 ) -> FloatArray:
     """Hulls of boxes and of all stable states of no more strain energy, by a search that parts no
-    box narrower than a thirty-second: what it leaves has more energy, or is not stable, or near.
+    ``narrow`` box: what it leaves has more energy, or is not stable, or near.
     """
     # Many more than a box takes that is told from all others at all.
-    found = boxes.search(balance, around, bounds.low, bounds.high, budget=2000, narrow=2.0**-5)
+    found = boxes.search(balance, around, bounds.low, bounds.high, budget=2000, narrow=narrow)
     place, part = found.points.below(found.every.nodes)
     every, parameters = found.every.ends.take(place, axis=2), balance.prepared(bounds)
     here = parameters[:, part]

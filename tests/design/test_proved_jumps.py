@@ -49,8 +49,12 @@ def test_parts_that_are_known_hold_the_reference_state_of_each_point(name: str) 
     ends = {"theta0": (0.7, 0.73), "mu0": (0.5, 0.7), "sigma": (0.1, 0.11)}
     p = low.replace(**{name: rng.uniform(*span, 100) for name, span in ends.items()})
     each = replace(proved, known=np.zeros_like(proved.known)).ended(p)
-    assert 0.1 < np.isfinite(each).mean()
-    np.testing.assert_array_equal(proved.ended(p), each)
+    found, told = proved.ended(p), np.isfinite(each)
+    assert 0.1 < told.mean()
+    np.testing.assert_array_equal(found[told], each[told])
+    # What no part tells is told of the state that the part has, followed by itself.
+    assert np.isfinite(found).all()
+    np.testing.assert_array_equal(found, limit_point_passed(p, method="search"))
 
 
 @pytest.mark.thorough

@@ -11,7 +11,7 @@ import spragsym as ss
 from spragsym.bifurcation.tubes import Place, Tubes
 from spragsym.design.tube_certificates import Splitting
 from spragsym.models.quantities import Unit
-from spragsym.numerics import contractors
+from spragsym.numerics import contractors, tape
 from spragsym.numerics.affine import Affine
 from spragsym.numerics.interval_arrays import Intervals
 
@@ -106,6 +106,28 @@ def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_interval
         for row in found.rows
     )
     assert spread < 0.9 * float((wide[0] + wide[1])[:, others].sum(axis=1).max())
+
+
+@pytest.mark.skipif(not tape.available(), reason="no C compiler on installation")
+@pytest.mark.parametrize(("name", "ranges", "units"), BOXES[:-1])
+def test_slopes_by_a_tape_are_those_of_numpy(
+    name: str,
+    ranges: dict[str, tuple[float, float]],
+    units: dict[str, Unit],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    _, tubes, region = region_of(name, ranges, units)
+    assert tubes._affine_tape is not None
+    found = tubes.affine_slopes(region)
+    monkeypatch.setattr(tape, "compiled", None)
+    expected = tubes.affine_slopes(region)
+    for one, other in (
+        (found.value, expected.value),
+        (found.terms, expected.terms),
+        (found.error, expected.error),
+    ):
+        np.testing.assert_allclose(one, other, rtol=1e-9, atol=1e-14)
+    assert np.abs(found.terms).max() > 1e-3
 
 
 def test_slopes_by_units_are_those_of_the_forces() -> None:

@@ -494,6 +494,12 @@ class Augmented(OfFamily):
             return None
         return self.condition.excluded(self.state(unknowns, parameters))
 
+    @property
+    def told_by_plans(self) -> bool:  # type: ignore[override]  # of a condition
+        """True where neither the condition nor torsion springs tell more."""
+        known = self.condition.excluded is None and self.condition.abandoned is None
+        return known and not self.balance.torsions
+
     def abandoned(
         self, unknowns: Intervals, parameters: Intervals, times: float = 1.0
     ) -> BoolArray:

@@ -11,6 +11,11 @@
  * decided(plan, given, boxes, parameters, limits, single, spent, sharp, rules, wide, step, left,
  * verdicts, along): what becomes of each box.
  *
+ * rounds(plan, given, parameters, limits, sharp, rules, budget, most): both for the boxes of one
+ * point, and for what is left of these, until nothing is or more than so many: how many were looked
+ * at, and the bytes of boxes with a root, of where it is, of undecided and of further ones, box by
+ * box.
+ *
  * tubes(tapes, borders, parameters, pivot, inflation, times, z, along, swing, moved, beside, least,
  * room, most, sure): boxes of one state for each value of a pivot, as tubes.py has them.
  *
@@ -174,6 +179,9 @@ static void dropped(const plan *by, desk *at, const uint8_t *gone) {
  * boxes nothing is left. */
 static void contracted(const plan *by, desk *at, uint8_t *gone) {
     const int n = by->coordinates;
+    if (n < 1) {
+        return;
+    }
     for (int k = 0; k < n; k++) {
         for (int i = 0; i < at->count; i++) {
             const double middle = middle_of(at->ends[0][k][i], at->ends[1][k][i]);
@@ -569,6 +577,179 @@ static void decided_block(const plan *by, desk *at, const judgement *of, Py_ssiz
             }
         }
     }
+}
+
+/* -------------------------------------------------------------------------------------------------
+ * rounds */
+
+/* The next boxes of N, from number `begin` on. */
+static void laid_out(
+    const plan *by, desk *at, const double *given, Py_ssize_t N, Py_ssize_t begin) {
+    at->count = (int)(N - begin < BLOCK ? N - begin : BLOCK);
+    for (int i = 0; i < at->count; i++) {
+        at->of[i] = (int32_t)(begin + i);
+    }
+    for (int end = 0; end < 2; end++) {
+        for (int k = 0; k < by->n; k++) {
+            memcpy(at->ends[end][k], given + (end * by->n + k) * N + begin,
+                (size_t)at->count * sizeof(double));
+        }
+    }
+}
+
+/* Boxes one after the other, of 2 n doubles each. */
+typedef struct {
+    double *boxes;
+    Py_ssize_t count;
+    Py_ssize_t room;
+} pile;
+
+/* What is made of the boxes of a search. */
+typedef struct {
+    pile unique;
+    pile where;
+    pile undecided;
+    pile further;
+} outcome;
+
+/* Room for one more box, NULL where there is no memory. */
+static double *one_more(pile *to, int n) {
+    if (to->count == to->room) {
+        const Py_ssize_t room = to->room ? 2 * to->room : 64;
+        double *boxes = PyMem_RawRealloc(to->boxes, (size_t)room * 2 * (size_t)n * sizeof(double));
+        if (boxes == NULL) {
+            return NULL;
+        }
+        to->boxes = boxes;
+        to->room = room;
+    }
+    return to->boxes + 2 * n * to->count++;
+}
+
+/* Box j of M in an array of boxes, put on a pile. */
+static double *piled(pile *to, int n, const double *from, Py_ssize_t M, Py_ssize_t j) {
+    double *box = one_more(to, n);
+    for (int k = 0; box != NULL && k < 2 * n; k++) {
+        box[k] = from[k * M + j];
+    }
+    return box;
+}
+
+/* One half of a box, cut not in the middle, where symmetric systems have their roots. */
+static int half_piled(pile *to, const judgement *of, int n, Py_ssize_t M, Py_ssize_t j, int upper) {
+    double *box = piled(to, n, of->left, M, j);
+    if (box == NULL) {
+        return 0;
+    }
+    const Py_ssize_t along = of->along[j];
+    const double low = -box[along];
+    const double high = box[n + along];
+    const double cut = least(most(low + 0.4921875 * (high - low), low), high);
+    box[upper ? along : n + along] = upper ? -cut : cut;
+    return 1;
+}
+
+/* What becomes of M judged boxes: those that are much narrower as they are, then lower and then
+ * upper halves. */
+static int sorted_out(const judgement *of, int n, Py_ssize_t M, outcome *to) {
+    int whole = 1;
+    for (Py_ssize_t j = 0; j < M && whole; j++) {
+        if (of->verdicts[j] == PROVED) {
+            whole = piled(&to->unique, n, of->wide, M, j) != NULL &&
+                piled(&to->where, n, of->step, M, j) != NULL;
+        } else if (of->verdicts[j] == UNDECIDED) {
+            whole = piled(&to->undecided, n, of->left, M, j) != NULL;
+        } else if (of->verdicts[j] == AGAIN) {
+            whole = piled(&to->further, n, of->left, M, j) != NULL;
+        }
+    }
+    for (int upper = 0; upper < 2; upper++) {
+        for (Py_ssize_t j = 0; j < M && whole; j++) {
+            whole = of->verdicts[j] != HALVED || half_piled(&to->further, of, n, M, j, upper);
+        }
+    }
+    return whole;
+}
+
+/* A look at N boxes; 0 where there is no memory. */
+static int one_round(const plan *by, desk *at, judgement *of, int spent, const double *given,
+    Py_ssize_t N, outcome *to) {
+    const int rows = 2 * by->n;
+    const Py_ssize_t size = rows * N;
+    double *room = PyMem_RawMalloc((size_t)size * 6 * sizeof(double) +
+        (size_t)N * (sizeof(int64_t) + 4 * sizeof(uint8_t)));
+    if (room == NULL) {
+        return 0;
+    }
+    double *parts[6];
+    for (int k = 0; k < 6; k++) {
+        parts[k] = room + k * size;
+    }
+    of->along = (int64_t *)(void *)(room + 6 * size);
+    uint8_t *const keep = (uint8_t *)(void *)(of->along + N);
+    memset(keep, 0, (size_t)N);
+    for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
+        laid_out(by, at, given, N, begin);
+        kept_block(by, at, given, N, of->by.margin, parts[0], keep);
+    }
+    Py_ssize_t M = 0;
+    for (Py_ssize_t i = 0; i < N; i++) {
+        M += keep[i];
+    }
+    for (int k = 0; k < rows; k++) {
+        Py_ssize_t j = 0;
+        for (Py_ssize_t i = 0; i < N; i++) {
+            if (keep[i]) {
+                parts[1][k * M + j] = given[k * N + i];
+                parts[2][k * M + j++] = parts[0][k * N + i];
+            }
+        }
+    }
+    memset(keep + N, 1, (size_t)N);
+    memset(keep + 2 * N, spent, (size_t)N);
+    of->given = parts[1];
+    of->boxes = parts[2];
+    of->wide = parts[3];
+    of->step = parts[4];
+    of->left = parts[5];
+    of->single = keep + N;
+    of->spent = keep + 2 * N;
+    of->verdicts = (int8_t *)(keep + 3 * N);
+    for (Py_ssize_t begin = 0; begin < M; begin += BLOCK) {
+        laid_out(by, at, of->boxes, M, begin);
+        decided_block(by, at, of, M);
+    }
+    const int whole = sorted_out(of, by->n, M, to);
+    PyMem_RawFree(room);
+    return whole;
+}
+
+/* Rounds until no box is left or more than `limit`; how many boxes were looked at, −1 where there
+ * is no memory. */
+static Py_ssize_t all_rounds(const plan *by, desk *at, judgement *of, Py_ssize_t budget,
+    Py_ssize_t limit, outcome *to) {
+    const int rows = 2 * by->n;
+    Py_ssize_t looks = 0;
+    while (to->further.count && to->further.count <= limit) {
+        const Py_ssize_t N = to->further.count;
+        double *given = PyMem_RawMalloc((size_t)(rows * N) * sizeof(double));
+        if (given == NULL) {
+            return -1;
+        }
+        for (int k = 0; k < rows; k++) {
+            for (Py_ssize_t i = 0; i < N; i++) {
+                given[k * N + i] = to->further.boxes[rows * i + k];
+            }
+        }
+        to->further.count = 0;
+        looks += N;
+        const int whole = one_round(by, at, of, looks > budget, given, N, to);
+        PyMem_RawFree(given);
+        if (!whole) {
+            return -1;
+        }
+    }
+    return looks;
 }
 
 /* -------------------------------------------------------------------------------------------------
@@ -1020,21 +1201,6 @@ static void cleared(desk *at, Py_buffer *parameters) {
     PyBuffer_Release(parameters);
 }
 
-/* The next boxes of N, from number `begin` on. */
-static void laid_out(
-    const plan *by, desk *at, const double *given, Py_ssize_t N, Py_ssize_t begin) {
-    at->count = (int)(N - begin < BLOCK ? N - begin : BLOCK);
-    for (int i = 0; i < at->count; i++) {
-        at->of[i] = (int32_t)(begin + i);
-    }
-    for (int end = 0; end < 2; end++) {
-        for (int k = 0; k < by->n; k++) {
-            memcpy(at->ends[end][k], given + (end * by->n + k) * N + begin,
-                (size_t)at->count * sizeof(double));
-        }
-    }
-}
-
 /* Whether buffers are of as many bytes as they should be. */
 static int fit(const Py_buffer *given, const Py_ssize_t *sizes, int count) {
     for (int k = 0; k < count; k++) {
@@ -1188,6 +1354,65 @@ static PyObject *tubes(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
+static PyObject *bytes_of(const pile *from, int n) {
+    const Py_ssize_t size = from->count * 2 * n * (Py_ssize_t)sizeof(double);
+    return PyBytes_FromStringAndSize((const char *)from->boxes, size);
+}
+
+static PyObject *rounds(PyObject *module, PyObject *arguments) {
+    (void)module;
+    PyObject *capsule;
+    PyObject *given_parameters;
+    Py_buffer of[2];
+    Py_buffer parameters;
+    Py_ssize_t budget;
+    Py_ssize_t limit;
+    judgement to;
+    outcome found;
+    memset(&found, 0, sizeof found);
+    if (!PyArg_ParseTuple(arguments, "Oy*Oy*i(dddddd)nn", &capsule, of, &given_parameters, of + 1,
+            &to.sharp, &to.by.margin, &to.by.spread, &to.by.small, &to.by.narrow, &to.by.shrunk,
+            &to.by.finest, &budget, &limit)) {
+        return NULL;
+    }
+    const plan *by = PyCapsule_GetPointer(capsule, CAPSULE);
+    PyObject *out = NULL;
+    desk *at = NULL;
+    Py_ssize_t looks = -1;
+    if (by != NULL) {
+        const Py_ssize_t one = 2 * by->n * (Py_ssize_t)sizeof(double);
+        const Py_ssize_t N = of[0].len / one;
+        const Py_ssize_t sizes[] = {N * one, one};
+        at = fit(of, sizes, 2) ? opened(by, given_parameters, &parameters, 1) : NULL;
+        int whole = at != NULL;
+        for (Py_ssize_t i = 0; i < N && whole; i++) {
+            whole = piled(&found.further, by->n, of[0].buf, N, i) != NULL;
+        }
+        if (whole) {
+            at->parameters.strides[2] = 0; /* those of the point, for every box */
+            to.limits = of[1].buf;
+            Py_BEGIN_ALLOW_THREADS looks = all_rounds(by, at, &to, budget, limit, &found);
+            Py_END_ALLOW_THREADS
+        }
+        if (at != NULL) {
+            cleared(at, &parameters);
+        }
+    }
+    if (looks >= 0) {
+        out = Py_BuildValue("nNNNN", looks, bytes_of(&found.unique, by->n),
+            bytes_of(&found.where, by->n), bytes_of(&found.undecided, by->n),
+            bytes_of(&found.further, by->n));
+    } else if (!PyErr_Occurred()) {
+        PyErr_NoMemory();
+    }
+    PyMem_RawFree(found.unique.boxes);
+    PyMem_RawFree(found.where.boxes);
+    PyMem_RawFree(found.undecided.boxes);
+    PyMem_RawFree(found.further.boxes);
+    release(of, 2);
+    return out;
+}
+
 /* What `corrected` and `tangents` are given: tapes of values and slopes of a system with a pivot, z
  * of shape (n + 1, N), and a desk; NULL with an error where these do not fit. */
 static desk *opened_at_points(PyObject *const tapes[2], PyObject *given_parameters, int pivot,
@@ -1291,6 +1516,7 @@ static PyMethodDef methods[] = {
     {"plan", planned, METH_VARARGS, "Tapes by which a search looks at boxes."},
     {"kept", kept, METH_VARARGS, "What is left of boxes, and which may hold a root."},
     {"tubes", tubes, METH_VARARGS, "Boxes that hold one state for each value of a pivot."},
+    {"rounds", rounds, METH_VARARGS, "A search at one point."},
     {"decided", decided, METH_VARARGS, "What becomes of boxes that may hold a root."},
     {NULL, NULL, 0, NULL}};
 

@@ -22,6 +22,16 @@ def decided(
     verdicts: Buffer,
     along: Buffer,
 ) -> None: ...
+def rounds(
+    plan: object,
+    given: Buffer,
+    parameters: Buffer,
+    limits: Buffer,
+    sharp: bool,
+    rules: tuple[float, float, float, float, float, float],
+    budget: int,
+    most: int,
+) -> tuple[int, bytes, bytes, bytes, bytes]: ...
 def tubes(
     tapes: tuple[Buffer, Buffer, Buffer],
     borders: Buffer,
@@ -30,4 +40,10 @@ def tubes(
     inflation: float,
     times: int,
     *arrays: Buffer,
+) -> None: ...
+def corrected(
+    tapes: tuple[Buffer, Buffer], parameters: Buffer, pivot: int, steps: int, z: Buffer
+) -> None: ...
+def tangents(
+    tapes: tuple[Buffer, Buffer], parameters: Buffer, pivot: int, *arrays: Buffer
 ) -> None: ...

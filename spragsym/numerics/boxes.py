@@ -121,6 +121,9 @@ class EquationSystem:
         """Of what is excluded that which no plan tells; None where it tells all."""
         return None
 
+    #: Whether plans tell all: nothing is excluded or abandoned beside them.
+    told_by_plans = False
+
     def plan(self, parameters: Intervals) -> Plan | None:
         """Tapes by which compiled code looks at boxes, for these parameters of all nodes, if all is
         recorded.
@@ -243,8 +246,8 @@ class _Search:
         self.plan = self.system.plan(self.parameters)
 
     def run(self, start: Pairs) -> None:
-        stack = [start]
-        while stack:
+        stack = [self._at_one_point(start)]
+        while stack and (len(stack) > 1 or len(stack[0])):
             taken, total = [], 0
             while stack and total < CHUNK:
                 taken.append(stack.pop())
@@ -256,6 +259,24 @@ class _Search:
             left = self.look(pairs)
             if len(left):
                 stack.append(left)
+
+    def _at_one_point(self, start: Pairs) -> Pairs:
+        """What is left of a search at one point by compiled code, as long as all its boxes are
+        looked at at once.
+        """
+        if self.plan is None or self.points.size.tolist() != [1] or not self.system.told_by_plans:
+            return start
+        self.looks, ends = self.plan.rounds(
+            start.ends, self.parameters, self.limits, self.rules, self.budget, 2 * CHUNK
+        )
+        self.work[0] = self.looks
+        unique, where, undecided, left = (
+            Pairs(part, np.zeros(part.shape[2], dtype=np.int64)) for part in ends
+        )
+        self.unique.append(unique)
+        self.where.append(where)
+        self.undecided.append(undecided)
+        return left
 
     def look(self, pairs: Pairs) -> Pairs:
         """One step: what is left to be looked at."""

@@ -27,7 +27,7 @@ try:
 except ImportError:  # there was no compiler
     compiled = None  # type: ignore[assignment]  # a module or nothing
 else:
-    needed = {"plan", "kept", "decided", "tubes", "corrected", "tangents"}
+    needed = {"plan", "kept", "decided", "rounds", "tubes", "corrected", "tangents"}
     if lacking := needed - set(dir(compiled)):
         raise BackendError(
             f"{compiled.__file__} was compiled from older sources and has no "
@@ -128,6 +128,39 @@ class Plan:
             along,
         )
         return wide, Judged(step, left, verdicts, along)
+
+    def _limits(self, limits: FloatArray) -> FloatArray:
+        return np.array(np.broadcast_to(limits[..., 0], (2, self.n)))
+
+    def rounds(
+        self,
+        given: FloatArray,
+        parameters: Intervals,
+        limits: FloatArray,
+        rules: Rules,
+        budget: int,
+        most: int,
+    ) -> tuple[int, list[FloatArray]]:
+        """A search at one point until no box is left, or more than ``most``: how many were looked
+        at, and boxes with a root, where it is, undecided and further ones.
+        """
+        looks, *found = compiled.rounds(
+            self.held,
+            np.ascontiguousarray(given),
+            parameters.ends,
+            self._limits(limits),
+            *_numbers(rules),
+            budget,
+            most,
+        )
+        piles = (np.frombuffer(part).reshape(-1, 2, self.n) for part in found)
+        return looks, [np.ascontiguousarray(np.moveaxis(pile, 0, 2)) for pile in piles]
+
+
+def _numbers(rules: Rules) -> tuple[bool, tuple[float, float, float, float, float, float]]:
+    """Rules as compiled code takes them."""
+    numbers = rules.margin, rules.spread, rules.small, rules.narrow, rules.shrunk, NARROW
+    return rules.sharp, numbers
 
 
 def planned(

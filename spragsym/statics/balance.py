@@ -137,6 +137,11 @@ class Balance(Forces, StateSystem):
             return np.zeros(parameters.shape[1:], dtype=np.bool_)
         return self.at_poles(Boxes(self, unknowns, parameters), times * self.options.pole)
 
+    @property
+    def told_by_plans(self) -> bool:  # type: ignore[override]  # of a balance
+        """True without torsion springs."""
+        return not self.torsions
+
     def at_poles(self, at: Evaluation | Boxes, width: float) -> BoolArray:
         """Whether boxes up to a width hold a pole."""
         out = np.zeros(at.shape, dtype=np.bool_)

@@ -174,7 +174,9 @@ def test_tapes_of_other_systems_are_refused() -> None:
 def test_an_extension_of_older_sources_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     older = ModuleType("_search")
     older.__file__ = "_search.so"
-    vars(older).update(dict.fromkeys(("plan", "kept", "decided", "corrected", "tangents")))
+    vars(older).update(
+        dict.fromkeys(("plan", "kept", "decided", "rounds", "corrected", "tangents"))
+    )
     monkeypatch.setattr(numerics, "_search", older)
     spec = find_spec(plans.__name__)
     assert spec is not None

@@ -674,13 +674,11 @@ class FoldCurves:
                         (normal * (states - start) / scale).sum(axis=0)[None],
                     ]
                 )
-                states = (
-                    states
-                    - (contractors.inverse(np.concatenate([slopes, normal[None]])) * off).sum(
-                        axis=1
-                    )
-                    * scale
-                )
+                inverse = contractors.inverse(np.concatenate([slopes, normal[None]]))
+                step = (inverse * off).sum(axis=1) * scale
+                states = states - step
+                if (np.abs(step) <= 1e-14 * np.abs(states)).all():  # rounding is what is left
+                    break
             good = np.linalg.norm((states - start) / scale, axis=0) <= 0.5 * near
             # A fold in contact is next to each state, with the same value of what the normal points
             # along most.

@@ -45,7 +45,7 @@ class Pieces(BoxParts):
     above ``top`` to have ended, for all of the piece; −inf and inf where nothing is known.
     """
 
-    few = 512
+    few = 256
 
     base: Place
     of: FloatArray

@@ -251,6 +251,19 @@ def _slopes(
     return slopes
 
 
+def no_state_to_follow(p: ParameterSet, vary: str) -> str:
+    """Why no state of one point can be followed from its value of ``vary``: none is in contact
+    there; empty where one is, or is not known not to be.
+    """
+    eq = equilibria(p)
+    if eq.count.any() or not eq.decided.all():
+        return ""
+    return (
+        f"no state in contact at {vary} = {float(p[vary]):g}, from where one is followed; begin "
+        "where there is one"
+    )
+
+
 class Followed:
     """States of many points, followed as one parameter moves, up or down, from where to where: see
     :func:`jump_value`.
@@ -353,6 +366,10 @@ class Followed:
                     z[:n, i] = np.nan
             for i in rows[~proved.decided].tolist():
                 span = float(self.begin[i]), float(self.until[i])
+                none = no_state_to_follow(self._points(i), self.vary)
+                if none:
+                    reasons[i] = none
+                    continue
                 try:
                     end = (
                         first_end(self._points(i), self.vary, span) if span[0] != span[1] else None

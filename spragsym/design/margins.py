@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.errors import ParameterError
+from ..core.errors import ConvergenceError, ParameterError
 from ..core.questions import Method, model_of, question
 from ..models.parameters import FloatArray, ParameterSet, as_number
 from ..models.quantities import QuantityValues
@@ -16,7 +16,7 @@ from ..numerics.vectors import norm
 from ..results import Result
 from .certificates import SAFE, BoxParts
 from .design_space import Design, EndOfState, MarginOptions, Space, nearest, space
-from .jumps import jump_value
+from .jumps import jump_value, no_state_to_follow
 from .tube_certificates import claims
 
 
@@ -79,6 +79,8 @@ def jump_margin(
     ParameterError
         For quantities that ``p`` does not have, tolerances that are not positive, and a proof with
         physical quantities.
+    ConvergenceError
+        Where no state is in contact at ``begin``.
 
     Notes
     -----
@@ -108,6 +110,10 @@ def jump_margin(
             "and give their tolerances"
         )
 
+    here = designs.sets(np.zeros(len(designs.names)))
+    none = no_state_to_follow(here.replace(**{name: first}), name)
+    if none:
+        raise ConvergenceError(none)
     border = EndOfState(designs, name, first)
 
     def jumped(z: FloatArray) -> BoolArray:

@@ -1,0 +1,69 @@
+"""What is asked of a state that does not touch: a wedge that is lifted against a rail, or not.
+
+With N = s sin a − 1, along the guide ρ s = f + μ N cos a − N sin a: it touches where f/ρ sin a > 1,
+and runs to infinity at μ = (ρ/sin a + sin a)/cos a.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from tests.oracles.user_pages import model_of
+
+pytest.importorskip("sympy")
+
+WEDGE = '''r"""A wedge between a guide and a rail."""
+from spragsym.derive.model import Page, cos, sin, tanh
+page = Page("A wedge of a safety gear between an inclined guide and a rail.")
+m = page.unit("m", "kg", "mass of the wedge")
+k_c = page.unit("k_c", "N/m", "contact stiffness of the rail")
+g_0 = page.unit("g_0", "m", "play between wedge and rail")
+mu = page.parameter("mu", "1", "friction coefficient", ">= 0", 0.1)
+a = page.parameter("a", "rad", "inclination of the guide", "(0, pi/2)", 0.2)
+k_r = page.parameter("k_r", "N/m", "return spring", "> 0", 0.01, becomes="rho")
+F = page.parameter("F", "N", "lifting force", "> 0", 0.1, becomes="f")
+V = page.parameter("V", "m/s", "speed of the rail", ">= 0", 0.5)
+d = page.parameter("d", "s/m", "steepness", "> 0", 10.0)
+s = page.coordinate("s", "m", "displacement of the wedge along its guide")
+page.kinetic(m * page.rate(s) ** 2 / 2)
+page.spring(k_r, along=s)
+page.force(F, along=s)
+page.contact(g_0 - s * sin(a), lambda depth: k_c * depth)
+page.friction(s * cos(a), V, lambda v: mu * tanh(d * v), at_rest=mu)
+'''
+
+
+@pytest.fixture(scope="module")
+def wedge() -> Any:
+    return model_of(WEDGE, "wedge")
+
+
+def test_one_point_without_contact_costs_one_point(wedge: Any) -> None:
+    rho = np.array([0.01, 0.1, 0.015])
+    with pytest.warns(ss.errors.UndecidedWarning, match="no state in contact at mu = 0"):
+        found = ss.jump_value(wedge.Parameters(rho=rho), "mu")
+    expected = (rho / math.sin(0.2) + math.sin(0.2)) / math.cos(0.2)
+    np.testing.assert_allclose(found[[0, 2]], expected[[0, 2]], rtol=1e-12)
+    assert np.isnan(found[1])
+
+
+def test_a_single_point_says_that_nothing_touches(wedge: Any) -> None:
+    p = wedge.Parameters(rho=0.1)
+    for ask in (
+        lambda: ss.jump_value(p, "mu"),
+        lambda: ss.jump_margin(p, {"mu": 0.1, "f": 0.1}, vary="mu"),
+    ):
+        with pytest.raises(ss.errors.ConvergenceError, match="no state in contact at mu = 0"):
+            ask()
+
+
+@pytest.mark.thorough
+def test_a_report_of_what_does_not_touch_says_so(wedge: Any) -> None:
+    brake = {"m": 1.0, "k_c": 1.0, "g_0": 1.0, "mu": 0.1, "a": 0.2, "k_r": 0.1, "F": 0.1}
+    report = ss.Study(brake, model=str(wedge.where), vary="mu").report(
+        oscillation=False, redesign=False
+    )
+    assert any("no state in contact at mu = 0" in str(remark) for remark in report.warnings)

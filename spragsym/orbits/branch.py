@@ -12,7 +12,7 @@ from itertools import islice
 import numpy as np
 
 from ..core.error_states import in_usual_state
-from ..core.errors import ConvergenceError, ModelError, ParameterError, one_of, require_kind
+from ..core.errors import ConvergenceError, ParameterError, one_of, require_kind
 from ..core.progress import doing
 from ..core.remarks import Remark
 from ..display import Column
@@ -309,12 +309,6 @@ def cycle_branch(
             f"between = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; "
             "give one"
         )
-    if cycle.field.clock and cycle.field.sticking_borders:
-        raise ModelError(
-            "cycle_branch is not answered yet where friction that holds meets a clock; ask "
-            "cycle(p, turns=1) at each value, or write a law that is steep at rest, as "
-            "mu0*tanh(d*v)"
-        )
     own = in_scales(cycle.orbit)
     setting = Setting(own.flow, (index,), own.period, ((high - low) / 2,), options=options)
     pieces = len(own.states)  # an even number, so that halves of a doubled cycle are seen
@@ -530,6 +524,7 @@ def _joins(followed: Sequence[BranchPoint], found: BranchPoint) -> Iterator[Dete
     second.
     """
     came, edge = sliding_entries(followed[-1]), _at_border(followed)
+    how = FAMILIES if edge else f"a second multiplier comes to 1: {FAMILIES}, or hardly attracts"
     if edge:
         kind = "crossing-sliding" if len(sliding_entries(found)) == len(came) else "grazing-sliding"
         yield replace(edge, kind=kind, how=found.orbit.field.borders[came[0].way[0]].name)
@@ -537,9 +532,9 @@ def _joins(followed: Sequence[BranchPoint], found: BranchPoint) -> Iterator[Dete
         edge = _vanishing(
             followed,
             lambda point: float(np.sqrt(np.abs(point.orbit.multipliers.others - 1).min())),
-            FAMILIES,
+            how,
         )
-    yield replace(edge, how=FAMILIES)
+    yield replace(edge, how=how)
 
 
 def _lost(

@@ -1,10 +1,12 @@
 """Motions and cycles of what varies in time, against closed forms and integrations by SciPy."""
 
+import math
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import spragsym as ss
 from spragsym.core.errors import ConvergenceError, ModelError, ParameterError
@@ -164,6 +166,35 @@ def test_fates_over_the_frequency_begin_at_any_phase() -> None:
         ss.fate(p.replace(omega=0.7), start=(0.3, 0.0, 0.1, 0.9))
 
 
+@pytest.mark.thorough
+def test_the_resonance_of_friction_that_holds_is_that_of_den_hartog() -> None:
+    """Sliding without a stop as far as ω² A > μ f, where what turns at A does not rest; below it
+    the mass stops at both turns.
+    """
+    model, force = model_of(FRICTION, "forced"), 0.6
+
+    def sliding(omega: float) -> float:
+        S = math.sin(math.pi / omega) / (omega * (1 + math.cos(math.pi / omega)))
+        return math.sqrt(1 / (1 - omega**2) ** 2 - (force * S) ** 2)
+
+    begun = ss.cycle(model.Parameters(omega=0.7, f=1.5, mu=0.4), turns=1)
+    branch = ss.cycle_branch(begun, "omega", between={"omega": (0.5, 0.9)}, points=60)
+    assert [end.how for end in branch.of("end")] == ["the range ends"] * 2
+    edge = brentq(lambda omega: omega**2 * sliding(omega) - force, 0.6, 0.7, xtol=1e-14)
+    turns = branch.of("crossing-sliding")
+    assert [turn.value for turn in turns] == pytest.approx([edge] * 2, abs=1e-9)
+    stops = branch.values < edge
+    assert 10 < stops.sum() < len(branch.values) - 10
+    half = (branch.highest - branch.lowest) / 2
+    exact = [
+        stopping_amplitude(omega, force, (amplitude, 0.9 * math.pi / omega))
+        if at
+        else sliding(omega)
+        for omega, amplitude, at in zip(branch.values, half, stops, strict=True)
+    ]
+    np.testing.assert_allclose(half, exact, rtol=1e-9)
+
+
 def test_what_friction_holds_in_every_phase_rests_for_good() -> None:
     """P cos φ − k x is all that friction holds: it needs |x| + 1 of μ f."""
     model, rng = model_of(FRICTION, "forced"), np.random.default_rng(79)
@@ -269,9 +300,6 @@ def test_what_is_not_answered_of_a_clock_says_so() -> None:
         ss.simulate(p, vphase0=0.3)
     with pytest.raises(ParameterError, match="no clock"):
         ss.cycle(ss.load("stick_slip").Parameters(), turns=1)
-    held = model_of(FRICTION, "forced").Parameters(omega=0.7)
-    with pytest.raises(ModelError, match="friction that holds meets a clock"):
-        ss.cycle_branch(ss.cycle(held, turns=1), "omega", between={"omega": (0.6, 0.8)})
 
 
 @pytest.mark.parametrize(

@@ -68,7 +68,6 @@ def check(
     report: Path | None,
     model_name: str | None,
     out: Path | None,
-    force: bool,
 ) -> None:
     """Show how every printed equation of the article, or of PAPER, compares with the derivation.
 
@@ -95,7 +94,7 @@ def check(
     if paper is not None:
         if claims or again or report is not None:
             raise click.UsageError("a paper is checked without --claims, --again and --report")
-        _check_paper(paper, model_name, json_output, only, out, force)
+        _check_paper(paper, model_name, json_output, only, out)
         return
     if out is not None:
         raise click.UsageError(
@@ -116,7 +115,7 @@ def check(
     elif report is not None:
         from ..article.ledger import page
 
-        wrote = write({report: page()}, force)
+        wrote = write({report: page()})
         click.echo(f"wrote {report}" if wrote else f"{report} is as it should be", err=True)
     else:
         rows, wrong = (_claims if claims else _equations)(only, again)
@@ -224,7 +223,6 @@ def _check_paper(
     json_output: bool,
     only: tuple[str, ...],
     out: Path | None,
-    force: bool,
 ) -> None:
     """Verdicts on the statements of a file."""
     from ..papers import check as judged
@@ -235,7 +233,7 @@ def _check_paper(
     rows = _chosen(only, {row.id: row for row in found.rows}, "the paper")
     if out is not None:
         files = {out / "LEDGER.md": found.to_markdown(), out / "ledger.html": found.to_html()}
-        write(files, force, made=True)
+        write(files, made=True)
     if json_output:
         chosen = {row.id for row in rows}
         whole = found.as_dict()
@@ -386,7 +384,6 @@ def figures(
     kinds: list[str],
     workers: int,
     quiet: bool,
-    force: bool,
 ) -> None:
     """Draw the article's Figures 3 to 14, and some that it lacks: all, or NAMES.
 
@@ -416,7 +413,7 @@ def figures(
         ]
         for draw in chosen
     )
-    refuse(itertools.chain(*written), force, made=True)
+    refuse(itertools.chain(*written), made=True)
     size = count(workers)
     # One pool for all figures, since a process takes a second to start.
     with (

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import click
 import numpy as np
-from click.core import ParameterSource
 
 from ..command_line import option_name, options_of
 from ..core.errors import ParameterError, hint
@@ -23,6 +22,7 @@ from ..models.parameters import FloatArray, ParameterSet, Range, Ranges, as_numb
 from ..models.quantities import Quantities, quantities
 from ..results import Equilibria
 from ..results.result import titled
+from .output import is_typed
 
 if TYPE_CHECKING:
     from ..report.study import Study
@@ -64,7 +64,7 @@ class Case:
 
     ``values`` of its parameters are radians, None for those that were not given and have no base
     value; ``start`` is the initial state, ``x0`` and the like, as the model takes it; ``ask`` goes
-    with every question to the model; ``spans`` vary; ``force`` overwrites files.
+    with every question to the model; ``spans`` vary.
     """
 
     model: Model
@@ -73,7 +73,6 @@ class Case:
     start: Mapping[str, Any] = field(default_factory=dict)
     ask: Mapping[str, Any] = field(default_factory=dict)
     spans: tuple[Span, ...] = ()
-    force: bool = False
 
     def set(self, *spanned: str, **changes: Any) -> ParameterSet:
         """The parameters; those that vary need no value."""
@@ -331,23 +330,21 @@ def _scaled(value: object, size: float) -> Any:
     return (size * array if array.dtype.kind == "f" else array).tolist()
 
 
-def is_typed(option: str) -> bool:
-    """Whether an option stands on the command line."""
-    return click.get_current_context().get_parameter_source(option) == ParameterSource.COMMANDLINE
-
-
 def in_degrees(allowed: Range, remedy: str = "") -> Range:
     return replace(
         allowed, low=math.degrees(allowed.low), high=math.degrees(allowed.high), remedy=remedy
     )
 
 
-def study_of(path: str | Path, model: str | None, trust: bool, *, warn: bool = True) -> Study:
+def study_of(
+    path: str | Path, model: str | None, *, trust: bool | None = None, warn: bool = True
+) -> Study:
     """The data of a brake, for the model that the command names if it names one; with warnings of
     what numbers may mean.
     """
     from ..report.data import read_brake
 
+    trust = is_typed("trust") if trust is None else trust
     brake = read_brake(path, trust or model or False)  # refused before anything large is loaded
     from ..report.study import Study, warn_of
 

@@ -53,8 +53,6 @@ def export(
     data: Path | None,
     out: Path,
     inputs: tuple[str, ...],
-    trust: bool,
-    force: bool,
 ) -> None:
     """Write the solver in another language, with an example that runs.
 
@@ -80,7 +78,7 @@ def export(
             "leave it out, or give --language fmu"
         )
     probe(out if pack else out / "file", made=True)
-    study = study_of(data, model_name, trust) if data else None
+    study = study_of(data, model_name) if data else None
     name = study.model if study else model_name or (USUAL if pack else None)
     if name:
         texts = _of_page(load(name), language, study.in_units() if study else None, inputs)
@@ -90,7 +88,7 @@ def export(
         files = {out: pack(texts)} if pack else {out / path: text for path, text in texts.items()}
     except ChildProcessError as error:
         raise click.ClickException(f"{error}; nothing was written") from error
-    write(files, force, made=True)
+    write(files, made=True)
     for path in files:
         click.echo(path)
 
@@ -127,7 +125,7 @@ def _of_page(
 @click.argument("page", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 @o.folder("Folder to write.")
 @o.force
-def derive(page: Path, out: Path, force: bool) -> None:
+def derive(page: Path, out: Path) -> None:
     """Derive a model from its model page, and write it to a folder.
 
     A model page is a Python file that says quantities, coordinates, energies, springs, contact and
@@ -140,7 +138,7 @@ def derive(page: Path, out: Path, force: bool) -> None:
     from ..derive import folder
     from ..derive.model import PageError
 
-    refuse([out / "model.json"], force, made=True)
+    refuse([out / "model.json"], made=True)
     try:
         count = folder.write_page(page, out)
     except PageError as error:

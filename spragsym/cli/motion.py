@@ -21,8 +21,8 @@ from ..models.model import Touching, label_of
 from ..models.parameters import FloatArray, ParameterSet
 from ..numerics.interval_arrays import Int8Array
 from . import options as o
-from .case import Case, Row, is_typed
-from .output import drawn, print_rows, refuse, resumed
+from .case import Case, Row
+from .output import drawn, is_typed, print_rows, refuse, resumed
 
 if TYPE_CHECKING:
     from ..orbits import Cycle
@@ -69,7 +69,7 @@ def simulate(
     from ..files import storage
 
     p, (t_end, transient) = case.set(), _times(case, t_end, transient, "all of a motion is kept")
-    refuse([output], case.force)
+    refuse([output])
     if output is not None:
         storage.check_target(output, 10_000_000)
     with show_progress("following the motion"):
@@ -163,8 +163,8 @@ def sweep(
     p, start = _grid(case)
     own = store if case.study is None else store.with_suffix(f".model{store.suffix}")
     if own != store and not own.exists():
-        refuse([store], case.force)
-    with resumed(case.force):
+        refuse([store])
+    with resumed():
         options = {
             **start,
             **settings,
@@ -225,7 +225,7 @@ def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: A
         )
     p, start = _grid(case)
     begin = [float(value) for value in start.values()]
-    with resumed(case.force):
+    with resumed():
         found = fate_map(p, start=begin, progress=not quiet, store=store, **settings)
     drawn(plot, "drawing the map", found.plot)
     click.echo(

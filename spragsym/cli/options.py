@@ -30,8 +30,8 @@ from ..models.parameters import (
     degrees,
     shown,
 )
-from .case import COUNT, Case, Span, in_degrees, is_typed, study_of
-from .output import print_json, refuse
+from .case import COUNT, Case, Span, in_degrees, study_of
+from .output import is_typed, print_json, refuse
 
 if TYPE_CHECKING:
     from ..report.study import Study
@@ -225,9 +225,9 @@ transient: Decorator = click.option(
     "--t-end.",
 )
 quiet: Decorator = click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
-trust: Decorator = click.option("--trust", is_flag=True, help=TRUST)
+trust: Decorator = click.option("--trust", is_flag=True, expose_value=False, help=TRUST)
 force: Decorator = click.option(
-    "--force", is_flag=True, help="Overwrite files that are in the way."
+    "--force", is_flag=True, expose_value=False, help="Overwrite files that are in the way."
 )
 as_json: Decorator = click.option(
     "--json", "json_output", is_flag=True, help="Print JSON instead of a table."
@@ -370,7 +370,7 @@ class OfModel(Command):
         """With the options of the model that the arguments name."""
         path, name, about = _value_of(args, "--data"), _value_of(args, "--model"), self
         if path is not None:
-            study = study_of(path, name, "--trust" in args)
+            study = study_of(path, name, trust="--trust" in args)
             name, extra = study.model, extra | {"default_map": self._defaults(study), "obj": study}
         name = USUAL if name is None else name
         if name != self.model.where:
@@ -404,13 +404,13 @@ class OfModel(Command):
             units.spanning(one, self.values, index < self.spanned)
             for index, one in enumerate(asked)
         )
-        ask, force = {name: one for name, one in ask.items() if one}, given.pop("force", False)
-        case = Case(self.model, ctx.obj, values, start, ask, spans, force)
+        ask = {name: one for name, one in ask.items() if one}
+        case = Case(self.model, ctx.obj, values, start, ask, spans)
         json_output, plot = given.pop("json_output", False), given.get("plot")
         assert self.work is not None
         if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
             raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
-        refuse([plot], force)
+        refuse([plot])
         done = self.work(case, **given)
         if done is not None:
             answer, tables = done

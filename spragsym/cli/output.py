@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+from click.core import ParameterSource
 
 from ..core.errors import TargetError
 from ..core.progress import show_progress
@@ -107,13 +108,18 @@ def _plain(thing: object) -> object:
     return None if isinstance(thing, float) and not math.isfinite(thing) else thing
 
 
-def refuse(paths: Iterable[Path | None], force: bool, *, made: bool = False) -> None:
+def is_typed(option: str) -> bool:
+    """Whether an option stands on the command line."""
+    return click.get_current_context().get_parameter_source(option) == ParameterSource.COMMANDLINE
+
+
+def refuse(paths: Iterable[Path | None], *, made: bool = False) -> None:
     """Raise, before any work, if one of the files exists, unless it is to be overwritten, or if it
     can't be written.
     """
     targets = [path for path in paths if path is not None]
     found = [str(path) for path in targets if path.exists()]
-    if found and not force:
+    if found and not is_typed("force"):
         exist = "exists" if len(found) == 1 else "exist"
         raise TargetError(
             f"{', '.join(found)} {exist}; nothing was written; use --force to overwrite, or "
@@ -123,7 +129,7 @@ def refuse(paths: Iterable[Path | None], force: bool, *, made: bool = False) -> 
         probe(path, made=made)
 
 
-def write(files: Mapping[Path, Any], force: bool, *, made: bool = False) -> bool:
+def write(files: Mapping[Path, Any], *, made: bool = False) -> bool:
     """Write texts or bytes to files, but where they are; whether there were others. Refused if a
     file is in the way.
     """
@@ -133,18 +139,18 @@ def write(files: Mapping[Path, Any], force: bool, *, made: bool = False) -> bool
         for path, held in data.items()
         if not (path.is_file() and path.read_bytes() == held)
     }
-    refuse(changed, force, made=made)
+    refuse(changed, made=made)
     for path, held in changed.items():
         put(path, held, made=made)
     return bool(changed)
 
 
 @contextmanager
-def resumed(force: bool) -> Iterator[None]:
-    """Work that goes on in its file where it stopped; with ``force`` whatever is there, which stays
-    until that is done.
+def resumed() -> Iterator[None]:
+    """Work that goes on in its file where it stopped; with ``--force`` whatever is there, which
+    stays until that is done.
     """
-    token = OVERWRITING.set(force)
+    token = OVERWRITING.set(is_typed("force"))
     try:
         yield
     except TargetError as error:

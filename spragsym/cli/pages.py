@@ -41,7 +41,10 @@ if TYPE_CHECKING:
     help="Model of the example; or the folder that FILE names, whose code may run.",
 )
 @click.option(
-    "--trust", is_flag=True, help="Run the code of the folder that FILE names as its model."
+    "--trust",
+    is_flag=True,
+    expose_value=False,
+    help="Run the code of the folder that FILE names as its model.",
 )
 @o.file("--html", metavar="PATH", help="Write one page with pictures.")
 @click.option(
@@ -63,7 +66,6 @@ def report(
     file: Path | None,
     example: bool,
     model: str | None,
-    trust: bool,
     html: Path | None,
     oscillation: bool,
     redesign: bool,
@@ -71,7 +73,6 @@ def report(
     over: tuple[Span, ...],
     csv: Path | None,
     plot: Path | None,
-    force: bool,
     json_output: bool,
 ) -> None:
     """A verdict on the brake whose data stand in FILE, with units and tolerances.
@@ -97,10 +98,10 @@ def report(
         raise click.UsageError("--html is the page of one report; --plot draws what --over tells")
     if not over and (csv is not None or plot is not None):
         raise click.UsageError("--csv and --plot show what --over tells; give --over theta0=40:70")
-    refuse([html, csv, plot], force)
-    study = study_of(file, model, trust, warn=False)  # the report has its own warnings
+    refuse([html, csv, plot])
+    study = study_of(file, model, warn=False)  # the report has its own warnings
     if over:
-        _over(study, over, csv, plot, force, json_output)
+        _over(study, over, csv, plot, json_output)
         return
     with show_progress(
         "computing the report (--no-oscillation and --no-redesign leave out two of its parts)"
@@ -121,7 +122,6 @@ def _over(
     over: tuple[Span, ...],
     csv: Path | None,
     plot: Path | None,
-    force: bool,
     json_output: bool,
 ) -> None:
     """The verdict over one quantity or two."""
@@ -142,7 +142,7 @@ def _over(
         print_rows("", [{key: _known(one) for key, one in row.items()} for row in rows])
         for line in (*found.onsets, *filter(None, [found.unsettled])):
             click.echo(line)
-    write(files, force)
+    write(files)
     drawn(plot, "drawing the verdicts", lambda: _picture_over(found))
 
 
@@ -193,9 +193,7 @@ def explore(
     model: str | None,
     onsets: bool,
     unopened: bool,
-    trust: bool,
     method: str | None,
-    force: bool,
 ) -> None:
     """Write the explorer, one page that computes in the browser and needs no network, and open it.
 
@@ -215,7 +213,7 @@ def explore(
       spragsym explore --model two_springs --onsets --out two_springs.html
       spragsym explore --out web/explorer.html --no-open
     """
-    study = None if data is None else study_of(data, model, trust)
+    study = None if data is None else study_of(data, model)
     chosen = load(study.undamped().model if study is not None else model or USUAL)
     if method == "closed" and chosen.search is chosen:
         raise ModelError(f"{chosen.name} brings no closed forms; leave --method out")
@@ -226,7 +224,6 @@ def explore(
     probe(out, made=True)
     write(
         {out: page(chosen.search if method == "search" else chosen, study, onsets)},
-        force,
         made=True,
     )
     click.echo(out)

@@ -558,7 +558,26 @@ class Onsets(Points):
         return form_or_why(self.balance(row), self.given(row), state, vary, radii)
 
     def balance(self, row: int, law: str = "friction_at_rest") -> Balance:
-        """The balance of forces of the contacts that touch at one of them."""
+        """The balance of forces of the contacts that touch at one of them.
+
+        Parameters
+        ----------
+        row : int
+            Number of the onset, from 0.
+        law : str
+            The friction, of rest or at the speed of the belt, by its generated function.
+
+        Returns
+        -------
+        Balance
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> onsets = ss.flutter_onsets(ss.load("stick_slip").Parameters(), vary="V")
+        >>> onsets.balance(0).coordinates
+        ['x']
+        """
         model = self.parameters.model
         balances, own = balances_of(model, None, law=law), own_name(model, "touching")
         touching = str(self[own][row]) if own in self._values else ""

@@ -10,7 +10,13 @@ import numpy as np
 
 from ..models.field import Field, Mode, Values
 from ..models.parameters import FloatArray
-from ..numerics.interval_arrays import Intervals, ends_around, quiet, rounded_outward
+from ..numerics.interval_arrays import (
+    Intervals,
+    ends_around,
+    quiet,
+    rounded_outward,
+    stacked,
+)
 from ..numerics.vectors import TURN, magnitude
 from ..statics.balance import NOTHING
 from ..statics.forces import as_intervals
@@ -50,12 +56,7 @@ def held_along(
     speeds.
     """
     n, mode = len(field.coordinates), field.initial_mode(one.tolist(), constants)
-    stays = field.stays(mode)
-    across = [border.slopes(one.tolist(), constants, mode) for border in stays if border.slopes]
-    if not across:
-        return False
-    speeds = np.array(across, dtype=float)[:, n : 2 * n - 1]
-    if np.linalg.matrix_rank(speeds) < n - 1:
+    if not field.stays(mode):
         return False
     edges = np.linspace(0.0, rounded_outward(np.array(TURN)), PHASES + 1)
     # Speeds are 0, and places and the clock's rate known to within the room.
@@ -74,9 +75,34 @@ def held_along(
         )
         ends[:, n - 1] = -edges[:-1], edges[1:]
         enclosures = [_Enclosed(row) for row in np.moveaxis(ends, 1, 0)]
-        if not _is_held(field, mode, enclosures, given):
+        if not (
+            _is_held(field, mode, enclosures, given) and _stills(field, mode, enclosures, given)
+        ):
             return False
     return True
+
+
+def _stills(field: Field, mode: Mode, around: Sequence[Any], given: Sequence[Any]) -> bool:
+    """Whether over boxes of states nothing moves but the clock where the sliding speeds that are
+    held are 0: their derivatives A by the rates have full rank. That is so where |1 − R A| < 1 for
+    any R; it is found in floats, of the middles with rows and columns of the size 1, and what is
+    less than 1/2 is less than 1 whatever the rounding of a sum.
+    """
+    n, stays = len(field.coordinates), [each for each in field.stays(mode) if each.slopes]
+    with quiet():
+        rows = [each.slopes(around, given, mode)[n : 2 * n - 1] for each in stays if each.slopes]
+        entries = stacked([entry for row in rows for entry in row], (PHASES,))
+        middle = entries.middle[:, 0].reshape(len(rows), n - 1)
+        sizes = np.abs(middle).max(axis=1, keepdims=True, initial=NOTHING)
+        widths = np.abs(middle / sizes).max(axis=0, initial=NOTHING)
+        widths = np.exp2(np.round(np.log2(widths)))  # so that quotients are exact
+        inverse, off = np.linalg.pinv(middle / sizes / widths) / sizes.T, np.zeros((n - 1, PHASES))
+        for i, j in np.ndindex(n - 1, n - 1):
+            total = Intervals.point(np.full(PHASES, -1.0 * (i == j)))
+            for k in range(len(rows)):
+                total = total + entries[k * (n - 1) + j] * float(inverse[i, k] / widths[j])
+            off[i] = off[i] + total.magnitude
+    return bool((off < 0.5).all())
 
 
 def _is_held(field: Field, mode: Mode, around: Sequence[Any], given: Sequence[Any]) -> bool:

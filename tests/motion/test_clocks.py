@@ -381,3 +381,35 @@ def test_basins_and_sweeps_tell_what_is_held_in_every_phase() -> None:
     beside = ss.simulate(p, x0=0.3, t_end=50.0).outcome()
     assert beside.regime == ss.Regime.EQUILIBRIUM
     assert beside["rest_x"] == pytest.approx(0.3, abs=1e-12)
+
+
+@pytest.mark.thorough
+def test_what_holds_two_masses_is_told_in_any_units() -> None:
+    """Of friction along 1e-20 of a displacement, pressed 1e20 times as hard, and of none along it
+    the mass is held where its spring pulls by less than that, and moves on.
+    """
+    second = """
+y = page.coordinate("y", "m", "of the second")
+phase = page.clock(omega)"""
+    page = replaced(
+        FRICTION,
+        ("\nphase = page.clock(omega)", second),
+        ("* page.rate(x) ** 2 / 2", "* (page.rate(x) ** 2 + page.rate(y) ** 2) / 2"),
+        ("page.normal_force(f)", "one = page.normal_force(f, name='one')\npage.spring(k, along=y)"),
+        ("holds=mu)", "holds=mu, on=one)"),
+    )
+    small = (
+        page
+        + """
+other = page.normal_force(f * 1e20, name="other")
+page.friction(y * 1e-20, 0, slip=lambda v: mu * sgn(v), holds=mu, on=other)
+"""
+    )
+    free = page + 'page.normal_force(f, name="other")\n'
+    regimes = [
+        ss.simulate(
+            model_of(text, name).Parameters(f=5.0), start=[0.3, 0.2, 0.0, 0.0], t_end=50.0
+        ).outcome()
+        for text, name in ((small, "small"), (free, "free"))
+    ]
+    assert [one.regime == ss.Regime.EQUILIBRIUM for one in regimes] == [True, False]

@@ -587,9 +587,7 @@ class QuasiStaticContinuation:
         here = self._candidates(node, goal)
         if here.size == 1:
             return int(here[0])
-        own = Balance(
-            self.p.model, self._balance(node, place).contact, room=OVER_BORDER, options=self.search
-        )
+        own = self._balance(node, place).extended(OVER_BORDER)
         for number in here[np.char.startswith(self.kinds[here].astype(str), BORDER)].tolist():
             tubes, start = self._standing(own, node, place)
             there = tubes.followed(start, self.at[[number]])

@@ -92,8 +92,7 @@ def bifurcation_set(
 
 
 def claims(
-    low: ParameterSet,
-    high: ParameterSet,
+    corners: tuple[ParameterSet, ParameterSet],
     claim: str,
     *,
     vary: str | None = None,
@@ -105,8 +104,9 @@ def claims(
         name: replace(unit, powers={of: unit.powers[of] for of in unit.powers if of in _STATES})
         for name, unit in (units or {}).items()
     }
+    low, high = corners
     ends = undamped(low), undamped(high)
-    found = certificates.claims(*ends, claim, vary=vary, begin=begin, units=of_states)
+    found = certificates.claims(ends, claim, vary=vary, begin=begin, units=of_states)
     found.kind = low.model.Parameters
     return found
 

@@ -155,8 +155,8 @@ def safe_within(
     low, high = designs.limits()
     if (low > -radius).any() or (high < radius).any():
         return False
-    ends = [designs.sets(np.full(len(designs.names), side * radius)) for side in (-1, 1)]
-    box = claims(ends[0], ends[1], "no jump", vary=vary, begin=begin)
+    corners = [designs.sets(np.full(len(designs.names), side * radius)) for side in (-1, 1)]
+    box = claims((corners[0], corners[1]), "no jump", vary=vary, begin=begin)
     names = [name for name in designs.names if name in box.sides and name != vary]
     rows, columns = ([order.index(name) for name in names] for order in (box.sides, designs.names))
     origin, scale = designs.origin[columns, None], designs.scale[columns, None]

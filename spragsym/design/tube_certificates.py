@@ -248,8 +248,7 @@ class Splitting(Claim):
 
 @question
 def claims(
-    low: ParameterSet,
-    high: ParameterSet,
+    corners: tuple[ParameterSet, ParameterSet],
     claim: str,
     *,
     vary: str | None,
@@ -257,7 +256,8 @@ def claims(
     units: Mapping[str, Unit] | None = None,
     method: Method = "auto",
 ) -> Claim:
-    """A claim of :func:`certify` about a box of parameters."""
+    """A claim of :func:`certify` about a box of parameters, by two corners of it."""
+    low, high = corners
     model = low.model
     if claim in STATES:
         if vary is not None:
@@ -364,7 +364,7 @@ def certify(
     model.require_answered("certify")
     sides = as_ranges("between", between, p.ranges)
     low, high = (p.replace(**{name: ends[side] for name, ends in sides.items()}) for side in (0, 1))
-    box = claims(low, high, claim, vary=vary, begin=begin, method=method)
+    box = claims((low, high), claim, vary=vary, begin=begin, method=method)
     return box.certificate(
         claim, box.most if max_boxes is None else as_count("max_boxes", max_boxes), refute
     )

@@ -32,8 +32,7 @@ from .quartic.solver import count, equilibria
 
 
 def claims(
-    low: Parameters,
-    high: Parameters,
+    corners: tuple[Parameters, Parameters],
     claim: str,
     *,
     vary: str | None = None,
@@ -48,6 +47,7 @@ def claims(
     bounded. A box that touches the border of the claim, a fold or an onset of flutter, can't be
     decided there.
     """
+    low, high = corners
     require_usual(low, "mu0", begin)
     measures = checked_units(units, tuple(Parameters.ranges), ("theta0",))
     powers = [one for unit in measures.values() for one in unit.powers.items() if one[0] in NAMES]

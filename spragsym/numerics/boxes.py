@@ -335,7 +335,9 @@ class _Search:
         spent = self.work[pairs.nodes] > most
         if self.plan is not None:
             marks = single, spent
-            return self.plan.decided(given, pairs.ends, parameters, self.limits, marks, self.rules)
+            return self.plan.decided(
+                (given, pairs.ends), parameters, self.limits, marks, self.rules
+            )
         # Widened, so that a root on the border of a box lies well inside, or by rounding beside it.
         room = self.rules.margin * Intervals(pairs.ends).width
         room = room + NARROW * scale_of(pairs.ends).max(axis=0)

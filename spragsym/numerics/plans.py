@@ -99,16 +99,16 @@ class Plan:
 
     def decided(
         self,
-        given: FloatArray,
-        boxes: FloatArray,
+        both: tuple[FloatArray, FloatArray],
         parameters: Intervals,
         limits: FloatArray,
         marks: tuple[BoolArray, BoolArray],
         rules: Rules,
     ) -> tuple[FloatArray, Judged]:
-        """Boxes with room around, and what becomes of them; ``marks`` are those of nodes with one
-        point, and those whose work is spent.
+        """Boxes with room around, and what becomes of them: ``both`` before and after they were
+        contracted; ``marks`` are those of nodes with one point, and those whose work is spent.
         """
+        given, boxes = both
         count = given.shape[2]
         wide, step, left = np.empty((3, *given.shape))
         verdicts, along = np.empty(count, dtype=np.int8), np.empty(count, dtype=np.int64)

@@ -165,7 +165,7 @@ def certificate(study: Brake, *, coarse: bool = False) -> Certificate:
         return Certificate("no jump", "refuted", point, 0.0, 0)
     low, high, units = box(study)
     most = budget.boxes_of_change if coarse else budget.boxes
-    found = claims(low, high, "no jump", units=units, **study.along()).certificate(
+    found = claims((low, high), "no jump", units=units, **study.along()).certificate(
         "no jump", most, refute=False
     )
     # A part of the box where all jump need not hold a brake: the bounds of its friction may be

@@ -62,14 +62,17 @@ class Balance(Forces, StateSystem):
         touching = tuple(
             label_of(it) for k, (it, one) in enumerate(each) if bool(one) != (k == contact)
         )
-        return Balance(self.model, touching, self.law, self.room, self.beyond, self.options)
+        return Balance(self.model, touching, self.law, self.options).extended(
+            self.room, self.beyond
+        )
 
     def extended(self, room: float, contact: int | None = None) -> Balance:
         """The same balance, where states count that far beyond the border of that contact too, or
         of the one that it was extended beyond.
         """
-        beyond = self.beyond if contact is None else contact
-        return Balance(self.model, self.contact, self.law, room, beyond, self.options)
+        other = Balance(self.model, self.contact, self.law, self.options)
+        other.count_beyond(room, self.beyond if contact is None else contact)
+        return other
 
     @property
     def touching(self) -> str:

@@ -52,15 +52,10 @@ class Forces:
         model: Model,
         contact: Touching = True,
         law: str = "friction_at_rest",
-        room: float = 0.0,
-        beyond: int | None = None,
         options: SearchOptions | None = None,
     ) -> None:
         model.require_answered("rest")
         about = model.about
-        #: How far beyond the contacts' borders states count, too, or beyond that of one of them,
-        #: ``beyond``: 0 but where those on it are looked for.
-        self.room, self.beyond = room, beyond
         self.search_options = options or SearchOptions()
         #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has
         #: come to rest.
@@ -104,7 +99,10 @@ class Forces:
         #: Numbers of the contacts that open or press on either face, and which of them touch.
         self.opens = [k for k, entry in enumerate(model.contacts) if entry["border"]]
         self.closed = [bool(self.pushing[k]) for k in self.opens]
-        self.rooms = [room if beyond in (None, k) else 0.0 for k in self.opens]
+        #: How far beyond the borders of contacts states count, too, or beyond that of number
+        #: ``beyond``.
+        self.room, self.rooms = 0.0, [0.0] * len(self.opens)
+        self.beyond: int | None = None
         #: Whether a state on a border does not count where that contact is open.
         self.apart = False
         #: −low and high of each coordinate: on which side of the border a contact's gap is, where
@@ -123,7 +121,6 @@ class Forces:
             if all(entry["polynomial"] for entry in model.contacts)
             else self.border.copy()
         )
-        self.border += room
         #: Sums of rows without forces between coordinates or of contacts that turn, where there
         #: are such: they vanish together with the forces, and what cancels in them is not lost in
         #: boxes.
@@ -196,6 +193,14 @@ class Forces:
     ) -> Evaluation:
         """The evaluation at coordinates, which functions of parameters alone do not need."""
         return Evaluation(self, q if len(q) else [0] * self.n, values, shape, xp)
+
+    def count_beyond(self, room: float, contact: int | None = None) -> None:
+        """Count states that far beyond the border of a contact, or of all, too: where those on it
+        are looked for.
+        """
+        self.border += room - self.room
+        self.room, self.beyond = room, contact
+        self.rooms = [room if contact in (None, k) else 0.0 for k in self.opens]
 
     def sides(self, gaps: Sequence[Intervals]) -> tuple[BoolArray, BoolArray]:
         """Mask of points where gaps are on this side of their contacts' borders or on them, and

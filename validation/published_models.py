@@ -324,8 +324,8 @@ MODELS: dict[str, tuple[Callable[[Any, np.random.Generator], Pair], str, float]]
     "blocks_at_rest": (blocks_at_rest, contact_pages.BLOCKS, STATIC),
     "blocks_alike": (blocks_alike, contact_pages.BLOCKS, MOVING),
     "blocks_driven": (blocks_driven, contact_pages.BLOCKS, MOVING),
-    "leg_that_lifts": (leg_that_lifts, contact_pages.PAD, STATIC),
-    "two_legs": (legs, contact_pages.PAD, STATIC),
+    "leg_that_lifts": (leg_that_lifts, page("pad_on_two_legs"), STATIC),
+    "two_legs": (legs, page("pad_on_two_legs"), STATIC),
     "three_legs": (legs, contact_pages.THREE, STATIC),
     "legs_and_stop": (legs, contact_pages.FOUR, STATIC),
     "shoes": (shoes, contact_pages.SHOES, STATIC),
@@ -336,7 +336,7 @@ MODELS: dict[str, tuple[Callable[[Any, np.random.Generator], Pair], str, float]]
     "forced_stops": (forced_stops, clocks.FRICTION, MOVING),
     "forced_linear": (forced_linear, clocks.DUFFING, MOVING),
     "forced_hardening": (forced_hardening, clocks.DUFFING, MOVING),
-    "forced_against_a_stop": (forced_against_a_stop, clocks.STOPPED, MOVING),
+    "forced_against_a_stop": (forced_against_a_stop, page("forced_stop"), MOVING),
 }
 
 CASES = 20 * len(MODELS)

@@ -76,3 +76,21 @@ def assert_shown(shown: str, given: str) -> None:
     assert doctest.OutputChecker().check_output(shown, given, OPTIONS), (
         f"shown:\n{shown}\ngiven:\n{given}"
     )
+
+
+def captioned(path: Path) -> dict[str, str]:
+    """Files that a page shows, by their names."""
+    block = r"^```{code-block} (?:python|toml)\n:caption: (\S+)\n(.*?)^```$"
+    return dict(re.findall(block, path.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL))
+
+
+def assert_done(page: Path, folder: Path, files: list[str]) -> None:
+    """Write the files of a page, run its five commands, and compare what they print."""
+    shown = captioned(page)
+    assert [*shown] == files
+    for name, content in shown.items():
+        (folder / name).write_text(content, encoding="utf-8")
+    done = commands(page)
+    assert len(done) == 5
+    for command, output in done:
+        assert_shown(output, run(command, folder))

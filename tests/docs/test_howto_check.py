@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.shown import DOCS, assert_shown, commands, run
+from tests.shown import DOCS, assert_done
 
 pytest.importorskip("sympy")
 
@@ -14,16 +14,7 @@ PAGE = DOCS / "howto_check.md"
 
 @pytest.mark.thorough
 def test_the_page_does_what_it_says(tmp_path: Path) -> None:
-    text = PAGE.read_text(encoding="utf-8")
-    block = r"^```{code-block} (?:python|toml)\n:caption: (\S+)\n(.*?)^```$"
-    files = re.findall(block, text, re.MULTILINE | re.DOTALL)
-    assert [name for name, _ in files] == ["cart.py", "notes.toml"]
-    for name, content in files:
-        (tmp_path / name).write_text(content, encoding="utf-8")
-    done = commands(PAGE)
-    assert len(done) == 5
-    for command, shown in done:
-        assert_shown(shown, run(command, tmp_path))
+    assert_done(PAGE, tmp_path, ["cart.py", "notes.toml"])
 
 
 def test_the_page_lists_every_object() -> None:

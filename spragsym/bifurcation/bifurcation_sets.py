@@ -125,11 +125,11 @@ def bifurcation_set(
     options = options or ContinuationOptions()
     family_of = partial(Family.of, p, vary, between, within)
     balances = balances_of(p.model, None, within, options.asked)
-    known = list(extrema(p, vary, between or {}, within, options.asked))
+    special = list(extrema(p, vary, between or {}, within, options.asked))
     curves, parts, borders = list[Curve](), list[OnLines](), list[tuple[str, Points]]()
     for balance in balances:
         family = family_of(balance)
-        ends = [points.select(_of_folds(kind, points, balance)) for kind, points in known]
+        ends = [points.select(_of_folds(kind, points, balance)) for kind, points in special]
         more = np.concatenate([rows_of(family, points) for points in ends], axis=1)
         parts.append(on_lines(family, FOLD, n, more, more[-1], options))
         curves += [_curve(family, chain) for chain in parts[-1].chains]
@@ -148,14 +148,14 @@ def bifurcation_set(
                 pieces = zip(np.split(chain, cuts, axis=1), np.split(passes, cuts), strict=True)
                 curves += [_curve(near, piece) for piece, goes_on in pieces if not goes_on.any()]
     undecided = np.concatenate([found.undecided for found in parts])
-    known += borders
+    special += borders
     decided = all(found.whole for found in parts) and not undecided.shape[0]
-    complete = decided and all(points.complete for _, points in known)
+    complete = decided and all(points.complete for _, points in special)
     cut = of_ranges(family.endless, vary, family.spans)
     said = dict.fromkeys(remark for found in parts for remark in found.remarks)
-    remarks = (*said, *_said(known, cut))
+    remarks = (*said, *_said(special, cut))
     return BifurcationSet(
-        family.vary, tuple(curves), known[0][1], complete, parts[0].lines, undecided, remarks
+        family.vary, tuple(curves), special[0][1], complete, parts[0].lines, undecided, remarks
     )
 
 
@@ -415,7 +415,7 @@ def _pairs(
     one that is not at most: beyond, curves are followed.
     """
     bounds = [_strips(*each) for each in zip(places, lines, spans, strict=True)]
-    below = [np.concatenate([[0], np.cumsum(known)]) for known in decided]
+    below = [np.concatenate([[0], np.cumsum(sure)]) for sure in decided]
     for one, other in _close(np.array([first for first, _ in bounds])):
         near = np.ones(one.size, dtype=np.bool_)
         for (first, last), count in zip(bounds, below, strict=True):
@@ -652,11 +652,11 @@ class FoldCurves:
         slopes = np.moveaxis(
             self._slopes(Intervals.point(states)).middle * self.scale[None, :, None], -1, 0
         )
-        known: BoolArray = np.logical_and.reduce(np.isfinite(slopes), axis=(1, 2))
-        vectors: FloatArray = np.linalg.svd(np.where(known[:, None, None], slopes, 0.0))[2][
+        finite: BoolArray = np.logical_and.reduce(np.isfinite(slopes), axis=(1, 2))
+        vectors: FloatArray = np.linalg.svd(np.where(finite[:, None, None], slopes, 0.0))[2][
             :, -1, :
         ].T
-        return vectors * known
+        return vectors * finite
 
     def on_curve(
         self, start: FloatArray, normal: FloatArray, near: FloatArray

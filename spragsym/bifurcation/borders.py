@@ -75,10 +75,10 @@ def borders(
 
 def passages(balances: Sequence[Balance], balance: Balance) -> Iterator[tuple[int, Balance]]:
     """Contacts of a combination by whose loss it becomes another one of these, and that one."""
-    known = [one.pushing for one in balances]
+    combinations = [one.pushing for one in balances]
     for contact in balance.opens:
         other = balance.across(contact)
-        if balance.pushing[contact] and other.pushing in known:
+        if balance.pushing[contact] and other.pushing in combinations:
             yield contact, other
 
 

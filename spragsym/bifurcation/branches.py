@@ -130,12 +130,12 @@ def linked(
     given = columns(eq.parameters, along.balance.parameters)
     ends = Intervals.between(given.min(axis=1, keepdims=True), given.max(axis=1, keepdims=True))
     turned = reflected_coordinates(along.balance, ends)
-    states, known = _states(along, eq, turned), dict[Span, dict[int, int]]()
+    states, pairs = _states(along, eq, turned), dict[Span, dict[int, int]]()
     open_, halved = steps, list[tuple[Span, float]]()
     options = options or ContinuationOptions()
     for halvings in range(options.halvings + 1):
         more, complete = _by_tubes(along, open_, states, options)
-        known |= more
+        pairs |= more
         failed = [step for step in open_ if step not in complete]
         abandoned = len(failed) > options.open_steps or halvings == options.halvings
         if failed and abandoned and only is not None:
@@ -158,11 +158,11 @@ def linked(
             for ends in ((one, middle), (middle, two))
         ]
     for (one, two), middle in reversed(halved):
-        second = known[middle, two]
-        known[one, two] = {
-            slot: second[place] for slot, place in known[one, middle].items() if place in second
+        second = pairs[middle, two]
+        pairs[one, two] = {
+            slot: second[place] for slot, place in pairs[one, middle].items() if place in second
         }
-    return [known[step] for step in steps]
+    return [pairs[step] for step in steps]
 
 
 def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[float, _States]:
@@ -180,8 +180,8 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
         across = q - np.array(
             np.broadcast_arrays(*balance.at(list(q), balance.floats(given)).mirrored())
         )
-        known = np.abs(across[turned[0]]) > 4 * eq.error[point, slot]
-        sides = np.where(known, np.sign(across[turned[0]]), 0.0)
+        off_mirror = np.abs(across[turned[0]]) > 4 * eq.error[point, slot]
+        sides = np.where(off_mirror, np.sign(across[turned[0]]), 0.0)
     values = np.asarray(eq.parameters[along.vary]).tolist()
     signs = np.sign(np.linalg.det(K))
     found = _States(q, signs, sides, (signs != 0) & (proved == signs))

@@ -59,7 +59,7 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
     proved that they pass it or end there.
     """
     balance, left = tubes.balance, np.flatnonzero(here.sure & (here.v != goal))
-    known = [one.pushing for one in balances_of(balance.model, None)]
+    combinations = [one.pushing for one in balances_of(balance.model, None)]
     # How far the tubes about the border go, over the way that is left: the wider of them first.
     tries = itertools.product((2.0**-10, 2.0**-16), balance.opens)
     away = set[int]()
@@ -83,7 +83,7 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
         good &= met & (at.v == first)
         beyond, box = replace(some, balance=balance.across(contact)), tube.box().ends
         there, over, passes = end, good.copy(), np.zeros_like(good)
-        if beyond.balance.pushing in known:
+        if beyond.balance.pushing in combinations:
             back = replace(near, balance=near.balance.across(contact))
             there = beyond.place(end.z)
             also, _, behind = back.segment(there, _moved(there, first))
@@ -96,7 +96,7 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
         arrived = end.box()
         bounds = near.bounds(arrived[-1])
         over &= alone & on_side(beyond.balance, bounds, arrived.ends[:, :-1])[0]
-        end_kind = BORDER_FOLD if beyond.balance.pushing in known else BORDER
+        end_kind = BORDER_FOLD if beyond.balance.pushing in combinations else BORDER
         for kind, rows in ((PASSES, np.flatnonzero(passes)), (end_kind, np.flatnonzero(over))):
             if rows.size:
                 yield Crossed(

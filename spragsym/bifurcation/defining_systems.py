@@ -484,9 +484,9 @@ class Augmented(OfFamily):
         forces = [made(direction_entries(self.balance, line)) for line in range(lines)]
         if not self.singular:
             return [LineTapes(tape) for tape in forces]
-        known = [made(_known_direction(line)) for line in range(lines)]
+        directions = [made(_known_direction(line)) for line in range(lines)]
         regular = [made(_determinant_entries(line), 2) for line in range(lines)]
-        return [LineTapes(*tapes) for tapes in zip(forces, known, regular, strict=True)]
+        return [LineTapes(*tapes) for tapes in zip(forces, directions, regular, strict=True)]
 
     def excluded_without_plan(self, unknowns: Intervals, parameters: Intervals) -> BoolArray | None:
         """Boxes that the condition rules out by itself."""
@@ -497,8 +497,8 @@ class Augmented(OfFamily):
     @property
     def told_by_plans(self) -> bool:  # type: ignore[override]  # of a condition
         """True where neither the condition nor torsion springs tell more."""
-        known = self.condition.excluded is None and self.condition.abandoned is None
-        return known and not self.balance.torsions
+        plain = self.condition.excluded is None and self.condition.abandoned is None
+        return plain and not self.balance.torsions
 
     def abandoned(
         self, unknowns: Intervals, parameters: Intervals, times: float = 1.0
@@ -572,8 +572,8 @@ def _regular_along(boxes: Boxes, spring: int, numbers: IntArray) -> BoolArray:
     """Boxes in which det K is not 0 for directions of the spring on these arcs."""
     (count,) = boxes.shape
     every, turns = np.tile(np.arange(count), numbers.size), np.repeat(numbers, count)
-    arcs, known = DIRECTIONS[:, :, turns], boxes.taped(*_known_direction(spring))
-    possible = np.flatnonzero(~contractors.apart(arcs, known[:, every].ends))
+    arcs, values = DIRECTIONS[:, :, turns], boxes.taped(*_known_direction(spring))
+    possible = np.flatnonzero(~contractors.apart(arcs, values[:, every].ends))
     on_arcs = Intervals(arcs[:, :, possible])
     found = boxes.some(every[possible]).taped(*_determinant_entries(spring), on_arcs)
     return np.bincount(every[possible], found[0].holds_zero(), count) == 0

@@ -512,8 +512,8 @@ class Onsets(Points):
     def _of_each(self) -> tuple[str, ...]:
         """The frequency, what closed forms know, and the criticality of each."""
         more = ("omega", "branch", "count", "side")
-        known = (name for name in more if self._own(name) in self._values)
-        return (*known, "kind", "criticality")
+        columns = (name for name in more if self._own(name) in self._values)
+        return (*columns, "kind", "criticality")
 
     @cached_property
     def normal_forms(self) -> tuple[Any, ...]:
@@ -532,8 +532,8 @@ class Onsets(Points):
         """Direction of the parameter, ``"up"`` or ``"down"``, in which the state loses its
         stability to this pair; else empty.
         """
-        known = np.abs(self.crossing) > self.crossing_error
-        return np.where(known, np.where(self.crossing > 0, "up", "down"), "")
+        decided = np.abs(self.crossing) > self.crossing_error
+        return np.where(decided, np.where(self.crossing > 0, "up", "down"), "")
 
     @cached_property
     def criticality(self) -> NDArray[np.str_]:

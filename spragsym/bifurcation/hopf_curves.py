@@ -224,12 +224,14 @@ class _Plane(Family):
         for condition, modes, ends in sought:
             found = on_lines(self, condition, n, ends, options=options)
             for chain in found.chains:
-                known = zip(
+                linearizations = zip(
                     _at_ends(found.curves, chain, ends).tolist(),
                     *matrices(self, chain, damping=modes is not meeting),
                     strict=True,
                 )
-                for states, omega in _pieces(chain, [_modes(modes, *each) for each in known]):
+                for states, omega in _pieces(
+                    chain, [_modes(modes, *each) for each in linearizations]
+                ):
                     forms = (
                         self.forms(found.curves, states)
                         if modes is crossing
@@ -386,12 +388,12 @@ class _Plane(Family):
         """Points between neighbours whose coefficients have opposite signs, halved down; a row
         each.
         """
-        known = [k for k, kind in enumerate(kinds) if kind != "undecided"]
+        decided = [k for k, kind in enumerate(kinds) if kind != "undecided"]
         # At a zero–Hopf point, where det K changes its sign, l₁ has a pole.
         side = np.prod(self.roots(states), axis=1).real > 0
         pairs = [
             (one, two)
-            for one, two in itertools.pairwise(known)
+            for one, two in itertools.pairwise(decided)
             if kinds[one] != kinds[two] and side[one] == side[two]
         ]
         if not pairs:
@@ -417,8 +419,8 @@ class _Plane(Family):
             found, good = curves.on_curve(0.5 * (one + two)[:, rows], chord / length, length)
             found, rows = found[:, good], rows[good]
             between = np.array([criticality_of(form)[0] for form in self.forms(curves, found)])
-            known = between != "undecided"
-            found, rows, between = found[:, known], rows[known], between[known]
+            decided = between != "undecided"
+            found, rows, between = found[:, decided], rows[decided], between[decided]
             if not rows.size:
                 break
             same = between == kinds[rows]

@@ -212,11 +212,11 @@ def border_ends(
     """
     balances, found = balances_of(p.model, None, options=options), list[Points]()
     family_of = functools.partial(Family.of, p, (vary,), {vary: span}, None)
-    known = {tuple(balance.pushing) for balance in balances}
+    combinations = {tuple(balance.pushing) for balance in balances}
     for balance in balances:
         for contact in balance.opens:
             other = tuple(balance.across(contact).pushing)
-            if balance.pushing[contact] and other not in known:
+            if balance.pushing[contact] and other not in combinations:
                 near = family_of(balance.extended(OVER_BORDER, contact))
                 found.append(isolated(near, touch(contact), BORDER))
                 if not found[-1].decided:
@@ -416,8 +416,8 @@ class QuasiStaticContinuation:
     def _mesh(self, along: FloatArray) -> FloatArray:
         """The values in their order, with a node on each side of each fold."""
         at = np.concatenate([self.at, self.passes[self.vary]])
-        known, size = np.concatenate([along, at]), _size(at, along)
-        apart = np.abs(known - at[:, None])
+        values, size = np.concatenate([along, at]), _size(at, along)
+        apart = np.abs(values - at[:, None])
         # Between a fold and what is nearer than that no node has room: those beside the fold are
         # farther off than both.
         nearest = np.where(apart > 4 * EPS * size[:, None], apart, np.inf).min(
@@ -426,7 +426,7 @@ class QuasiStaticContinuation:
         room = np.minimum(self.options.fold_distance * size, 0.25 * nearest)
         beside = np.concatenate([at - room, at + room])
         # Between floats next to each other there is no other.
-        new = (along.min() < beside) & (beside < along.max()) & ~np.isin(beside, known)
+        new = (along.min() < beside) & (beside < along.max()) & ~np.isin(beside, values)
         mesh = np.sort(np.concatenate([along, beside[new]]))
         return mesh if along[-1] > along[0] else mesh[::-1]
 

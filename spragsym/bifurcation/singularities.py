@@ -159,14 +159,14 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
         left = found.roots.undecided
         if not left.shape[2]:
             break
-        known = certified_roots.search(
+        on_mirror = certified_roots.search(
             _OnMirror(family, mirror), found.region, family.begin, family.begin
         )
-        inside, beyond = on_side(system, system.fixed(known.point.size), known.ends)
+        inside, beyond = on_side(system, system.fixed(on_mirror.point.size), on_mirror.ends)
         open_boxes, decided = np.ones(left.shape[2], dtype=np.bool_), []
         for hull in np.moveaxis(clusters(left, found.roots.undecided_point)[0], 2, 0):
-            here = np.flatnonzero(contractors.within(known.ends, hull[:, :, None]))
-            alone = contractors.apart(known.undecided, hull[:, :, None]).all()
+            here = np.flatnonzero(contractors.within(on_mirror.ends, hull[:, :, None]))
+            alone = contractors.apart(on_mirror.undecided, hull[:, :, None]).all()
             sure = alone and here.size == 1 and (inside | beyond)[here[0]]
             if sure and only_fold(family, hull, mirror):
                 decided += [int(here[0])] if inside[here[0]] else []
@@ -174,7 +174,7 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
         found = replace(
             found,
             roots=found.roots.select(undecided=open_boxes).concatenated(
-                known.select(np.array(decided, dtype=np.intp), slice(0))
+                on_mirror.select(np.array(decided, dtype=np.intp), slice(0))
             ),
         )
         number += len(decided)

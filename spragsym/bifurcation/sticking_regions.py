@@ -201,8 +201,8 @@ def _result(
     """
     names = [f"{name}_{end}" for name in p.model.coordinates for end in ("low", "high")] + further
     every = [part for parts in ends for part in parts] or [Intervals(np.empty((2, 0)))] * len(names)
-    known = [one for one in every if np.isfinite(one.ends).all()]
-    widths = [one.width / np.maximum(1.0, one.magnitude) for one in known]
+    finite = [one for one in every if np.isfinite(one.ends).all()]
+    widths = [one.width / np.maximum(1.0, one.magnitude) for one in finite]
     error = np.max([np.zeros(every[0].shape), *widths], axis=0)
     return StickingStates(
         p, error, True, (), {name: one.middle for name, one in zip(names, every, strict=True)}

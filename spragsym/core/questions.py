@@ -19,7 +19,7 @@ from __future__ import annotations
 import functools
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
 
 from .error_states import in_usual_state
 from .errors import ModelError, ParameterTypeError, one_of
@@ -32,7 +32,6 @@ if TYPE_CHECKING:
 #: Ways to an answer: by closed form where there is one, by closed form only, or by the general
 #: algorithm and all that it asks.
 Method: TypeAlias = Literal["auto", "closed", "search"]
-WAYS = ("auto", "closed", "search")
 
 
 #: Questions that are answered for several contacts.
@@ -120,7 +119,11 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
         model.require_answered(name)
         asked = model
         if method != "auto":
-            asked = model.whole if one_of("method", method, WAYS) == "closed" else model.search
+            asked = (
+                model.whole
+                if one_of("method", method, get_args(Method)) == "closed"
+                else model.search
+            )
             args = of(asked, args)
             options.update({key: of(asked, value) for key, value in options.items()})
         given = {key: value for key, value in options.items() if not _says_nothing(value)}

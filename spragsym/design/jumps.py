@@ -420,19 +420,21 @@ class Followed:
                 for name in self.balance.coordinates
             ]
             z = np.array([*states, self.begin[rows]])
-            known = eq.decided & np.isfinite(z).all(axis=0)
-            z[:, ~known] = 0.0
+            decided = eq.decided & np.isfinite(z).all(axis=0)
+            z[:, ~decided] = 0.0
             number = np.zeros(rows.size, dtype=np.int64)
             if self.model.has_regimes:
                 touching = eq[own_name(self.model, "touching")][np.arange(rows.size), slot]
-                number[known] = [number_of(self.balances, one) for one in touching[known].tolist()]
+                number[decided] = [
+                    number_of(self.balances, one) for one in touching[decided].tolist()
+                ]
             for k, balance in enumerate(self.balances):
                 mine = number == k
                 if mine.any():
                     tubes = Tubes.of_points(balance, self.vary, self.fixed[:, rows[mine]])
                     error = eq.error[mine, slot[mine]]
                     start = tubes.place(z[:, mine], error=error)
-                    start.sure[~known[mine]] = False
+                    start.sure[~decided[mine]] = False
                     yield rows[mine], tubes, start, self.until[rows[mine]]
 
     def _of(
@@ -494,9 +496,9 @@ class Followed:
             out.error[left[found]] = np.maximum(fold.high - fold.z[-1], fold.z[-1] - fold.low)[
                 found
             ]
-            known = found | (fold.sure & (near > 0))
-            out.decided[left[known]] = True
-            left, at = left[~known], at[~known]
+            decided = found | (fold.sure & (near > 0))
+            out.decided[left[decided]] = True
+            left, at = left[~decided], at[~decided]
             if least is None:
                 at = past(tubes[left], at, forward, 2.0**-8 * np.abs(goal[left] - start.v[left]))
         return out
@@ -548,8 +550,10 @@ class JumpGradient(Named):
         """
         rows = []
         for name, values in {"value": self.value, **self.slopes}.items():
-            known = np.asarray(values)[~np.isnan(self.value)]
-            ends = (f"{known.min():.10g}", f"{known.max():.10g}") if known.size else ("nan", "nan")
+            finite = np.asarray(values)[~np.isnan(self.value)]
+            ends = (
+                (f"{finite.min():.10g}", f"{finite.max():.10g}") if finite.size else ("nan", "nan")
+            )
             rows.append((self.vary if name == "value" else f"slope by {name}", *ends))
         return Table(
             f"JumpGradient, vary = {self.vary}, radians", ("", "smallest", "largest"), tuple(rows)

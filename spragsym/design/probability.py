@@ -9,14 +9,14 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, Protocol, TypeAlias
+from typing import Any, Protocol, TypeAlias, get_args
 
 import numpy as np
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, one_of
 from ..core.progress import advance
-from ..core.questions import WAYS, Method, model_of
+from ..core.questions import Method, model_of
 from ..display import Table
 from ..models import Model
 from ..models.load import USUAL, load
@@ -398,7 +398,7 @@ def jump_probability(
     >>> found.proved[1] - found.proved[0] < 0.01
     True
     """
-    one_of("method", method, WAYS)
+    one_of("method", method, get_args(Method))
     if isinstance(distribution, tuple):
         asked, in_si = model_of(distribution), isinstance(distribution[0], QuantityValues)
     else:

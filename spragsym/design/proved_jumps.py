@@ -50,16 +50,16 @@ class ProvedJumps:
         pieces, (count,) = self.pieces, p.shape
         loading, *free = (np.broadcast_to(p[name], count) for name in (self.vary, *self.free))
         part = self._parts(free) if free else np.zeros(count, dtype=np.int64)
-        known = (part >= 0) & self.known[part] & (p.followed is None)
+        proved = (part >= 0) & self.known[part] & (p.followed is None)
         given = {name: np.broadcast_to(p[name], count) for name in p.ranges if p[name] is not None}
-        asked = np.flatnonzero((part >= 0) & ~known)
+        asked = np.flatnonzero((part >= 0) & ~proved)
         if asked.size:
             there, room = self._there(free, part, asked)
             states, error = self._reference_states(p.replace(**selected_rows(given, asked)))
             part[asked[~(np.abs(states - there) + error <= room).all(axis=0)]] = -1
         below, above = loading <= pieces.safe[part], loading > pieces.top[part]
         out = np.where(part < 0, np.nan, np.where(above, 1.0, np.where(below, 0.0, np.nan)))
-        left = np.flatnonzero(known & np.isnan(out))
+        left = np.flatnonzero(proved & np.isnan(out))
         if left.size and free:
             begin = np.full(left.size, self.begin)
             until = np.maximum(begin, loading[left])
@@ -99,11 +99,11 @@ class ProvedJumps:
         eq = equilibria(p.replace(**{self.vary: self.begin}))
         rows, slot = np.arange(p.shape[0]), reference_state(eq, p.followed)
         states = np.array([column[rows, slot] for column in eq.coordinates.values()])
-        known = eq.decided & np.isfinite(states).all(axis=0)
+        decided = eq.decided & np.isfinite(states).all(axis=0)
         if p.model.has_regimes:
-            known &= eq[own_name(p.model, "touching")][rows, slot] == self.touching
-        error = np.where(known, eq.error[rows, slot] * scale_of(states).max(axis=0), np.inf)
-        return np.where(known, states, 0.0), np.broadcast_to(error, states.shape)
+            decided &= eq[own_name(p.model, "touching")][rows, slot] == self.touching
+        error = np.where(decided, eq.error[rows, slot] * scale_of(states).max(axis=0), np.inf)
+        return np.where(decided, states, 0.0), np.broadcast_to(error, states.shape)
 
 
 def proved_jumps(box: Splitting, share: Callable[[Any], FloatArray], most: int) -> ProvedJumps:

@@ -204,8 +204,8 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Motion
     places = []
     for unit in field.units:
         alike = [way for way, other in zip(ways, field.units, strict=True) if other == unit]
-        known = lengths if unit == "m" and lengths else alike
-        places.append(1.0 if unit == "rad" else _power(max(known)))
+        sizes = lengths if unit == "m" and lengths else alike
+        places.append(1.0 if unit == "rad" else _power(max(sizes)))
     found = MotionScales(tuple(places), _power(time), (1.0,) * len(field.borders))
     levels = (_level(border, field, constants, state, found) for border in field.borders)
     return replace(found, levels=tuple(levels), roots=_roots(field, constants, state, found))
@@ -277,7 +277,7 @@ def _roots(
     field: Field, constants: Values, state: list[float], scales: MotionScales
 ) -> tuple[float, ...]:
     """Units of square roots: of the largest value of each where the state is, and a unit off."""
-    units, known = scales.states.tolist(), list[list[float]]()
+    units, sampled = scales.states.tolist(), list[list[float]]()
     for share in (-1.0, 0.0, 1.0):
         at, seen = [v + share * unit for v, unit in zip(state, units, strict=True)], list[float]()
 
@@ -290,8 +290,8 @@ def _roots(
             field.acceleration(at, constants, field.initial_mode(at, constants), xp)
         except (ArithmeticError, ValueError):
             continue
-        known.append(seen)
-    return tuple(_power(max(values)) for values in zip(*known, strict=False))
+        sampled.append(seen)
+    return tuple(_power(max(values)) for values in zip(*sampled, strict=False))
 
 
 def _power(value: float) -> float:

@@ -253,14 +253,14 @@ class Trajectory(Named):
             )
             for key, values in zip(self.components, self.state, strict=True)
         ]
-        known = {"model": self.model.name, "p": self.p, "rtol": self.rtol}
-        known["backend"] = "SciPy's Radau" if self.implicit else self.backend
+        shown = {"model": self.model.name, "p": self.p, "rtol": self.rtol}
+        shown["backend"] = "SciPy's Radau" if self.implicit else self.backend
         if self.events is not None:
-            known["events"] = len(self.events)
+            shown["events"] = len(self.events)
         title = caption(
             said,
             f"Trajectory, t = {said.cell('t', t[0])} to {said.cell('t', t[-1])}",
-            known,
+            shown,
             f"{len(t)} samples",
         )
         return Table(title, ("", "first", "smallest", "largest", "last"), tuple(rows))
@@ -948,11 +948,11 @@ def started(
     p: ParameterSet, values: Mapping[str, ArrayLike | None]
 ) -> tuple[ParameterSet, dict[str, ArrayLike]]:
     """Parameters with those among values by name, and the other values, of the initial state."""
-    known = {name: value for name, value in values.items() if value is not None}
-    initial = {f"{name}0" for name in p.model.components} | {*known} - {*p.ranges}
+    given = {name: value for name, value in values.items() if value is not None}
+    initial = {f"{name}0" for name in p.model.components} | {*given} - {*p.ranges}
     return (
-        p.given(**{name: value for name, value in known.items() if name not in initial}),
-        {name: value for name, value in known.items() if name in initial},
+        p.given(**{name: value for name, value in given.items() if name not in initial}),
+        {name: value for name, value in given.items() if name in initial},
     )
 
 
@@ -1023,10 +1023,10 @@ def _error(found: Trajectory, problem: Problem) -> FloatArray:
     is, by heyoka where that is installed; NaN where no run is tight enough.
     """
     offered = integrators.offered_for(found.model)
-    known = [name for name in offered if integrators.is_there(name)]
+    installed = [name for name in offered if integrators.is_there(name)]
     beside = tuple(value * (1.0 + np.finfo(float).eps) for value in problem.start)
-    for backend in dict.fromkeys(("heyoka", found.backend, *known)):
-        if backend not in known:
+    for backend in dict.fromkeys(("heyoka", found.backend, *installed)):
+        if backend not in installed:
             continue
         tightest = TIGHTEST if backend == "heyoka" else RTOL
         try:

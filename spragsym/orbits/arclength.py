@@ -330,14 +330,14 @@ def zero_of(
     """
     from scipy.optimize import brentq
 
-    known, xtol = {0.0: one, length: other}, xtol or one.setting.options.located
+    points, xtol = {0.0: one, length: other}, xtol or one.setting.options.located
 
     def value(arc: float) -> float:
-        if arc not in known:
-            known[arc] = corrected(one, arc)
-        return test(known[arc])
+        if arc not in points:
+            points[arc] = corrected(one, arc)
+        return test(points[arc])
 
-    return known[float(brentq(value, 0.0, length, xtol=xtol, rtol=8.9e-16))]
+    return points[float(brentq(value, 0.0, length, xtol=xtol, rtol=8.9e-16))]
 
 
 def along(point: BranchPoint, value: float) -> BranchPoint:

@@ -98,25 +98,25 @@ def attractor_exponents(system: System, verdict: FateVerdict) -> tuple[str, Floa
         # Held in every phase: nothing decays along coordinates and phase, sticking ends the rest.
         held = np.where(np.arange(size) < len(system.field.coordinates), 0.0, -np.inf)
         return kind, held, np.zeros(size)
-    known = attractor(system, verdict)
-    if known.kind == Regime.LIFT_OFF:
+    limit = attractor(system, verdict)
+    if limit.kind == Regime.LIFT_OFF:
         nothing = np.full(size, np.nan)
         return kind, nothing, nothing
-    if known.orbit is None:
+    if limit.orbit is None:
         values, _ = spectrum_at_rest(
-            system.field, system.constants, known.state, system.mode(known.state)
+            system.field, system.constants, limit.state, system.mode(limit.state)
         )
         rates = np.full(size, -np.inf)
         rates[: len(values)] = values.real
         errors = np.zeros(len(rates))
     else:
-        sizes = np.abs(known.orbit.multipliers)
-        off = np.array([0.0, *known.orbit.multiplier_errors])
+        sizes = np.abs(limit.orbit.multipliers)
+        off = np.array([0.0, *limit.orbit.multiplier_errors])
         with np.errstate(divide="ignore", invalid="ignore"):
-            rates = np.log(sizes) / known.orbit.period
+            rates = np.log(sizes) / limit.orbit.period
             known_from = np.where(sizes > 0, off < sizes, off == 0)
             relative = np.divide(off, sizes, out=np.zeros_like(off), where=sizes > 0)
-            errors = np.where(known_from, -np.log1p(-relative) / known.orbit.period, np.inf)
+            errors = np.where(known_from, -np.log1p(-relative) / limit.orbit.period, np.inf)
         rates[0] = 0.0
     order = np.argsort(-rates, kind="stable")
     return kind, rates[order], errors[order]

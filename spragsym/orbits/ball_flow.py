@@ -392,7 +392,7 @@ class Smooth:
         n, m = len(self.field.coordinates), self.field.size
         rows = [[arb(value)] for value in state]
         while len(rows[0]) <= order:
-            known, count = len(rows[0]), min(2 * len(rows[0]), order + 1)
+            terms, count = len(rows[0]), min(2 * len(rows[0]), order + 1)
             with _terms(count):
                 series = [arb_series(row, prec=count) for row in rows]
                 accelerations = self.field.acceleration(
@@ -404,10 +404,10 @@ class Smooth:
             )
             by_state = [
                 arb_mat(n, m, [_term(value, k) for row in slopes for value in row])
-                for k in range(count - known)
+                for k in range(count - terms)
             ]
             added: list[arb_mat] = []
-            for k in range(known, count):
+            for k in range(terms, count):
                 pull = arb_mat(n, 1, [_term(rate, k - 1) for rate in rates])
                 for slope, more in zip(by_state, reversed(added), strict=False):
                     pull += slope * more

@@ -165,12 +165,14 @@ def basin_boundary(
     if not len(plane) == len({*plane} & {*names}) == 2:
         raise ParameterError(f"plane = {plane!r} is not two of {', '.join(names)}")
     axes = [names.index(name) for name in plane]
-    known = _saddle(system, p, saddle)
-    scales = system.scales(known.state)
+    saddle_point = _saddle(system, p, saddle)
+    scales = system.scales(saddle_point.state)
     units = scales.states[axes]
     widths = units * [3.0 if name in model.coordinates else 1.0 for name in plane]
     given = as_ranges("between", between, {name: model.any_of(name) for name in plane})
-    default_ranges = zip(plane, known.state[axes] - widths, known.state[axes] + widths, strict=True)
+    default_ranges = zip(
+        plane, saddle_point.state[axes] - widths, saddle_point.state[axes] + widths, strict=True
+    )
     ranges = [given.get(name, (low, high)) for name, low, high in default_ranges]
     ranges = [(low / unit, high / unit) for (low, high), unit in zip(ranges, units, strict=True)]
     low, high = ranges[0]
@@ -178,7 +180,7 @@ def basin_boundary(
     whole = (high - low) * (1 / 300)
     step = whole if step is None else as_number("step", step, POSITIVE) / float(units[0])
     points = as_count("points", points)
-    walk = _Walk(system, scales, known, np.eye(len(names))[axes], ranges, step, points)
+    walk = _Walk(system, scales, saddle_point, np.eye(len(names))[axes], ranges, step, points)
     first, error, span = walk.begun(state_of(model, start) / scales.states)
     (back, why_back), (forth, why_forth) = (walk.follow(first, span, sign) for sign in (-1.0, 1.0))
     found = [*reversed(back), (first, error), *forth]
@@ -191,8 +193,8 @@ def basin_boundary(
         np.array([units.max() * error for _, error in found]),
         differ,
         sides,
-        known.state,
-        known.growth,
+        saddle_point.state,
+        saddle_point.growth,
         (why_back, why_forth),
     )
 
@@ -224,8 +226,8 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
         found = _saddles(system, [place])
     for contact in (None, False) if near is None else ():
         if not found and contact in (None, *p.model.regimes):
-            known = equilibria(p, contact)
-            columns = [column[known.states] for column in known.coordinates.values()]
+            rests = equilibria(p, contact)
+            columns = [column[rests.states] for column in rests.coordinates.values()]
             found = _saddles(system, np.transpose(columns))
     if len(found) != 1:
         listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found)

@@ -420,15 +420,15 @@ def _vanishing(
     """
     from scipy.interpolate import KroghInterpolator
 
-    known = [(np.inf, np.nan)]
+    sizes = [(np.inf, np.nan)]
     for point in points:
         # Sizes of points by which it is told where a size vanishes are so far apart, as
         # a factor.
-        if (now := size(point)) < 0.7 * known[-1][0]:
-            known.append((now, point.value))
+        if (now := size(point)) < 0.7 * sizes[-1][0]:
+            sizes.append((now, point.value))
     ends = [
-        float(KroghInterpolator(*zip(*known[i - 2 : i + 1], strict=True))(0.0))
-        for i in range(3, len(known))
+        float(KroghInterpolator(*zip(*sizes[i - 2 : i + 1], strict=True))(0.0))
+        for i in range(3, len(sizes))
     ]
     each = ((float(np.ptp(ends[i - 2 : i + 1])), ends[i]) for i in range(2, len(ends)))
     off, value = min(each, default=(abs(points[-1].value), points[-1].value))

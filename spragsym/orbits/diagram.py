@@ -266,7 +266,7 @@ def diagram(
     labels = [*(label for _, own in rests for label in own), *_of_cycles(branches)]
     # A Hopf point is located to this, in ranges of the parameter.
     remarks += _left_alone(vary, labels, born_at, 1e-6 * (high - low))
-    spans = [undecided_points(known, vary, (low, high)) for _, known in seeds]
+    spans = [undecided_points(eq, vary, (low, high)) for _, eq in seeds]
     undecided = joined(np.concatenate([undecided_parts(onsets, (low, high)), *spans]))
     remarks += [
         Remark("equilibria or Hopf points may be missing for {}", At(vary, (start, end)))
@@ -401,7 +401,7 @@ def _scales_of_all(p: ParameterSet, seeds: Sequence[tuple[Touching, Equilibria]]
     names = p.model.coordinates
     most = [
         max(
-            (magnitude([0.0, *known.coordinates[name][known.states]]) for _, known in seeds),
+            (magnitude([0.0, *eq.coordinates[name][eq.states]]) for _, eq in seeds),
             default=0.0,
         )
         for name in names
@@ -416,10 +416,10 @@ def _equilibria(
     model, found = p.model, list[tuple[Touching, list[BranchPoint]]]()
     index, span = model.parameters.index(vary), (to[1] - to[0]) / 2
     scales = _scales_of_all(p.replace(**{vary: sum(to) / 2}), seeds)
-    for contact, known in seeds:
-        grid = np.asarray(known.parameters[vary])
-        places = np.stack([*known.coordinates.values()], axis=-1)
-        for i, j in np.transpose(known.states).tolist():
+    for contact, eq in seeds:
+        grid = np.asarray(eq.parameters[vary])
+        places = np.stack([*eq.coordinates.values()], axis=-1)
+        for i, j in np.transpose(eq.states).tolist():
             system = System.of(p.replace(**{vary: float(grid[i])}), None)
             try:
                 state = system.equilibrium(places[i, j])

@@ -442,8 +442,8 @@ def _along(system: System, rest: FloatArray, place: int, form: NormalForm, z: fl
     """
     scales = system.scales(rest)
     own, unit = system.scaled(scales), 1 / norm(form.q / scales.states)
-    known = abs(form.lyapunov) > form.lyapunov_error
-    aside = -form.omega * form.lyapunov * z**2 / form.crossing if known else 0.0
+    decided = abs(form.lyapunov) > form.lyapunov_error
+    aside = -form.omega * form.lyapunov * z**2 / form.crossing if decided else 0.0
     ahead = form.along * aside + 2 * z * form.q.real + z**2 * (form.square.real + form.mean)
     first, middle = (rest + ahead) / scales.states, rest / scales.states
     start = list(system.values)

@@ -141,23 +141,23 @@ def _attractors(
     of a cycle's one state, or by the set of rest.
     """
     labels = np.full(sweep.regime.shape, -1)
-    known, unknown = list[Outcome](), dict[int, list[int]]()
+    limits, unknown = list[Outcome](), dict[int, list[int]]()
     for index in np.argwhere(sweep.regime != Regime.FAILED):
         outcome, apart = sweep.outcome(tuple(index)), list[int]()
-        for label, other in enumerate(known):
+        for label, other in enumerate(limits):
             same = one_limit(other, outcome)
             if same:
                 break
             apart += [label] * (same is None)
         else:
-            label = len(known)
-            known.append(outcome)
+            label = len(limits)
+            limits.append(outcome)
             unknown |= {label: apart} if apart else {}
         labels[tuple(index)] = label
     return {
         "attractor": labels,
         "attractors": tuple(
-            (one.limit, one.equilibrium, one.cycle_mean, one.cycle_spread) for one in known
+            (one.limit, one.equilibrium, one.cycle_mean, one.cycle_spread) for one in limits
         ),
         "remarks": tuple(
             f"attractor {one} is rest where friction holds, as {', '.join(map(str, others))}: no "

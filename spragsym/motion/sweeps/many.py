@@ -292,12 +292,12 @@ class Sweep(Named):
             )
             for what, places in (("rest", self.model.coordinates), ("cycle", self.model.components))
         )
-        known = {
+        numbers = {
             name: measures[name]
             for name in ("rate", "distance", "period", "cycle_mean", "cycle_rms")
         }
         regime, which = Regime(int(self.regime[index])), int(self.equilibrium[index])
-        return Outcome(regime, which, rest, cycle=cycle, names=self.model.components, **known)
+        return Outcome(regime, which, rest, cycle=cycle, names=self.model.components, **numbers)
 
     def to_dataset(self) -> Dataset:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
@@ -466,12 +466,12 @@ def _made_of(
 
 def with_degrees(model: Model, inputs: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
     """The inputs, every angle in degrees beside it in radians."""
-    known = {}
+    columns = {}
     for name, values in inputs.items():
-        known[name] = values
+        columns[name] = values
         if name in model.about["angles"]:
-            known[f"{name}_deg"] = np.vectorize(degrees, otypes=[np.float64])(values)
-    return known
+            columns[f"{name}_deg"] = np.vectorize(degrees, otypes=[np.float64])(values)
+    return columns
 
 
 def fingerprint(model: Model, inputs: Mapping[str, FloatArray], settings: Mapping[str, Any]) -> str:

@@ -531,8 +531,9 @@ class _InMode:
     ) -> list[Coefficient | str | None]:
         """l₁ of each point that is shown to have one."""
         size = 2 * self.balance.n
-        # Beside the width of such boxes rounding is nothing.
-        wide = np.logical_or.reduce(boxes.width > 2.0**-40 * scale_of(boxes.middle))
+        # Beside the width of such boxes rounding is nothing, or no more than some times as much.
+        share = (boxes.width / scale_of(boxes.middle)).max(axis=0)
+        wide, known = share > 2.0**-40, share > 2.0**-48
         out: list[Coefficient | str | None] = [None] * boxes.shape[1]
         linear = self._taped("linear", self._linear, boxes, parameters)
         A, levels = linear[: size**2], linear[size**2 :]
@@ -559,7 +560,10 @@ class _InMode:
         middle = found.middle
         error = contractors.distance(found.ends[:, :1], middle[:1])[0]
         for k, row in enumerate(rows.tolist()):
-            if np.isfinite(error[k]) and (wide[row] or abs(middle[0, k]) > error[k]):
+            size = abs(middle[0, k])
+            # Digits that narrow the bound to a thirtieth would tell no sign, either.
+            near = known[row] and 32 * size < error[k]
+            if np.isfinite(error[k]) and (wide[row] or near or size > error[k]):
                 reach = _reach(middle[1:, k].tolist())
                 out[row] = Coefficient(float(middle[0, k]), float(error[k]), reach)
         return out

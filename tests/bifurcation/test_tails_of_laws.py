@@ -8,6 +8,10 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.bifurcation import hopf_curves
+from spragsym.bifurcation.normal_forms import coefficients, normal_form
+from spragsym.numerics import contractors
+from spragsym.numerics.interval_arrays import Intervals
 from tests.oracles.user_pages import model_of, shipped_page
 
 #: Mode coupling with dampers (Hoffmann and Gaul 2003) under the law μ0 tanh(d v).
@@ -58,3 +62,35 @@ def test_no_generalized_hopf_point_in_the_tail(model: Any) -> None:
     )
     assert {kind for curve in found.curves for kind in curve.criticality} == {"undecided"}
     assert not np.concatenate([found.changes["mu0"]]).size
+
+
+@pytest.mark.thorough
+def test_what_is_not_asked_with_digits_they_do_not_tell_either(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Coefficients far below their bound: by many digits they are undecided too, and agree."""
+    asked: list[tuple[tuple[Any, ...], list[Any]]] = []
+
+    def noted(*given: Any) -> list[Any]:
+        asked.append((given, coefficients(*given)))
+        return asked[-1][1]
+
+    monkeypatch.setattr(hopf_curves, "coefficients", noted)
+    ss.onset_curves(ss.load("cubic_contact").Parameters())
+    told = left = 0
+    for (balance, given, ends, vary), forms in asked:
+        for k, form in enumerate(forms):
+            left += form is None
+            if form is None or abs(form.lyapunov) > form.lyapunov_error:
+                continue
+            middle, n = Intervals(ends[:, :, k]).middle, balance.n
+            column = given[:, k].copy()
+            column[[balance.parameters.index(name) for name in vary]] = middle[n:]
+            radii = contractors.distance(ends[:, :, k], middle)
+            exact = normal_form(balance, column, middle[:n], vary, radii)
+            assert abs(exact.lyapunov) <= exact.lyapunov_error
+            off = abs(exact.lyapunov - form.lyapunov)
+            assert off <= exact.lyapunov_error + form.lyapunov_error
+            told += 1
+    assert told > 4
+    assert 0 < left < 15

@@ -31,6 +31,7 @@ from ..numerics.interval_arrays import (
     ends_around,
     quiet,
     scale_of,
+    width_of,
 )
 from ..numerics.vectors import norm
 from ..results import BifurcationSet, Curve, Points
@@ -378,12 +379,15 @@ def _effort(families: Sequence[Family], condition: Condition) -> tuple[int, int]
 
 
 def _on_each(lines: Family, condition: Condition, budget: int, tries: int) -> Found:
-    """All points on lines, searched at once; each line of which boxes are left again alone, with
-    all that decides one line.
+    """All points on lines, searched at once; each line of which small boxes are left again alone,
+    with all that decides one line. Where wide ones are left its boxes were spent.
     """
     found = search(lines, condition, budget)
     roots, undecided = found.roots, 0
-    for line in np.unique(roots.undecided_point)[:, None]:
+    left = roots.undecided
+    wide = (width_of(left) > lines.balance.options.small * scale_of(left)).any(axis=(0, 1))
+    spent = roots.undecided_point[wide]
+    for line in np.setdiff1d(roots.undecided_point, spent)[:, None]:
         if undecided == tries:
             break
         alone = search(replace(lines, given=lines.given[:, line]), condition, budget).roots

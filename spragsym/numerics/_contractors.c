@@ -1,6 +1,7 @@
 /* Contractors of many boxes, and what becomes of each box of a search: the same numbers, operation by operation, as contractors.py
  * and verdicts.py give, one box after the other.
  *
+ * inverse(matrices, n, to): inverses of matrices of floats, roughly, shape (n, n, N).
  * newton(values, slopes, middle, reach, n, by_rows, ends, noise, none)
  * judged(values, slopes, middle, given, boxes, wide, n, sharp, single, spent, rules, step, left, verdicts, along)
  *
@@ -97,6 +98,39 @@ static PyObject *newton(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
+static PyObject *inverses(PyObject *module, PyObject *arguments) {
+    (void)module;
+    Py_buffer of[2];
+    int n;
+    if (!PyArg_ParseTuple(arguments, "y*iw*", of, &n, of + 1)) {
+        return NULL;
+    }
+    const Py_ssize_t one = (Py_ssize_t)sizeof(double) * n * n;
+    const Py_ssize_t N = one > 0 ? of[0].len / one : 0;
+    const Py_ssize_t sizes[] = {N * one, N * one};
+    if (!fit(of, sizes, 2, n)) {
+        release(of, 2);
+        return NULL;
+    }
+    Py_BEGIN_ALLOW_THREADS for (Py_ssize_t i = 0; i < N; i++) {
+        vector m[MOST];
+        vector Y[MOST];
+        for (int k = 0; k < n; k++) {
+            for (int j = 0; j < n; j++) {
+                m[k][j] = ((const double *)of[0].buf)[(k * n + j) * N + i];
+            }
+        }
+        inverse(n, m, Y);
+        for (int k = 0; k < n; k++) {
+            for (int j = 0; j < n; j++) {
+                ((double *)of[1].buf)[(k * n + j) * N + i] = Y[k][j];
+            }
+        }
+    }
+    Py_END_ALLOW_THREADS release(of, 2);
+    Py_RETURN_NONE;
+}
+
 static PyObject *judged(PyObject *module, PyObject *arguments) {
     (void)module;
     Py_buffer of[12];
@@ -142,6 +176,7 @@ static PyObject *judged(PyObject *module, PyObject *arguments) {
 }
 
 static PyMethodDef methods[] = {{"newton", newton, METH_VARARGS, "A step of interval Newton for many boxes."},
+    {"inverse", inverses, METH_VARARGS, "Inverses of matrices, roughly."},
     {"judged", judged, METH_VARARGS, "What becomes of the boxes of a search."},
     {NULL, NULL, 0, NULL}};
 

@@ -4,6 +4,7 @@ from typing import Any as Buffer
 
 MOST: int
 
+def inverse(matrices: Buffer, n: int, to: Buffer) -> None: ...
 def newton(
     values: Buffer,
     slopes: Buffer,

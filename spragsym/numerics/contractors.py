@@ -186,6 +186,10 @@ def apart(one: FloatArray, other: FloatArray) -> BoolArray:
 def inverse(matrices: FloatArray) -> FloatArray:
     """Inverses of matrices of shape (n, n, N), roughly; the unit matrix where there is none."""
     n = matrices.shape[0]
+    if (extension := compiled_for(n)) is not None:
+        made = np.empty(matrices.shape)
+        extension.inverse(np.ascontiguousarray(matrices, dtype=np.float64), n, made)
+        return made
     with quiet():
         if n == 1:
             out = 1 / matrices

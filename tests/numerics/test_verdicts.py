@@ -86,6 +86,15 @@ def test_steps_are_those_of_numpy(n: int, monkeypatch: pytest.MonkeyPatch) -> No
         np.testing.assert_array_equal(getattr(found, name), getattr(expected, name), err_msg=name)
 
 
+@pytest.mark.parametrize("n", [1, 2, 3, 6])
+def test_inverses_are_those_of_numpy(n: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(n)
+    matrices = rng.normal(size=(n, n, 2000)) * rng.choice([1.0, 1.0, 0.0, 1e150, np.nan], 2000)
+    found = contractors.inverse(matrices)
+    monkeypatch.setattr(contractors, "compiled", None)
+    np.testing.assert_array_equal(found, contractors.inverse(matrices))
+
+
 @pytest.mark.parametrize("n", [3, 4, 7])
 def test_inverses_are_those_of_elimination_by_lapack(n: int) -> None:
     rng = np.random.default_rng(n)
@@ -106,6 +115,8 @@ def test_arrays_that_do_not_fit_are_refused() -> None:
     for n in (0, 1, 9):
         with pytest.raises(ValueError, match="shapes of one another"):
             compiled.newton(*[numbers] * 4, n, False, np.zeros(4), np.zeros(2), np.zeros(2, bool))
+        with pytest.raises(ValueError, match="shapes of one another"):
+            compiled.inverse(numbers, n, np.zeros(7))
 
 
 @pytest.mark.thorough

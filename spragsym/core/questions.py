@@ -34,56 +34,8 @@ if TYPE_CHECKING:
 Method: TypeAlias = Literal["auto", "closed", "search"]
 
 
-#: Questions that are answered for several contacts.
-SEVERAL = (
-    "basin",
-    "basin_boundary",
-    "bifurcation_set",
-    "certify",
-    "count",
-    "critical_friction",
-    "critical_value",
-    "cusp_friction",
-    "cusps",
-    "cycle",
-    "cycle_branch",
-    "cycle_events",
-    "diagram",
-    "equilibria",
-    "export",
-    "export to fmu",
-    "fate",
-    "fate_boundary",
-    "fate_map",
-    "flutter_onsets",
-    "folds",
-    "jump_gradient",
-    "jump_margin",
-    "jump_probability",
-    "jump_value",
-    "lyapunov",
-    "onset_curves",
-    "precise_cusps",
-    "precise_equilibria",
-    "prove_cycle",
-    "quasi_static_path",
-    "redesign",
-    "report",
-    "rms_sweep",
-    "sensitivity",
-    "simulate",
-    "sticking_states",
-)
-#: Parts of answers for several contacts.
-PARTS_OF_SEVERAL = (
-    "claims",
-    "first_limit_points",
-    "limit_point_passed",
-    "linked",
-    "border_ends",
-    "rest_index",
-    "rest",
-)
+#: Questions that are not answered of a page with several contacts.
+NOT_OF_SEVERAL = ("check", "explore")
 #: Questions that are answered of a page with a clock.
 FORCED = (
     "basin",

@@ -17,7 +17,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..core.errors import ModelError, ParameterError
-from ..core.questions import FORCED, PARTS_OF_SEVERAL, SEVERAL
+from ..core.questions import FORCED, NOT_OF_SEVERAL
 from ..display import Column, aligned
 from ..numerics.vectors import WholeTurns
 from . import forces
@@ -214,15 +214,13 @@ class Model:
                 f"whose page has a clock ({self.clock}): nothing rests there; ask "
                 f"{', '.join(FORCED)}, or hold the clock still with a parameter in its place"
             )
-        if len(self.contacts) == 1:
-            return ""
-        answered = [one for one in SEVERAL if one != "sticking_states" or self._rests_in_a_region]
-        if question in (*answered, *PARTS_OF_SEVERAL):
+        unanswered = [*NOT_OF_SEVERAL, *["sticking_states"] * (not self._rests_in_a_region)]
+        if len(self.contacts) == 1 or question not in unanswered:
             return ""
         names = ", ".join(entry["name"] for entry in self.contacts)
         return (
-            f"whose page has {len(self.contacts)} contacts ({names}); ask {', '.join(answered)}, "
-            "or say all but one of them by springs and forces"
+            f"whose page has {len(self.contacts)} contacts ({names}); every question but "
+            f"{' and '.join(unanswered)} is, or say all but one of them by springs and forces"
         )
 
     @property

@@ -114,7 +114,7 @@ class Balance(Forces, StateSystem):
 
     def vanishing(self, parameters: Intervals) -> list[bool]:
         """Prepared parameters that are 0 in all boxes."""
-        there: BoolArray = np.logical_or.reduce(parameters.ends != 0, axis=(0, 2))
+        there: BoolArray = np.logical_or.reduce(parameters.ends, axis=(0, 2))
         return [not one for one in there.tolist()]
 
     def nothing_at(self, boxes: Boxes) -> BoolArray:

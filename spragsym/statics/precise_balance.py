@@ -31,7 +31,7 @@ from ..numerics.precise_roots import (
 )
 from ..numerics.vectors import BEGIN, TURN
 from .balance import PreciseBalance
-from .systems import StateSystem
+from .systems import GAPS, Boxes, StateSystem
 
 
 def refined(
@@ -206,7 +206,8 @@ def on_side(
     lie beyond it.
     """
     with quiet():
-        return system.state(Intervals(ends), parameters).beside_border()
+        gaps = Boxes(system, Intervals(ends), parameters).taped(*GAPS)
+        return system.balance.sides(list(gaps))
 
 
 def reduced_by_turns(periodic: Iterable[int], found: Roots) -> Roots:

@@ -981,7 +981,10 @@ def initial_state(
         values |= zip(names, given, strict=False)
     for name, value in initial.items():
         if name not in values:
-            remedy = hint(name, names) or "; the initial state is " + ", ".join(names)
+            remedy = hint(name, [*names, *model.parameters]) or (
+                f"; the initial state is {', '.join(names)}, and the parameters are "
+                f"{', '.join(model.parameters)}"
+            )
             raise ParameterTypeError(f"{name} is no argument{remedy}")
         values[name] = value
     if model.clock and not np.all(np.abs(np.asarray(values[names[-1]]) - rate) <= 1e-9 * rate):

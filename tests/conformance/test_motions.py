@@ -45,6 +45,18 @@ def test_a_start_may_be_given_whole_or_by_names() -> None:
         ss.simulate(p, xO=0.1)
 
 
+def test_parameters_by_their_names_take_the_place_of_those_of_the_set() -> None:
+    p, changes = ss.Parameters(theta0=0.7), dict(kappa=0.02, V=0.4)
+    given, replaced = (
+        ss.simulate(p, x0=0.1, t_end=20.0, **changes),
+        ss.simulate(p.replace(**changes), x0=0.1, t_end=20.0),
+    )
+    assert np.array_equal(given.state, replaced.state)
+    assert float(given.p.kappa) == 0.02
+    swept = ss.rms_sweep(p, x0=0.1, t_end=20.0, transient=0.0, **changes)
+    assert float(swept.rms) == pytest.approx(given.rms(0.0), rel=1e-9)
+
+
 def test_forces_of_springs_and_of_the_contact_are_those_written_by_hand() -> None:
     p = ss.load("two_springs").Parameters(theta0=0.8, sigma_2=0.04, lambda_2=1.3, theta0_2=1.9)
     tr = ss.simulate(p, t_end=40.0)

@@ -93,6 +93,7 @@ CALLS: list[tuple[str, tuple[str, ...]]] = [
     ("ss.simulate(P, 300)", ("too many positional arguments", "simulate(p, *, ")),
     ("ss.fate(P, t_ned=9)", ("fate: t_ned is not a parameter", "did you mean t_end?")),
     ("ss.simulate(P, vx0_=9)", ("vx0_ is no argument", "did you mean vx0?")),
+    ("ss.simulate(P, kapa=0.1)", ("kapa is no argument", "did you mean kappa?")),
     ("ss.diagram(P, 'mu0')", ("missing a required argument: 'between'", "diagram(p, vary, *, ")),
     ("ss.folds(P).save('folds.xlsx')", ("folds.xlsx ends in none of .json, .csv and .nc",)),
     ("ss.open('folds.csv')", ("columns alone", "pandas.read_csv", "*.json")),

@@ -79,6 +79,8 @@ def test_a_branch_goes_past_where_a_stretch_begins_as_sticking_does() -> None:
     fold, and no branch.
     """
     pytest.importorskip("heyoka")
+    # Within a family, where no border is an edge of it, a multiplier alone says so.
+    inside = f"a second multiplier comes to 1: {FAMILIES}, or hardly attracts"
     for mu_k, vary, to, hows in (
         (
             0.4,
@@ -87,7 +89,7 @@ def test_a_branch_goes_past_where_a_stretch_begins_as_sticking_does() -> None:
             ("the range ends", "x' = V", FAMILIES),
         ),  # it sticks no more where both coefficients are one
         (0.4, "V", (0.05, 0.9), ("the range ends", "the range ends")),
-        (0.7, "mu_k", (0.5, 0.8), (FAMILIES, FAMILIES)),
+        (0.7, "mu_k", (0.5, 0.8), (inside, inside)),
     ):
         given = {"mu_s": 0.6, "mu_k": mu_k, "V": 0.3}
         branch = ss.cycle_branch(

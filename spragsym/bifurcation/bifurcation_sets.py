@@ -668,18 +668,16 @@ class FoldCurves:
         """Points of the curve in the planes through points with these normals, over the scales, and
         which are proved; they may lie beyond the ranges.
         """
-        states, scale = start, self.scale[:, None]
+        states, scale, given = start, self.scale[:, None], self.system.fixed(start.shape[1])
+        rows, off = np.empty((len(scale), *start.shape)), np.empty(start.shape)
+        rows[-1] = normal
         with quiet():
             for _ in range(self.options.newton_steps):
-                slopes = self._slopes(Intervals.point(states)).middle * scale
-                off = np.concatenate(
-                    [
-                        self._values(states).middle,
-                        (normal * (states - start) / scale).sum(axis=0)[None],
-                    ]
-                )
-                inverse = contractors.inverse(np.concatenate([slopes, normal[None]]))
-                step = (inverse * off).sum(axis=1) * scale
+                at = Intervals.point(states)
+                rows[:-1] = self.system.jacobian(at, given).middle * scale
+                off[:-1] = self.system.residuals(at, given).middle
+                off[-1] = (normal * (states - start) / scale).sum(axis=0)
+                step = (contractors.inverse(rows) * off).sum(axis=1) * scale
                 states = states - step
                 if (np.abs(step) <= 1e-14 * np.abs(states)).all():  # rounding is what is left
                     break

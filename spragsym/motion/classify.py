@@ -18,7 +18,7 @@ import numpy as np
 from ..core.errors import ConvergenceError
 from ..models.field import FLOATS, Field, Mode, Values
 from ..models.parameters import FloatArray
-from ..numerics.interval_arrays import ComplexArray
+from ..numerics.interval_arrays import BoolArray, ComplexArray
 from ..numerics.vectors import in_one_turn, magnitude
 from .holding import held_in_every_phase
 from .measures import KEPT, MotionStatistics
@@ -111,9 +111,14 @@ def at_rest(statistics: MotionStatistics, problem: Problem) -> Outcome | None:
         and _stays(statistics, rest, options.noise * problem.rtol, kinks)
     ):
         return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(0.0, rest.rate), distance=distance)
-    if decaying and growth < 0 and _decays(statistics, rest, options.decay_maxima):
+    if (
+        decaying
+        and rest.decay > 0
+        and _decays(statistics, rest, options.decay_maxima)
+        and not _persists(statistics, rest, options.noise * problem.rtol)
+    ):
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
-        return Outcome(regime, rest=place, rate=rest.rate, distance=distance)
+        return Outcome(regime, rest=place, rate=rest.decay, distance=distance)
     return None
 
 
@@ -133,8 +138,24 @@ class Equilibrium:
     @property
     def rate(self) -> float:
         """Of the approach, exp(−rate τ): infinite where nothing is left to decay."""
-        along = np.abs(self.values).argmin() if self.held else ()
-        return -float(np.delete(self.values.real, along).max(initial=-np.inf))
+        return -float(self.values.real[~self._along].max(initial=-np.inf))
+
+    @property
+    def decay(self) -> float:
+        """As ``rate``, of all parts of a motion that anything damps or drives."""
+        return -float(self.values.real[~self._along & ~self.undamped].max(initial=-np.inf))
+
+    @property
+    def undamped(self) -> BoolArray:
+        """Which parts go on as they are, but for rounding."""
+        sizes = np.abs(self.values)
+        return ~self._along & (np.abs(self.values.real) <= 1e-12 * sizes.max())
+
+    @property
+    def _along(self) -> BoolArray:
+        """The value along a curve of equilibria, which says nothing of an approach."""
+        numbers = np.arange(self.values.size)
+        return (numbers == np.abs(self.values).argmin()) & self.held
 
 
 def spectrum_at_rest(
@@ -226,11 +247,25 @@ def _stays(statistics: MotionStatistics, rest: Equilibrium, noise: float, kinks:
         np.sum(np.abs(inverse @ (state - rest.state)) ** 2)
         for state in (statistics.first, statistics.last)
     )
-    noise *= (1e-3 + magnitude(rest.state)) * float(np.linalg.norm(inverse, 2))
+    noise *= _unit(rest)
     # Squares that are larger than this many times what a linear decay leaves of them have
     # not decayed.
     left = 4.0 * before * math.exp(2 * rest.values.real.max() * (statistics.end - statistics.begin))
     return bool(after <= noise**2 or (after <= left and (left < before or not kinks)))
+
+
+def _persists(statistics: MotionStatistics, rest: Equilibrium, noise: float) -> bool:
+    """Whether the motion has parts that nothing damps, as far as eigenvalues say, however small
+    they are beside the others.
+    """
+    inverse = np.linalg.pinv(rest.vectors)
+    parts = np.abs(inverse[rest.undamped] @ (statistics.last - rest.state))
+    return bool((parts > noise * _unit(rest)).any())
+
+
+def _unit(rest: Equilibrium) -> float:
+    """What the noise of a motion's states, of size 1 and more, is in parts of eigenvectors."""
+    return (1e-3 + magnitude(rest.state)) * float(np.linalg.norm(np.linalg.pinv(rest.vectors), 2))
 
 
 def _decays(statistics: MotionStatistics, rest: Equilibrium, fewest: int) -> bool:

@@ -107,12 +107,13 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     if (found := line(p)) is not None:
         return found
     own = held(p, [holding[0]["name"]])
-    turns = [_turns(own, index) for index in range(len(model.coordinates))]
+    share = named(HELD, holding[0]["name"])
+    turns = [_turns(own, share, index) for index in range(len(model.coordinates))]
     try:
         continuation = QuasiStaticContinuation(
             own,
-            HELD,
-            np.unique(np.concatenate([[-1.0, 1.0], *(points[HELD] for points in turns)])),
+            share,
+            np.unique(np.concatenate([[-1.0, 1.0], *(points[share] for points in turns)])),
         )
         return _sets(p, continuation, turns)
     except ConvergenceError as error:
@@ -202,9 +203,9 @@ def _laws(model: Model, holding: tuple[str, ...]) -> dict[str, Any]:
     return laws
 
 
-def _turns(own: ParameterSet, place: int) -> Points:
-    """Points where a coordinate turns back along the states."""
-    family = Family.of(own, (HELD,))
+def _turns(own: ParameterSet, share: str, place: int) -> Points:
+    """Points where a coordinate turns back along the states, by the share that is used."""
+    family = Family.of(own, (share,))
 
     def equations(at: Evaluation) -> Sequence[Any]:
         columns = [len(at.q) if k == place else k for k in range(len(at.q))]
@@ -220,23 +221,32 @@ def _turns(own: ParameterSet, place: int) -> Points:
     return isolated(family, system.condition, "turn")
 
 
+def _pressing(model: Model) -> int:
+    """The number of the contact on which the only friction that holds acts."""
+    (holding,) = (entry["name"] for entry in model.frictions if entry["holds"])
+    return [entry["name"] for entry in model.contacts].index(holding)
+
+
 def _pressed(continuation: QuasiStaticContinuation, q: FloatArray, error: FloatArray) -> BoolArray:
     """Whether a given normal force presses at states, shape (n, states); everywhere where it is a
     contact's.
     """
-    shape = error.shape
-    if continuation.balance.model.contact["gap"] is not None or not error.size:
+    shape, model = error.shape, continuation.balance.model
+    place = _pressing(model)
+    if model.contacts[place]["gap"] is not None or not error.size:
         return np.ones(shape, dtype=np.bool_)
     room = error * scale_of(q)
     given = np.repeat(
-        columns(continuation.p.replace(**{HELD: 0.0}), continuation.balance.parameters),
+        columns(
+            continuation.p.replace(**{continuation.vary: 0.0}), continuation.balance.parameters
+        ),
         len(error),
         1,
     )
     with quiet():
         values = continuation.balance.over(Intervals.point(given))
         at = continuation.balance.at(list(Intervals.between(q - room, q + room)), values, shape)
-        N = as_intervals(at.contact_force(0, 1), shape)
+        N = as_intervals(at.contact_force(place, 1), shape)
     if (N.holds_zero() & (N.magnitude > NOTHING)).any():
         raise ConvergenceError("whether a normal force presses a state of sticking is not known")
     return np.asarray(N.low > 0)
@@ -287,7 +297,7 @@ def _sets(
         for slot in sorted({*range(eq.count[node])} - {*goals}):
             link(node, slot, node - 1, ~continuation.vanishing(node, slot, node - 1))
     error = np.concatenate([eq.error[eq.states], continuation.turns.error])
-    either = presses_either(p.model.contact)
+    either = presses_either(p.model.contacts[_pressing(p.model)])
     pressed = np.ones(error.shape, dtype=np.bool_) if either else _pressed(continuation, q, error)
     sets = [labels == label for label in np.unique(labels[pressed])]
     if any(not pressed[one].all() for one in sets):

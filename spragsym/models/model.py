@@ -225,11 +225,11 @@ class Model:
 
     @property
     def _rests_in_a_region(self) -> bool:
-        """Whether sets of rest of several contacts are regions that are told: several frictions
-        hold, or none, and all other contacts touch at every state.
+        """Whether sets of rest of several contacts are told: all contacts but those on which
+        friction holds touch at every state.
         """
         holding = [entry["name"] for entry in self.frictions if entry["holds"]]
-        return len(holding) != 1 and not any(
+        return not any(
             entry["border"] and entry["name"] not in holding for entry in self.contacts if holding
         )
 

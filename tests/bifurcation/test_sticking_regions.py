@@ -7,7 +7,7 @@ import pytest
 
 import spragsym as ss
 from tests.oracles.contact_pages import BLOCKS, PAD
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, replaced
 
 pytest.importorskip("sympy")
 
@@ -49,3 +49,30 @@ def test_both_blocks_slide_steadily_in_one_state() -> None:
     forces = float(p.mu_k) * np.array([p.N_1, p.N_2], dtype=float)
     q = np.linalg.solve(K, forces)
     np.testing.assert_allclose([eq.x_1[0], eq.x_2[0]], q, rtol=1e-12)
+
+
+def test_one_block_of_two_sticks_where_the_other_slides_without_friction() -> None:
+    """x₂ = κ x₁/(β + κ), and |x₁| up to where its spring and its neighbour pull by all that holds;
+    with a spring g x₂³ more the ends are told from the balance of the other.
+    """
+    rubs = (
+        "page.friction(x_2, V, slip=lambda v: mu_k * sgn(v), holds=mu_s, on=second)\n",
+        "",
+    )
+    cubic = (
+        "page.spring(k, along=x_1)",
+        "page.spring(k, along=x_1)\npage.potential(g * k * x_2**4 / a**2 / 4)",
+    )
+    hard = ("V = page", 'g = page.parameter("g", "1", "hardening", ">= 0", 0.5)\nV = page')
+    model = model_of(replaced(BLOCKS, rubs), "one_block")
+    bent = model_of(replaced(BLOCKS, rubs, cubic, hard), "bent_block")
+    rng = np.random.default_rng(22)
+    for beta, kappa, mu_s, N_1 in rng.uniform(0.3, 1.5, (3, 4)).tolist():
+        values = {"beta": beta, "kappa": kappa, "mu_s": mu_s, "mu_k": 0.1, "N_1": N_1, "V": 0.0}
+        found = ss.sticking_states(model.Parameters(**values))
+        most = mu_s * N_1 / (1 + kappa - kappa**2 / (beta + kappa))
+        np.testing.assert_allclose(found["x_1_high"], [most], rtol=1e-12)
+        np.testing.assert_allclose(found["x_2_low"], [-kappa * most / (beta + kappa)], rtol=1e-12)
+        x, y = (ss.sticking_states(bent.Parameters(**values))[f"x_{i}_high"][0] for i in (1, 2))
+        assert beta * y + 0.5 * y**3 - kappa * (x - y) == pytest.approx(0.0, abs=1e-9)
+        assert x + kappa * (x - y) == pytest.approx(mu_s * N_1, abs=1e-9)

@@ -13,10 +13,18 @@ import spragsym as ss
 from spragsym import precise
 from spragsym.numerics.decimals import exactly
 from tests.oracles.contact_pages import SNAP
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, replaced
 from tests.support import needs_a_quick_integrator
 
 pytest.importorskip("sympy")
+
+#: A floor that moves, in the place of the left stop.
+FRICTION = """
+mu = page.parameter("mu", "1", "friction coefficient", ">= 0", 0.25)
+N = page.parameter("N", "N", "normal force", "> 0", 0.5)
+V = page.parameter("V", "m/s", "speed of the floor", "> 0", 0.5)
+floor = page.normal_force(N, name="floor")
+page.friction(x, V, lambda v: mu * tanh(20 * v / V), at_rest=mu, on=floor)"""
 
 
 def drawn(number: int) -> list[Any]:
@@ -66,3 +74,23 @@ def test_the_force_at_which_a_start_changes_the_stop_that_it_comes_to() -> None:
         assert abs(found.value - exact) <= found.error < 1e-11
         assert found.state == pytest.approx([exact, 0.0], abs=1e-9)
         assert (found.below.equilibrium, found.above.equilibrium) == (1, 0)
+
+
+def test_cusps_of_what_rubs_before_a_stop_to_any_number_of_digits() -> None:
+    """x³ − k x = μ N − F has its cusp at k = 0, F = μ N, in front of the stop and not behind it."""
+    rubbing = replaced(
+        SNAP,
+        ("import Page", "import Page, tanh"),
+        ("k * x**2 / 2 + F * x", "b * k * x**2 / 2 + k * x**4 / a**2 / 4 + F * x"),
+        ("k_c = page", 'b = page.parameter("b", "1", "over k", "real", 0.1)\nk_c = page'),
+        ('\npage.contact(a + x, lambda depth: k_c * depth, name="left")', FRICTION),
+    )
+    p = model_of(rubbing, "rubbing").Parameters(F=None)
+    span = {"b": (-0.3, 0.3), "F": (0.0, 0.3)}
+    found = precise.cusps(p, vary=("b", "F"), between=span, dps=30)
+    floats = ss.cusps(p, ("b", "F"), between=span)
+    assert floats["touching"].tolist() == ["floor"]
+    assert len(found) == len(floats) == 1
+    exact = Fraction(float(p.mu)) * Fraction(float(p.N))
+    assert abs(exactly(found[0].F) - exact) <= exactly(found[0].radius) < Fraction(1, 10**29)
+    assert abs(found[0].b) < 1e-29

@@ -58,8 +58,7 @@ from .points import OVER_BORDER, Found, isolated, listed, search, which
 
 #: How near a line counts as on it, over the range of the parameter.
 ON_LINE = 1e-9
-#: Strips between lines that neighbours on a curve are apart, at most: one line between them may be
-#: undecided.
+#: Strips between lines that neighbours on a curve are apart, at most, where points are many.
 STRIPS = 2
 
 
@@ -331,7 +330,10 @@ def on_lines(
     over_lines = [lines[name] for name in vary], [decided[k] for k in (0, 1)]
     with doing("curves through {} points", states.shape[1]):
         pairs = _pairs(states[balance.n :], *over_lines, spans)
-        chains = [states[:, places] for places in _chains(curves, states, pairs)]
+        # From line to line the parameters lead: of coordinates the largest change counts.
+        largest = np.append(np.full(balance.n, curves.scale[: balance.n].max()), curves.scale[-2:])
+        far = replace(curves, scale=largest)
+        chains = [states[:, places] for places in _chains(far, states, pairs)]
         # Neighbours in order may lie on different curves: they are told apart before these are
         # followed to their ends.
         for joined in (list, curves.joined):
@@ -415,8 +417,8 @@ def _pairs(
     """Points that may be neighbours on a curve, by their values of both parameters, in pairs, shape
     (2, pairs), each once.
 
-    No ``decided`` line of either separates them, as a curve has a point where it crosses one; and
-    one that is not at most: beyond, curves are followed.
+    No ``decided`` line of either separates them, as a curve has a point where it crosses one. Of
+    many points, hardly any line that is not does either: beyond, curves are followed.
     """
     bounds = [_strips(*each) for each in zip(places, lines, spans, strict=True)]
     below = [np.concatenate([[0], np.cumsum(sure)]) for sure in decided]
@@ -425,7 +427,7 @@ def _pairs(
         for (first, last), count in zip(bounds, below, strict=True):
             begin = np.minimum(last[one], last[other])
             end = np.maximum(begin, np.maximum(first[one], first[other]))
-            near &= (end - begin < STRIPS) & (count[begin] == count[end])
+            near &= count[begin] == count[end]
         yield np.array([one[near], other[near]])
 
 
@@ -437,9 +439,13 @@ def _strips(places: FloatArray, lines: FloatArray, span: FloatArray) -> tuple[In
 
 
 def _close(cells: IntArray) -> Iterator[IntArray]:
-    """Points of which neither of two numbers, shape (2, points), differs by more than STRIPS, in
-    pairs, each once; of so many points that all pairs would not fit into memory.
+    """Points in pairs, each once: all of a few; of many, those of which neither of two numbers,
+    shape (2, points), differs by more than STRIPS.
     """
+    few = 2000  # of whom all pairs fit into memory
+    if cells.shape[1] <= few:
+        yield np.array(np.triu_indices(cells.shape[1], 1))
+        return
     width = int(cells[1].max(initial=0)) + 1 + STRIPS
     key = cells[0] * width + cells[1]
     order = np.argsort(key, kind="stable")
@@ -512,8 +518,9 @@ class FoldCurves:
         for left in range(self.options.refinements, -1, -1):
             rows = np.flatnonzero(np.isnan(off))
             found, off[rows], bent = self._between(states[:, rows], states[:, rows + 1])
-            more = bent | (off[rows] > self.options.deviation)
-            more &= np.isfinite(off[rows]) & self._in_range(found)
+            more = (bent | (off[rows] > self.options.deviation)) & self._in_range(found)
+            chord = (states[:, rows + 1] - states[:, rows]) / self.scale[:, None]
+            more[more] = self._proved(found[:, more], chord[:, more], off[rows][more])
             if not left or not more.any():
                 break
             rows = rows[more]
@@ -525,20 +532,21 @@ class FoldCurves:
     def _between(
         self, one: FloatArray, two: FloatArray
     ) -> tuple[FloatArray, FloatArray, BoolArray]:
-        """The middles between pairs of points; how far each is from that of the cubic between them,
-        over their distance, infinite where none is found; and whether the curve is not straight in
-        the plane of the parameters.
+        """The middles between pairs of points, not proved; how far each is from that of the cubic
+        between them, over their distance, infinite where none is found; and whether the curve is
+        not straight in the plane of the parameters.
 
         Of two points on one curve that falls with the third power of their distance, of others it
         grows.
         """
         middle, chord, length = self._cubic(one, two, 0.5)
         with quiet():
-            found, good = self.on_curve(middle * self.scale[:, None], chord / length, length)
+            found = self._projected(middle * self.scale[:, None], chord / length)
             off = np.linalg.norm(found / self.scale[:, None] - middle, axis=0) / length
+        off = np.where(length > 0, np.nan_to_num(off, nan=np.inf), 0.0)
         centre = 0.5 * (one + two) / self.scale[:, None]
         bent = np.linalg.norm((middle - centre)[-2:], axis=0) > self.options.smoothness
-        return found, np.where(length > 0, np.where(good, off, np.inf), 0.0), bent & (length > 0)
+        return found, off, bent & (length > 0)
 
     def _cubic(
         self, one: FloatArray, two: FloatArray, share: float | FloatArray
@@ -561,28 +569,33 @@ class FoldCurves:
         """Chains followed beyond both ends: to the end of a range, or to the end of another chain,
         with which it then is one.
         """
-        left, out = list(chains), []
+        left, out = list(chains), list[FloatArray]()
         while left:
             chain = left.pop(0)
             for side in (1, -1):
                 on = True
                 while on and not (chain.shape[1] > 2 and (chain[:, 0] == chain[:, -1]).all()):
-                    chain, on = self._beyond(chain, left, side)
+                    chain, on = self._beyond(chain, (left, out), side)
                 chain = chain[:, ::-1]
             out.append(chain)
         return out
 
     def _beyond(
-        self, chain: FloatArray, others: list[FloatArray], side: int
+        self, chain: FloatArray, groups: Sequence[list[FloatArray]], side: int
     ) -> tuple[FloatArray, bool]:
         """A chain with the points behind its last by pseudo-arclength, and whether they lead to its
         begin or another one.
 
         The other one is then a part of it, and among the others no more.
         """
-        ahead = [(k, other[:, ::way]) for k, other in enumerate(others) for way in (1, -1)]
-        ahead += [(-1, chain[:, :1])] if chain.shape[1] > 2 else []
-        firsts = np.array([further[:, 0] for _, further in ahead]).reshape(-1, len(self.scale)).T
+        ahead = [
+            (others, k, other[:, ::way])
+            for others in groups
+            for k, other in enumerate(others)
+            for way in (1, -1)
+        ]
+        ahead += [([chain], 0, chain[:, :1])] if chain.shape[1] > 2 else []
+        firsts = np.array([further[:, 0] for *_, further in ahead]).reshape(-1, len(self.scale)).T
         path, end, pace = [chain], chain[:, -1], self.options.pace
         before = chain[:, -2] if chain.shape[1] > 1 else None
         for _ in range(self.options.paces):
@@ -607,9 +620,8 @@ class FoldCurves:
                 continue
             met = np.flatnonzero(self._lie_between(firsts, end[:, None], found))
             if met.size:
-                k, further = ahead[met[0]]
-                if k >= 0:
-                    del others[k]
+                others, k, further = ahead[met[0]]
+                del others[k]
                 return np.concatenate([*path, further], axis=1), True
             path.append(found)
             if stop is not None:
@@ -668,6 +680,21 @@ class FoldCurves:
         """Points of the curve in the planes through points with these normals, over the scales, and
         which are proved; they may lie beyond the ranges.
         """
+        states = self._projected(start, normal)
+        with quiet():
+            off = np.linalg.norm((states - start) / self.scale[:, None], axis=0) / near
+        return states, self._proved(states, normal, off)
+
+    def _proved(self, states: FloatArray, normal: FloatArray, off: FloatArray) -> BoolArray:
+        """Which states are proved to be next to a fold in contact, with the same value of what the
+        normal points along most, of those that are not far ``off`` from where they were looked for.
+        """
+        good = off <= 0.5
+        good[good] = self.enclosed(states[:, good], np.abs(normal[:, good]).argmax(axis=0))[1]
+        return good
+
+    def _projected(self, start: FloatArray, normal: FloatArray) -> FloatArray:
+        """Where Newton's method comes to in the planes through points with these normals."""
         states, scale, given = start, self.scale[:, None], self.system.fixed(start.shape[1])
         rows, off = np.empty((len(scale), *start.shape)), np.empty(start.shape)
         rows[-1] = normal
@@ -681,11 +708,7 @@ class FoldCurves:
                 states = states - step
                 if (np.abs(step) <= 1e-14 * np.abs(states)).all():  # rounding is what is left
                     break
-            good = np.linalg.norm((states - start) / scale, axis=0) <= 0.5 * near
-            # A fold in contact is next to each state, with the same value of what the normal points
-            # along most.
-            good[good] = self.enclosed(states[:, good], np.abs(normal[:, good]).argmax(axis=0))[1]
-        return states, good
+        return states
 
     def _in_range(self, states: FloatArray) -> BoolArray:
         low, high = self.spans[:, :1], self.spans[:, 1:]

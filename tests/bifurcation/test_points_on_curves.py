@@ -14,23 +14,22 @@ from spragsym.bifurcation import bifurcation_sets
 
 @pytest.mark.thorough
 def test_onsets_of_a_trolley_change_curves_at_crossings_only() -> None:
-    """Where its spring is not strained, x = μ and y = −κ, w = 0: onsets there are on curves of their
-    own, and so are others with w = 0.
+    """Where its spring is not strained, x = μ and y = −κ, x_a = 0: onsets there are one curve, and
+    one are others with x_a = 0, across which three more go.
     """
     model = ss.load("trolley")
-    p = model.Parameters(theta0=0.7)
-    found = ss.onset_curves(p, ("theta0", "mu0"))
-    kinds = []
+    found = ss.onset_curves(model.Parameters(theta0=0.7), ("theta0", "mu0"))
+    unstrained, level = [], []
     for curve in found.curves:
-        unstrained = np.abs(curve.x - curve.mu0) <= 1e-9
-        assert unstrained.all() or not unstrained[1:-1].any()
-        kinds.append(bool(unstrained.all()))
+        for some, off in ((unstrained, curve.x - curve.mu0), (level, curve.x_a)):
+            known = np.abs(off) <= 1e-9
+            assert known.all() or not known[1:-1].any()
+            some.append(bool(known.all()))
         # Points next to each other are close in each coordinate, over what it covers.
         for name in (*model.coordinates, "theta0", "mu0"):
             steps = np.abs(np.diff(curve[name]))
-            assert steps.max(initial=0.0) <= 0.35 * max(np.ptp(curve[name]), 1e-12)
-    assert any(kinds)
-    assert not all(kinds)
+            assert steps.max(initial=0.0) <= 0.35 * np.ptp(curve[name]) + 1e-9
+    assert (len(unstrained), sum(unstrained), sum(level)) == (5, 1, 2)
 
 
 @pytest.mark.thorough
@@ -45,38 +44,30 @@ def test_an_end_at_no_friction_is_one_of_two_curves() -> None:
     assert len(near) == 2
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_pairs_are_all_that_no_decided_line_separates(seed: int) -> None:
-    rng = np.random.default_rng(seed)
+@pytest.mark.parametrize("number", [60, 2500])
+def test_pairs_are_all_that_no_decided_line_separates(number: int) -> None:
+    """Of many points, all in strips next to each other."""
+    rng = np.random.default_rng(number)
     lines = [np.sort(rng.uniform(0, 1, 12)) for _ in range(2)]
-    places = rng.uniform(0, 1, (2, 60))
-    places[0, :20] = rng.choice(lines[0], 20)
-    places[1, 20:40] = rng.choice(lines[1], 20)
+    places = rng.uniform(0, 1, (2, number))
+    for row, line in enumerate(lines):
+        on_line = rng.choice(number, number // 3, replace=False)
+        places[row, on_line] = rng.choice(line, on_line.size)
     decided = [rng.uniform(size=12) < 0.7 for _ in range(2)]
-    spans = np.array([[0.0, 1.0]] * 2)
-    found = [
-        frozenset(pair)
-        for pairs in bifurcation_sets._pairs(places, lines, decided, spans)
-        for pair in pairs.T.tolist()
-    ]
-    expected = set()
-    for one, other in itertools.combinations(range(60), 2):
-        between = [
-            (low < line) & (line < high)
-            for line, low, high in zip(
-                lines,
-                places[:, [one, other]].min(axis=1),
-                places[:, [one, other]].max(axis=1),
-                strict=True,
-            )
-        ]
-        if all(
-            part.sum() <= 1 and not (part & known).any()
-            for part, known in zip(between, decided, strict=True)
-        ):
-            expected.add(frozenset((one, other)))
-    assert len(found) == len(set(found))
-    assert set(found) == expected
+    found = np.concatenate(
+        [*bifurcation_sets._pairs(places, lines, decided, np.array([[0.0, 1.0]] * 2))], axis=1
+    )
+    expected = np.triu(np.ones((number, number), dtype=np.bool_), 1)
+    for line, known, place in zip(lines, decided, places, strict=True):
+        low, high = (np.ufunc.outer(of, place, place) for of in (np.minimum, np.maximum))
+        for value in line[known]:
+            expected &= ~((low < value) & (value < high))
+        strip = (line[:, None] < place - 1e-9).sum(axis=0)
+        expected &= (np.abs(np.subtract.outer(strip, strip)) <= 2) | (number <= 2000)
+    got = np.zeros_like(expected)
+    np.add.at(got, (found.min(axis=0), found.max(axis=0)), True)
+    assert found.shape[1] == got.sum()
+    np.testing.assert_array_equal(got, expected)
 
 
 def test_pairs_of_many_points_fit_into_memory() -> None:

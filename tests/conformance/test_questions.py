@@ -429,21 +429,18 @@ class Asked:
         around = ss.simulate(self.moving, start=found.state, t_end=found.period)
         turned = [2 * np.pi * (name == self.model.clock) for name in self.model.components]
         assert around.state[:, -1] == pytest.approx(found.state + turned, abs=1e-6)
-        if self.model.clock and self.model.field.sticking_borders:
-            words = "friction that holds meets a clock"
-            along = self.near(self.other)
-            return refused(
-                ss.errors.ModelError, words, ss.cycle_branch, found, self.other, between=along
-            )
-        branch = ss.cycle_branch(
-            found, "V", between={"V": (0.5 * self.speed, self.speed)}, points=40
-        )
+        over, along = "V", {"V": (0.5 * self.speed, self.speed)}
+        if over not in self.model.parameters:
+            over, along = self.other, self.near(self.other)
+        branch = ss.cycle_branch(found, over, between=along, points=40)
         last = ss.cycle(
-            self.p.replace(V=branch.values[0]), near=branch.cycles[0].state, patient=False
+            self.moving.replace(**{over: branch.values[0]}),
+            near=branch.cycles[0].state,
+            patient=False,
         )
         assert last.period == pytest.approx(branch.periods[0], rel=1e-9)
         for event in branch.of("grazing", "torus")[:1]:
-            curve = ss.cycle_events(event, ("V", self.other), points=2)
+            curve = ss.cycle_events(event, (over, self.other), points=2)
             assert np.abs(curve.values[:, 0] - event.value).min() < 1e-9
         refused(
             ss.errors.ParameterError,

@@ -140,11 +140,15 @@ def from_near(model: Any, p: Any, fold: Any) -> Any:
 
 
 def curves(model: Any) -> str:
-    """Times of the bifurcation set and of curves of onsets, and one over the other."""
+    """Times of the bifurcation set and of curves of onsets, and one over the other; over friction
+    and another parameter where the model has no inclination.
+    """
     p, spent = model.Parameters(), []
+    others = [name for name in model.parameters if name != model.coefficient]
+    plane = [] if model.inclination or not model.coefficient else [(others[0], model.coefficient)]
     for question in (ss.bifurcation_set, ss.onset_curves):
         try:
-            spent.append(seconds(question, p)[0])
+            spent.append(seconds(question, p, *plane)[0])
         except ss.errors.SpragsymError:
             return "not asked | |"
     return f"{spent[0]:.2f} | {spent[1]:.2f} | {spent[1] / spent[0]:.2g}"

@@ -442,7 +442,8 @@ def _close(cells: IntArray) -> Iterator[IntArray]:
     """Points in pairs, each once: all of a few; of many, those of which neither of two numbers,
     shape (2, points), differs by more than STRIPS.
     """
-    few = 2000  # of whom all pairs fit into memory
+    # All pairs of so many points fit into memory.
+    few = 2000
     if cells.shape[1] <= few:
         yield np.array(np.triu_indices(cells.shape[1], 1))
         return
@@ -457,8 +458,8 @@ def _close(cells: IntArray) -> Iterator[IntArray]:
         # Of the same cell those behind a point.
         begin = np.searchsorted(key, cell) if along or across else 1 + np.arange(key.size)
         number = np.searchsorted(key, cell, "right") - begin
-        which_of = np.arange(number.sum()) - np.repeat(np.cumsum(number) - number, number)
-        yield np.array([np.repeat(order, number), order[np.repeat(begin, number) + which_of]])
+        behind = np.arange(number.sum()) - np.repeat(np.cumsum(number) - number, number)
+        yield np.array([np.repeat(order, number), order[np.repeat(begin, number) + behind]])
 
 
 def _chains(folds: FoldCurves, states: FloatArray, pairs: Iterable[IntArray]) -> list[IntArray]:

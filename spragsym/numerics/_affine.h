@@ -181,7 +181,8 @@ PART void affine_quotient(const form *a, const form *b, const form *to, int side
         const double quotient = fabs(value[i]);
         const double left = size - reach;
         const double rounding = (others[i] * quotient + own[i]) * (4 * UNIT);
-        const double first = (rounding + (a->error[i] + quotient * b->error[i])) / size;
+        const double own_error = a->error[i] + quotient * b->error[i];
+        const double first = (rounding + own_error + UNDERFLOW_ROOM) / size;
         const double all = first + (found[i] + first) * (reach / left) + UNIT * quotient;
         to->error[i] = left > 0.0 ? all * (SLACK * SLACK * SLACK) + UNDERFLOW_ROOM : INFINITY;
         to->value[i] = value[i];

@@ -131,7 +131,8 @@ class Rounded(Arithmetic):
         # x/y = q + (x − q y)/w + (x − q y)(1/y − 1/w) for q = v/w, and |1/y − 1/w| ≤ |y − w| / (|w|
         # (|w| − |y − w|)).
         rounding = (_spread(other) * quotient + _spread(self)) * (4 * UNIT)
-        own = (rounding + (self.error + quotient * other.error)) / size
+        # What products that underflow lose grows with 1/w.
+        own = (rounding + (self.error + quotient * other.error) + _TINY) / size
         found = _number(value, (self.terms - other.terms * value) / other.value, own)
         error = (
             own + (_spread(found) + own) * (reach / least) + UNIT * quotient

@@ -256,7 +256,7 @@ def no_state_to_follow(p: ParameterSet, vary: str) -> str:
     there; empty where one is, or is not known not to be.
     """
     eq = equilibria(p)
-    if eq.count.any() or not eq.decided.all():
+    if eq.count.any() or not (eq.decided & eq.whole).all():
         return ""
     return (
         f"no state in contact at {vary} = {float(p[vary]):g}, from where one is followed; begin "

@@ -334,10 +334,10 @@ def on_lines(
         largest = np.append(np.full(balance.n, curves.scale[: balance.n].max()), curves.scale[-2:])
         far = replace(curves, scale=largest)
         chains = [states[:, places] for places in _chains(far, states, pairs)]
-        # Neighbours in order may lie on different curves: they are told apart before these are
+        # Neighbours in order may lie on different curves: they are parted before these are
         # followed to their ends.
-        for joined in (list, curves.joined):
-            chains = [piece for chain in joined(chains) for piece in curves.smooth(chain)]
+        parts = [piece for chain in chains for piece in curves.smooth(chain)]
+        chains = [piece for chain in curves.joined(parts) for piece in curves.smooth(chain)]
     return OnLines(
         curves,
         chains,

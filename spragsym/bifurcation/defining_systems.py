@@ -495,8 +495,8 @@ class Augmented(OfFamily):
         return self.condition.excluded(self.state(unknowns, parameters))
 
     @property
-    def told_by_plans(self) -> bool:  # type: ignore[override]  # of a condition
-        """True where neither the condition nor torsion springs tell more."""
+    def covered_by_plan(self) -> bool:
+        """True where neither the condition nor torsion springs have tests of their own."""
         plain = self.condition.excluded is None and self.condition.abandoned is None
         return plain and not self.balance.torsions
 

@@ -121,8 +121,10 @@ class EquationSystem:
         """Of what is excluded that which no plan tells; None where it tells all."""
         return None
 
-    #: Whether plans tell all: nothing is excluded or abandoned beside them.
-    told_by_plans = False
+    @property
+    def covered_by_plan(self) -> bool:
+        """Whether a plan makes all tests of a box: nothing is excluded or abandoned beside it."""
+        return False
 
     def plan(self, parameters: Intervals) -> Plan | None:
         """Tapes by which compiled code looks at boxes, for these parameters of all nodes, if all is
@@ -264,7 +266,7 @@ class _Search:
         """What is left of a search at one point by compiled code, as long as all its boxes are
         looked at at once.
         """
-        if self.plan is None or self.points.size.tolist() != [1] or not self.system.told_by_plans:
+        if self.plan is None or self.points.size.tolist() != [1] or not self.system.covered_by_plan:
             return start
         self.looks, ends = self.plan.rounds(
             start.ends, self.parameters, self.limits, self.rules, self.budget, 2 * CHUNK

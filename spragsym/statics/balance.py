@@ -141,7 +141,7 @@ class Balance(Forces, StateSystem):
         return self.at_poles(Boxes(self, unknowns, parameters), times * self.options.pole)
 
     @property
-    def told_by_plans(self) -> bool:  # type: ignore[override]  # of a balance
+    def covered_by_plan(self) -> bool:
         """True without torsion springs."""
         return not self.torsions
 

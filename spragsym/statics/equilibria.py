@@ -124,7 +124,7 @@ def count(p: ParameterSet, *, method: Method = "auto") -> Int8Array:
     found = equilibria(p)
     if not found.complete:
         raise ConvergenceError(
-            f"{int((~found.decided).sum())} points are not decided; equilibria(p) has what is "
-            "known of them"
+            f"how many there are is not known: {'; '.join(found.remarks)}; equilibria(p) has "
+            "those that are"
         )
     return found.count

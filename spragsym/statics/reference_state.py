@@ -318,8 +318,11 @@ def in_order(rows: FloatArray, error: FloatArray, point: IntArray) -> IndexArray
     keys = []
     for row in rows:
         order = np.lexsort((row, point))
-        near = 1e-12 * (1 + np.abs(row[order])) + error[order] * scale_of(row[order])
-        begins = np.diff(row[order], prepend=-np.inf) > near + np.roll(near, 1)
+        at = row[order]
+        # Of states at infinity those on one side agree, and none of them with a finite one.
+        near = np.where(np.isfinite(at), 1e-12 * (1 + np.abs(at)) + error[order] * scale_of(at), 0)
+        with quiet():
+            begins = np.diff(at, prepend=-np.inf) > near + np.roll(near, 1)
         ranks = np.empty(order.size, dtype=np.intp)
         ranks[order] = np.cumsum(begins | (np.diff(point[order], prepend=-1) != 0))
         keys.append(ranks)

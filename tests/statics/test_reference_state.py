@@ -9,7 +9,7 @@ import pytest
 import spragsym as ss
 from spragsym.numerics.interval_arrays import Intervals, ends_around
 from spragsym.statics.balance import Balance
-from spragsym.statics.reference_state import is_reference, reference_state
+from spragsym.statics.reference_state import in_order, is_reference, reference_state
 from spragsym.statics.search import columns
 
 
@@ -101,3 +101,9 @@ def test_what_is_proved_to_be_the_reference_state_is_the_one_chosen_of_all(name:
     found = is_reference(balance, bounds, ends_around(q, np.full(q.shape, 1e-9)), region)
     assert 0.4 < found.sum() / count
     assert not (found & (reference_state(eq)[point] != slot)).any()
+
+
+def test_states_at_infinity_have_their_places() -> None:
+    rows = np.array([[np.inf, 1.0, -np.inf, 2.0, -np.inf], [0.0, 5.0, 1.0, 0.0, 0.0]])
+    places = in_order(rows, np.full(5, 1e-15), np.zeros(5, dtype=np.intp))
+    assert places.tolist() == [4, 2, 1, 3, 0]

@@ -98,7 +98,7 @@ def main(arguments: list[str] | None = None) -> int:
         f"{len(least)} of the lowest fold proved"
     )
     for row in rows:
-        if row.status in ("misprint", ledger.FAILED):
+        if row.status in ("misprint", "failed"):
             print(f"  {row.id:6} {row.status}: {row.cause or row.note}")
     print(f"wrote {len(files)} files to {options.out.name}/")
     return 0

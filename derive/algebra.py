@@ -28,9 +28,6 @@ Names: TypeAlias = dict[sp.Symbol, sp.Expr]
 Circles = tuple[tuple[sp.Symbol, sp.Symbol], ...]
 #: Factors of a denominator, and their powers.
 Factors: TypeAlias = Mapping[PolyElement, int]
-#: Functions that change their sign with their argument, and those that do not change.
-ODD = sp.sign | sp.tan | sp.sinh | sp.tanh | sp.atan | sp.asin
-EVEN = sp.Abs | sp.cosh
 
 
 def expanded(expression: sp.Expr) -> sp.Expr:
@@ -115,8 +112,8 @@ def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
         if not isinstance(node, sp.Function):
             return named(node)
         arguments = [normal(argument) for argument in node.args]
-        if isinstance(node, ODD | EVEN) and arguments[0].could_extract_minus_sign():
-            return named(node.func(-arguments[0])) * (-1 if isinstance(node, ODD) else 1)
+        if isinstance(node, odd | even) and arguments[0].could_extract_minus_sign():
+            return named(node.func(-arguments[0])) * (-1 if isinstance(node, odd) else 1)
         if not isinstance(node, sp.exp):
             return named(node.func(*arguments))
         times, exponent = arguments[0].as_content_primitive()
@@ -127,6 +124,8 @@ def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
     def named(node: sp.Expr) -> sp.Dummy:
         return unknowns.setdefault(node, sp.Dummy(f"u{len(unknowns)}"))
 
+    odd = sp.sign | sp.tan | sp.sinh | sp.tanh | sp.atan | sp.asin
+    even = sp.Abs | sp.cosh
     unknowns: dict[sp.Expr, sp.Dummy] = {}
     value = (sp.sympify(left) - sp.sympify(right)).replace(
         lambda node: isinstance(node, sp.Function | sp.Piecewise),

@@ -20,10 +20,8 @@ from . import pages
 from .model import Contact, Coordinate, Element, Page, Point
 from .shapes import Axis, Drawing, arrow, damper, spring, wall
 
-#: Where the documentation has them.
-IMAGES = Path(__file__).parent.parent / "docs" / "images" / "models"
-
-_LENGTH = 190.0  #: of an inclined spring of undeformed length 1
+#: Length of an inclined spring of undeformed length 1, in units of the drawing.
+_LENGTH = 190.0
 
 
 def render(page: Page, docstring: str = "") -> str:
@@ -437,4 +435,5 @@ def every_drawing() -> dict[str, str]:
 
 if __name__ == "__main__":
     for written, svg in every_drawing().items():
-        (IMAGES / f"{written}.svg").write_text(svg, encoding="utf-8", newline="\n")
+        images = Path(__file__).parent.parent / "docs" / "images" / "models"
+        (images / f"{written}.svg").write_text(svg, encoding="utf-8", newline="\n")

@@ -11,16 +11,15 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import sympy as sp
 
-from . import limits, units
+from . import units
 from .algebra import quotients
+from .limits import Limit
 
 if TYPE_CHECKING:
     from sympy.physics.mechanics import KanesMethod, LagrangesMethod, System
 
     from .model import Page
 
-#: What is left to say of friction whose loads have the law, as those of CoulombKineticFriction.
-_OF_LOADS = ("belt", "holds")
 #: What holds the mechanics of a system.
 Method: TypeAlias = "LagrangesMethod | KanesMethod | System"
 
@@ -156,7 +155,7 @@ class _MethodReader:
         for names in self.names:
             value = value.subs(names)
         if value.has(self.time):
-            raise self.refused(f"{value} varies in time by itself: {limits.FORCING}")
+            raise self.refused(f"{value} varies in time by itself: {Limit.FORCING}")
         return value
 
     def gradient(self, expression: sp.Expr) -> sp.Matrix:
@@ -168,7 +167,8 @@ class _MethodReader:
         """Statement of contact or friction by its names, in the page's symbols."""
         said = dict(given if isinstance(given, Mapping) else zip(names, given or (), strict=False))
         needed = {"contact": ("normal",), "friction": ("coefficient", "along", "belt")}[what]
-        if what == "friction" and said.keys() <= {*_OF_LOADS}:
+        # What is left to say of friction whose loads have the law, as CoulombKineticFriction's.
+        if what == "friction" and said.keys() <= {"belt", "holds"}:
             needed = ()
         if said and (wrong := [*(said.keys() - {*names}), *({*needed} - said.keys())]):
             raise self.refused(
@@ -281,7 +281,7 @@ class _MethodReader:
             and not sp.Tuple(law, *slopes).has(*self.rates, *self.places)
             and all(self.expanded(one) == 0 for one in nothing)
         )
-        if not read or not friction.keys() <= {*_OF_LOADS}:
+        if not read or not friction.keys() <= {"belt", "holds"}:
             # How that is read, in errors.
             words = (
                 "of loads with a sign, as those of CoulombKineticFriction, all friction is read; "
@@ -348,7 +348,7 @@ class _MethodReader:
         if C.has(*self.rates):
             raise self.refused(
                 f"{', '.join(str(one) for one in forces if one != 0)} is no damper of a page: "
-                f"{limits.NONLINEAR_DAMPER}"
+                f"{Limit.NONLINEAR_DAMPER}"
             )
         if not (C - C.T).applyfunc(self.expanded).is_zero_matrix:
             raise self.refused(

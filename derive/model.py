@@ -21,9 +21,9 @@ import sympy as sp
 from sympy import Abs, atan, cos, cosh, exp, log, pi, sign, sin, sinh, sqrt, tanh
 
 from .algebra import Pair, Row, Symbols
-from . import limits
 from .emit.quantities import interval
 from .from_mechanics import page_from
+from .limits import Limit
 
 __all__ = [
     "Abs",
@@ -442,7 +442,7 @@ class Page:
 
     def damper(self, coefficient: sp.Expr, *ends: Point, along: sp.Expr | None = None) -> None:
         """A viscous damper: straight between two ``ends``, or along a coordinate."""
-        self._check_speeds(expression_of(coefficient), "the coefficient", limits.NONLINEAR_DAMPER)
+        self._check_speeds(expression_of(coefficient), "the coefficient", Limit.NONLINEAR_DAMPER)
         self.dampers.append(_element("damper", coefficient, ends, along, 0))
 
     def force(
@@ -485,7 +485,7 @@ class Page:
         the size of N.
         """
         given = expression_of(force)
-        self._check_speeds(given, "the normal force", limits.NORMAL_SPEED)
+        self._check_speeds(given, "the normal force", Limit.NORMAL_SPEED)
         return self._pressed(Contact(None, lambda depth: given, unilateral, _line(), name))
 
     def _pressed(self, contact: Contact) -> Contact:
@@ -548,7 +548,7 @@ class Page:
 
     def _check_law(self, law: Law, kind: str, of: str) -> None:
         """A law is one of expressions, and of its own variable alone."""
-        limit = limits.FRICTION_STATE if kind == "friction" else limits.CONTACT_DAMPING
+        limit = Limit.FRICTION_STATE if kind == "friction" else Limit.CONTACT_DAMPING
         if len(needed := _needed(law, kind, of)) > 1:
             raise refused(
                 f"the {kind} law takes {', '.join(needed)}; it is a law of the {of} alone: {limit}"
@@ -565,14 +565,14 @@ class Page:
             ) from error
         if moving:
             rates = any(str(rate) in moving.split(", ") for rate in self.rates)
-            limit = limits.PLANE if kind == "friction" and rates else limit
+            limit = Limit.PLANE if kind == "friction" and rates else limit
             said = f": {limit}" if kind == "friction" or rates else ""
             raise refused(
                 f"the {kind} law depends on {moving}; it is a law of the {of} alone{said}"
             )
 
     def _check_speeds(
-        self, expression: sp.Expr, what: str, limit: object = limits.CONTACT_DAMPING
+        self, expression: sp.Expr, what: str, limit: object = Limit.CONTACT_DAMPING
     ) -> None:
         """The normal force follows from the place; the coefficient of a damper holds no speed
         either.

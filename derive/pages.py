@@ -9,8 +9,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from . import limits, mechanics, statement_checks, smoothness_checks, physical_checks
+from . import mechanics, statement_checks, smoothness_checks, physical_checks
 from . import model as vocabulary
+from .limits import Limit
 from .mechanics import Mechanics
 from .model import Page, PageError
 
@@ -132,7 +133,7 @@ def _said(error: BaseException) -> str:
     )
     if isinstance(error, ImportError):
         return f"{str(error).partition(' (')[0]}; {known}"  # without the place of the package
-    forcing = f": {limits.FORCING}" if getattr(error, "name", None) in ("t", "time") else ""
+    forcing = f": {Limit.FORCING}" if getattr(error, "name", None) in ("t", "time") else ""
     if isinstance(error, NameError):
         return said + (forcing or f"; define it above, or import it: {known}")
     if isinstance(error, AttributeError) and isinstance(error.obj, Page):

@@ -8,7 +8,8 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from . import laws, limits, signs, symmetry, units
+from . import laws, signs, symmetry, units
+from .limits import Limit
 from .mechanics import DEPTH, SLIP, FrictionForce, Mechanics, NormalForce, number
 from .model import Datum, Page, PageError
 from .statement_checks import PageExpression, statements
@@ -35,7 +36,7 @@ def check_units(page: Page) -> None:
 def _check_dimension(it: PageExpression, known: dict[sp.Symbol, Dimension]) -> None:
     unknown = sorted(str(symbol) for symbol in it.value.free_symbols if symbol not in known)
     if unknown:
-        time = f": {limits.FORCING}" if {"t", "time"} & set(unknown) else ""
+        time = f": {Limit.FORCING}" if {"t", "time"} & set(unknown) else ""
         raise PageError(
             it.line,
             f"{it.what} holds {', '.join(unknown)}, which the page does not define; define it "
@@ -144,11 +145,11 @@ def check_forces(model: Mechanics) -> None:
                 entry.line,
                 f"{entry.symbol} has no inertia: the kinetic energy does not hold its rate; "
                 "add it: "
-                f"{limits.WITHOUT_MASS}",
+                f"{Limit.WITHOUT_MASS}",
             )
     line = model.page.inertia[1] if model.page.inertia else 0
     if model.mass.has(*model.rates):
-        raise PageError(line, f"the kinetic energy is no polynomial: {limits.MASS_OF_SPEED}")
+        raise PageError(line, f"the kinetic energy is no polynomial: {Limit.MASS_OF_SPEED}")
     if model.mass.det() == 0:
         raise PageError(
             line,
@@ -211,7 +212,7 @@ def _check_contact(model: Mechanics, contact: NormalForce) -> None:
             "positive",
         )
     if contact.line and contact.gap is None and not contact.either_face:
-        _check_pushes(model, contact, f"the normal force {contact.law}", limits.EITHER_FACE)
+        _check_pushes(model, contact, f"the normal force {contact.law}", Limit.EITHER_FACE)
     if contact.unilateral and contact.law.subs(contact.depth, 0) != 0:
         raise PageError(
             contact.line,
@@ -221,10 +222,10 @@ def _check_contact(model: Mechanics, contact: NormalForce) -> None:
         )
     stiffness = sp.diff(contact.law, contact.depth)  # where that is nowhere negative the law rises
     if contact.unilateral and not signs.is_nonnegative(model, stiffness):
-        _check_pushes(model, contact, "the contact law", limits.PULLING)
+        _check_pushes(model, contact, "the contact law", Limit.PULLING)
 
 
-def _check_pushes(model: Mechanics, contact: NormalForce, what: str, limit: limits.Limit) -> None:
+def _check_pushes(model: Mechanics, contact: NormalForce, what: str, limit: Limit) -> None:
     """Refuse a force that is not proved to push, with the place where it pulls if one is found."""
     if not signs.is_nonnegative(model, contact.law):
         where = signs.witness(model, contact.law)
@@ -252,7 +253,7 @@ def _check_friction(model: Mechanics, sliding: FrictionForce) -> None:
             raise PageError(
                 sliding.line,
                 f"the friction law drives at rest: where the belt is just {side} of the mass "
-                f"it is {at_zero}, not 0: {limits.STICKING}",
+                f"it is {at_zero}, not 0: {Limit.STICKING}",
             )
         witness = _negative(model, value, SLIP)
         if witness:

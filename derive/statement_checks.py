@@ -13,8 +13,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from . import limits, reserved, units
+from . import reserved, units
 from .emit.quantities import interval
+from .limits import Limit
 from .mechanics import DEPTH, SLIP
 from .model import Datum, Page, PageError, acceleration_of, expression_of, speed_of
 from .units import Dimension
@@ -41,16 +42,13 @@ def check(page: Page, docstring: str) -> None:
 def _check_coordinates(page: Page) -> None:
     if not page.coordinates:
         raise PageError(
-            0,
-            f"the page has no coordinate, and a model has 1 to {limits.MOST_COORDINATES}; add "
-            "page.coordinate(…)",
+            0, "the page has no coordinate, and a model has 1 to 4; add page.coordinate(…)"
         )
-    if len(page.coordinates) > limits.MOST_COORDINATES:
-        excess = page.coordinates[limits.MOST_COORDINATES]
+    if len(page.coordinates) > 4:
+        excess = page.coordinates[4]
         raise PageError(
             excess.line,
-            f"{excess.symbol} is coordinate {limits.MOST_COORDINATES + 1} of "
-            f"{len(page.coordinates)}: {limits.FIFTH_COORDINATE}",
+            f"{excess.symbol} is coordinate 5 of {len(page.coordinates)}: {Limit.FIFTH_COORDINATE}",
         )
 
 
@@ -190,7 +188,7 @@ def _check_contacts(page: Page) -> None:
         if on in rubbed:
             raise PageError(
                 friction.line,
-                f"line {rubbed[on]} says the friction on this contact already: {limits.PLANE}",
+                f"line {rubbed[on]} says the friction on this contact already: {Limit.PLANE}",
             )
         rubbed[on] = friction.line
 
@@ -350,7 +348,7 @@ def _check_places(page: Page) -> None:
                 force.line,
                 "this force holds a speed; one in proportion to it is page.damper(c, "
                 "along=x), and friction is page.friction(…); of any "
-                f"other, {limits.NONLINEAR_DAMPER}",
+                f"other, {Limit.NONLINEAR_DAMPER}",
             )
     for contact in page.contacts:
         if contact.gap is not None and not contact.gap.free_symbols & moving:
@@ -368,7 +366,7 @@ def _check_places(page: Page) -> None:
             raise PageError(
                 sliding.line,
                 f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed that "
-                f"stays, as V{f': {limits.PLANE}' if sliding.belt.free_symbols & rates else ''}",
+                f"stays, as V{f': {Limit.PLANE}' if sliding.belt.free_symbols & rates else ''}",
             )
         if not sliding.belt.is_nonnegative and not own & sliding.belt.free_symbols:
             raise PageError(
@@ -377,7 +375,7 @@ def _check_places(page: Page) -> None:
                 "friction along the belt's direction; let the "
                 "coordinate point along the belt, and give what stands in its speed domains "
                 "with which it is >= 0"
-                f"{f'; {limits.PLANE}' if sliding.belt.has(sp.cos, sp.sin) else ''}",
+                f"{f'; {Limit.PLANE}' if sliding.belt.has(sp.cos, sp.sin) else ''}",
             )
         if sliding.belt == 0 and clock is None:
             raise PageError(

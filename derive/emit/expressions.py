@@ -6,11 +6,24 @@ import ast
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from enum import IntEnum, auto
 
 from .language import KernelError, Kinds, Routine, Source
 
-#: Binding strength of what is printed, to place brackets by.
-_CHOICE, _OR, _AND, _COMPARE, SUM, _PRODUCT, _UNARY, _ATOM = range(8)
+
+class Strength(IntEnum):
+    """How strongly what is printed binds, weakest first: brackets stand where a part binds more
+    weakly than what is around it.
+    """
+
+    CHOICE = auto()
+    OR = auto()
+    AND = auto()
+    COMPARE = auto()
+    SUM = auto()
+    PRODUCT = auto()
+    UNARY = auto()
+    ATOM = auto()
 
 
 @dataclass(frozen=True)
@@ -40,7 +53,7 @@ class Expressions:
     source: Source
     syntax: Syntax
 
-    def print(self, node: ast.expr, least: int = _CHOICE) -> str:
+    def print(self, node: ast.expr, least: int = Strength.CHOICE) -> str:
         """The text of an expression, in brackets where it binds more weakly than what stands around
         it.
         """
@@ -54,39 +67,42 @@ class Expressions:
     def _expression(self, node: ast.expr) -> tuple[str, int]:
         match node:
             case ast.Constant(value=float() as value):
-                return number(value), _ATOM
+                return number(value), Strength.ATOM
             case ast.Name(id=name):
-                return name, _ATOM
+                return name, Strength.ATOM
             case ast.Attribute(value=value, attr=attribute):
-                return f"{self.print(value, _ATOM)}.{attribute}", _ATOM
+                return f"{self.print(value, Strength.ATOM)}.{attribute}", Strength.ATOM
             case ast.UnaryOp(op=ast.USub(), operand=operand):
-                return f"-{self.print(operand, _UNARY)}", _UNARY
+                return f"-{self.print(operand, Strength.UNARY)}", Strength.UNARY
             case ast.UnaryOp(op=ast.Invert(), operand=operand):
-                return f"{self.syntax.logic[ast.Invert]}{self.print(operand, _UNARY)}", _UNARY
+                return (
+                    f"{self.syntax.logic[ast.Invert]}{self.print(operand, Strength.UNARY)}",
+                    Strength.UNARY,
+                )
             case ast.BinOp(left=left, op=op, right=right):
                 return self._binary(left, op, right)
             case ast.Compare(left=left, ops=[op], comparators=[right]):
                 comparisons = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
                 sign = comparisons[type(op)]
                 return (
-                    f"{self.print(left, SUM)} {self.syntax.signs.get(sign, sign)} "
-                    f"{self.print(right, SUM)}",
-                    _COMPARE,
+                    f"{self.print(left, Strength.SUM)} {self.syntax.signs.get(sign, sign)} "
+                    f"{self.print(right, Strength.SUM)}",
+                    Strength.COMPARE,
                 )
             case ast.Call(func=ast.Name(id="where"), args=[condition, yes, no]) if (
                 self.syntax.ternary
             ):
                 return (
-                    f"{self.print(condition, _COMPARE)} ? {self.print(yes, _OR)} : "
-                    f"{self.print(no, _OR)}",
-                    _CHOICE,
+                    f"{self.print(condition, Strength.COMPARE)} ? {self.print(yes, Strength.OR)} : "
+                    f"{self.print(no, Strength.OR)}",
+                    Strength.CHOICE,
                 )
             case ast.Call(func=ast.Name(id=name), args=[argument]) if hands_back(
                 self.source.routines.get(name)
             ):
                 return self._expression(argument)
             case ast.Call(func=ast.Name(id=name), args=args):
-                return f"{self.called(name)}({self.listed(args)})", _ATOM
+                return f"{self.called(name)}({self.listed(args)})", Strength.ATOM
         raise KernelError(
             f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language"
         )
@@ -101,19 +117,22 @@ class Expressions:
 
     def _binary(self, left: ast.expr, op: ast.operator, right: ast.expr) -> tuple[str, int]:
         strengths = {
-            ast.BitOr: _OR,
-            ast.BitAnd: _AND,
-            ast.Add: SUM,
-            ast.Sub: SUM,
-            ast.Mult: _PRODUCT,
-            ast.Div: _PRODUCT,
+            ast.BitOr: Strength.OR,
+            ast.BitAnd: Strength.AND,
+            ast.Add: Strength.SUM,
+            ast.Sub: Strength.SUM,
+            ast.Mult: Strength.PRODUCT,
+            ast.Div: Strength.PRODUCT,
         }
         strength = strengths[type(op)]
         if isinstance(op, ast.BitAnd | ast.BitOr):
             # Brackets on both sides, except in a chain of the same sign: no reader needs to know
             # which binds more strongly.
             chained = isinstance(left, ast.BinOp) and type(left.op) is type(op)
-            sides = self.print(left, strength if chained else _ATOM), self.print(right, _ATOM)
+            sides = (
+                self.print(left, strength if chained else Strength.ATOM),
+                self.print(right, Strength.ATOM),
+            )
             return f"{sides[0]} {self.syntax.logic[type(op)]} {sides[1]}", strength
         arithmetic = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
         sign = arithmetic[type(op)]

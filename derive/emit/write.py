@@ -19,8 +19,6 @@ from typing import Any
 _LEFT = ".spragsym-"
 #: Stands for the digest of all files, or its first 16 digits, until they are all there.
 DIGEST = "<digest-of-all>".ljust(64, "-")
-#: The list of what ``make derive`` wrote.
-LIST = "files.json"
 #: Characters of a line of JSON.
 _WIDTH = 130
 
@@ -87,14 +85,14 @@ def sealed_alone(text: str) -> str:
     return text.replace(DIGEST, digest_of(text))
 
 
-def listed(files: dict[str, str], mark: str = LIST, **entries: Any) -> dict[str, str]:
+def listed(files: dict[str, str], mark: str = "files.json", **entries: Any) -> dict[str, str]:
     """The files, and a sealed ``mark`` with the digest of each and other entries."""
     digests = {name: digest_of(text) for name, text in sorted(files.items())}
     about = {**entries, "files": digests, "digest": DIGEST}
     return {**files, mark: sealed_alone(as_json(dict(sorted(about.items()))))}
 
 
-def write(files: dict[str, str], target: Path, mark: str = LIST) -> None:
+def write(files: dict[str, str], target: Path, mark: str = "files.json") -> None:
     """Put files into a folder: those that ``mark`` says were written before are replaced, or
     removed if they are no more.
 

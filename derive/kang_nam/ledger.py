@@ -5,6 +5,7 @@
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
+from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
@@ -21,12 +22,13 @@ from . import article, explanations
 from .free_body import DIGITS, ParameterPoint
 from .theorem import Step
 
-#: Statuses of a row that passes the check.
-SOUND = ("confirmed", "misprint", "approximation", "definition")
-#: The status of a row whose printed form is not the derived one, without an explanation that holds.
-FAILED = "failed"
-#: Statuses of rows whose printed form is the derived one.
-_AS_PRINTED = ("confirmed", "definition")
+
+class Transfer(StrEnum):
+    """What becomes of a statement of the article, misprints repaired, with another page."""
+
+    HOLDS = "holds"
+    FAILS = "fails"
+    NO_MEANING = "no meaning"
 
 
 @dataclass(frozen=True)
@@ -36,8 +38,9 @@ class LedgerRow:
 
     ``derivation`` is the form at which the derivation itself arrives. ``derived`` equals it, as
     exact algebra has shown, and has the arrangement of ``printed``, so that the two can be compared
-    by eye. In a failed row ``derived`` is the same as ``derivation``. ``derived_by`` names the
-    function of ``derive/`` that derives it.
+    by eye. A row is "failed" whose printed form is not the derived one, without an explanation that
+    holds; its ``derived`` is the same as ``derivation``. ``derived_by`` names the function of
+    ``derive/`` that derives it.
     """
 
     id: str
@@ -53,6 +56,11 @@ class LedgerRow:
     evidence: str = ""
     consequence: str = ""
     limit: str = ""
+
+    @property
+    def is_as_printed(self) -> bool:
+        """Whether the derived form is the printed one."""
+        return self.status in ("confirmed", "definition")
 
     def recorded(self) -> dict[str, str]:
         """As the ledger has it: without what is empty, and without a derived form that is the
@@ -75,10 +83,6 @@ def run(paper: Paper | None = None) -> list[LedgerRow]:
     return [_explained(row, _exact(item)) for item, row in pairs]
 
 
-#: What becomes of a statement of the article, misprints repaired, with another page.
-HOLDS, FAILS, NO_MEANING = "holds", "fails", "no meaning"
-
-
 @dataclass(frozen=True)
 class Judgement:
     """Judgement of one printed row: what is printed less what is derived, or why there is no such
@@ -96,10 +100,14 @@ def judge(model: pages.PageModel) -> list[Judgement]:
     article_page = pages.read(pages.SHIPPED / "kang_nam.py")
     paper = verdicts.repaired(article.printed(), article_page)
     found = []
-    becomes = dict.fromkeys(("confirmed", "definition", "approximation"), HOLDS) | {FAILED: FAILS}
+    becomes = dict.fromkeys(("confirmed", "definition", "approximation"), Transfer.HOLDS)
+    becomes["failed"] = Transfer.FAILS
     for row in verdicts.check(paper, model, repair=False).rows:
-        status = becomes.get(row.status, NO_MEANING)
-        remark = {HOLDS: row.difference and row.evidence, FAILS: row.difference}
+        status = becomes.get(row.status, Transfer.NO_MEANING)
+        remark = {
+            Transfer.HOLDS: row.difference and row.evidence,
+            Transfer.FAILS: row.difference,
+        }
         found.append(Judgement(row.id, row.where, status, remark.get(status, row.evidence)))
     return found
 
@@ -120,7 +128,7 @@ def _exact(item: Item | Verdict) -> str:
 
 def failures(rows: Sequence[LedgerRow]) -> list[LedgerRow]:
     """Rows that do not pass the check."""
-    return [row for row in rows if row.status not in SOUND]
+    return [row for row in rows if row.status == "failed"]
 
 
 def _explained(found: verdicts.Row, exact: str) -> LedgerRow:
@@ -138,7 +146,7 @@ def _explained(found: verdicts.Row, exact: str) -> LedgerRow:
     )
     misprint = explanations.MISPRINTS.get(row.id)
     approximation = explanations.APPROXIMATIONS.get(row.id)
-    if row.status in _AS_PRINTED:
+    if row.is_as_printed:
         if misprint or approximation:
             return _failed(row, "explained as one that differs, but the difference is zero")
         return replace(row, derived=row.printed)
@@ -169,7 +177,7 @@ def _explained(found: verdicts.Row, exact: str) -> LedgerRow:
 
 
 def _failed(row: LedgerRow, note: str) -> LedgerRow:
-    return replace(row, status=FAILED, note=note)
+    return replace(row, status="failed", note=note)
 
 
 @dataclass(frozen=True)
@@ -205,7 +213,7 @@ def markdown(ledger: Ledger, header: str) -> str:
     """A page that a referee can read."""
     sections: dict[bool, list[str]] = {True: [], False: []}
     for row in ledger.rows:
-        sections[row.status in _AS_PRINTED] += _section(row)
+        sections[row.is_as_printed] += _section(row)
     counts = (f"{count} {status}" for status, count in summary(ledger.rows).items())
     table = (
         f"| [{row.id}](#{row.id.lower()}) | {row.where} | {row.status} | "
@@ -242,7 +250,7 @@ def _section(row: LedgerRow) -> list[str]:
     lines = [f"### {row.id}"]
     # A formula in Markdown.
     math = "```math\n{}\n```"
-    if row.status in _AS_PRINTED:
+    if row.is_as_printed:
         lines.append(math.format(row.printed))
     else:
         both = rf"&\text{{printed:}} && {row.printed} \\" + "\n"

@@ -264,12 +264,11 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     if json_output:
         print_json([asdict(row) for row in rows])
         return
-    words = (ledger.HOLDS, ledger.FAILS, ledger.NO_MEANING)
-    styles: dict[str, Style] = dict(zip(words, (_GOOD, _BAD, _DIM), strict=True))
+    styles: dict[str, Style] = dict(zip(ledger.Transfer, (_GOOD, _BAD, _DIM), strict=True))
     _print_rows(
         "print less model", [(row.id, row.where, row.status, row.remark) for row in rows], styles
     )
-    hold, fail, none = map([row.status for row in rows].count, words)
+    hold, fail, none = map([row.status for row in rows].count, ledger.Transfer)
     click.echo(
         f"{model.name}: of {len(rows)} rows {hold} hold, {fail} fail, {none} have no meaning",
         err=True,

@@ -71,7 +71,8 @@ def test_no_row_failed(rows: dict[str, LedgerRow]) -> None:
 
 def test_statuses(rows: dict[str, LedgerRow]) -> None:
     by_status = {
-        status: {id for id, row in rows.items() if row.status == status} for status in ledger.SOUND
+        status: {id for id, row in rows.items() if row.status == status}
+        for status in ("misprint", "approximation", "definition")
     }
     assert by_status["misprint"] == {"eq-6", "eq-9", "eq-13", "def-n", "A1-d0"}
     assert by_status["approximation"] == {"eq-12", "eq-27"}
@@ -374,21 +375,21 @@ def test_every_mutation_is_caught_and_located(id: str) -> None:
 @pytest.mark.thorough
 def test_an_approximation_that_does_not_vanish_fails() -> None:
     row = check_with("eq-12", PRINTED["eq-12"].text.replace(r"\alpha x", r"2 \alpha x"))
-    assert row.status == ledger.FAILED
+    assert row.status == "failed"
 
 
 @pytest.mark.thorough
 def test_another_misprint_in_an_explained_row_fails() -> None:
     """Only the edits that are explained are."""
     row = check_with("eq-9", PRINTED["eq-9"].text.replace(r"+ \beta y", r"- \beta y"))
-    assert row.status == ledger.FAILED
+    assert row.status == "failed"
     assert "nothing explains" in row.note
 
 
 @pytest.mark.thorough
 def test_what_is_explained_and_right_fails() -> None:
     row = check_with("eq-9", PRINTED["eq-9"].text.replace("- n", r"- n + \kappa"))
-    assert row.status == ledger.FAILED
+    assert row.status == "failed"
     assert "the difference is zero" in row.note
 
 
@@ -403,7 +404,7 @@ def test_evidence_feels_the_physics(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(free_body, "forces", without_preload)
     row = check_with("eq-9", PRINTED["eq-9"].text)
-    assert row.status == ledger.FAILED
+    assert row.status == "failed"
     assert "virtual work" in row.note
 
 
@@ -429,4 +430,4 @@ def test_every_page_is_judged(page: Path) -> None:
     found = ledger.judge(pages.read(page))
     assert [it.id for it in found] == [*PRINTED]
     if page.stem == "kang_nam":
-        assert {it.status for it in found} == {ledger.HOLDS}
+        assert {it.status for it in found} == {ledger.Transfer.HOLDS}

@@ -22,7 +22,7 @@ from spragsym.derive.emit import write
 
 Files = dict[str, str]
 #: Lists of ``python -m derive`` and of ``spragsym derive``.
-MARKS = (write.LIST, of_models.MARK)
+MARKS = ("files.json", of_models.MARK)
 OLD_FILES = {"algebra.py": "old\n", "page.py": "old page\n", "gone.py": "gone\n"}
 NEW_FILES = {"algebra.py": "new\n", "page.py": "new page\n", "sub/fresh.py": "fresh\n"}
 MARK = of_models.MARK

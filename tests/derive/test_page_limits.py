@@ -13,7 +13,8 @@ pytest.importorskip("sympy")
 import numpy as np
 
 import spragsym as ss
-from spragsym.derive import limits, pages, reserved
+from spragsym.derive import pages, reserved
+from spragsym.derive.limits import Limit
 from spragsym.derive.model import PageError
 from tests.oracles.user_pages import model_of, replaced
 from tests.support import ROOT
@@ -70,125 +71,125 @@ def accelerations(model: ss.models.Model, state: tuple[float, ...], **changes: f
 #: line that is named.
 DAMPER, CONTACT = "page.damper(c, along=y)", "page.contact(y, lambda depth: k_c * depth)"
 LAW = "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0"
-BEYOND: dict[str, tuple[limits.Limit, str, str, str]] = {
+BEYOND: dict[str, tuple[Limit, str, str, str]] = {
     "two frictions": (
-        limits.PLANE,
+        Limit.PLANE,
         DAMPER,
         "page.friction(y, V, lambda v: mu0 * tanh(d * v))",
         "page.friction(x",
     ),
     "a gap with speeds": (
-        limits.CONTACT_DAMPING,
+        Limit.CONTACT_DAMPING,
         "page.contact(y,",
         "page.contact(y + page.rate(y) / d / V,",
         "page.contact(",
     ),
     "a law with speeds": (
-        limits.CONTACT_DAMPING,
+        Limit.CONTACT_DAMPING,
         "k_c * depth)",
         "k_c * depth - c * page.rate(y))",
         "page.contact(",
     ),
     "a law of two": (
-        limits.CONTACT_DAMPING,
+        Limit.CONTACT_DAMPING,
         "lambda depth: k_c",
         "lambda depth, speed: c * speed + k_c",
         "page.contact(",
     ),
     "a force with speeds": (
-        limits.NORMAL_SPEED,
+        Limit.NORMAL_SPEED,
         CONTACT,
         "page.normal_force(F_L + c * page.rate(x))",
         "page.normal_force(",
     ),
     "a force of either sign": (
-        limits.EITHER_FACE,
+        Limit.EITHER_FACE,
         CONTACT,
         "page.normal_force(F_L + k * y)",
         "page.normal_force(",
     ),
     "a law that is not seen to push": (
-        limits.PULLING,
+        Limit.PULLING,
         "lambda depth: k_c * depth",
         "lambda depth: k_c * depth * (1 - k_c * depth / F_L + (k_c * depth / F_L)**2)",
         "page.contact(",
     ),
     "a coefficient with speeds": (
-        limits.NONLINEAR_DAMPER,
+        Limit.NONLINEAR_DAMPER,
         DAMPER,
         "page.damper(c * page.rate(y)**2 / V**2, along=y)",
         "page.damper(",
     ),
     "a force of the square": (
-        limits.NONLINEAR_DAMPER,
+        Limit.NONLINEAR_DAMPER,
         DAMPER,
         "page.force(-c * page.rate(y)**3 / V**2, along=y)",
         "page.force(-c",
     ),
-    "Coulomb": (limits.STICKING, LAW, "lambda v: mu0 * sgn(v), at_rest=mu0", "page.friction("),
+    "Coulomb": (Limit.STICKING, LAW, "lambda v: mu0 * sgn(v), at_rest=mu0", "page.friction("),
     "a jump at rest": (
-        limits.STICKING,
+        Limit.STICKING,
         LAW,
         "lambda v: mu0 * (1 + exp(-d * Abs(v))) * sgn(v), at_rest=mu0",
         "page.friction(",
     ),
-    "time": (limits.FORCING, DAMPER, "page.force(F_L * cos(t), along=y)", "cos(t)"),
+    "time": (Limit.FORCING, DAMPER, "page.force(F_L * cos(t), along=y)", "cos(t)"),
     "time of the page": (
-        limits.FORCING,
+        Limit.FORCING,
         DAMPER,
         "page.force(F_L * cos(page.time), along=y)",
         "page.time",
     ),
     "time as a symbol": (
-        limits.FORCING,
+        Limit.FORCING,
         DAMPER,
         "page.force(F_L * cos(sp.Symbol('t')), along=y)",
         "sp.Symbol",
     ),
     "friction in a plane": (
-        limits.PLANE,
+        Limit.PLANE,
         LAW,
         "lambda v: mu0 * v / sp.sqrt(v**2 + page.rate(y)**2)",
         "page.friction(",
     ),
     "a belt that turns": (
-        limits.PLANE,
+        Limit.PLANE,
         "page.friction(x, V,",
         "page.friction(x, sp.sqrt(V**2 + page.rate(y)**2),",
         "page.friction(",
     ),
     "a belt's speed of either sign": (
-        limits.PLANE,
+        Limit.PLANE,
         "page.friction(x, V,",
         "page.friction(x, V * cos(psi),",
         "page.friction(",
     ),
     "no mass": (
-        limits.WITHOUT_MASS,
+        Limit.WITHOUT_MASS,
         "more = []",
         "more, z = [], page.coordinate('z', 'm', 'z')",
         "more, z",
     ),
     "friction of a place": (
-        limits.FRICTION_STATE,
+        Limit.FRICTION_STATE,
         LAW,
         "lambda v: mu0 * tanh(d * v) * (1 + y / L_0)",
         "page.friction(",
     ),
     "friction of a state": (
-        limits.FRICTION_STATE,
+        Limit.FRICTION_STATE,
         LAW,
         "lambda v, z: mu0 * tanh(d * v) * z",
         "page.friction(",
     ),
     "a mass that depends on the speed": (
-        limits.MASS_OF_SPEED,
+        Limit.MASS_OF_SPEED,
         "page.kinetic(",
         "page.kinetic(m * page.rate(y) ** 4 / V**2 + ",
         "page.kinetic(",
     ),
     "five coordinates": (
-        limits.FIFTH_COORDINATE,
+        Limit.FIFTH_COORDINATE,
         "more = []",
         "more = [m * page.rate(page.coordinate(f'z{i}', 'm', 'z'))**2 for i in range(3)]",
         "more = [",
@@ -215,9 +216,9 @@ def test_the_list_is_that_of_the_guide() -> None:
     guide = " ".join(
         (ROOT / "docs" / "howto_model.md").read_text(encoding="utf-8").replace("`", "").split()
     )
-    for limit in limits.LIMITS:
+    for limit in Limit:
         assert f"{limit.what}: {limit.instead}" in guide, limit.what
-    assert {limit for limit, *_ in BEYOND.values()} == set(limits.LIMITS)
+    assert {limit for limit, *_ in BEYOND.values()} == set(Limit)
 
 
 @pytest.mark.thorough

@@ -9,7 +9,8 @@ pytest.importorskip("sympy")
 
 import sympy as sp
 
-from spragsym.derive import limits, pages, statics
+from spragsym.derive import pages, statics
+from spragsym.derive.limits import Limit
 from spragsym.derive.model import PageError
 from tests.oracles.contact_pages import FALLING_BLOCKS, HEAD, PAD, TIED_BLOCKS
 from tests.oracles.user_pages import model_of, replaced
@@ -34,7 +35,7 @@ def line_of(text: str, piece: str) -> int:
         (REAR, REAR.replace('"rear"', "3"), "name = 3 is no text"),
         (ON_REAR, ON_REAR.replace(", on=rear", ""), "say on which of them"),
         (ON_REAR, ON_REAR.replace("on=rear", "on='rear'"), "no contact of this"),
-        (ON_REAR, ON_REAR.replace("on=rear", "on=front"), str(limits.PLANE)),
+        (ON_REAR, ON_REAR.replace("on=rear", "on=front"), str(Limit.PLANE)),
         ('"h", "m"', '"mu_on_front", "m"', "an argument for the contact front"),
     ],
 )

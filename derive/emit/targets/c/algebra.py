@@ -9,8 +9,6 @@ from ...quantities import Quantity
 from .. import Angles, taken
 from .layout import WIDTH, broken, comment, definition, plain
 
-_FUNCTIONS = {name: name for name in NAMES} | {"abs": "fabs", "pi": "3.14159265358979323846"}
-
 
 def _expression(text: str) -> str:
     """The expression in C: whole numbers are doubles, and a square is a call."""
@@ -19,7 +17,8 @@ def _expression(text: str) -> str:
     )
     text = re.sub(r"(?<![\w.])(\d+)(?![\w.])", _whole, text)
     text = re.sub(r"(?<![\w.])(cos|sin)\b(?!\()", lambda found: SPELLED[found[1]], text)
-    return re.sub(r"([*/])", r" \1 ", ported(text, _FUNCTIONS))
+    functions = {name: name for name in NAMES} | {"abs": "fabs", "pi": "3.14159265358979323846"}
+    return re.sub(r"([*/])", r" \1 ", ported(text, functions))
 
 
 def _whole(found: re.Match[str]) -> str:

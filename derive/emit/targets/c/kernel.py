@@ -7,7 +7,7 @@ import itertools
 import math
 from collections.abc import Mapping
 
-from ...expressions import SUM, Syntax, number
+from ...expressions import Strength, Syntax, number
 from ...language import FLAG, REAL, Kinds, Record, Routine
 from ...routines import Printer, places
 from .layout import broken, comment, definition
@@ -110,7 +110,7 @@ class _CPrinter(Printer):
         return "".join(self.line(line, indent) for line in lines)
 
     def record(self, name: str, values: list[ast.expr], indent: str) -> str:
-        listed = ", ".join(self.expressions.print(value, SUM) for value in values)
+        listed = ", ".join(self.expressions.print(value, Strength.SUM) for value in values)
         return self.line(f"const {name} result = {{{listed}}};", indent) + self.line(
             "return result;", indent
         )

@@ -9,7 +9,6 @@ from ...definitions import NAMES, Definition, nested, ported, symbols
 from ...quantities import Quantity
 
 _WIDTH = 130
-_FUNCTIONS = {name: f"Math.{name}" for name in NAMES} | {"pi": "Math.PI"}
 
 
 def definition(function: Definition) -> str:
@@ -36,7 +35,8 @@ def definition(function: Definition) -> str:
 
 
 def _printed(expression: str) -> str:
-    return ported(expression, _FUNCTIONS)
+    functions = {name: f"Math.{name}" for name in NAMES} | {"pi": "Math.PI"}
+    return ported(expression, functions)
 
 
 def meanings(functions: Iterable[Definition], quantities: Mapping[str, Quantity]) -> str:

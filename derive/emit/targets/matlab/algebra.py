@@ -8,7 +8,6 @@ from ...definitions import NAMES, Definition, ported
 
 #: Of a function, which is indented by four.
 WIDTH = 126
-_FUNCTIONS = {name: name for name in NAMES}
 
 
 def definition(function: Definition) -> str:
@@ -34,7 +33,8 @@ def definition(function: Definition) -> str:
 
 def _printed(expression: str) -> str:
     """An expression in which every product and quotient is one of elements."""
-    return ported(expression, _FUNCTIONS).replace("*", ".*").replace("/", "./")
+    functions = {name: name for name in NAMES}
+    return ported(expression, functions).replace("*", ".*").replace("/", "./")
 
 
 def _outputs(function: Definition) -> list[str]:

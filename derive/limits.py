@@ -22,8 +22,8 @@ class Limit(Enum):
         "a given normal force that is not seen to press, N >= 0, for all parameters of their "
         "domains and at all places",
         'give domains that decide it, as "> 0", or a form that does, as F_L*exp(y/L_0) in the '
-        "place of F_L + k*y; what presses on either of two faces, in a slot or on a hoop, rubs with |N|: "
-        "page.normal_force(N, unilateral=False)",
+        "place of F_L + k*y; what presses on either of two faces, in a slot or on a hoop, rubs "
+        "with |N|: page.normal_force(N, unilateral=False)",
     )
     PULLING = (
         "a contact law that is not seen to push, law(depth) >= 0, for every depth > 0 and all "

@@ -58,12 +58,10 @@ from .defining_systems import (
 )
 from .folds import cusps, folds
 from .options import ContinuationOptions
-from .points import OVER_BORDER, Found, isolated, listed, search, which
+from .points import Found, isolated, listed, search, which
 
 #: How near a line counts as on it, over the range of the parameter.
 ON_LINE = 1e-9
-#: Strips between lines that neighbours on a curve are apart, at most, where points are many.
-STRIPS = 2
 
 
 @question
@@ -138,7 +136,7 @@ def bifurcation_set(
         parts.append(on_lines(family, FOLD, n, more, more[-1], options))
         curves += [_curve(family, chain) for chain in parts[-1].chains]
         for contact, other in passages(balances, balance):
-            near = family_of(balance.extended(OVER_BORDER, contact))
+            near = family_of(balance.extended(contact))
             ends = [*border_extrema(near, balance, between or {}, within)]
             borders += [(BORDER, points) for points in ends]
             # None where the balance does not depend on the first parameter.
@@ -237,7 +235,7 @@ def extrema(
         yield "end", folds(at_end, along, between=rest, within=within, options=options)
     for balance in balances if bends else ():
         for contact in balance.opens:
-            near = family_of(balance.extended(OVER_BORDER, contact))
+            near = family_of(balance.extended(contact))
             yield "border", isolated(near, fold_on_border(contact), "border")
 
 
@@ -253,7 +251,7 @@ def border_extrema(
     yield isolated(near, touch_turn(contact), BORDER)
     closed = [other for other in balance.opens if balance.pushing[other] and other > contact]
     for other in closed:  # where a curve of one contact ends at that of another
-        over_all = Family.of(p, near.vary, between, within, balance.extended(OVER_BORDER))
+        over_all = Family.of(p, near.vary, between, within, balance.extended())
         yield isolated(over_all, both_touch(contact, other), BORDER)
     rest = {name: ends for name, ends in between.items() if name != over}
     low, high = near.spans[0].tolist()
@@ -444,19 +442,21 @@ def _strips(places: FloatArray, lines: FloatArray, span: FloatArray) -> tuple[In
 
 def _close(cells: IntArray) -> Iterator[IntArray]:
     """Points in pairs, each once: all of a few; of many, those of which neither of two numbers,
-    shape (2, points), differs by more than STRIPS.
+    shape (2, points), differs by more than two.
     """
     # All pairs of so many points fit into memory.
     few = 2000
+    # Strips between lines that neighbours on a curve are apart, at most.
+    strips = 2
     if cells.shape[1] <= few:
         yield np.array(np.triu_indices(cells.shape[1], 1))
         return
-    width = int(cells[1].max(initial=0)) + 1 + STRIPS
+    width = int(cells[1].max(initial=0)) + 1 + strips
     key = cells[0] * width + cells[1]
     order = np.argsort(key, kind="stable")
     key = key[order]
-    ahead = [(0, across) for across in range(STRIPS + 1)]
-    ahead += itertools.product(range(1, STRIPS + 1), range(-STRIPS, STRIPS + 1))
+    ahead = [(0, across) for across in range(strips + 1)]
+    ahead += itertools.product(range(1, strips + 1), range(-strips, strips + 1))
     for along, across in ahead:
         cell = key + along * width + across
         # Of the same cell those behind a point.

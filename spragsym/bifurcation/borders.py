@@ -41,7 +41,7 @@ from ..statics.balance import Balance
 from ..statics.forces import as_intervals, filled
 from ..statics.reference_state import in_order
 from .defining_systems import Augmented, Family, touch
-from .points import OVER_BORDER, arranged, search
+from .points import arranged, search
 
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
@@ -65,7 +65,7 @@ def borders(
     found = []
     for balance in balances:
         for contact, other in passages(balances, balance):
-            near = balance.extended(OVER_BORDER, contact)
+            near = balance.extended(contact)
             family = Family.of(p, (vary,), between, within, near)
             there = search(family, touch(contact))
             kind = kinds_of_borders(family, there.roots.ends, other)

@@ -20,7 +20,7 @@ from ..numerics.vectors import magnitude
 from ..statics.balance import Balance
 from ..statics.forces import filled
 from ..statics.search import columns
-from .sticking import HELD, belt_speeds, held
+from .sticking import belt_speeds, held
 from .tubes import Tubes
 
 
@@ -44,7 +44,7 @@ def connected(p: ParameterSet, one: FloatArray, other: FloatArray, near: FloatAr
     """
     speeds = zip(p.model.frictions, belt_speeds(p), strict=False)
     holding = [entry["name"] for entry, speed in speeds if entry["holds"] and not np.any(speed)]
-    own, shares = held(p, holding), [named(HELD, name) for name in holding]
+    own, shares = held(p, holding), [named("held", name) for name in holding]
     balance = Balance(own.model, law="friction_at_speed")
     rows = [balance.parameters.index(name) for name in shares]
     begin, end = np.repeat(columns(own, balance.parameters), 2, axis=1).T

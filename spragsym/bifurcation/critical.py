@@ -27,7 +27,7 @@ from .crossings import followed_across
 from .defining_systems import Family, given_column
 from .folds import cusps, folds
 from .paths import ModelEnd, first_end
-from .points import INFINITY, OVER_BORDER, escapes
+from .points import INFINITY, escapes
 from .tubes import Tubes
 
 
@@ -421,9 +421,7 @@ class _CandidateSearch:
                     yield INFINITY, escapes(Family.of(here, (self.vary,), rest, None, balance))
             for contact in balance.opens:
                 if balance.pushing[contact]:
-                    near = Family.of(
-                        self.p, both, between, None, balance.extended(OVER_BORDER, contact)
-                    )
+                    near = Family.of(self.p, both, between, None, balance.extended(contact))
                     for points in border_extrema(near, balance, between, None):
                         yield BORDER, points
 

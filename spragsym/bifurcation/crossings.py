@@ -33,7 +33,6 @@ from ..statics.precise_balance import on_side
 from ..statics.search import balances_of
 from .borders import BORDER, BORDER_FOLD, PASSES, kinds_of_borders
 from .defining_systems import Augmented, Family, touch
-from .points import OVER_BORDER
 from .tubes import Place, Tubes
 
 
@@ -67,7 +66,7 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
         if contact in away:
             continue
         some, at, way = tubes[left], here[left], (goal - here.v)[left]
-        near = replace(some, balance=balance.extended(OVER_BORDER, contact))
+        near = replace(some, balance=balance.extended(contact))
         family = Family(None, near.balance, (tubes.vary,), near.fixed, np.zeros((1, 2)))
         system, given = Augmented(family, touch(contact)), near.bounds(Intervals.point(at.v))
         z = _border(system, given, at.z, tubes.options.newton_steps)

@@ -63,13 +63,13 @@ from ..statics.systems import Boxes, Entries, StateSystem, at_anchors
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
 
-#: Width of the arcs of directions looked at one by one.
-ARC = np.pi / 16
-#: Their numbers: 32 are a full turn, one more covers what rounding leaves.
+#: Arcs of directions, π/16 wide, looked at one by one: 32 are a full turn, one more covers what
+#: rounding leaves.
 ARCS = np.arange(33)
 #: Ends of cosine and sine on each of them.
 DIRECTIONS = stacked(
-    [of(Intervals.between(ARC * ARCS, ARC * (ARCS + 1))) for of in (XP.cos, XP.sin)], ARCS.shape
+    [of(Intervals.between(np.pi / 16 * ARCS, np.pi / 16 * (ARCS + 1))) for of in (XP.cos, XP.sin)],
+    ARCS.shape,
 ).ends
 
 
@@ -102,7 +102,7 @@ class Family:
     ) -> Self:
         """Of a set of parameters, by the balance in contact unless another one is given."""
         # Curves may begin and end on a border: states on it count.
-        balance = Balance(p.model) if balance is None else balance.extended(balance.room)
+        balance = Balance(p.model) if balance is None else balance.extended(room=balance.room)
         between = between or {}
         spans, asked = ranges(p.model, vary, between), requested_region(p.model, within)
         given = given_column(p, balance.parameters, vary)

@@ -63,9 +63,6 @@ NEVER_STABLE = (
     "force without a potential, so that no flutter sets in; ask for the onsets of the damped "
     "model, damping=True"
 )
-#: Width of a box whose middle is as good as a root, and growth of a λ on the imaginary axis, over
-#: their sizes.
-SMALL = 1e-6
 #: ω of the points of a search that M, C and K are taken at.
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 #: Points of one search, their kinds and their ω.
@@ -364,7 +361,7 @@ def _sightings(system: Augmented) -> list[FloatArray]:
     if system.condition is HOPF:
         return out
     # Not where the condition changes its sign at a pole.
-    most = SMALL * max((magnitude(row) for row in every if row.size), default=0.0)
+    most = 1e-6 * max((magnitude(row) for row in every if row.size), default=0.0)
     return [one for one in out if (np.abs(_signals(system, one[:-1, None])[0]) <= most).any()]
 
 
@@ -374,7 +371,8 @@ def _states(found: Roots) -> tuple[FloatArray, IntArray]:
     """
     ends, point = found.every
     boxes = Intervals(ends)
-    small = np.asarray((boxes.width <= SMALL * scale_of(boxes.middle)).all(axis=0))
+    # Width of a box whose middle is as good as a root.
+    small = np.asarray((boxes.width <= 1e-6 * scale_of(boxes.middle)).all(axis=0))
     small[: found.point.size] = True
     hulls, point = clusters(ends[:, :, small], point[small])
     return Intervals(hulls).middle, point
@@ -423,9 +421,13 @@ def _bisected(
     crossing = _crossing_pairs(low[1], high[1])
     if system.condition is not HOPF:
         return [np.append(state, np.nan) for _ in crossing]
+    # Growth over the size of a λ on the imaginary axis.
+    neutral = 1e-6
     nearest = [roots[np.abs(roots - here).argmin()] for here in crossing if roots.size]
     return [
-        np.append(state, abs(here.imag)) for here in nearest if abs(here.real) <= SMALL * abs(here)
+        np.append(state, abs(here.imag))
+        for here in nearest
+        if abs(here.real) <= neutral * abs(here)
     ]
 
 

@@ -49,8 +49,6 @@ from ..statics.forces import Values
 
 #: Bits of all balls; the box around the point has some fifty of them.
 BITS = 106
-#: Room for the rounding of middles to floats, relatively.
-ROOM = 2.0**-50
 
 
 @dataclass(frozen=True)
@@ -449,13 +447,17 @@ def _isolated(Z: FloatArray) -> FloatArray:
     size, own = range(n), Z[:, range(n), range(n)]
     parts = Intervals(own).middle
     middle = parts[:, 0] + 1j * parts[:, 1]
+    # Of middles to floats, relatively.
+    rounding = 2.0**-50
     off = Intervals(Z).magnitude.sum(axis=-1)
     np.fill_diagonal(off, contractors.distance(own, parts).sum(axis=-1))
-    radius = (np.maximum(off.sum(axis=0), off.sum(axis=1)) + np.abs(middle) * ROOM) * (1 + 4 * ROOM)
+    radius = (np.maximum(off.sum(axis=0), off.sum(axis=1)) + np.abs(middle) * rounding) * (
+        1 + 4 * rounding
+    )
 
     def apart(i: int, place: complex, j: int) -> bool:
         """Whether the disc i, moved to another place, does not meet the disc j."""
-        return abs(place - middle[j]) * (1 - ROOM) > radius[i] + radius[j]
+        return abs(place - middle[j]) * (1 - rounding) > radius[i] + radius[j]
 
     sums = [(i, j) for i in size for j in size if i <= j and not apart(i, -middle[i], j)]
     if len(sums) != 1:
@@ -469,13 +471,13 @@ def _isolated(Z: FloatArray) -> FloatArray:
             "the two eigenvalues with the sum 0 are not shown to be an isolated pair ± iω"
         )
     # (Z_jj − λ) z_j = −Σ Z_jl z_l, where no |z_l| is larger than 1, and then than was found.
-    away = np.abs(middle - middle[k]) * (1 - ROOM) - radius - radius[k]
+    away = np.abs(middle - middle[k]) * (1 - rounding) - radius - radius[k]
     away[k], off[k, k], spread = np.inf, 0.0, np.ones(n)
     for _ in range(2):
         spread[k] = 0.0
-        spread = (off[:, k] + off @ spread) / away * (1 + 4 * ROOM)
+        spread = (off[:, k] + off @ spread) / away * (1 + 4 * rounding)
     out = np.empty((2, 1 + 2 * n))
-    out[:, 0] = rounded_outward(own[:, k, 1] + off[k] @ spread * (1 + 4 * ROOM))
+    out[:, 0] = rounded_outward(own[:, k, 1] + off[k] @ spread * (1 + 4 * rounding))
     out[:, 1::2] = out[:, 2::2] = spread
     out[:, 1 + 2 * k] += (-1.0, 1.0)
     return out

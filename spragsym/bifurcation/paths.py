@@ -36,7 +36,7 @@ from .branches import clearly_nearest, linked
 from .defining_systems import Family, given_column, touch
 from .folds import folds
 from .options import ContinuationOptions
-from .points import INFINITY, OVER_BORDER, escapes, isolated, which
+from .points import INFINITY, escapes, isolated, which
 from .singularities import ended
 from .tubes import Place, Tubes
 from .turning_points import limit_points
@@ -217,7 +217,7 @@ def border_ends(
         for contact in balance.opens:
             other = tuple(balance.across(contact).pushing)
             if balance.pushing[contact] and other not in combinations:
-                near = family_of(balance.extended(OVER_BORDER, contact))
+                near = family_of(balance.extended(contact))
                 found.append(isolated(near, touch(contact), BORDER))
                 if not found[-1].decided:
                     raise ConvergenceError(
@@ -587,7 +587,7 @@ class QuasiStaticContinuation:
         here = self._candidates(node, goal)
         if here.size == 1:
             return int(here[0])
-        own = self._balance(node, place).extended(OVER_BORDER)
+        own = self._balance(node, place).extended()
         for number in here[np.char.startswith(self.kinds[here].astype(str), BORDER)].tolist():
             tubes, start = self._standing(own, node, place)
             there = tubes.followed(start, self.at[[number]])

@@ -6,7 +6,8 @@ Without the inclined spring, σ = 0, the two directions of the article's model d
 other, and the one across the belt is not damped. So all states at that end are on the border of
 stability, and none of them is an onset that a parameter passes. In a box that reaches down to such
 an end at 0 no search decides anything: in the logarithm of a parameter that is larger than 0 all of
-its sizes are alike, and each is decided on its own, down to :data:`LEAST`.
+its sizes are alike, and each is decided on its own, down to
+:attr:`Logarithmic.least`.
 
 A state runs to infinity at a root of the balance at infinity. With q = u/w and |u| = 1, the rows of
 the balance are G(u, w, λ) but for powers of w, see :mod:`spragsym.statics.namespaces`. At a regular
@@ -59,14 +60,6 @@ from ..statics.search import kinds_of, of_ranges, of_region, summed
 from .defining_systems import Augmented, Condition, Family, OfFamily, refined_roots, slope
 from .lines_of_states import is_affine, lines_of_states
 
-#: How far beyond the border of the contact states on it are looked for.
-OVER_BORDER = 1e-3
-#: Where the range of a parameter begins that is larger than 0.
-LEAST = 2.0**-300
-#: Value up to which the logarithm of a parameter is an unknown.
-HIGH = 2.0**-9
-#: Value from which on the parameter itself is; between them both are.
-LOW = 2.0**-10
 #: What kinds of points begin with at which a state runs to infinity.
 INFINITY = "infinity"
 
@@ -105,11 +98,11 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
         # Of more than four unknowns each costs many times as much.
         budget = 200_000 if system.n <= 3 else 1_000_000 if system.n == 4 else 6_000
     from_least = alone and begins_at_zero(system, searched)
-    wide = _between(searched, LOW, searched[1, -1, 0]) if from_least else searched
+    wide = _between(searched, Logarithmic.low, searched[1, -1, 0]) if from_least else searched
     roots = certified_roots.search(system, wide, fixed, fixed, budget=budget)
     if from_least:
         roots = _joined(_by_logarithm(system, searched), roots)
-        searched = _between(searched, LEAST, searched[1, -1, 0])
+        searched = _between(searched, Logarithmic.least, searched[1, -1, 0])
     if alone:
         roots = refined_roots(system, searched, roots)
     roots = reduced_by_turns(balance.periodic, on_contact_side(system, fixed, roots))
@@ -306,6 +299,13 @@ def _one_root(system: boxes.EquationSystem, parameters: Intervals, wide: FloatAr
 class Logarithmic(Augmented):
     """A defining system with the logarithm of its parameter as unknown."""
 
+    #: Where the range of a parameter begins that is larger than 0.
+    least = 2.0**-300
+    #: Value up to which the logarithm of a parameter is an unknown.
+    high = 2.0**-9
+    #: Value from which on the parameter itself is; between them both are.
+    low = 2.0**-10
+
     def parted(self, unknowns: Sequence[Any], *given: Any) -> tuple[list[Any], dict[str, Any]]:
         """Coordinates, and arguments with the parameter of this logarithm."""
         return super().parted([*unknowns[:-1], XP.exp(unknowns[-1])], *given)
@@ -321,24 +321,24 @@ def begins_at_zero(system: Augmented, around: FloatArray) -> bool:
         allowed.low != 0
         or not allowed.open_low
         or around[0, -1, 0] != 0
-        or around[1, -1, 0] <= HIGH
+        or around[1, -1, 0] <= Logarithmic.high
     ):
         return False
     if vary in system.balance.angles:
         return False
     with quiet():  # whether the condition has bounds in the whole region but for large values
         below = system.residuals(
-            Intervals(_between(around, 0.0, LOW)), _at_end(system, LOW, 1)
+            Intervals(_between(around, 0.0, Logarithmic.low)), _at_end(system, Logarithmic.low, 1)
         ).ends[:, -1]
     return bool(vanishes(system, 0.0, around)[0] or not np.isfinite(below).all())
 
 
 def _by_logarithm(system: Augmented, around: FloatArray) -> Roots:
-    """All roots with a parameter from :data:`LEAST` to :data:`HIGH`, as boxes of the parameter
-    itself.
+    """All roots with a parameter from :attr:`~Logarithmic.least` to
+    :attr:`~Logarithmic.high`, as boxes of the parameter itself.
     """
     by_logarithm, given = Logarithmic(system.family, system.condition), system.family.begin
-    ends = _between(around, np.log(LEAST), np.log(HIGH))
+    ends = _between(around, np.log(Logarithmic.least), np.log(Logarithmic.high))
     found = certified_roots.search(by_logarithm, ends, given, given, budget=100_000)
     return replace(
         found,
@@ -349,13 +349,13 @@ def _by_logarithm(system: Augmented, around: FloatArray) -> Roots:
 
 
 def _joined(one: Roots, other: Roots) -> Roots:
-    """Roots of the search near 0 and of that from :data:`LOW` on, each once.
+    """Roots of the search near 0 and of that from :attr:`Logarithmic.low` on, each once.
 
     What the one leaves in the range of the other is decided there.
     """
     return distinct(
-        one.select(undecided=-one.undecided[0, -1] <= LOW).concatenated(
-            other.select(undecided=other.undecided[1, -1] >= HIGH)
+        one.select(undecided=-one.undecided[0, -1] <= Logarithmic.low).concatenated(
+            other.select(undecided=other.undecided[1, -1] >= Logarithmic.high)
         )
     )
 

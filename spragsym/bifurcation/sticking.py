@@ -41,9 +41,6 @@ from .paths import QuasiStaticContinuation
 from .points import arranged, isolated, nothing
 from .sticking_regions import line, region
 
-#: The share of the static friction coefficient that is used, a parameter of its own.
-HELD = "held"
-
 
 @question
 def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStates:
@@ -107,7 +104,7 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     if (found := line(p)) is not None:
         return found
     own = held(p, [holding[0]["name"]])
-    share = named(HELD, holding[0]["name"])
+    share = named("held", holding[0]["name"])
     turns = [_turns(own, share, index) for index in range(len(model.coordinates))]
     try:
         continuation = QuasiStaticContinuation(
@@ -146,7 +143,7 @@ def held(p: ParameterSet, holding: Sequence[str]) -> ParameterSet:
 def _model_held(model: Model, holding: tuple[str, ...]) -> type[ParameterSet]:
     """The class of such parameters."""
     about, arguments = dict(model.about), model.about["arguments"]
-    shares, laws = [named(HELD, name) for name in holding], _laws(model, holding)
+    shares, laws = [named("held", name) for name in holding], _laws(model, holding)
     share = {
         "meaning": "share of the static friction coefficient that is used",
         "unit": "1",

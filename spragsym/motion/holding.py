@@ -27,10 +27,6 @@ from .scales import scales_of
 PHASES = 1024
 
 
-#: What is left of a motion that rests, in its units: all states within it are held.
-ROOM = 1e-9
-
-
 class _Enclosed(Intervals):
     """Intervals that say to a field in which functions it is to be computed."""
 
@@ -44,9 +40,11 @@ def held_in_every_phase(field: Field, constants: Values, state: FloatArray) -> b
     n, still = len(field.coordinates), state.copy()
     still[n:-1] = 0.0
     units = scales_of(field, constants, state.tolist()).states
-    if magnitude((state - still) / units) > ROOM:
+    # What is left of a motion that rests, in its units: all states within it are held.
+    left = 1e-9
+    if magnitude((state - still) / units) > left:
         return False
-    return held_along(field, constants, still, still, ROOM * units[:n])
+    return held_along(field, constants, still, still, left * units[:n])
 
 
 def held_along(
@@ -68,10 +66,12 @@ def held_along(
         Intervals(rounded_outward(np.array([[-number], [number]]), 64.0)) if number else number
         for number in constants
     ]
+    # Of the halves of a part, generously.
+    rounding = 1e-9
     for begin, end in pairwise(pieces):
         middle, half = (begin + end) / 2, np.abs(end - begin) / 2
         ends = ends_around(
-            np.repeat(middle[:, None], PHASES, axis=1), (reach + half * (1 + ROOM))[:, None]
+            np.repeat(middle[:, None], PHASES, axis=1), (reach + half * (1 + rounding))[:, None]
         )
         ends[:, n - 1] = -edges[:-1], edges[1:]
         enclosures = [_Enclosed(row) for row in np.moveaxis(ends, 1, 0)]

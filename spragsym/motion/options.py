@@ -27,6 +27,8 @@ class ShootingOptions(Options):
     trivial : float
         Largest distance of the trivial multiplier from 1: with a larger one the derivatives of the
         flow are not resolved, and there is no answer.
+    neutral : float
+        Distance of a multiplier's size from 1 within which it decides nothing about stability.
     moves : float
         A coordinate moves on an orbit if its range is so many of the orbit's errors.
     same_state, same_range : float
@@ -51,6 +53,7 @@ class ShootingOptions(Options):
     intervals: int = limit(64)
     growth: float = option(100.0, 1.0)
     trivial: float = option(1e-4, 0.0, 1.0)
+    neutral: float = option(1e-7, 0.0, 0.1)
     moves: float = option(100.0, 1.0)
     same_state: float = option(1e-10, 0.0, 1.0)
     same_range: float = option(0.1, 0.0, 1.0)

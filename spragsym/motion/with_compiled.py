@@ -2,6 +2,7 @@
 without heyoka.
 """
 
+from enum import IntEnum, auto
 from functools import cache
 from importlib import metadata
 
@@ -20,7 +21,16 @@ from .with_scipy import Flight
 #: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept
 #: until they are used up.
 CHUNK = 20_000
-ENDED, PASSED, FULL, TOO_SMALL, TOO_MANY = range(5)
+
+
+class Stop(IntEnum):
+    """Why a call of the compiled code stopped, in the order of ``_carried.c``."""
+
+    ENDED = 0
+    PASSED = auto()  #: a border
+    FULL = auto()  #: no room for more steps
+    TOO_SMALL = auto()  #: a step
+    TOO_MANY = auto()  #: steps
 
 
 def available() -> bool:
@@ -101,19 +111,19 @@ def integrate(problem: Problem) -> Solution:
         if kept:
             pieces.append((elapsed + times[:kept], states[:kept].copy()))
         now, length = clock.tolist()
-        if outcome == FULL:
+        if outcome == Stop.FULL:
             check_stiffness(problem, state, (now - begun) / made, bound - now)
             continue
         elapsed += now
-        if outcome == TOO_MANY:
+        if outcome == Stop.TOO_MANY:
             raise too_many_steps(problem, most, elapsed)
         if not np.isfinite(state).all():
             raise out_of_range()
-        if outcome == TOO_SMALL:
+        if outcome == Stop.TOO_SMALL:
             raise ConvergenceError(
                 f"DOP853 stopped at t = {elapsed:.6g}: the step is too small; use a larger rtol"
             )
-        if outcome == ENDED:
+        if outcome == Stop.ENDED:
             break
         mode, crossed = passed(problem, border, mode, elapsed, state, Deviations())
         crossings += crossed

@@ -30,9 +30,6 @@ from ..motion.shooting import (
 from ..numerics.vectors import magnitude, norm
 from .options import BranchOptions
 
-#: A test function is known to so many of its errors.
-SURE = 100.0
-
 
 def in_phase(_: Setting, near: Orbit, target: FloatArray) -> Conditions:
     """The first state stays in the plane across the flow at an orbit, through a target."""
@@ -197,14 +194,18 @@ def directions(setting: Setting, orbit: Orbit) -> tuple[FloatArray, FloatArray]:
     return np.linalg.svd(orbit.slopes(rows) / setting.weights(orbit))[1:]
 
 
-def at_zero(kind: str, setting: Setting, near: Orbit, target: FloatArray) -> Conditions:
-    """Conditions of a closed orbit at which a test function is 0, in units in which its rounding
-    does not keep the orbit open.
+def resolution(orbit: Orbit, kind: str) -> float:
+    """Unit in which the error of a test function, a hundredfold, is below the gap that an orbit may
+    leave open.
     """
-    phase, unit = (
-        in_phase(setting, near, target),
-        max(1.0, SURE * unsure(near, kind) / near.options.closed),
-    )
+    return max(1.0, 100.0 * unsure(orbit, kind) / orbit.options.closed)
+
+
+def at_zero(kind: str, setting: Setting, near: Orbit, target: FloatArray) -> Conditions:
+    """Conditions of a closed orbit at which a test function is 0, in its :func:`resolution`, so
+    that its rounding does not keep the orbit open.
+    """
+    phase, unit = in_phase(setting, near, target), resolution(near, kind)
     weights = setting.weights(near)
 
     def conditions(orbit: Orbit) -> tuple[FloatArray, FloatArray]:

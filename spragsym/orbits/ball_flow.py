@@ -25,14 +25,6 @@ from ..core.errors import ParameterError
 from ..models.field import Border, Field, Mode
 from ..numerics.jets import Functions, constant, gradient, variables
 
-#: Radii of convergence that are tried.
-TIMES = (3.0, 2.0, 1.4, 1.0, 0.75, 0.55, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04, 0.02, 0.005)
-
-
-#: A window within which something happens, in units of how long it takes by itself.
-APART = 2
-
-
 #: Balls, or power series, such as one for each number of a state.
 Numbers: TypeAlias = list[Any]
 
@@ -154,7 +146,11 @@ class Balls:
         # The square root in L is analytic there: a disc about a positive number that meets its cut
         # holds 0, and 1/L is infinite.
         still = sizes([arb(1e-3)] * len(box))
-        for length in TIMES:
+        # Radii of convergence that are tried.
+        for length in (
+            *(3.0, 2.0, 1.4, 1.0, 0.75, 0.55, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04, 0.02),
+            0.005,
+        ):
             found, room = still, 1.1
             for _ in range(6):
                 radii = [arb(float(length * room * size.mid())) + arb(1e-3) for size in found]

@@ -17,7 +17,6 @@ from flint import acb_mat, arb, arb_mat
 from ..core.errors import ParameterError
 from ..models.field import Field, exact_field
 from .ball_flow import (
-    APART,
     XP,
     Accuracy,
     Balls,
@@ -97,10 +96,11 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
                     "two borders are crossed so soon after each other that their windows of "
                     f"{2 * float(half.mid()):.1e} meet"
                 )
-            near = balls.apart(index)
-            if not APART * near < half:
+            # Twice the time in which what happens there happens.
+            near = 2 * balls.apart(index)
+            if not near < half:
                 break
-            half = arb(float(APART * near.mid()))
+            half = arb(float(near.mid()))
         window = (2 * (time - clock)).mid()
         balls.cross(index, window)
         clock += window

@@ -48,7 +48,6 @@ from .arclength import (
 )
 from .events import (
     MERGES,
-    SCATTER,
     SLIDING,
     DetectedEvent,
     approaches,
@@ -60,10 +59,6 @@ from .events import (
 from .options import BranchOptions
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import halved, meets, switched
-
-#: Kind of an end at which an arrival becomes tangent.
-CATASTROPHIC = "catastrophic-sliding"
-
 
 FAMILIES = "there is a whole family of cycles at every value of the parameter from there on"
 
@@ -239,7 +234,7 @@ class CycleBranch(Result):
         2
         """
         # Kinds of event, those first at which stability may change.
-        told = (*CRITERIA, "grazing", *SLIDING, "homoclinic", CATASTROPHIC, "end")
+        told = (*CRITERIA, "grazing", *SLIDING, "homoclinic", "catastrophic-sliding", "end")
         chosen = [one_of("kinds", kind, told) for kind in kinds]
         return tuple(event for event in self.events if event.kind in chosen)
 
@@ -433,7 +428,8 @@ def _vanishing(
     each = ((float(np.ptp(ends[i - 2 : i + 1])), ends[i]) for i in range(2, len(ends)))
     off, value = min(each, default=(abs(points[-1].value), points[-1].value))
     # Error of an end by rounding, where a size vanishes, in ranges of the parameter.
-    error = SCATTER * off + 1e-12 * points[-1].setting.spans[0]
+    setting = points[-1].setting
+    error = setting.options.scatter * off + 1e-12 * setting.spans[0]
     return DetectedEvent(kind, points[-1].orbit, error, how=how, value=value)
 
 
@@ -472,7 +468,7 @@ def _at_border(followed: Sequence[BranchPoint]) -> DetectedEvent | None:
             slowest,
             f"its arrival at {name} becomes tangent: beyond, the orbit does not come there, "
             "and no cycle was found",
-            CATASTROPHIC,
+            "catastrophic-sliding",
         ),
     )
     # A branch has come to an end that lies so near to its last point, in shares of the
@@ -549,7 +545,8 @@ def _lost(
     lost = DetectedEvent(
         "end",
         orbit,
-        SCATTER * abs(point.value - before.value) + options.shortest_step * point.setting.spans[0],
+        options.scatter * abs(point.value - before.value)
+        + options.shortest_step * point.setting.spans[0],
         how=f"it could not be followed farther: {error}" if point.alone else FAMILIES,
     )
     return _at_border(followed) or lost

@@ -39,10 +39,6 @@ SLIDING = ("grazing-sliding", "crossing-sliding", "switching-sliding", "adding-s
 MERGES = "it meets the cycle of half its period, which doubles there"
 
 
-#: Few orbits scatter less than rounding may: their scatter counts so many times.
-SCATTER = 10.0
-
-
 def criterion(kind: str, point: BranchPoint) -> float:
     """A test function along a branch: at a fold the parameter itself turns back; where another
     branch crosses, it does not.
@@ -371,7 +367,8 @@ def _error(
         with suppress(ConvergenceError, ZeroDivisionError):
             scatter.append(abs(criterion(kind, placed(base, point.value)) - criterion(kind, point)))
     width = abs(other.value - one.value)
-    return own + abs(turning(point)) * spread + SCATTER * (width * max(scatter)) / change
+    off = point.setting.options.scatter * width * max(scatter) / change
+    return own + abs(turning(point)) * spread + off
 
 
 def crossing_difference(one: BranchPoint, other: BranchPoint) -> Counter[int]:

@@ -36,7 +36,7 @@ from ..results.result import Result
 from .attractors import attractor_exponents
 from .exponents import rates_along
 from .finding import cycle_near, stands_still
-from .orbit import NEUTRAL, distance
+from .orbit import distance
 from .system import FateVerdict, System, judged, spectrum
 
 #: Said of a motion that no integrator carries on, as where steps have become too short.
@@ -258,7 +258,8 @@ def _near(system: System, end: FloatArray) -> str:
         found = cycle_near(system, end, patient=False)
     except ConvergenceError:
         return "no cycle"
-    repels = bool((np.abs(found.multipliers[1:]) - found.multiplier_errors > 1 + NEUTRAL).any())
+    neutral = system.flow.options.neutral
+    repels = bool((np.abs(found.multipliers[1:]) - found.multiplier_errors > 1 + neutral).any())
     word = (
         "stable"
         if found.stable

@@ -42,12 +42,6 @@ from .arclength import differences
 from .orbit import Cycle, cycle_of
 from .system import System, judged
 
-#: Share of the amplitude at which a motion first comes to a border of the field.
-SHARE = 0.1
-
-#: Most steps to it, and to the Hopf point.
-TRIALS = 20
-
 
 @in_usual_state
 def cycle(
@@ -403,8 +397,9 @@ def born_at(
     border, reach = _first_border(system, rest, form)
     if amplitude is None:
         unit = 1 / norm(form.q / scales.states)
-        # Amplitude where it comes to none, in units of the motion.
-        free = SHARE * reach if border else 0.01 * unit
+        # A tenth of that at which it first comes to a border; where it comes to none, in units of
+        # the motion.
+        free = 0.1 * reach if border else 0.01 * unit
         z = min(free, unit, _within(model, given, place, form))
         asked = 2 * z * size
     else:
@@ -412,9 +407,9 @@ def born_at(
     least, remedy = 2 * reach * size, "give a smaller one, and go on from it with cycle_branch"
     if asked > least:
         remedy += f"; to first order only amplitudes below {least:.3g} do not come to {border}"
-    # The longest of these steps, as a factor.
-    farthest = 2.0
-    for _ in range(TRIALS):
+    # The longest of these steps, as a factor, and how many there are at most.
+    farthest, steps = 2.0, 20
+    for _ in range(steps):
         try:
             found = _along(system, rest, place, form, z)
         except ConvergenceError as error:
@@ -492,7 +487,9 @@ def _of_the_motion(
     # Least half-width of the box that is taken around the Hopf point of the motion, over its
     # numbers, which are no less than 1 in units of the motion and of the parameter.
     rounding = 1e-13
-    for _ in range(TRIALS):
+    # Most steps of Newton's method.
+    steps = 20
+    for _ in range(steps):
         step = np.linalg.lstsq(differences(residual, found, 1e-6 * scale), residual(found))[0]
         found, width = found - step, magnitude(step)
         if not rounding * scale < width < scale:
@@ -530,8 +527,8 @@ def _first_border(system: System, rest: FloatArray, form: NormalForm) -> tuple[s
 
 
 def _within(model: Model, given: FloatArray, place: int, form: NormalForm) -> float:
-    """|z| up to which the parameter stays within a share of its range, to first order."""
+    """|z| up to which the parameter stays within a tenth of its range, to first order."""
     entry, value = model.about["parameters"][place], given[place]
     ahead = -form.omega * form.lyapunov / form.crossing
     end = entry["high"] if ahead > 0 else entry["low"]
-    return np.inf if end is None or not ahead else math.sqrt(SHARE * abs(end - value) / abs(ahead))
+    return np.inf if end is None or not ahead else math.sqrt(0.1 * abs(end - value) / abs(ahead))

@@ -43,6 +43,9 @@ class BranchOptions(Options):
     meeting : float
         Distance of the halves of an orbit, over its extent, below which it meets the cycle of half
         its period.
+    scatter : float
+        Times that the scatter of an event or of an end counts in its error: of few orbits it is
+        less than rounding may make it.
 
     Examples
     --------
@@ -71,3 +74,4 @@ class BranchOptions(Options):
     event_step: float = option(1e-5, 1e-12)
     located: float = option(1e-11, 1e-15)
     meeting: float = option(1e-3, 0.0, 1.0)
+    scatter: float = option(10.0, 1.0)

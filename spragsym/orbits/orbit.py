@@ -48,9 +48,6 @@ from ..results.result import Result
 if TYPE_CHECKING:
     from xarray import Dataset
 
-#: A multiplier this close to 1 in size decides nothing about stability.
-NEUTRAL = 1e-7
-
 
 @dataclass(frozen=True, eq=False)
 class Cycle(Result):
@@ -433,7 +430,7 @@ def is_stable(orbit: Orbit) -> bool:
     errors.
     """
     found = orbit.multipliers
-    return bool((np.abs(found.others) + found.errors < 1 - NEUTRAL).all())
+    return bool((np.abs(found.others) + found.errors < 1 - orbit.options.neutral).all())
 
 
 def range_of(orbit: Orbit) -> tuple[float, float]:

@@ -14,7 +14,6 @@ from ..motion.multipliers import unsure
 from ..motion.shooting import Iterate, Orbit, closed_orbit, extent, time_of
 from ..numerics.vectors import magnitude, norm
 from .arclength import (
-    SURE,
     BranchPoint,
     Setting,
     at_zero,
@@ -22,6 +21,7 @@ from .arclength import (
     directions,
     fixed,
     point_of,
+    resolution,
     turning,
 )
 from .events import MERGES
@@ -165,9 +165,7 @@ def halved(one: BranchPoint, other: BranchPoint, share: float) -> tuple[Orbit, f
     if not norm(orbit.states - guess.states) < reach:
         return None
     there = point_of(setting, orbit)
-    steepness = float(doubling(orbit)[1][-1] @ there.tangent) * max(
-        1.0, SURE * unsure(near, kind) / near.options.closed
-    )
+    steepness = float(doubling(orbit)[1][-1] @ there.tangent) * resolution(near, kind)
     return orbit, unsure(orbit, kind) * abs(turning(there) / steepness) + 1e-15 * (
         1 + abs(there.value)
     )

@@ -63,12 +63,12 @@ class Balance(Forces, StateSystem):
             label_of(it) for k, (it, one) in enumerate(each) if bool(one) != (k == contact)
         )
         return Balance(self.model, touching, self.law, self.options).extended(
-            self.room, self.beyond
+            self.beyond, self.room
         )
 
-    def extended(self, room: float, contact: int | None = None) -> Balance:
+    def extended(self, contact: int | None = None, room: float = 1e-3) -> Balance:
         """The same balance, where states count that far beyond the border of that contact too, or
-        of the one that it was extended beyond.
+        of the one that it was extended beyond: those on the border are then inside.
         """
         other = Balance(self.model, self.contact, self.law, self.options)
         other.count_beyond(room, self.beyond if contact is None else contact)

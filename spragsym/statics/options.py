@@ -21,7 +21,7 @@ class SearchOptions(BoxOptions, DigitOptions):
         by floats; others are narrowed with many digits.
     bits, root_bits : int
         Bits of the forces where roots are looked for with many digits, twice as many if these do
-        not do, and bits of a root that is known.
+        not do, and bits of a root that is known, and of what it is asked for there.
     clusters : int, optional
         Clusters of undecided boxes of a point that are looked at with many digits. Left out, 24 of
         equilibria, and 12 of points along a parameter.

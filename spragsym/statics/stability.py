@@ -49,10 +49,6 @@ from .forces import Evaluation, Pushing, as_intervals, filled
 REAL = 1e-9
 #: Growth rate over the frequency below which a state is practically neutral.
 NEUTRAL = 1e-4
-#: Bits of the numbers where intervals of floats do not tell a sign.
-BITS = 256
-#: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
-FAR = 1.0
 #: A matrix with all entries of one number type, intervals or balls.
 Taken: TypeAlias = Callable[[Matrix], Matrix]
 #: Numbers whose signs are asked for at a state.
@@ -330,7 +326,11 @@ def decay(
         told = _decay_by_signs(_signs_over(at, asked(Intervals.point(half))))
         found = np.where(without & (undamped != 0), undamped, told).astype(np.int8)
     for row, signs in _with_digits(
-        balance, given, ends, found == 0, lambda row: asked(ball(float(half[row]), BITS))
+        balance,
+        given,
+        ends,
+        found == 0,
+        lambda row: asked(ball(float(half[row]), balance.options.root_bits)),
     ):
         found[row] = _decay_by_signs(signs)
     return found
@@ -467,7 +467,7 @@ def _with_digits(
     made smaller.
     """
     for row in np.flatnonzero(among).tolist():
-        precise = PreciseBalance(balance, given[:, row], BITS)
+        precise = PreciseBalance(balance, given[:, row], balance.options.root_bits)
         q = narrowed(precise, ends[:, :, row], ends[:, :, row])
         with suppress(UndecidedSign, ZeroDivisionError):
             if q is not None:
@@ -517,7 +517,7 @@ def only_damped(balance: Balance, over: Intervals) -> int | None:
 
 def _damping(balance: Balance, over: Intervals, pushing: Pushing | None = None) -> Matrix:
     """C at states of all kinds."""
-    at = balance.at([Intervals(np.full((2, 1), FAR))] * balance.n, balance.over(over), (1,))
+    at = balance.at([Intervals(np.ones((2, 1)))] * balance.n, balance.over(over), (1,))
     with quiet():
         return replace(at, fixed=[Intervals(np.ones((2, 1)))] * 3 * balance.springs).damping(
             pushing
@@ -529,7 +529,7 @@ def is_damped(balance: Balance, over: Intervals) -> bool:
     # Number of states at which it is looked at whether anything damps: some are in contact.
     places = 64
     point = np.repeat(0.5 * over.low + 0.5 * over.high, places, axis=1)
-    states = np.random.default_rng(0).uniform(-FAR, FAR, (balance.n, places)) * np.geomspace(
+    states = np.random.default_rng(0).uniform(-1.0, 1.0, (balance.n, places)) * np.geomspace(
         0.01, 3.0, places
     )
     at = balance.at(list(states), balance.floats(point), states.shape[1:], np)

@@ -247,13 +247,6 @@ def _answers(
 # ----------------------------------------------------------------------------------------------
 # processes: parent
 
-#: Run by every process, with the import path of its parent.
-_BOOT = (
-    "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN); import ast, sys; "
-    "sys.path[:] = ast.literal_eval(sys.stdin.buffer.readline().decode('ascii')); "
-    "from spragsym.motion.sweeps.workers import serve; serve()"
-)
-
 #: Begins a message, which is a line (RFC 7464); any other line is what a library prints.
 _MARK = b"\x1e"
 
@@ -337,7 +330,13 @@ def _begun() -> subprocess.Popen[bytes]:
         raise SweepError(
             "this Python does not know its own executable, so it starts no others; use workers=1"
         )
-    call, pipe = [sys.executable, "-P", "-c", _BOOT], subprocess.PIPE
+    # Run by every process, with the import path of its parent.
+    boot = (
+        "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN); import ast, sys; "
+        "sys.path[:] = ast.literal_eval(sys.stdin.buffer.readline().decode('ascii')); "
+        "from spragsym.motion.sweeps.workers import serve; serve()"
+    )
+    call, pipe = [sys.executable, "-P", "-c", boot], subprocess.PIPE
     # Ctrl-C goes to all processes of a terminal's group, and is for the parent, which ends the
     # others.
     group: dict[str, Any] = {"process_group": 0}

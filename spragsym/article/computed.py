@@ -37,9 +37,6 @@ from .ledger import printed, rounded
 
 #: What a computation says: whether the row's outcome holds, and the values behind it.
 Outcome: TypeAlias = tuple[Any, dict[str, Any]]
-#: Largest friction of Figures 11 to 14.
-MU0_MAX = MU0_RANGE[1]
-
 #: V and d of other belts, of which the article states neither: between rest and oscillation the
 #: motions of these are regular.
 OTHER_BELTS = ((0.3, 10.0), (0.5, 5.0), (0.4, 12.5))
@@ -51,9 +48,7 @@ _GRID = np.linspace(0.1, 179.9, 900)
 #: Inclinations as they rise, radians.
 _RISING = np.radians(np.linspace(0.1, 179.9, 361))
 #: Frictions from 0 to the largest.
-_FRICTIONS = np.linspace(0.0, MU0_MAX, 201)
-#: Fewer of them, as a column of a grid.
-_FEW = np.linspace(0.0, MU0_MAX, 41)[:, None]
+_FRICTIONS = np.linspace(*MU0_RANGE, 201)
 _deg = np.degrees
 
 
@@ -150,7 +145,9 @@ def one_or_three() -> Outcome:
         {"sigma": 0.01},
         {"sigma": 1.0},
     ):
-        seen |= set(equilibria(_at(_GRID, **changes, mu0=_FEW)).count.ravel().tolist())
+        seen |= set(
+            equilibria(_at(_GRID, **changes, mu0=_FRICTIONS[::5, None])).count.ravel().tolist()
+        )
     unproved = [step["claim"] for step in printed()["one_or_three"] if not step["holds"]]
     return seen == {1, 3} and not unproved, {
         "counts": sorted(seen),
@@ -159,7 +156,7 @@ def one_or_three() -> Outcome:
 
 
 def bounded() -> Outcome:
-    p = _at(_GRID, mu0=_FEW)
+    p = _at(_GRID, mu0=_FRICTIONS[::5, None])
     eq = equilibria(p)
     bound = (p.kappa + p.sigma * (1 - np.sin(p.theta0))) / (1 + p.beta + p.sigma)
     largest, far = (p.kappa + p.sigma) / (1 + p.beta + p.sigma), np.nanmax(np.abs(eq.x))
@@ -309,7 +306,7 @@ def flutter_sigma() -> Outcome:
 def sheets() -> Outcome:
     eq = equilibria(_at(_GRID, mu0=_FRICTIONS[::2, None]))
     lowest = flutter_boundary(_article()).mu0.min()
-    return _middle_diverges(eq) and lowest > MU0_MAX, {
+    return _middle_diverges(eq) and lowest > MU0_RANGE[1], {
         "lowest mu0 with flutter": rounded(lowest, 4)
     }
 
@@ -332,7 +329,9 @@ def hopf() -> Outcome:
 def separates() -> Outcome:
     counts = set()
     for curve in bifurcation_set(_article()).curves:
-        rows = (curve.mu0 > 0.01) & (curve.mu0 < MU0_MAX) & (np.abs(curve.mu0 - 0.2009) > 0.002)
+        rows = (
+            (curve.mu0 > 0.01) & (curve.mu0 < MU0_RANGE[1]) & (np.abs(curve.mu0 - 0.2009) > 0.002)
+        )
         side = 1e-7 * np.array([-1.0, 1.0])[:, None]
         count = equilibria(_article(theta0=curve.theta0[rows], mu0=curve.mu0[rows] + side)).count
         counts |= set(map(tuple, np.sort(count, axis=0).T.tolist()))
@@ -554,5 +553,5 @@ def reference_10() -> Outcome:
     """A path at constant θ₀ does not appear in Figure 10, where the friction is constant and θ₀ is
     the axis.
     """
-    path = quasi_static_path(_at(60.0), "mu0", np.linspace(0.0, MU0_MAX, 11))
+    path = quasi_static_path(_at(60.0), "mu0", np.linspace(*MU0_RANGE, 11))
     return path.vary == "mu0" and np.ptp(path.values) > 0, {"what varies along a-a'": path.vary}

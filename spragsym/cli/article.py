@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any
 
 import click
 
@@ -23,13 +23,6 @@ from ..display import aligned
 from ..models.load import load, page_of
 from . import options as o
 from .output import print_json, refuse, wrapped, write
-
-#: Arguments of click.style.
-Style: TypeAlias = Mapping[str, Any]
-_GOOD = {"fg": "green"}
-_OPEN = {"fg": "cyan"}
-_BAD = {"fg": "red", "bold": True}
-_DIM = {"dim": True}
 
 
 @o.command()
@@ -264,10 +257,7 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     if json_output:
         print_json([asdict(row) for row in rows])
         return
-    styles: dict[str, Style] = dict(zip(ledger.Transfer, (_GOOD, _BAD, _DIM), strict=True))
-    _print_rows(
-        "print less model", [(row.id, row.where, row.status, row.remark) for row in rows], styles
-    )
+    _print_rows("print less model", [(it.id, it.where, it.status, it.remark) for it in rows])
     hold, fail, none = map([row.status for row in rows].count, ledger.Transfer)
     click.echo(
         f"{model.name}: of {len(rows)} rows {hold} hold, {fail} fail, {none} have no meaning",
@@ -275,30 +265,25 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     )
 
 
-def _print_rows(
-    last: str,
-    rows: Sequence[tuple[str, str, str, str]],
-    styles: Mapping[str, Style] = {
-        "confirmed": _GOOD,
-        "misprint": {"fg": "yellow"},
-        "approximation": _OPEN,
-        "definition": _DIM,
-        "failed": _BAD,
-        "reproduced": _GOOD,
-        "corrected": {"fg": "magenta"},
-        "input not stated": _OPEN,
-        "not reproduced": _BAD,
-    },
-) -> None:
+def _print_rows(last: str, rows: Sequence[tuple[str, str, str, str]]) -> None:
     """Rows with their status; the last column, of which a cell may be long, is wrapped on a
     terminal.
     """
+    colours = {
+        **dict.fromkeys(("confirmed", "reproduced", "holds"), "green"),
+        **dict.fromkeys(("failed", "not reproduced", "fails"), "red"),
+        **dict.fromkeys(("approximation", "input not stated"), "cyan"),
+        "misprint": "yellow",
+        "corrected": "magenta",
+    }
     table = [("row", "where", "status", last), *rows]
     lines = aligned([row[:3] for row in table])
     begin = max(map(len, lines)) + 2
     for line, (*_, status, remark) in zip(lines, table, strict=True):
+        colour, dim = colours.get(status), status in ("definition", "no meaning")
+        bold = colour == "red" or not (colour or dim)
         styled = line.removesuffix(status) + click.style(
-            status, **styles.get(status, {"bold": True})
+            status, fg=colour, bold=bold or None, dim=dim or None
         )
         click.echo(f"{styled}{' ' * (begin - len(line))}{wrapped(remark, begin)}".rstrip())
 

@@ -101,7 +101,9 @@ def claims(
 ) -> certificates.ClosedClaim:
     """The closed form of :func:`spragsym.design.tube_certificates.claims`."""
     of_states = {
-        name: replace(unit, powers={of: unit.powers[of] for of in unit.powers if of in _STATES})
+        name: replace(
+            unit, powers={of: unit.powers[of] for of in unit.powers if of in Parameters.ranges}
+        )
         for name, unit in (units or {}).items()
     }
     low, high = corners
@@ -109,7 +111,3 @@ def claims(
     found = certificates.claims(ends, claim, vary=vary, begin=begin, units=of_states)
     found.kind = low.model.Parameters
     return found
-
-
-#: Parameters of the states.
-_STATES = frozenset(Parameters.ranges)

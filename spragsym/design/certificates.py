@@ -14,6 +14,7 @@ import itertools
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from enum import IntEnum
 from operator import attrgetter
 from types import MappingProxyType
 from typing import Any, ClassVar, Self, TypeAlias
@@ -46,12 +47,13 @@ from ..statics.precise_balance import on_side, reduced_by_turns
 from ..statics.regions import region
 from ..statics.search import balances_of
 
-#: Outcome of a part: not decided.
-OPEN = 0
-#: Outcome of a part: the claim holds.
-SAFE = 1
-#: Outcome of a part: the claim does not hold.
-ENDS = -1
+
+class Decision(IntEnum):
+    """What is known of a claim over a part of a box."""
+
+    REFUTED = -1
+    OPEN = 0
+    PROVED = 1
 
 
 @dataclass(frozen=True)
@@ -107,7 +109,7 @@ class BoxParts(ByColumn, ABC):
     @property
     def open_volume(self) -> FloatArray:
         """The volume of parts that are undecided, 0 for the others."""
-        return np.where(self.outcome == OPEN, self.volume, 0.0)
+        return np.where(self.outcome == Decision.OPEN, self.volume, 0.0)
 
     @property
     def slight(self) -> FloatArray:
@@ -151,7 +153,7 @@ class ProvedParts(BoxParts):
     @property
     def outcome(self) -> IntArray:
         """Whether a claim holds."""
-        return np.where(self.holds, SAFE, OPEN)
+        return np.where(self.holds, Decision.PROVED, Decision.OPEN)
 
 
 class Claim(ABC):
@@ -235,7 +237,7 @@ class Claim(ABC):
         volume = self.whole.volume[0]
         if (
             refute
-            and self.whole.outcome[0] != SAFE
+            and self.whole.outcome[0] != Decision.PROVED
             and (found := self.refuted(self.at_corners())) is not None
         ):
             return Certificate(claim, "refuted", found, 1.0, 1)
@@ -243,11 +245,11 @@ class Claim(ABC):
         for parts, last, looked in self.run(lambda parts: parts.open_volume / volume, most):
             seen += looked
             outcome, share = parts.outcome, parts.volume / volume
-            open_ = outcome == OPEN
-            proved += float(share[outcome == SAFE].sum())
+            open_ = outcome == Decision.OPEN
+            proved += float(share[outcome == Decision.PROVED].sum())
             left += float(share[last & open_].sum())
             decided &= not (last & open_).any()
-            false = np.flatnonzero(outcome == ENDS)
+            false = np.flatnonzero(outcome == Decision.REFUTED)
             points = 0.5 * (parts.low + parts.high)[:, open_ & (last | self.early)][:, : self.batch]
             found = self.point(parts.high[:, false[0]]) if false.size else None
             if found is None and refute and points.size:

@@ -14,7 +14,7 @@ from ..models.quantities import QuantityValues
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import norm
 from ..results import Result
-from .certificates import SAFE, BoxParts
+from .certificates import BoxParts, Decision
 from .design_space import Design, EndOfState, MarginOptions, Space, nearest, space
 from .jumps import jump_value, no_state_to_follow
 from .tube_certificates import claims
@@ -172,7 +172,7 @@ def safe_within(
         return parts[left >= 0]
 
     run = box.run(lambda parts: parts.open_volume, int(proof * box.most), kept=inside)
-    return all((parts.outcome[last] == SAFE).all() for parts, last, _ in run)
+    return all((parts.outcome[last] == Decision.PROVED).all() for parts, last, _ in run)
 
 
 @dataclass(frozen=True)

@@ -48,9 +48,6 @@ class Quantiles(Protocol):
 #: What may happen at many points: quantities by name → 1 or 0, or NaN where that is unknown.
 Event: TypeAlias = Callable[[dict[str, Any]], FloatArray]
 
-#: Points from which on parts of the box are asked first.
-MANY = 1 << 12
-
 
 @dataclass(frozen=True)
 class JumpProbability(Result):
@@ -418,7 +415,9 @@ def jump_probability(
             f"{said}: a bracket is proved for independent parameters of the model only; leave "
             "max_boxes out"
         )
-    if kind is None and n >= MANY and asked.closed_form("limit_point_passed") is None:
+    # From so many points on parts of the box are asked first.
+    many = 4096
+    if kind is None and n >= many and asked.closed_form("limit_point_passed") is None:
         event = replace(event, proved=_proved(asked, variables, vary, begin))
     sampling = Sampling(correlation, n, rng, replicates, confidence, sobol, workers, progress)
     found = estimated(variables, event, sampling)

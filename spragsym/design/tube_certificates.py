@@ -23,14 +23,12 @@ from ..statics.balance import BalanceInUnits
 from ..statics.reference_state import reference_place
 from ..statics.search import balances_of, number_of
 from .certificates import (
-    ENDS,
-    OPEN,
-    SAFE,
     STATES,
     BoxParts,
     Certificate,
     Claim,
     ClaimOfStates,
+    Decision,
     corner_values,
 )
 
@@ -58,7 +56,9 @@ class Pieces(BoxParts):
         moves.
         """
         return np.where(
-            self.safe >= self.high[-1], SAFE, np.where(self.top < self.low[-1], ENDS, OPEN)
+            self.safe >= self.high[-1],
+            Decision.PROVED,
+            np.where(self.top < self.low[-1], Decision.REFUTED, Decision.OPEN),
         )
 
     def weight(self, place: Place) -> FloatArray:
@@ -232,9 +232,9 @@ class Splitting(Claim):
 
     def fails(self, points: FloatArray) -> BoolArray:
         found = self.settled(self.points(points))[0]
-        ends = np.asarray(found.outcome == ENDS)
+        ends = np.asarray(found.outcome == Decision.REFUTED)
         begun = found.base.sure & (found.of == points[:-1]).all(axis=(0, 1))
-        rows = np.flatnonzero(begun & (found.outcome == OPEN))
+        rows = np.flatnonzero(begun & (found.outcome == Decision.OPEN))
         fixed = np.repeat(self.tubes.fixed, rows.size, axis=1)
         fixed[self.rows] = points[:, rows]
         # Before the border of a contact, whether the state passes it or ends there.

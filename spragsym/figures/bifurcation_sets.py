@@ -30,7 +30,6 @@ from .style import (
     DOUBLE,
     GREEN,
     GREY,
-    HIDDEN_TEXT,
     LINES,
     PATHS_DEG,
     RANGE_TEXT,
@@ -79,7 +78,7 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
         f"""Figure 11. Surface of equilibria in contact over inclination and friction, {BASE_TEXT}.
         Blue sheets are stable, orange ones divergent; orange lines are the folds, the dot is the
         cusp. Lines with a dotted jump are the paths a–a′ (θ₀ = 60°, black) and b–b′ (θ₀ = 40°,
-        violet) with μ₀ rising. {HIDDEN_TEXT} x over L₀. {RANGE_TEXT}""",
+        violet) with μ₀ rising. Thin dashes lie behind a sheet. x over L₀. {RANGE_TEXT}""",
         a=draw_surface(ax, p, lines, detail),
     )
 
@@ -140,9 +139,10 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     return figure.describe(
         f"""Figure 14. Equilibria in contact at σ = 1, κ = 0.007, α = 0.007, β = 0. (a) Surface
         over inclination and friction: blue sheets are stable, orange divergent, green flutter;
-        orange lines are folds, green ones onsets of flutter, the dot is the cusp. {HIDDEN_TEXT}
-        (b) Bifurcation set: three equilibria in the shaded regions, one elsewhere; dash-dotted,
-        onsets of flutter on the sheet of largest θ. x over L₀. {RANGE_TEXT}""",
+        orange lines are folds, green ones onsets of flutter, the dot is the cusp. Thin dashes
+        lie behind a sheet. (b) Bifurcation set: three equilibria in the shaded regions, one
+        elsewhere; dash-dotted, onsets of flutter on the sheet of largest θ. x over L₀.
+        {RANGE_TEXT}""",
         **tables,
     )
 
@@ -164,10 +164,6 @@ def _regions(ax: Axes, p: Parameters, counts: Mapping[tuple[float, float], str])
 
 #: Proportions of the box.
 _ASPECT = (1.25, 1.1, 0.9)
-#: Elevation under which it is seen, degrees.
-_ELEVATION = 24.0
-#: Azimuth under which it is seen, degrees.
-_AZIMUTH = -118.0
 
 
 def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, Int8Array]:
@@ -233,8 +229,8 @@ def space_axes(figure: Sheet, corners: tuple[float, float, float, float], zoom: 
         projection="3d",
         computed_zorder=False,
         proj_type="ortho",
-        elev=_ELEVATION,
-        azim=_AZIMUTH,
+        elev=24.0,
+        azim=-118.0,
     )
     ax.tick_params(pad=-2)
     ax.zaxis.set_rotate_label(False)
@@ -256,7 +252,7 @@ def draw_surface(
 
     cells, kinds = sheets(p, np.linspace(0.5, 179.5, round(160 * detail)), round(160 * detail))
     # What its sides go over in θ₀ in degrees, μ₀ and x.
-    size, (up, turn) = np.divide((180.0, 1.0, 4.0), _ASPECT), np.radians((_ELEVATION, _AZIMUTH))
+    size, (up, turn) = np.divide((180.0, 1.0, 4.0), _ASPECT), np.radians((ax.elev, ax.azim))
     towards = np.array([np.cos(up) * np.cos(turn), np.cos(up) * np.sin(turn), np.sin(up)])
     first, second = ((cells[:, i] - cells[:, j]) / size for i, j in ((2, 0), (3, 1)))
     normal = np.cross(first, second)
@@ -323,22 +319,18 @@ def on_surface(mu0: FloatArray, theta0: FloatArray, x: FloatArray) -> FloatArray
     )
 
 
-#: Parameter → (range shown, the article's samples, an interval that holds the critical value,
-#: frictions on a logarithmic axis).
-_SAMPLES: dict[str, tuple[Span, tuple[float, ...], Span, tuple[float, ...]]] = {
-    "beta": ((0.0, 3.0), (0.0, 1.0, 2.0), (1.0, 2.0), ()),
-    "alpha": ((1e-3, 1.0), (0.007, 0.07, 0.7), (0.007, 0.07), (0.1, 1.0, 10.0)),
-    "sigma": ((3e-3, 3.0), (0.01, 0.1, 1.0), (0.01, 0.1), (0.1, 0.2, 0.5)),
-    "kappa": ((1e-4, 1.0), (0.007,), (1e-4, 0.007), (0.01, 0.1, 0.5)),
-}
-
-
 @styled
 def figure_cusp_friction(*, n: int = 41) -> Sheet:
     """The lowest fold over each parameter: why Figures 8 to 10 come out as they do."""
     figure, axes = panels(2, 2, DOUBLE, 4.6)
-    for letter, ax, name in zip("abcd", axes.flat, _SAMPLES, strict=True):
-        figure.tables[letter] = _draw_cusp_friction(ax, name, n)
+    shown: dict[str, _Samples] = {
+        "beta": ((0.0, 3.0), (0.0, 1.0, 2.0), (1.0, 2.0), ()),
+        "alpha": ((1e-3, 1.0), (0.007, 0.07, 0.7), (0.007, 0.07), (0.1, 1.0, 10.0)),
+        "sigma": ((3e-3, 3.0), (0.01, 0.1, 1.0), (0.01, 0.1), (0.1, 0.2, 0.5)),
+        "kappa": ((1e-4, 1.0), (0.007,), (1e-4, 0.007), (0.01, 0.1, 0.5)),
+    }
+    for letter, ax, (name, samples) in zip("abcd", axes.flat, shown.items(), strict=True):
+        figure.tables[letter] = _draw_cusp_friction(ax, name, samples, n)
     return figure.describe(
         f"""Friction of the lowest fold over all inclinations, μ_lowest, over (a) β, (b) α, (c) σ,
         (d) κ, the other parameters at {BASE_TEXT}. From small deformation a curve at μ₀ = 0.5
@@ -348,8 +340,13 @@ def figure_cusp_friction(*, n: int = 41) -> Sheet:
     )
 
 
-def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
-    (low, high), samples, bracket, ticks = _SAMPLES[name]
+#: The range of a parameter that is shown, the article's samples, an interval that holds the
+#: critical value, frictions on a logarithmic axis.
+_Samples = tuple[Span, tuple[float, ...], Span, tuple[float, ...]]
+
+
+def _draw_cusp_friction(ax: Axes, name: str, shown: _Samples, n: int) -> Table:
+    (low, high), samples, bracket, ticks = shown
     values = np.geomspace(low, high, n) if ticks else np.linspace(low, high, n)
     p, mu0 = Parameters.article(), ARTICLE["mu0"]
     along = p.replace(**{name: values})

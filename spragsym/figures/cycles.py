@@ -38,7 +38,6 @@ from .style import (
     GREEN,
     GREY,
     LINES,
-    MODEL,
     ORANGE,
     PURPLE,
     SKY,
@@ -68,7 +67,8 @@ MARKERS = {"period_doubling": "o", "fold": "s", "torus": "^"}
 
 def _sliding() -> Parameters:
     """The article's values with the friction μ(V)."""
-    return Parameters.article(mu0=float(MODEL.friction(Parameters.article())))
+    p = Parameters.article()
+    return p.replace(mu0=float(p.model.friction(p)))
 
 
 @styled

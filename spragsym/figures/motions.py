@@ -33,7 +33,6 @@ from .style import (
     BLUE,
     DOUBLE,
     GREY,
-    MODEL,
     SINGLE,
     VERMILION,
     Sheet,
@@ -77,10 +76,9 @@ def figure_3() -> Sheet:
         ylim=(-1.15, 1.15),
         xticks=np.arange(-0.5, 1.6, 0.5),
     )
-    y = np.array([-0.1, 0.0, 0.1])
-    contact = contact_force(
-        MODEL, (0.0, y), MODEL.arguments(Parameters.article(theta0=1.0), "motion")
-    )  # (11), which is of y alone
+    y, p = np.array([-0.1, 0.0, 0.1]), Parameters.article(theta0=1.0)
+    # (11), which is of y alone.
+    contact = contact_force(p.model, (0.0, y), p.model.arguments(p, "motion"))
     right.plot(y, contact, color=BLACK)
     write_along(right, "contact", -0.048, 0.06)
     write_along(right, "lift-off", 0.05, 0.009, ha="center")

@@ -27,7 +27,6 @@ from ..article.assumed import ARTICLE
 from ..display import Column
 from ..files.storage import put
 from ..models import Model
-from ..models.load import USUAL, load
 from ..models.parameters import Ranges
 from ..results import EquilibriumType, Points
 
@@ -223,9 +222,6 @@ def plain_ticks(axis: Axis, values: tuple[float, ...]) -> None:
     axis.set_minor_formatter("")
 
 
-#: The article's model.
-MODEL = load(USUAL)
-
 #: θ₀ of the paths a–a′ and b–b′.
 PATHS_DEG = {"a": 60.0, "b": 40.0}
 
@@ -239,8 +235,6 @@ BASE_TEXT = ", ".join(
 LINES_TEXT = "Stable solid, divergent dashed, flutter dash-dotted; dots are folds."
 
 RANGE_TEXT = "The ranges of the axes are our choice."
-
-HIDDEN_TEXT = "Thin dashes lie behind a sheet."
 
 
 def symbol(name: str) -> str:

@@ -10,9 +10,6 @@ from pathlib import Path
 from ..core.errors import SpragsymError
 from .storage import put
 
-#: Results that are kept; of more the oldest go.
-KEPT = 64
-
 
 def cached(made_of: Mapping[str, object], make: Callable[[], dict[str, str]]) -> dict[str, str]:
     """Files by their names, as they were made of the same before, or made now.
@@ -30,7 +27,9 @@ def cached(made_of: Mapping[str, object], make: Callable[[], dict[str, str]]) ->
     text = json.dumps(files)
     with suppress(OSError, SpragsymError):
         put(path, f"{hashlib.sha256(text.encode()).hexdigest()}\n{text}", made=True)
-        for old in sorted(path.parent.glob("*.json"), key=os.path.getmtime)[:-KEPT]:
+        # Results that are kept; of more the oldest go.
+        most = 64
+        for old in sorted(path.parent.glob("*.json"), key=os.path.getmtime)[:-most]:
             old.unlink()
     return files
 

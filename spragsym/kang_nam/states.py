@@ -28,9 +28,6 @@ from .parameters import Parameters
 #: Energy of numbers without checks.
 _energy: Any = unwrap(algebra.energy)
 
-#: Points between which the energy is bounded on the straight way to a well's bottom.
-POINTS = 200
-
 
 def airborne(constants: tuple[float, ...], state: FloatArray) -> bool:
     """Whether a state is in a well of the energy above the belt that it can't leave."""
@@ -53,7 +50,8 @@ def airborne(constants: tuple[float, ...], state: FloatArray) -> bool:
     )
     for slot in np.flatnonzero(found.undamped == EquilibriumType.STABLE):
         brim = float(np.min(values[values > values[slot] + 1e-12], initial=np.inf))
-        way = np.linspace([x, y], [found.x[slot], found.y[slot]], POINTS + 1).T
+        # Points between which the energy is bounded on the straight way to the well's bottom.
+        way = np.linspace([x, y], [found.x[slot], found.y[slot]], 201).T
         if energy < brim and _highest_on(way, known) < brim:
             return True
     return False
@@ -88,7 +86,7 @@ def _highest_on(way: FloatArray, constants: tuple[float, ...]) -> float:
     length = float(np.hypot(*(way[:, -1] - way[:, 0])))
     stretch = np.abs(np.hypot(cos0 - x[[0, -1]], sin0 - y[[0, -1]]) - 1).max()
     slope = alpha * np.abs(x).max() + beta * np.abs(y).max() + kappa + sigma * max(1.0, stretch)
-    return float(_potential(x, y, *constants).max() + slope * length / (2 * POINTS))
+    return float(_potential(x, y, *constants).max() + slope * length / (2 * (x.size - 1)))
 
 
 def linked(

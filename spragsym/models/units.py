@@ -89,11 +89,6 @@ _TWO_MEANINGS = {
     "mil": "mm and thou",
     "mils": "mm and thou",
 }
-_REMEDY = (
-    "write m, g, s, N, Pa, J, W, Hz or rad, each with a prefix if need be, or t, in, ft, yd, "
-    "mi, lb, "
-    "lbf, slug, kgf, kip, psi, ksi, bar, deg, gon, arcmin, rev, rpm, min or h"
-)
 
 
 @cache
@@ -202,7 +197,11 @@ def _named(word: str, unit: str) -> str:
             "by it"
         )
     if word not in _words():
-        raise ParameterError(f"the unit {unit!r} is not known; {_REMEDY}")
+        raise ParameterError(
+            f"the unit {unit!r} is not known; write m, g, s, N, Pa, J, W, Hz or rad, each with a "
+            "prefix if need be, or t, in, ft, yd, mi, lb, lbf, slug, kgf, kip, psi, ksi, bar, deg, "
+            "gon, arcmin, rev, rpm, min or h"
+        )
     return _words()[word]
 
 

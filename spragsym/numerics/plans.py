@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from enum import IntEnum, auto
 from types import ModuleType
 from typing import Any, TypeAlias
 
@@ -36,8 +37,16 @@ else:
 
 #: A border of a contact: which side of it holds no state, and how far beyond it states count.
 Border: TypeAlias = tuple[int, float]
-#: Where the contact touches beyond the border; where it is open before it, or on it as well.
-TOUCHING, OPEN, OPEN_AND_OFF = range(3)
+
+
+class Side(IntEnum):
+    """Where a contact has no state, in the order of ``_search.c``: beyond its border, where it
+    touches; before it, where it is open, or on it as well.
+    """
+
+    TOUCHING = 0
+    OPEN = auto()
+    OPEN_AND_OFF = auto()
 
 
 def available() -> bool:

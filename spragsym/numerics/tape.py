@@ -34,9 +34,6 @@ Rows: TypeAlias = Callable[..., Sequence[Any]]
 
 #: An angle, by the side of the ray where it jumps.
 ANGLES = {None: "angle", 0: "any_angle", 1: "angle_above", -1: "angle_below"}
-#: Operations whose second operand is a result, and those that read none.
-OF_TWO = frozenset({"sum", "product", "quotient", "component", *ANGLES.values()})
-OF_NONE = frozenset({"load", "constant"})
 
 
 def available() -> bool:
@@ -329,7 +326,10 @@ def _place(recording: Recording, entry: Number, shape: Shape) -> int:
 def _operands(operation: Operation) -> tuple[int, ...]:
     """Numbers of the results that an operation reads."""
     name, one, other = operation
-    return () if name in OF_NONE else (one, other) if name in OF_TWO else (one,)
+    if name in ("load", "constant"):
+        return ()
+    of_two = name in ("sum", "product", "quotient", "component", *ANGLES.values())
+    return (one, other) if of_two else (one,)
 
 
 def _assembled(recording: Recording, found: Sequence[int]) -> Tape:

@@ -48,10 +48,6 @@ PLAIN_UNITS: Mapping[str, str] = {
 ENDS = 3.0
 #: Standard deviations that lie within its range.
 WITHIN = 6.0
-_POSITIVE = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
-_NUMBER = rf"[+-]?{_POSITIVE}"
-_UNIT = r"(?:1\s*/\s*)?(?!sd\b)[^\d\s±\[\],+.-][^±\[\],]*?"
-_RANGE = re.compile(rf"\[\s*(?P<low>{_NUMBER})\s*,\s*(?P<high>{_NUMBER})\s*\]\s*(?P<unit>{_UNIT})?")
 
 
 @dataclass(frozen=True)
@@ -177,18 +173,25 @@ def _matched(text: str, si: str) -> tuple[re.Match[str], re.Match[str] | None]:
         raise ParameterError(f"{len(text)} characters are too many for a quantity")
     plain = text.replace("\N{MINUS SIGN}", "-").strip()
     cut = re.fullmatch(r"(.*\bsd\b.*)\bin\s*(\[.*)", plain)
-    body, ends = (cut[1].strip(), _RANGE.fullmatch(cut[2])) if cut else (plain, None)
+    positive = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
+    number = rf"[+-]?{positive}"
+    name = r"(?:1\s*/\s*)?(?!sd\b)[^\d\s±\[\],+.-][^±\[\],]*?"
+    # [150, 210] N/mm
+    between = re.compile(
+        rf"\[\s*(?P<low>{number})\s*,\s*(?P<high>{number})\s*\]\s*(?P<unit>{name})?"
+    )
+    body, ends = (cut[1].strip(), between.fullmatch(cut[2])) if cut else (plain, None)
     sign = r"(?P<sign>±|\+/-|\+-|\bsd\b)"
     # (180 ± 15) N/mm
     bracketed = re.compile(
-        rf"\(\s*(?P<value>{_NUMBER})\s*{sign}\s*(?P<off>{_POSITIVE})\s*\)\s*(?P<unit>{_UNIT})?"
+        rf"\(\s*(?P<value>{number})\s*{sign}\s*(?P<off>{positive})\s*\)\s*(?P<unit>{name})?"
     )
     # 180 N/mm ± 15 %, or with sd a standard deviation
     bare = re.compile(
-        rf"(?P<value>{_NUMBER})\s*(?P<unit>{_UNIT})?"
-        rf"(?:\s*{sign}\s*(?P<off>{_POSITIVE})\s*(?P<of>{_UNIT})?)?"
+        rf"(?P<value>{number})\s*(?P<unit>{name})?"
+        rf"(?:\s*{sign}\s*(?P<off>{positive})\s*(?P<of>{name})?)?"
     )
-    found = _RANGE.fullmatch(plain) or bracketed.fullmatch(body) or bare.fullmatch(body)
+    found = between.fullmatch(plain) or bracketed.fullmatch(body) or bare.fullmatch(body)
     if found is None or bool(cut) != bool(ends):
         raise ParameterError("not a number with a point and its unit, alone or with a tolerance")
     for part in (found, ends):
@@ -211,7 +214,7 @@ def _units(found: re.Match[str]) -> tuple[str, str]:
 
 def _read(text: str, si: str, allowed: Range) -> Measured:
     found, ends = _matched(text, si)
-    if found.re is _RANGE:
+    if "low" in found.re.groupindex:
         one = _between(found, si)
     else:
         one = _about(found, si, None if ends is None else _between(ends, si))

@@ -169,8 +169,6 @@ class _ScaledFunctions:
 
 #: ``xp`` at infinity.
 SCALED: Any = _ScaledFunctions()
-#: Functions that are odd.
-ODD = ("sin", "sinh", "tanh", "atan")
 
 
 class Parity(Arithmetic):
@@ -215,10 +213,11 @@ class _ParityFunctions:
     def __getattr__(self, name: str) -> Callable[..., Parity]:
         def parity(*values: Any) -> Parity:
             known = [value.odd if isinstance(value, Parity) else False for value in values]
-            # Functions that are even.
-            if None in known or len(known) > 1 or (known[0] and name not in ("cos", "cosh", *ODD)):
-                return Parity(False if not any(odd is not False for odd in known) else None)
-            return Parity(known[0] and name in ODD)
+            odd = name in ("sin", "sinh", "tanh", "atan")
+            even = name in ("cos", "cosh")
+            if None in known or len(known) > 1 or (known[0] and not (odd or even)):
+                return Parity(None if True in known or None in known else False)
+            return Parity(known[0] and odd)
 
         return parity
 

@@ -16,7 +16,7 @@ from ..numerics import contractors, jets, plans
 from ..numerics.arithmetic import Matrix, Number
 from ..numerics.boxes import EquationSystem
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape
-from ..numerics.plans import Border, Exclusions, LineTapes, Plan
+from ..numerics.plans import Border, Exclusions, LineTapes, Plan, Side
 from ..numerics.tape import NotRecorded, Tape, Tapes
 from .forces import Evaluation, Values
 from .namespaces import XP
@@ -278,8 +278,8 @@ class StateSystem(EquationSystem):
 
     def borders(self) -> list[Border]:
         """Borders of the contacts that open."""
-        open_ = plans.OPEN_AND_OFF if self.balance.apart else plans.OPEN
-        kinds = [plans.TOUCHING if closed else open_ for closed in self.balance.closed]
+        open_ = Side.OPEN_AND_OFF if self.balance.apart else Side.OPEN
+        kinds = [Side.TOUCHING if closed else open_ for closed in self.balance.closed]
         return list(zip(kinds, self.balance.rooms, strict=True))
 
     def lines_at(self, made: Callable[..., Tape]) -> list[LineTapes]:

@@ -9,7 +9,8 @@ import pytest
 
 import spragsym as ss
 from spragsym.bifurcation.paths import first_end
-from spragsym.design.tube_certificates import ENDS, OPEN, Splitting
+from spragsym.design.certificates import Decision
+from spragsym.design.tube_certificates import Splitting
 from tests.support import box_of
 
 SEARCH = ss.load("kang_nam").search
@@ -67,10 +68,10 @@ def test_outcomes_of_points_are_those_of_closed_forms() -> None:
     names = dict(zip((*box.free, "mu0"), values, strict=True))
     jump, known = (
         ss.jump_value(ss.Parameters.article(theta0=names["theta0"], sigma=names["sigma"])),
-        found.outcome != OPEN,
+        found.outcome != Decision.OPEN,
     )
     assert known.mean() > 0.98
-    assert np.array_equal((found.outcome == ENDS)[known], (jump < names["mu0"])[known])
+    assert np.array_equal((found.outcome == Decision.REFUTED)[known], (jump < names["mu0"])[known])
     assert ((found.safe <= jump) & (jump <= found.top)).all()
 
 

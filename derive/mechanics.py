@@ -133,7 +133,7 @@ class Angle:
         return (self.symbol, self.c, self.s) if self.alone else (self.c, self.s)
 
 
-def _of(symbol: sp.Symbol, name: str, mark: str = "") -> sp.Symbol:
+def of_contact(symbol: sp.Symbol, name: str, mark: str = "") -> sp.Symbol:
     """The symbol of the contact of that name, or of the only one, which has none, behind a mark."""
     return sp.Symbol(f"{mark}{symbol}{name and '_'}{name}", **symbol.assumptions0)
 
@@ -161,12 +161,12 @@ class NormalForce:
     @property
     def pushing(self) -> sp.Symbol:
         """PUSHING of this contact."""
-        return _of(PUSHING, self.name, self.mark)
+        return of_contact(PUSHING, self.name, self.mark)
 
     @property
     def depth(self) -> sp.Symbol:
         """DEPTH of this contact."""
-        return _of(DEPTH, self.name)
+        return of_contact(DEPTH, self.name)
 
     @property
     def polynomial(self) -> bool:
@@ -247,22 +247,22 @@ class FrictionForce:
     @property
     def mu(self) -> sp.Symbol:
         """MU of this friction."""
-        return _of(MU, self.name and f"on_{self.name}", self.normal.mark)
+        return of_contact(MU, self.name and f"on_{self.name}", self.normal.mark)
 
     @property
     def side(self) -> sp.Symbol:
         """SIDE of this friction."""
-        return _of(SIDE, self.name and f"on_{self.name}", self.normal.mark)
+        return of_contact(SIDE, self.name and f"on_{self.name}", self.normal.mark)
 
     @property
     def stuck(self) -> sp.Symbol:
         """STUCK of this friction."""
-        return _of(STUCK, self.name)
+        return of_contact(STUCK, self.name)
 
     @property
     def unknown(self) -> sp.Symbol:
         """FRICTION of this friction."""
-        return _of(FRICTION, self.name)
+        return of_contact(FRICTION, self.name)
 
 
 def named(function: str, of: NormalForce | FrictionForce) -> str:
@@ -305,16 +305,8 @@ class Mechanics:
 
     @property
     def contact(self) -> NormalForce:
-        """The only contact; an error of a page with several."""
-        contact, *others = self.contacts
-        if others:
-            raise PageError(
-                others[0].line,
-                "check and explore are not answered yet of a page with several contacts; "
-                "equilibria and motions are, of the folder that spragsym derive writes, and "
-                "exports to all languages; for the rest say all but one contact by springs and "
-                "forces",
-            )
+        """The only contact, of a model that has one."""
+        (contact,) = self.contacts
         return contact
 
     @property
@@ -711,7 +703,7 @@ def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
     mark = "_" if own & {str(PUSHING), str(MU), str(SIDE)} else ""
     for contact in page.contacts:
         name = contact.name if len(page.contacts) > 1 else ""
-        depth = _of(DEPTH, name)
+        depth = of_contact(DEPTH, name)
         gap = None if contact.gap is None else scaled(contact.gap)
         law = scaled(expression_of(contact.law(depth)))
         expressed = _in_coordinates(page, gap, law, depth)

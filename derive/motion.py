@@ -192,19 +192,23 @@ class Motion:
         rows = zip(it.residuals, it.resistance, self.centrifugal, strict=True)
         return tuple(-static - damped - turned for static, damped, turned in rows)
 
-    def balance(self, contact: sp.Expr) -> Row:
-        """M q″ less all forces, of which the contact's is ``contact``, in MU and the symbols of the
-        accelerations.
+    def balance(self, *normal: sp.Expr) -> Row:
+        """M q″ less all forces, of which those of the contacts are ``normal``, in MU and the
+        symbols of the accelerations.
         """
         it = self.model
         rows = []
         for symbol, inertia, pull in zip(
             it.coordinates, it.mass * sp.Matrix(self.named), self.pull, strict=True
         ):
-            share = sp.S.Zero if it.contact.gap is None else sp.diff(it.contact.gap, symbol)
-            if it.friction.along is not None:
-                share += it.friction.mu * sp.diff(it.friction.along, symbol)
-            rows.append(expanded(inertia - pull + (it.contact.force - contact) * share))
+            row = inertia - pull
+            for contact, force in zip(it.contacts, normal, strict=True):
+                share = sp.S.Zero if contact.gap is None else sp.diff(contact.gap, symbol)
+                for friction in it.frictions:
+                    if friction.normal is contact and friction.along is not None:
+                        share += friction.mu * sp.diff(friction.along, symbol)
+                row += (contact.force - force) * share
+            rows.append(expanded(row))
         return tuple(rows)
 
     @cached_property

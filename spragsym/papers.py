@@ -263,9 +263,7 @@ def _page(chosen: Path) -> Page:
 
     if chosen.suffix == ".py":
         try:
-            page = pages.read(chosen)
-            _ = page.mechanics.contact  # an error of a page with several
-            return page
+            return pages.read(chosen)
         except PageError as error:
             raise ParameterError(str(error)) from error
     loaded = load(chosen if chosen.exists() else chosen.name)

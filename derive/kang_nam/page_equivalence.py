@@ -83,7 +83,7 @@ def _in_direction() -> bool:
         pairs += zip(ours, (*D.subs(case), *b.subs(case)), strict=True)
     return all(
         unit_circles.equal(
-            mechanics.in_article(it.model, one.subs(MU, it.friction_at_rest)).subs(directions),
+            mechanics.in_article(it.model, one.xreplace(it.at_rest)).subs(directions),
             other,
         )
         for one, other in pairs

@@ -13,8 +13,7 @@ from sympy.core.relational import Relational
 
 from .. import algebra
 from ..algebra import Pair
-from ..mechanics import MU, PUSHING
-from .objects import BOTH, CONTACT, LAMBDA, LIFT_OFF, NORMAL
+from .objects import BOTH, LAMBDA
 from .reading import Item
 from .repair import Values, evaluated, same
 from .samples import numeric
@@ -141,7 +140,8 @@ class Comparison:
         """Factors of parameters by which terms of the print are derived ones, by votes."""
         it = self.item.it
         model = it.model
-        states = (*model.coordinates, *model.rates, *it.accelerations, LAMBDA, NORMAL, MU)
+        forces = (*it.normals, *it.coefficients)
+        states = (*model.coordinates, *model.rates, *it.accelerations, LAMBDA, *forces)
 
         def apart(expression: sp.Expr) -> list[Pair]:
             """Factors of parameters, and what else stands in each term."""
@@ -194,7 +194,7 @@ class Comparison:
         if held.factor == "constant":
             states = (*it.model.coordinates, *it.model.rates)
             return all(is_zero(sp.diff(it.expanded(gap), symbol)) for symbol in states)
-        sides = (CONTACT, LIFT_OFF) if held.side == BOTH else (held.side,)
+        sides = it.sides if held.side == BOTH else (held.side,)
         return all(self._vanishes(gap, side) for side in sides)
 
     def _is_short(self, tree: Node, entry: sp.Expr) -> bool:
@@ -208,33 +208,41 @@ class Comparison:
         return is_zero(to_sympy(tree, known) - entry)
 
     def _vanishes(self, gap: sp.Expr, side: str) -> bool:
-        """Whether a difference is 0 on a side of the contact: as it stands, or by the laws."""
+        """Whether a difference is 0 on a side of the contacts: as it stands, or by the laws."""
         it = self.item.it
-        is_open = side == LIFT_OFF and it.model.contact.unilateral
-        mu = it.friction_at_rest if self.item.held.steady else it.friction
-        laws = {NORMAL: sp.S.Zero if is_open else it.normal, MU: mu}
-        gap = gap.xreplace({PUSHING: sp.S.Zero if is_open else sp.S.One})
+        touching = [it.pushing(contact, side) for contact in it.model.contacts]
+        forces = zip(it.normals.items(), touching, strict=True)
+        laws = it.at_rest if self.item.held.steady else it.friction
+        laws = laws | {symbol: touches * law for (symbol, law), touches in forces}
+        gap = gap.xreplace(dict(zip(it.switches, touching, strict=True)))
         named = dict.fromkeys((gap, gap.xreplace(laws)))
-        if any(map(is_zero, named)):
-            return True
-        sign = -1 if side == CONTACT else 1
-        return any(is_zero(self._on_side(it.expanded(one), sign)) for one in named)
+        return any(map(is_zero, named)) or any(
+            is_zero(self._on_side(it.expanded(one), side)) for one in named
+        )
 
-    def _on_side(self, value: sp.Expr, side: int) -> sp.Expr:
-        """A value with the gap's size and sign, and relations to 0, as they are on a side."""
+    def _on_side(self, value: sp.Expr, side: str) -> sp.Expr:
+        """A value with sizes and signs of the gaps, and relations to 0, as they are on a side."""
         it = self.item.it
-        if it.model.contact.gap is None or not it.model.contact.unilateral:
-            return value
-        gap = it.expanded(it.spelled(it.model.contact.gap))
-        for node in value.atoms(sp.Abs, sp.sign, Relational):
-            size = node.lhs - node.rhs if isinstance(node, Relational) else node.args[0]
-            for sign in (1, -1):
-                if is_zero(size - sign * gap):
-                    known = side * gap if isinstance(node, sp.Abs) else sp.Integer(side * sign)
-                    if isinstance(node, Relational):
-                        known = node.func(known, 0)
-                    value = value.xreplace({node: known})
+        for contact in it.model.contacts:
+            if contact.unilateral:
+                gap = it.expanded(it.spelled(contact.gap))
+                value = _with_sign(value, gap, -1 if contact.name in it.sides[side] else 1)
         return value
+
+
+def _with_sign(value: sp.Expr, gap: sp.Expr, side: int) -> sp.Expr:
+    """A value with the size and the sign of a gap, and its relations to 0, where its sign is
+    known.
+    """
+    for node in value.atoms(sp.Abs, sp.sign, Relational):
+        size = node.lhs - node.rhs if isinstance(node, Relational) else node.args[0]
+        for sign in (1, -1):
+            if is_zero(size - sign * gap):
+                known = side * gap if isinstance(node, sp.Abs) else sp.Integer(side * sign)
+                if isinstance(node, Relational):
+                    known = node.func(known, 0)
+                value = value.xreplace({node: known})
+    return value
 
 
 def judged_side(item: Item, equation: Equation) -> tuple[Node, str] | None:

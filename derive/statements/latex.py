@@ -17,7 +17,7 @@ from . import tree
 from .lexer import Cursor, Token, Tokens, nested, split
 from .matrices import Matrix, Value, determinant, identity, inverse, named, negative, node_of
 from .matrices import paired, product, quotient, shape_of, total
-from .names import LAWS, Name, Names, moved
+from .names import Name, Names, moved
 from .tree import ONE, ZERO, Equation, Node, Unread, Vocabulary, printed, read_sympy
 
 #: Functions by their print, and what SymPy calls them.
@@ -165,7 +165,7 @@ class _LatexReader:
             at = (items[0].at[0], items[-1].at[1])
             argument = here.text == "(" and here.place + 1 == len(items)
             known = self.names.known(name, at)
-            law = argument and (known is None or known.value in LAWS)
+            law = argument and (known is None or known.value in self.names.laws)
             if here.item is None or law:
                 return self.matrix(known or Node("symbol", value=name.spelled, at=at))
         value = self.expression(items)
@@ -318,7 +318,7 @@ class _LatexReader:
             raise Unread(f"{node.value} is no function that is known", place)
         inside = self.number(bracket)
         bare = inside.args[0] if inside.kind == "neg" else inside
-        if bare.kind in ("symbol", "number") or node.value in LAWS:
+        if bare.kind in ("symbol", "number") or node.value in self.names.laws:
             text = printed(inside)
             readings = (f"{node.value}*({text})", f"{node.value}({text})")
             raise Unread("a product, or a function of what stands in brackets", place, readings)

@@ -10,9 +10,6 @@ from ..model import acceleration_of
 from .lexer import Tokens
 from .tree import Node, Unread, Vocabulary, printed
 
-#: Names of a law: what stands in brackets behind them may be their argument.
-LAWS = ("mu", "N")
-
 
 @dataclass(frozen=True)
 class Name:
@@ -34,7 +31,7 @@ class Names:
     """Names of the page by their print."""
 
     def __init__(self, vocabulary: Vocabulary) -> None:
-        self.symbols = vocabulary.symbols
+        self.symbols, self.laws = vocabulary.symbols, vocabulary.laws
         self.next: dict[str, str] = {}
         for coordinate in vocabulary.coordinates:
             self.next[coordinate] = f"v{coordinate}"
@@ -95,7 +92,7 @@ class Names:
         raise Unread(f"the rate of {printed(node)} is not read; print it in rates", node.at[0])
 
     def _moves(self, node: Node) -> bool:
-        moving = {*self.next, *self.next.values(), *LAWS}
+        moving = {*self.next, *self.next.values(), *self.laws}
         return node.value in moving if node.kind == "symbol" else any(map(self._moves, node.args))
 
     def word(self, items: Tokens, place: int) -> int:

@@ -12,14 +12,16 @@ import sympy as sp
 
 from .. import laws, linearization, mechanics, physical_checks, statics, units
 from ..algebra import Names, Row
-from ..mechanics import DEPTH, MU, PUSHING, Mechanics, number
+from ..mechanics import MU, PUSHING, Mechanics, NormalForce, number, of_contact
 from ..model import Datum, Page, expression_of
 from ..motion import Motion
 from ..units import Dimension
 
 #: Normal force, frequency parameter of the characteristic polynomial, time.
 NORMAL, LAMBDA, TIME = sp.Symbol("N", real=True), sp.Symbol("lam"), sp.Symbol("t", real=True)
-#: Sides of the contact on which a statement is meant.
+#: The gap of a contact, negative where it is pressed together.
+GAP = sp.Symbol("gap", real=True)
+#: Sides on which a statement is meant: all contacts touch, none of those that can open, or either.
 CONTACT, LIFT_OFF, BOTH = "contact", "lift-off", "both"
 
 T = TypeVar("T")
@@ -118,17 +120,49 @@ class Derivation:
             found[torsion.phi] = torsion.least.subs(found)
         return found
 
+    @cached_property
+    def sides(self) -> dict[str, frozenset[str]]:
+        """The contacts that touch, by their names, in every combination of those that can open."""
+        opening = [it.name for it in self.model.contacts if it.unilateral]
+        never = frozenset(it.name for it in self.model.contacts) - {*opening}
+        found = {LIFT_OFF: never} if opening else {}
+        for count in range(1, len(opening)):
+            for some in itertools.combinations(opening, count):
+                found[f"contact of {', '.join(some)} alone"] = never | {*some}
+        return found | {CONTACT: never | {*opening}}
+
+    def pushing(self, contact: NormalForce, side: str) -> sp.Expr:
+        """1 where a contact touches on a side, else 0; a symbol where it may do either."""
+        if side == BOTH and contact.unilateral:
+            return of_contact(PUSHING, contact.name)
+        return sp.Integer(side == BOTH or contact.name in self.sides[side])
+
+    def contact(self, name: str) -> NormalForce:
+        """The contact of a name, or the only one, which has none.
+
+        Raises
+        ------
+        NoObject
+            Where the page has no such contact.
+        """
+        found = {it.name: it for it in self.model.contacts}
+        if name not in found:
+            offered = ", ".join(found) or "the only one, which is left unnamed"
+            raise NoObject(f"{name!r} is no contact of the page; name {offered}")
+        return found[name]
+
     def spelled(self, expression: sp.Expr, side: str = CONTACT) -> sp.Expr:
         """In coordinates, parameters, lengths and inclinations, on a side of the contact."""
-        contact, rubs = self.model.contact, self.model.friction
-        gap = sp.S.Zero if contact.gap is None else contact.gap
-        pushing = {CONTACT: sp.S.One, LIFT_OFF: sp.S.Zero, BOTH: PUSHING}[side]
-        known = {DEPTH: -gap, contact.pushing: pushing if contact.unilateral else sp.S.One}
-        return sp.sympify(expression).xreplace(known | {rubs.mu: MU}).xreplace(self.plain)
+        rubs = zip(self.model.frictions, self.coefficients, strict=True)
+        known = {friction.mu: symbol for friction, symbol in rubs}
+        for contact in self.model.contacts:
+            known[contact.depth] = sp.S.Zero if contact.gap is None else -contact.gap
+            known[contact.pushing] = self.pushing(contact, side)
+        return sp.sympify(expression).xreplace(known).xreplace(self.plain)
 
     def steady(self, expression: sp.Expr, side: str = CONTACT) -> sp.Expr:
         """The same, with the friction at steady sliding."""
-        return self.spelled(expression, side).xreplace({MU: self.friction_at_rest})
+        return self.spelled(expression, side).xreplace(self.at_rest)
 
     def expanded(self, expression: sp.Expr) -> sp.Expr:
         """With lengths and inclinations of lines in coordinates."""
@@ -173,31 +207,41 @@ class Derivation:
         return {name: value for name, value in found.items() if name not in taken}
 
     @cached_property
-    def normal(self) -> sp.Expr:
-        """The normal force in contact."""
-        return self.spelled(self.model.contact.force)
+    def normals(self) -> dict[sp.Symbol, sp.Expr]:
+        """The normal force of every contact, by its symbol in a print: its law where it touches."""
+        return {of_contact(NORMAL, it.name): self.spelled(it.force) for it in self.model.contacts}
 
     @cached_property
-    def friction(self) -> sp.Expr:
-        """The friction coefficient of a motion."""
-        sliding = self.page.sliding
-        if sliding is None:
-            return sp.S.Zero
-        speed = sliding.belt - self.page.rate(sliding.along)
-        return self.spelled(self.model.scaled(expression_of(sliding.law(speed))))
+    def coefficients(self) -> tuple[sp.Symbol, ...]:
+        """Symbols of the friction coefficients in a print."""
+        return tuple(of_contact(MU, it.name) for it in self.model.frictions)
 
     @cached_property
-    def friction_at_rest(self) -> sp.Expr:
-        """The friction coefficient at steady sliding, as the page's statics takes it."""
-        return self.spelled(laws.friction_at_rest(self.model.friction))
+    def friction(self) -> dict[sp.Symbol, sp.Expr]:
+        """The friction coefficients of a motion; 0 of a page without friction."""
+        values = []
+        for sliding in self.page.frictions:
+            speed = sliding.belt - self.page.rate(sliding.along)
+            values.append(self.spelled(self.model.scaled(expression_of(sliding.law(speed)))))
+        return dict(zip(self.coefficients, values or [sp.S.Zero], strict=True))
+
+    @cached_property
+    def at_rest(self) -> dict[sp.Symbol, sp.Expr]:
+        """The friction coefficients at steady sliding, as the page's statics takes them."""
+        values = (self.spelled(laws.friction_at_rest(it)) for it in self.model.frictions)
+        return dict(zip(self.coefficients, values, strict=True))
+
+    @cached_property
+    def switches(self) -> tuple[sp.Symbol, ...]:
+        """PUSHING of every contact in a print."""
+        return tuple(of_contact(PUSHING, it.name) for it in self.model.contacts)
 
     @cached_property
     def names(self) -> dict[str, sp.Expr]:
         """Meanings of all names of a print."""
         symbols = (*self.model.coordinates, *self.model.rates, *self.accelerations)
-        found: dict[str, sp.Expr] = {"mu": MU, "N": NORMAL, "lam": LAMBDA, str(TIME): TIME}
-        found |= self.geometry | {str(PUSHING): PUSHING}
-        return found | {str(symbol): symbol for symbol in symbols} | self.parameters
+        symbols = (*self.coefficients, *self.normals, *self.switches, LAMBDA, TIME, *symbols)
+        return self.geometry | {str(symbol): symbol for symbol in symbols} | self.parameters
 
     @cached_property
     def letters(self) -> dict[str, str]:
@@ -213,7 +257,11 @@ class Derivation:
                 str(it.rate): rf"\dot{{{it.latex}}}",
                 str(second): rf"\ddot{{{it.latex}}}",
             }
-        return found | {"mu": r"\mu", "lam": r"\lambda", str(PUSHING): r"\overline{n}"}
+        for contact in self.model.contacts:
+            below = contact.name and rf"_{{\mathrm{{{contact.name}}}}}"
+            for symbol, letter in ((MU, r"\mu"), (NORMAL, "N"), (PUSHING, r"\overline{n}")):
+                found[str(of_contact(symbol, contact.name))] = letter + below
+        return found | {"lam": r"\lambda"}
 
     @cached_property
     def kinds(self) -> dict[str, Dimension]:
@@ -228,7 +276,9 @@ class Derivation:
         for name in self.geometry:
             known[name] = units.LENGTH if name.startswith("L") else units.NONE
         rate = units.times(units.NONE, units.TIME, -1)
-        return {"N": units.FORCE, "mu": units.NONE, "lam": rate, str(TIME): units.TIME} | known
+        found = dict.fromkeys(map(str, self.normals), units.FORCE)
+        found |= dict.fromkeys(map(str, self.coefficients), units.NONE)
+        return found | {"lam": rate, str(TIME): units.TIME} | known
 
     @cached_property
     def turning(self) -> tuple[str, ...]:
@@ -268,8 +318,9 @@ class Derivation:
 
 
 def _motion(it: Derivation, name: str, side: str) -> Object:
-    contact = sp.S.Zero if side == LIFT_OFF or it.page.normal is None else NORMAL
-    rows = tuple(it.spelled(row, side) for row in it.motion.balance(contact))
+    normals = zip(it.normals, it.model.contacts, strict=True)
+    forces = (sp.S.Zero if it.pushing(one, side) == 0 else symbol for symbol, one in normals)
+    rows = tuple(it.spelled(row, side) for row in it.motion.balance(*forces))
     return Object(rows, "motion.Motion.balance", "covector", it.places(name), "parameters")
 
 
@@ -277,8 +328,9 @@ def _acceleration(it: Derivation, name: str, side: str) -> Object:
     places = it.places(name)
     solved = {symbol: it.spelled(value, side) for symbol, value in it.motion.inverted.items()}
     # Entries of the inverse of M are over its determinant, which is itself a shorthand.
-    whole = (it.spelled(row, side).subs(solved).subs(solved) for row in it.motion.accelerations)
-    rows = tuple(whole)
+    slipping = {one.unknown: one.mu * one.normal.rubbing for one in it.motion.holding}
+    whole = (it.spelled(row.xreplace(slipping), side) for row in it.motion.accelerations)
+    rows = tuple(row.subs(solved).subs(solved) for row in whole)
     second = frozenset(str(it.accelerations[place]) for place in places)
     return Object(rows, "motion.Motion.accelerations", "vector", places, names=second)
 
@@ -330,8 +382,9 @@ def _potentials_of_forces(it: Derivation) -> list[sp.Expr]:
 
 def _balance(it: Derivation, name: str, side: str) -> Object:
     """Forces of the motion at rest, with the friction at the belt's speed."""
-    mu = laws.friction_at_speed(it.model.friction)
-    rows = tuple(it.spelled(row, side).subs(MU, it.spelled(mu)) for row in it.model.residuals)
+    values = (it.spelled(laws.friction_at_speed(one)) for one in it.model.frictions)
+    mu = dict(zip(it.coefficients, values, strict=True))
+    rows = tuple(it.spelled(row, side).xreplace(mu) for row in it.model.residuals)
     return Object(rows, "mechanics.Mechanics.residuals", "covector", it.places(name), "parameters")
 
 
@@ -375,7 +428,7 @@ def _characteristic(it: Derivation, name: str, side: str) -> Object:
 
 
 def _threshold(it: Derivation, name: str, side: str) -> Object:
-    K = sp.Matrix(statics.jacobian(it.model)).applyfunc(it.steady)
+    K = sp.Matrix(statics.jacobian(it.model)).applyfunc(lambda entry: it.steady(entry, side))
     if K.applyfunc(it.expanded).has(*it.model.coordinates):
         raise NoObject("the threshold depends on the state; only those of linear forces are judged")
     A = it.model.mass.inv() * K
@@ -383,13 +436,14 @@ def _threshold(it: Derivation, name: str, side: str) -> Object:
     if A.rows == 2:
         flutter = sp.numer(sp.together((A[0, 0] - A[1, 1]) ** 2 + 4 * A[0, 1] * A[1, 0]))
     choice = flutter if name in ("", "flutter") and A.rows == 2 else K.det()
-    return Object((sp.factor(choice),), "statics.jacobian", factor="monomial", steady=True)
+    entries = (sp.factor(choice),)
+    return Object(entries, "statics.jacobian", factor="monomial", steady=True, side=side)
 
 
 def _scale(it: Derivation, name: str, side: str) -> Object:
     groups = physical_checks.groups(it.page)
     named = {"time": units.TIME, "length": units.LENGTH, "force": units.FORCE}
-    measured = {str(entry.symbol): entry.symbol for entry in it.page.coordinates} | {"N": NORMAL}
+    measured = {str(it): it for it in (*it.model.coordinates, *it.normals)}
     measured |= {name: sp.Symbol(name) for name in it.geometry} | {"time": TIME}
     by, names = "physical_checks.groups", frozenset({name})
     scale = physical_checks.scale(it.page, named.get(name) or it.kinds.get(name, units.NONE))
@@ -406,25 +460,42 @@ def _scale(it: Derivation, name: str, side: str) -> Object:
 
 
 def _normal(it: Derivation, name: str, side: str) -> Object:
-    value = it.spelled(it.model.contact.force, side)
-    return Object((value,), "mechanics.NormalForce.force", names=frozenset({"N"}), side=side)
+    contact = it.contact(name)
+    value = it.spelled(contact.force, side)
+    names = frozenset({str(of_contact(NORMAL, name))})
+    return Object((value,), "mechanics.NormalForce.force", names=names, side=side)
 
 
 def _friction(it: Derivation, name: str, side: str) -> Object:
-    return Object((it.friction,), "laws.smooth_friction", names=frozenset({"mu"}))
+    symbol = of_contact(MU, it.contact(name).name)
+    if symbol not in it.friction:
+        offered = ", ".join(map(str, it.friction))
+        raise NoObject(f"there is no friction on {name}; there are {offered}")
+    return Object((it.friction[symbol],), "laws.smooth_friction", names=frozenset({str(symbol)}))
+
+
+def _gap(it: Derivation, name: str, side: str) -> Object:
+    contact = it.contact(name)
+    if contact.gap is None:
+        raise NoObject("the normal force is given, and the contact has no gap")
+    own = frozenset({str(of_contact(GAP, name))})
+    value = it.spelled(contact.gap)
+    return Object((value,), "mechanics.NormalForce.gap", names=own, side=side, unit=units.LENGTH)
 
 
 def _pushing(it: Derivation, name: str, side: str) -> Object:
-    if not it.model.contact.unilateral:
-        raise NoObject("the page has no contact that can open")
-    own = frozenset({str(PUSHING)})
-    return Object((PUSHING,), "mechanics.NormalForce.force", names=own, side=BOTH)
+    contact = it.contact(name)
+    if not contact.unilateral:
+        raise NoObject("this contact can't open")
+    symbol = it.pushing(contact, BOTH)
+    own = frozenset({str(symbol)})
+    return Object((symbol,), "mechanics.NormalForce.force", names=own, side=BOTH)
 
 
 def _direction(it: Derivation, name: str, side: str) -> Object:
     """Parts of D (cos θ, sin θ)ᵀ = b, the equilibrium in length L and inclination θ of the line."""
     in_mu = it.kept("balance in direction", side, lambda: balance_in_direction(it, side))
-    (D, b), length = (part.subs(MU, it.friction_at_rest) for part in in_mu[:2]), in_mu[2]
+    (D, b), length = (part.xreplace(it.at_rest) for part in in_mu[:2]), in_mu[2]
     word, _, place = name.partition(" ")
     by, values = "objects.balance_in_direction", {"matrix": D, "slope": D.diff(length), "side": b}
     if word in ("norm", "eliminated") and not place:  # 1 = bᵀ (D Dᵀ)⁻¹ b, and times det² D
@@ -434,7 +505,7 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
         return Object((entry,), by, steady=True, side=side, short=(short, parts))
     if word == "coefficient" and place.isdigit():
         coefficients = it.kept("coefficients", side, lambda: _coefficients(*in_mu))
-        entry = coefficients.get(int(place), sp.S.Zero).subs(MU, it.friction_at_rest)
+        entry = coefficients.get(int(place), sp.S.Zero).xreplace(it.at_rest)
         return Object((entry,), by, names=frozenset({name}), steady=True, side=side)
     if word not in values or (place and word != "side") or place not in ("", "1", "2"):
         raise NoObject(
@@ -510,6 +581,7 @@ OBJECTS: Mapping[str, Deriver] = {
     "scale": _scale,
     "normal": _normal,
     "friction": _friction,
+    "gap": _gap,
     "pushing": _pushing,
     "direction": _direction,
 }
@@ -532,6 +604,11 @@ def derived(it: Derivation, about: str) -> Object:
     said, _, where = (part.strip() for part in about.partition(","))
     word, _, rest = said.partition(" ")
     side = where or CONTACT
-    if word not in OBJECTS or side not in (CONTACT, LIFT_OFF, BOTH):
+    if word not in OBJECTS:
         raise NoObject(f"{about!r} is no object; there are {', '.join(OBJECTS)}")
+    resting = ("balance", "equilibrium", "characteristic", "threshold", "direction")
+    if it.model.clock is not None and word in resting:
+        raise NoObject(f"nothing rests on a page with a clock, and there is no {word}")
+    if side not in (*it.sides, BOTH):
+        raise NoObject(f"{side!r} is no side of the contacts; there are {'; '.join(it.sides)}")
     return it.kept(word, f"{rest.strip()}, {side}", lambda: OBJECTS[word](it, rest.strip(), side))

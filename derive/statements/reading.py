@@ -152,7 +152,8 @@ def equations_of(
     names = {*it.names} - ({str(TIME)} if not is_scale else set())
     known = frozenset(names | book.defined.keys() | book.bound.keys() | book.values(it).keys())
     coordinates = tuple(map(str, it.model.coordinates))
-    vocabulary = Vocabulary(known, coordinates, book.renamed, shapes)
+    laws = frozenset(map(str, (*it.normals, *it.coefficients)))
+    vocabulary = Vocabulary(known, coordinates, book.renamed, shapes, laws)
     if statement.is_latex and not statement.transcribed:
         from .latex import read_latex
 
@@ -190,8 +191,8 @@ def _item(
 ) -> Item | Verdict:
     if held is None:
         left = equations[0].left
-        normal = derived(it, statement.about.replace("definition", "normal"))
-        known = {**it.geometry, "N": normal.entries[0], "mu": it.friction}
+        normals = dict(zip(map(str, it.normals), it.model.contacts, strict=True))
+        known = it.geometry | {str(symbol): value for symbol, value in it.friction.items()}
         name = left.value if left.kind == "symbol" else ""
         is_new = name not in it.names and name not in book.bound
         if name and is_new and name not in symbols(equations[0].right):
@@ -204,7 +205,11 @@ def _item(
             raise Unread(f"{printed(left)} is not in names of the page; say them under [symbols]")
         value = known[name] if name in known else to_sympy(left, it.names)
         by, own = "objects.Derivation.geometry", frozenset({printed(left)})
-        held = normal if name == "N" else Object((value,), by, names=own)
+        held = Object((value,), by, names=own)
+        if name in normals:
+            held = derived(
+                it, statement.about.replace("definition", f"normal {normals[name].name}")
+            )
     count = len(held.index)
     if len(equations) < count:
         reason = f"{statement.about} has {count} entries, and the print {len(equations)}"

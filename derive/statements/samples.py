@@ -9,8 +9,7 @@ from functools import cache
 import numpy as np
 import sympy as sp
 
-from ..mechanics import PUSHING
-from .objects import BOTH, CONTACT, TIME, Derivation, NoObject, Object
+from .objects import BOTH, TIME, Derivation, NoObject, Object
 from .repair import Values
 
 
@@ -35,31 +34,43 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
         found[name] = value if symbol.is_nonnegative else value * _signs(rng, size, 2)
         if is_base:
             found[name] = np.full(size, 1.0 if base.get(name) is None else base[name])
-    gap = None if it.model.contact.gap is None else it.expanded(it.spelled(it.model.contact.gap))
+    gaps = {
+        contact.name: it.expanded(it.spelled(contact.gap))
+        for contact in it.model.contacts
+        if contact.gap is not None
+    }
     coordinates = [str(symbol) for symbol in it.model.coordinates]
     states = {name: _state(rng, size) for name in coordinates}
-    pushing = np.ones(size)
-    if gap is not None:
-        if held.side != CONTACT and it.model.contact.unilateral:
-            pushing = np.repeat(np.arange(pairs) % 2 if held.side == BOTH else [0] * pairs, 2)
-        most_tries = 200
-        for _ in range(most_tries):
+    # Of a statement on several sides the pairs go round these.
+    sides = [*it.sides.values()] if held.side == BOTH else [it.sides[held.side]]
+    on = np.repeat(np.arange(pairs) % len(sides), 2)
+    pushing = {
+        contact.name: np.array([contact.name in touching for touching in sides])[on]
+        for contact in it.model.contacts
+    }
+    most_tries = 200 if gaps else 0
+    for _ in range(most_tries):
+        wrong = np.zeros(size, dtype=bool)
+        for name, gap in gaps.items():
             level = numeric(gap, {**found, **states})
-            wrong = np.where(pushing == 0, level <= 0, level >= 0)
-            if not wrong.any():
-                break
-            for name in coordinates:
-                states[name] = np.where(wrong, _state(rng, size), states[name])
-    found |= states | {str(PUSHING): 1.0 * pushing}
+            wrong |= np.where(pushing[name], level >= 0, level <= 0)
+        if not wrong.any():
+            break
+        for name in coordinates:
+            states[name] = np.where(wrong, _state(rng, size), states[name])
+    found |= states
+    for symbol, touches in zip(it.switches, pushing.values(), strict=True):
+        found[str(symbol)] = 1.0 * touches
     for symbol in (*it.model.rates, *it.accelerations):
         found[str(symbol)] = _state(rng, size)
     for name in ("lam", str(TIME)):
         found.setdefault(name, _state(rng, size))
     for name, value in it.geometry.items():
         found[name] = numeric(value, found)
-    statics = it.friction_at_rest if held.steady else it.friction
-    found.setdefault("mu", numeric(statics, found))
-    found.setdefault("N", pushing * numeric(it.normal, found))
+    for symbol, value in (it.at_rest if held.steady else it.friction).items():
+        found.setdefault(str(symbol), numeric(value, found))
+    for (symbol, law), touches in zip(it.normals.items(), pushing.values(), strict=True):
+        found.setdefault(str(symbol), touches * numeric(law, found))
     return found
 
 

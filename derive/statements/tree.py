@@ -38,6 +38,8 @@ class Vocabulary:
     renamed: Mapping[str, str]
     #: rows and columns of the names that stand for matrices
     matrices: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+    #: names of laws: what stands in brackets behind them may be their argument
+    laws: frozenset[str] = frozenset()
 
 
 class Unread(ValueError):

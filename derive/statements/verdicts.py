@@ -10,14 +10,13 @@ import numpy as np
 import sympy as sp
 
 from .. import units
-from ..mechanics import MU, PUSHING
 from ..pages import PageModel
 from . import samples
 from .comparison import Comparison, Component, Conventions, equation_of, judged_side, normal_form
 from .comparison import is_zero
 from .conventions import settled
 from .markup import repaired_print
-from .objects import NORMAL, TIME
+from .objects import LAMBDA, TIME
 from .papers import Paper, Statement
 from .reading import Item, Verdict, equations_of, opened
 from .repair import COST, Edit, Pool, Repair, Search, Values, evaluated, same, stem
@@ -316,7 +315,8 @@ def _pool(it: Comparison, part: Component) -> Pool:
     """Expressions that an edit of a side may bring in."""
     item = it.item
     free = {str(symbol) for entry in item.held.entries for symbol in entry.free_symbols}
-    hidden = {"lam", "N", "mu", str(PUSHING), str(TIME)} - free
+    page = item.it
+    hidden = {*map(str, (LAMBDA, TIME, *page.normals, *page.coefficients, *page.switches))} - free
     hidden |= {*item.held.names, part.left} if item.held.law != "scale" else set()
     printed_names = [symbols(side) for one in item.equations for side in (one.left, one.right)]
     stems = set(map(stem, set().union(*printed_names)))
@@ -371,7 +371,7 @@ def _in_limit(it: Comparison, part: Component, limit: str) -> bool:
     what, arrow, end = limit.removeprefix(_LINEAR).partition("->")
     is_linear = what != limit and not arrow
     page = it.item.it
-    laws = {NORMAL: page.normal, MU: page.friction}
+    laws = page.normals | page.friction
     value = it.exactly(part.tree).subs(laws)
     said = what.split("," if is_linear else "*")
     factors = [it.names.get(name.strip(), sp.nan) for name in said]

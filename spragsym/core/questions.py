@@ -35,10 +35,11 @@ Method: TypeAlias = Literal["auto", "closed", "search"]
 
 
 #: Questions that are not answered of a page with several contacts.
-NOT_OF_SEVERAL = ("check", "explore")
+NOT_OF_SEVERAL = ("explore",)
 #: Questions that are answered of a page with a clock.
 FORCED = (
     "basin",
+    "check",
     "cycle",
     "cycle_branch",
     "cycle_events",

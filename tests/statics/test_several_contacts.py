@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.cli.article import _check_model
 from tests.oracles.contact_pages import FOUR, LADDER, PAD, RANGES, SHOES, THREE, balanced, pad
 from tests.oracles.user_pages import model_of, replaced
 
@@ -140,11 +139,10 @@ def test_what_is_not_answered_of_several_contacts_says_so() -> None:
     p = model.Parameters()
     asked: dict[str, Callable[[], object]] = {
         "explore": lambda: ss.explore(p),
-        "check": lambda: _check_model(model.where, False, ()),
     }
     for name, ask in asked.items():
         says = f"{name} is not answered yet of pad_on_2, {model.refusal(name)}"
-        assert "2 contacts (front, rear); every question but check and explore is, or say" in says
+        assert "2 contacts (front, rear); every question but explore is, or say" in says
         with pytest.raises(ss.errors.ModelError) as error:
             ask()
         assert str(error.value) == says

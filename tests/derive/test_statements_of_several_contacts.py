@@ -1,0 +1,108 @@
+"""Printed equations of pages with several contacts, written by hand, and with planted faults."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+pytest.importorskip("sympy")
+
+from spragsym.derive import pages
+from spragsym.derive.statements import papers, verdicts
+
+NAMES = {r"\mu_u": "mu_upper", r"\mu_l": "mu_lower", "N_u": "N_upper", "N_l": "N_lower"}
+#: The moments of both faces of the disc, and its balance across where both touch.
+TILTS = r"J \ddot\phi + k_t \phi = (h - y) \mu_u N_u - (h + y) \mu_l N_l"
+ACROSS = "(k_y + 2*k_c)*y + 2*mu0*N_0*phi"
+
+
+@cache
+def _page(name: str) -> pages.PageModel:
+    return pages.read(pages.SHIPPED / f"{name}.py")
+
+
+def _judged(about: str, text: str, name: str = "disc_between_pads") -> verdicts.Row:
+    statement = papers.Statement("s", about, text, is_latex="\\" in text)
+    (row,) = verdicts.check(papers.Paper("", "", NAMES, (statement,)), _page(name)).rows
+    return row
+
+
+@pytest.mark.parametrize(
+    ("about", "text"),
+    [
+        ("motion phi", TILTS),
+        ("gap lower", "gap_lower = y - N_0/k_c"),
+        ("normal upper", "N_upper = N_0 + k_c*y"),
+        ("normal upper, contact of lower alone", "N_upper = 0"),
+        ("normal lower, both", "N_lower = pushing_lower*(N_0 - k_c*y)"),
+        ("equilibrium y", ACROSS),
+        ("equilibrium y, contact of upper alone", "k_y*y + (1 + mu0*phi)*(N_0 + k_c*y)"),
+        ("equilibrium y, lift-off", "y = 0"),
+        ("stiffness 2 1, contact of lower alone", "K_21 = mu0*(N_0 - k_c*(h + 2*y))"),
+        (
+            "threshold flutter",
+            "16*mu0**2*N_0*(h*k_c - N_0) = m*J*((k_y + 2*k_c)/m - k_t/J)**2",
+        ),
+    ],
+)
+def test_what_is_derived_of_two_faces_by_hand_is_confirmed(about: str, text: str) -> None:
+    assert _judged(about, text).status == "confirmed"
+
+
+def test_a_friction_that_holds_slides_in_accelerations() -> None:
+    """Of two blocks, whose frictions are dry: forces over masses, with μ N of each."""
+    right = "ax_2 = (mu_second*N_2 - k_2*x_2 + k_12*(x_1 - x_2))/m_2"
+    assert _judged("acceleration x_2", right, "two_blocks").status == "confirmed"
+    wrong = _judged("acceleration x_2", right.replace("mu_second", "mu_first"), "two_blocks")
+    assert (wrong.status, wrong.edits[0]["new"]) == ("misprint", "mu_second")
+
+
+@pytest.mark.parametrize(
+    ("about", "right", "wrong", "new"),
+    [
+        ("motion phi", TILTS, (r"\mu_l N_l", r"\mu_u N_l"), "mu_lower"),
+        ("motion phi", TILTS, ("N_u - (", "N_u + ("), "-"),
+        (
+            "normal lower, both",
+            "N_lower = pushing_lower*(N_0 - k_c*y)",
+            ("pushing_lower", "pushing_upper"),
+            "pushing_lower",
+        ),
+        ("equilibrium y", ACROSS, ("2*k_c", "k_c"), "2*k_c"),
+    ],
+)
+def test_a_planted_fault_is_a_misprint(
+    about: str, right: str, wrong: tuple[str, str], new: str
+) -> None:
+    """One edit, and it is the planted one; where both touch is not where one does."""
+    before, after = wrong
+    row = _judged(about, right.replace(before, after))
+    assert (row.status, len(row.edits)) == ("misprint", 1), row.evidence
+    assert new in str(row.edits[0]["new"])
+
+
+def test_a_force_of_one_face_is_none_where_the_other_touches() -> None:
+    said = _judged("equilibrium y, contact of upper alone", ACROSS)
+    assert said.status not in ("confirmed", "definition")
+
+
+@pytest.mark.parametrize(
+    ("about", "name", "says"),
+    [
+        ("normal left", "disc_between_pads", "no contact of the page; name upper, lower"),
+        ("normal", "disc_between_pads", "no contact of the page; name upper, lower"),
+        ("normal upper", "kang_nam", "name the only one"),
+        ("motion y, contact of both", "disc_between_pads", "contact of upper alone"),
+        ("gap first", "two_blocks", "has no gap"),
+        ("pushing first", "two_blocks", "can't open"),
+        ("motion x_1, lift-off", "two_blocks", "no side of the contacts"),
+        ("equilibrium x", "forced_oscillator", "nothing rests"),
+    ],
+)
+def test_an_object_that_the_page_lacks_is_refused_with_the_remedy(
+    about: str, name: str, says: str
+) -> None:
+    row = _judged(about, "0 = 0", name)
+    assert row.status == "unread"
+    assert says in row.evidence

@@ -88,8 +88,9 @@ def _algebra(model: PageModel, header: str, shared: Shared | None) -> str:
     )
     sections: list[str] = []
     borrowed: dict[str, list[str]] = {}
-    # The kinked field is for other languages, which are printed from the first model's text.
-    unread = {"rhs"} if shared else set()
+    # For other languages, which are printed from the first model's text: the kinked field, and the
+    # energy as one sum.
+    unread = {"rhs", "energy"} if shared else set()
     first: list[Function] = []
     for part in parts:
         own = []

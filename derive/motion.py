@@ -837,6 +837,14 @@ def _stored(motion: Motion, moving: Symbols) -> tuple[Function, ...]:
             "energy",
             shorthands,
         ),
+        of_page(
+            "energy_besides_strain",
+            "What the energy has besides strain_energy: of the rates, and of the applied forces.",
+            moving,
+            model.kinetic - motion.work,
+            "energy",
+            shorthands,
+        ),
     )
 
 

@@ -29,8 +29,8 @@ GALLERY = {
     "stick_slip": ("hopf", "V", "zeta", {"V": (0.01, 1.5), "zeta": (0.0, 2.0)}),
 }
 
-#: Models whose one equilibrium never changes.
-NEVER_CHANGES = ("coulomb_stick_slip", "two_blocks")
+#: Models whose one equilibrium meets no other.
+ALONE = ("coulomb_stick_slip", "pad_on_legs", "two_blocks")
 
 
 def undrawn() -> list[str]:
@@ -38,7 +38,7 @@ def undrawn() -> list[str]:
     return [
         name
         for name in shipped()
-        if name in NEVER_CHANGES
+        if name in ALONE
         or any(map(ss.load(name).refusal, ("bifurcation_set", "onset_curves")))
     ]
 

@@ -145,7 +145,7 @@ def leg_that_lifts(model: Any, rng: np.random.Generator) -> Pair:
     found, known = [], []
     for torsion, kind in ((k_t, "passes"), (0.0, "border_fold")):
         lifts = (2 + torsion) / (2 * h)
-        p = model.Parameters(mu0=None, k_t=torsion, h=h)
+        p = model.Parameters(mu0=None, tau=torsion, eta=h)
         at = ss.folds(p, vary="mu0", between={"mu0": (0.5 * lifts, 1.2 * lifts)})
         rear = (at.kind == kind) & (at["at_border"] == "rear")
         found += [*at["mu0"][rear], *at["y"][rear]]
@@ -324,8 +324,8 @@ MODELS: dict[str, tuple[Callable[[Any, np.random.Generator], Pair], str, float]]
     "blocks_at_rest": (blocks_at_rest, contact_pages.BLOCKS, STATIC),
     "blocks_alike": (blocks_alike, contact_pages.BLOCKS, MOVING),
     "blocks_driven": (blocks_driven, contact_pages.BLOCKS, MOVING),
-    "leg_that_lifts": (leg_that_lifts, page("pad_on_two_legs"), STATIC),
-    "two_legs": (legs, page("pad_on_two_legs"), STATIC),
+    "leg_that_lifts": (leg_that_lifts, shipped_page("pad_on_legs"), STATIC),
+    "two_legs": (legs, contact_pages.PAD, STATIC),
     "three_legs": (legs, contact_pages.THREE, STATIC),
     "legs_and_stop": (legs, contact_pages.FOUR, STATIC),
     "shoes": (shoes, contact_pages.SHOES, STATIC),

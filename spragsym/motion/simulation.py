@@ -578,7 +578,10 @@ class Trajectory(Named):
         >>> tr.energy().shape == tr.t.shape
         True
         """
-        return self.model.algebra.energy(*self.state, *self._arguments(), *self._pushing())
+        algebra, given = self.model.algebra, self._arguments()
+        places = np.split(self.state, 2)[0]
+        strain = algebra.strain_energy(*places, *given, *self._pushing())
+        return strain + algebra.energy_besides_strain(*self.state, *given)
 
     def friction_power(self) -> FloatArray:
         """Rate at which friction changes that energy, at the samples: positive where it drives the

@@ -210,7 +210,10 @@ def test_the_energy_changes_by_the_powers_only(model: Generated) -> None:
         def energy(time: Any) -> Any:
             state = [x + time * speed for x, speed in zip(q, v, strict=True)]
             state += [speed + time * push for speed, push in zip(v, a, strict=True)]
-            return model.algebra.energy(*state, *taken, *[1] * model.contacts, xp=XP)
+            strain = model.algebra.strain_energy(
+                *state[: model.n], *taken, *[1] * model.contacts, xp=XP
+            )
+            return strain + model.algebra.energy_besides_strain(*state, *taken, xp=XP)
 
         rates = model.algebra.border_rates(*q, *[0] * model.n, *v, *taken, xp=XP)
         friction = mp.mpf(0)

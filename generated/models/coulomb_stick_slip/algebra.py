@@ -160,15 +160,16 @@ def grip_slopes(x, vx, mu_s, mu_k, *_, xp=numpy):
     return ((0, -1, 0, 0, 1), (-1, 0, w1, w2, 0), (1, 0, w1, w2, 0))
 
 
-def energy(x, vx, *_):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 5."""
-    return vx*vx/2 + x*x/2
-
-
 def strain_energy(x, *_):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 2."""
     return x*x/2
+
+
+def energy_besides_strain(x, vx, *_):
+    """What the energy has besides strain_energy: of the rates, and of the applied forces. Returns energy. Source: the page.
+    Operations: 2."""
+    return vx*vx/2
 
 
 def friction_force(x, vx, mu_s, mu_k, V, pushing, side):

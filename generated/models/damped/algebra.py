@@ -33,8 +33,8 @@ import numpy
 
 from ..._broadcast import broadcasting
 from ..kang_nam.algebra import (
-    border_rates, contact_gap, forces, forces_apart, forces_by_parameters, forces_jacobian, friction_at_rest, geometry,
-    mass_matrix, mirror, spring_forces, stiffnesses,
+    border_rates, contact_gap, energy_besides_strain, forces, forces_apart, forces_by_parameters, forces_jacobian,
+    friction_at_rest, geometry, mass_matrix, mirror, spring_forces, stiffnesses,
 )
 
 
@@ -195,16 +195,6 @@ def layer_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta
     """How they change along a motion with the given accelerations. Returns rates of (z_1, …). Source: the page. Operations:
     3."""
     return (-ax*d*side,)
-
-
-def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, pushing, *, xp=numpy):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 29."""
-    base0 = cos0 - x
-    base2 = sin0 - y
-    l1 = xp.sqrt(base0*base0 + base2*base2)
-    base8 = l1 - 1
-    w0 = y*y/2
-    return alpha*(x*x)/2 + base8*base8*sigma/2 + beta*w0 + kappa*y + pushing*w0 + vx*vx/2 + vy*vy/2
 
 
 def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, pushing, *, xp=numpy):

@@ -349,14 +349,6 @@ def layer_rates(y, phi, vy, vphi, ay, aphi, mu0, kappa, beta, tau, iota, V, d, s
     return (aphi*w0*(y - 1) + w0*w1 + w0*w2, aphi*w3*(y + 1) + w1*w3 + w2*w3)
 
 
-def energy(y, phi, vy, vphi, mu0, kappa, beta, tau, iota, V, d, pushing_upper, pushing_lower):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 24."""
-    w0 = y*y/2
-    w1 = kappa*y
-    w2 = kappa*kappa/2 + w0
-    return beta*w0 + iota*(vphi*vphi)/2 + phi*phi*tau/2 + pushing_lower*(-w1 + w2) + pushing_upper*(w1 + w2) + vy*vy/2
-
-
 def strain_energy(y, phi, mu0, kappa, beta, tau, iota, V, d, pushing_upper, pushing_lower):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 17."""
@@ -364,6 +356,12 @@ def strain_energy(y, phi, mu0, kappa, beta, tau, iota, V, d, pushing_upper, push
     w1 = kappa*y
     w2 = kappa*kappa/2 + w0
     return beta*w0 + phi*phi*tau/2 + pushing_lower*(-w1 + w2) + pushing_upper*(w1 + w2)
+
+
+def energy_besides_strain(y, phi, vy, vphi, mu0, kappa, beta, tau, iota, *_):
+    """What the energy has besides strain_energy: of the rates, and of the applied forces. Returns energy. Source: the page.
+    Operations: 6."""
+    return iota*(vphi*vphi)/2 + vy*vy/2
 
 
 def friction_force_upper(

@@ -144,9 +144,10 @@ def grip_slopes(x, phase, vx, vphase, mu_s, mu_k, kappa, *_, xp=numpy):
     return ((0, 0, -1, 0, 0, 0, 0, 0), (-1, -w0, 0, 0, w4, w5, w6, 0), (1, w0, 0, 0, w4, w5, w6, 0))
 
 
-def energy(x, phase, vx, *_, xp=numpy):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 8."""
-    return vx*vx/2 - x*xp.cos(phase) + x*x/2
+def energy_besides_strain(x, phase, vx, *_, xp=numpy):
+    """What the energy has besides strain_energy: of the rates, and of the applied forces. Returns energy. Source: the page.
+    Operations: 5."""
+    return vx*vx/2 - x*xp.cos(phase)
 
 
 def friction_force(x, phase, vx, vphase, mu_s, mu_k, kappa, omega, pushing, side, *, xp=numpy):

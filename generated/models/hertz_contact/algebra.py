@@ -30,9 +30,9 @@ import numpy
 
 from ..._broadcast import broadcasting
 from ..kang_nam.algebra import (
-    border_rates, borders, contact_gap, friction_at_rest, friction_at_speed, friction_by_parameters, friction_slope,
-    friction_slope_by_sizes, geometry, layer_rates, layers, mass_matrix, mirror, power_besides_friction, spring_forces,
-    stiffnesses,
+    border_rates, borders, contact_gap, energy_besides_strain, friction_at_rest, friction_at_speed, friction_by_parameters,
+    friction_slope, friction_slope_by_sizes, geometry, layer_rates, layers, mass_matrix, mirror, power_besides_friction,
+    spring_forces, stiffnesses,
 )
 
 
@@ -165,21 +165,6 @@ def regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, bet
     return (
         (sigma*(s1*s1*w6 - sin0 + w7*w8), side*w11*(1 - w10), 0, -x, -c1 + cos0 - x, 0, d*w13, w13*w9),
         (sigma*(-c1*c1*w7 + cos0 - w6*w8), 0, -1, 0, -s1 + sin0 - y, -y, 0, 0),
-    )
-
-
-def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 40."""
-    base0 = 1 - pushing
-    _depth = base0*base0/1099511627776 - pushing*y
-    base2 = cos0 - x
-    base4 = sin0 - y
-    l1 = xp.sqrt(base2*base2 + base4*base4)
-    base10 = l1 - 1
-    root12 = xp.sqrt(_depth)
-    return (
-        2*(_depth*_depth)*pushing*root12/5 + alpha*(x*x)/2 + base10*base10*sigma/2 + beta*(y*y)/2 + kappa*y + vx*vx/2 +
-        vy*vy/2
     )
 
 

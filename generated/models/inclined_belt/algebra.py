@@ -197,19 +197,6 @@ def layer_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta
     return (-ax*d*side,)
 
 
-def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma_g, cos_psi, sin_psi, V, d, pushing, *, xp=numpy):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 35."""
-    base0 = cos0 - x
-    base2 = sin0 - y
-    l1 = xp.sqrt(base0*base0 + base2*base2)
-    base8 = l1 - 1
-    w0 = y*y/2
-    return (
-        alpha*(x*x)/2 + base8*base8*sigma/2 + beta*w0 + cos_psi*gamma_g*y + gamma_g*sin_psi*x + kappa*y + pushing*w0 + vx*vx/2
-        + vy*vy/2
-    )
-
-
 def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma_g, cos_psi, sin_psi, V, d, pushing, *, xp=numpy):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 21."""
@@ -219,6 +206,12 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma_g, cos
     base6 = l1 - 1
     w0 = y*y/2
     return alpha*(x*x)/2 + base6*base6*sigma/2 + beta*w0 + pushing*w0
+
+
+def energy_besides_strain(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma_g, cos_psi, sin_psi, *_):
+    """What the energy has besides strain_energy: of the rates, and of the applied forces. Returns energy. Source: the page.
+    Operations: 13."""
+    return cos_psi*gamma_g*y + gamma_g*sin_psi*x + kappa*y + vx*vx/2 + vy*vy/2
 
 
 def friction_force(

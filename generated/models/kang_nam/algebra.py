@@ -264,6 +264,12 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushin
     return alpha*(x*x)/2 + base6*base6*sigma/2 + beta*w0 + pushing*w0
 
 
+def energy_besides_strain(x, y, vx, vy, cos0, sin0, mu0, kappa, *_):
+    """What the energy has besides strain_energy: of the rates, and of the applied forces. Returns energy. Source: the page.
+    Operations: 7."""
+    return kappa*y + vx*vx/2 + vy*vy/2
+
+
 def friction_force(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 11."""
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)

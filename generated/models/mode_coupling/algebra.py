@@ -153,15 +153,6 @@ def layer_rates(x, y, vx, vy, ax, ay, mu0, alpha, sigma, beta, V, d, side):
     return (-ax*d*side,)
 
 
-def energy(x, y, vx, vy, mu0, alpha, sigma, beta, *_):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 24."""
-    y_2 = y*y
-    w0 = y_2/2
-    w1 = sigma/4
-    x_2 = x*x
-    return alpha*x_2/2 + beta*w0 - sigma*x*y/2 + vx*vx/2 + vy*vy/2 + w0 + w1*x_2 + w1*y_2 + y
-
-
 def strain_energy(x, y, mu0, alpha, sigma, beta, *_):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 17."""
@@ -170,6 +161,12 @@ def strain_energy(x, y, mu0, alpha, sigma, beta, *_):
     w1 = sigma/4
     x_2 = x*x
     return alpha*x_2/2 + beta*w0 - sigma*x*y/2 + w0 + w1*x_2 + w1*y_2
+
+
+def energy_besides_strain(x, y, vx, vy, *_):
+    """What the energy has besides strain_energy: of the rates, and of the applied forces. Returns energy. Source: the page.
+    Operations: 6."""
+    return vx*vx/2 + vy*vy/2 + y
 
 
 def friction_force(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):

@@ -280,23 +280,6 @@ def layer_rates(
     return (-ax*d*side,)
 
 
-def energy(
-    x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing,
-    *, xp=numpy,
-):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 51."""
-    base0 = cos0 - x
-    base2 = sin0 - y
-    l1 = xp.sqrt(base0*base0 + base2*base2)
-    base11 = l1 - 1
-    w0 = y*y/2
-    w1 = w*w/2
-    return (
-        alpha*(x*x)/2 + base11*base11*sigma/2 + kappa*z + nu_w*(vw*vw)/2 + nu_z*(vz*vz)/2 + pushing*(-w*y + w0 + w1) +
-        sigma_p*w0 - sigma_p*y*z + sigma_p*(z*z)/2 + sigma_w*w1 + vx*vx/2 + vy*vy/2
-    )
-
-
 def strain_energy(
     x, y, w, z, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing, *, xp=numpy,
 ):
@@ -312,6 +295,12 @@ def strain_energy(
         alpha*(x*x)/2 + base7*base7*sigma/2 + pushing*(-w*y + w0 + w1) + sigma_p*w0 - sigma_p*y*z + sigma_p*(z*z)/2 +
         sigma_w*w1
     )
+
+
+def energy_besides_strain(x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, *_):
+    """What the energy has besides strain_energy: of the rates, and of the applied forces. Returns energy. Source: the page.
+    Operations: 15."""
+    return kappa*z + nu_w*(vw*vw)/2 + nu_z*(vz*vz)/2 + vx*vx/2 + vy*vy/2
 
 
 def friction_force(

@@ -324,21 +324,6 @@ def turning_rates(phi, vphi, aphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zet
     return (vphi*(-c1*w1*w6*(w4*(cos_psi*sin0 - w3) + w5) + s1*w1*w6*(cos_psi*sin0 - w3 - w4*w5)),)
 
 
-def energy(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, *, xp=numpy):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 37."""
-    w0 = xp.sin(phi)
-    w2 = xp.cos(phi)
-    w2_2 = w2*w2
-    l1 = xp.sqrt(w0*w0 + w2_2)
-    w1 = 1/l1
-    c1 = w0*w1
-    s1 = w1*w2
-    w3 = cos0*cos_psi + sin0*sin_psi
-    w4 = -cos0*sin_psi + cos_psi*sin0
-    phi1 = xp.atan2(-c1*w3 + s1*w4, c1*w4 + s1*w3)
-    return kappa*(phi1*phi1)/2 + pushing*(-cos0*w2 + cos0*cos0/2 + w2_2/2) + vphi*vphi/6
-
-
 def strain_energy(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, *, xp=numpy):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 34."""
@@ -353,6 +338,12 @@ def strain_energy(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pus
     w4 = -cos0*sin_psi + cos_psi*sin0
     phi1 = xp.atan2(-c1*w3 + s1*w4, c1*w4 + s1*w3)
     return kappa*(phi1*phi1)/2 + pushing*(-cos0*w2 + cos0*cos0/2 + w2_2/2)
+
+
+def energy_besides_strain(phi, vphi, *_):
+    """What the energy has besides strain_energy: of the rates, and of the applied forces. Returns energy. Source: the page.
+    Operations: 2."""
+    return vphi*vphi/6
 
 
 def friction_force(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, side, near1, *, xp=numpy):

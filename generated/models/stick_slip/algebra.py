@@ -19,8 +19,8 @@ from ..coulomb.algebra import (
     layer_rates, layers,
 )
 from ..coulomb_stick_slip.algebra import (
-    border_rates, contact_force, contact_gap, energy, forces, forces_by_parameters, forces_jacobian, geometry, mass_matrix,
-    mirror, spring_forces, stiffnesses, strain_energy,
+    border_rates, contact_force, contact_gap, energy_besides_strain, forces, forces_by_parameters, forces_jacobian,
+    geometry, mass_matrix, mirror, spring_forces, stiffnesses, strain_energy,
 )
 
 

@@ -214,16 +214,6 @@ def layer_rates(x, y, vx, vy, ax, ay, cos0, sin0, kappa, alpha, sigma, beta, mu_
     return (-d*w0, -w0/v_s)
 
 
-def energy(x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, V, d, pushing, *, xp=numpy):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 29."""
-    base0 = cos0 - x
-    base2 = sin0 - y
-    l1 = xp.sqrt(base0*base0 + base2*base2)
-    base8 = l1 - 1
-    w0 = y*y/2
-    return alpha*(x*x)/2 + base8*base8*sigma/2 + beta*w0 + kappa*y + pushing*w0 + vx*vx/2 + vy*vy/2
-
-
 def strain_energy(x, y, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, V, d, pushing, *, xp=numpy):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 21."""
@@ -233,6 +223,12 @@ def strain_energy(x, y, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, 
     base6 = l1 - 1
     w0 = y*y/2
     return alpha*(x*x)/2 + base6*base6*sigma/2 + beta*w0 + pushing*w0
+
+
+def energy_besides_strain(x, y, vx, vy, cos0, sin0, kappa, *_):
+    """What the energy has besides strain_energy: of the rates, and of the applied forces. Returns energy. Source: the page.
+    Operations: 7."""
+    return kappa*y + vx*vx/2 + vy*vy/2
 
 
 def friction_force(

@@ -267,19 +267,6 @@ def layer_rates(x, y, x_a, vx, vy, vx_a, ax, ay, ax_a, cos0, sin0, mu0, kappa, a
     return (-ax*d*side,)
 
 
-def energy(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing, *, xp=numpy):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 38."""
-    base0 = sin0 - y
-    base2 = cos0 - x + x_a
-    l1 = xp.sqrt(base0*base0 + base2*base2)
-    base10 = l1 - 1
-    w0 = y*y/2
-    return (
-        alpha*(x*x)/2 + alpha_a*(x_a*x_a)/2 + base10*base10*sigma/2 + beta*w0 + kappa*y + nu_a*(vx_a*vx_a)/2 + pushing*w0 +
-        vx*vx/2 + vy*vy/2
-    )
-
-
 def strain_energy(x, y, x_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing, *, xp=numpy):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 26."""
@@ -289,6 +276,12 @@ def strain_energy(x, y, x_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a
     base7 = l1 - 1
     w0 = y*y/2
     return alpha*(x*x)/2 + alpha_a*(x_a*x_a)/2 + base7*base7*sigma/2 + beta*w0 + pushing*w0
+
+
+def energy_besides_strain(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, *_):
+    """What the energy has besides strain_energy: of the rates, and of the applied forces. Returns energy. Source: the page.
+    Operations: 11."""
+    return kappa*y + nu_a*(vx_a*vx_a)/2 + vx*vx/2 + vy*vy/2
 
 
 def friction_force(

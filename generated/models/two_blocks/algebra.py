@@ -286,19 +286,18 @@ def grip_slopes(
     )
 
 
-def energy(x_1, x_2, vx_1, vx_2, mu_s, gamma, nu, beta, sigma, *_):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 20."""
-    w0 = x_1*x_1/2
-    w1 = x_2*x_2/2
-    return beta*w1 + nu*(vx_2*vx_2)/2 + sigma*w0 + sigma*w1 - sigma*x_1*x_2 + vx_1*vx_1/2 + w0
-
-
 def strain_energy(x_1, x_2, mu_s, gamma, nu, beta, sigma, *_):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 13."""
     w0 = x_1*x_1/2
     w1 = x_2*x_2/2
     return beta*w1 + sigma*w0 + sigma*w1 - sigma*x_1*x_2 + w0
+
+
+def energy_besides_strain(x_1, x_2, vx_1, vx_2, mu_s, gamma, nu, *_):
+    """What the energy has besides strain_energy: of the rates, and of the applied forces. Returns energy. Source: the page.
+    Operations: 6."""
+    return nu*(vx_2*vx_2)/2 + vx_1*vx_1/2
 
 
 def friction_force_first(

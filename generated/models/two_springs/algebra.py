@@ -40,7 +40,7 @@ from ..damped.algebra import (
     friction_by_parameters,
 )
 from ..kang_nam.algebra import (
-    border_rates, contact_gap, friction_at_rest, mass_matrix, mirror, power_besides_friction,
+    border_rates, contact_gap, energy_besides_strain, friction_at_rest, mass_matrix, mirror, power_besides_friction,
 )
 
 
@@ -279,24 +279,6 @@ def layer_rates(
     """How they change along a motion with the given accelerations. Returns rates of (z_1, …). Source: the page. Operations:
     3."""
     return (-ax*d*side,)
-
-
-def energy(
-    x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, *, xp=numpy,
-):
-    """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 43."""
-    base0 = cos0 - x
-    base2 = sin0 - y
-    l1 = xp.sqrt(base0*base0 + base2*base2)
-    base4 = cos0_2*lambda_2 - x
-    base6 = lambda_2*sin0_2 - y
-    l2 = xp.sqrt(base4*base4 + base6*base6)
-    base12 = l2 - lambda_2
-    base14 = l1 - 1
-    w2 = y*y/2
-    return (
-        alpha*(x*x)/2 + base12*base12*sigma_2/2 + base14*base14*sigma/2 + beta*w2 + kappa*y + pushing*w2 + vx*vx/2 + vy*vy/2
-    )
 
 
 def strain_energy(

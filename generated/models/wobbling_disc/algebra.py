@@ -196,17 +196,6 @@ def border_rates(*_):
     return (0, 0)
 
 
-def energy(a, b, va, vb, mu0, Omega, phi, eta, kappa, nu, *_, xp=numpy):
-    """Jacobi's integral: the part of the kinetic energy quadratic in the rates, less that without rates, and stored energy,
-    applied forces and contact included. Returns energy. Source: the page. Operations: 31."""
-    nu_2 = nu*nu
-    a_2 = a*a
-    w0 = a_2/2
-    w1 = a*b*eta*kappa*mu0/2
-    w2 = a_2*(kappa*kappa)/nu_2 + 1
-    return b*b/2 + kappa*w0 + va*va/2 + vb*vb/2 + w0 - w1 - w1/w2 + nu_2*xp.log(w2)/(2*kappa)
-
-
 def strain_energy(a, b, mu0, Omega, phi, eta, kappa, nu, *_, xp=numpy):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 17."""
@@ -214,6 +203,13 @@ def strain_energy(a, b, mu0, Omega, phi, eta, kappa, nu, *_, xp=numpy):
     nu_2 = nu*nu
     w0 = a_2/2
     return b*b/2 + kappa*w0 + w0 + nu_2*xp.log(a_2*(kappa*kappa)/nu_2 + 1)/(2*kappa)
+
+
+def energy_besides_strain(a, b, va, vb, mu0, Omega, phi, eta, kappa, nu, *_):
+    """What the energy has besides strain_energy: of the rates, and of the applied forces. Returns energy. Source: the page.
+    Operations: 19."""
+    w0 = a*b*eta*kappa*mu0/2
+    return va*va/2 + vb*vb/2 - w0 - w0/(a*a*(kappa*kappa)/(nu*nu) + 1)
 
 
 def friction_force(*_):

@@ -38,8 +38,7 @@ def undrawn() -> list[str]:
     return [
         name
         for name in shipped()
-        if name in ALONE
-        or any(map(ss.load(name).refusal, ("bifurcation_set", "onset_curves")))
+        if name in ALONE or any(map(ss.load(name).refusal, ("bifurcation_set", "onset_curves")))
     ]
 
 

@@ -21,7 +21,7 @@ from ..core.errors import ConvergenceError, ParameterError, SpragsymError
 from ..core.progress import show_progress
 from ..core.remarks import At, Remark
 from ..core.type_variables import T
-from ..design.jumps import first_limit_points, require_known
+from ..design.jumps import first_limit_points, require_known, verb_of
 from ..display import columns_of_class, own_name
 from ..models.parameters import INSIDE
 from ..results.equilibria import Equilibria
@@ -281,9 +281,11 @@ def critical(case: Case, near: tuple[str, ...]) -> object:
             low, high = jump["searched"]
             where = f"from {low:g} to {high:g}" if math.isfinite(high - low) else jump["way"]
             never = "it has jumped already" if jumped else "never"
+            verb = verb_of(jump["kind"]).does
+            first = "at the first jump" if verb == "jumps" else f"where it {verb}"
             rows.append(
                 {
-                    "": f"{along.title} at the first jump, {where}",
+                    "": f"{along.title} {first}, {where}",
                     "value": _or(jump[along.title], never),
                 }
             )

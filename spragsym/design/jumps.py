@@ -7,7 +7,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -584,6 +584,23 @@ class Ends:
         """What the state of a point ends at, if it does."""
         end = self.others.get(position)
         return "fold" if end is None else end.kind
+
+
+class EndVerb(NamedTuple):
+    """What a state does where it ends, in three forms of the verb."""
+
+    does: str
+    do: str
+    has_done: str
+
+
+def verb_of(kind: str | None) -> EndVerb:
+    """The verb of a ``kind`` of :class:`ModelEnd`; of a fold, and of no end at all, to jump."""
+    if kind == "border":
+        return EndVerb("leaves the contact", "leave the contact", "has left the contact")
+    if kind == "infinity":
+        return EndVerb("runs to infinity", "run to infinity", "has run to infinity")
+    return EndVerb("jumps", "jump", "has jumped")
 
 
 def require_known(found: Ends) -> Ends:

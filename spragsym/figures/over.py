@@ -7,6 +7,7 @@ from itertools import pairwise
 import numpy as np
 from matplotlib.figure import Figure
 
+from ..design.jumps import verb_of
 from ..report.over import OUTCOMES, Verdicts
 
 
@@ -21,13 +22,12 @@ def verdict_figure(found: Verdicts) -> Figure:
     none = bool(np.isnan(jumps).all())  # it never jumps: there is nothing but the state to show
     panels = figure.subplots(1 if several or none else 2, sharex=True, squeeze=False)[:, 0]
     # Of each outcome, from the worst on.
-    colours = dict(
-        zip(
-            OUTCOMES.values(),
-            ("#D55E00", "#E69F00", "#CC79A7", "#0072B2", "#56B4E9", "#999999"),
-            strict=True,
-        )
-    )
+    scale = ("#D55E00", "#E69F00", "#CC79A7", "#0072B2", "#56B4E9", "#999999")
+    colours = {
+        outcome.format(verb_of(kind)): colour
+        for outcome, colour in zip(OUTCOMES.values(), scale, strict=True)
+        for kind in ("fold", "border", "infinity")
+    }
     for row, ax in enumerate(panels):
         values = np.array(columns[1 + row], dtype=float)
         if none:

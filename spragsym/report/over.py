@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from ..core.errors import ParameterError, SpragsymError, hint
 from ..core.progress import doing
+from ..design.jumps import verb_of
 from ..models.parameters import FloatArray
 from ..models.quantities import factor
 from ..statics.equilibria import equilibria
@@ -18,13 +19,14 @@ from .facts import percent_beyond, reach_of, speed_of_jump
 from .states import current, states
 from .units import Measured
 
-#: What is said of a point by the friction of its jump, see :attr:`Facts.reach`.
+#: What is said of a point by where its state ends, see :attr:`Facts.reach`, in the words of an
+#: :class:`~spragsym.design.jumps.EndVerb`.
 OUTCOMES = {
-    "jumped": "has jumped",
-    "within": "jumps within the tolerances",
-    "faster": "jumps at higher speed",
-    "beyond": "does not jump",
-    "never": "never jumps",
+    "jumped": "{0.has_done}",
+    "within": "{0.does} within the tolerances",
+    "faster": "{0.does} at higher speed",
+    "beyond": "does not {0.do}",
+    "never": "never {0.does}",
     "": "unsettled",
 }
 
@@ -40,7 +42,7 @@ class Verdicts:
     rows : tuple of tuple
         One for each point: quantities in the units of the file; the loading parameter at the jump
         in its own, NaN where there is none; the margin to its largest value in percent; the
-        outcome, one of :data:`OUTCOMES`; and whether small disturbances die out.
+        outcome in words; and whether small disturbances die out.
     reason : str
         Why the first unsettled point is that; empty where there is none.
     """
@@ -129,7 +131,7 @@ def _verdict_of(study: Brake, values: Mapping[str, float]) -> tuple[tuple[float 
         return (math.nan, math.nan, OUTCOMES[""], ""), str(error).partition(";")[0]
     here = next((state.stability for state in found if state.current), "")
     shown = jump if at.of_friction else at.in_file(at.loading.quantity, jump)
-    outcome = OUTCOMES[reach_of(at, jump, speed_of_jump(at, jump))]
+    outcome = OUTCOMES[reach_of(at, jump, speed_of_jump(at, jump))].format(verb_of(at.ends.kind()))
     return (shown, percent_beyond(jump, at.in_use[2]), outcome, here), ""
 
 

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, TypeAlias
 
 from .._version import __version__
+from ..design.jumps import verb_of
 from ..design.probability import JumpProbability
 from ..models.load import USUAL, WITH_DAMPERS
 from ..statics.stability import NEUTRAL
@@ -101,7 +102,7 @@ def _on_the_jump(report: Facts) -> str:
     if angle is not None and angle in study.quantities and load.quantity != angle:
         state = f"at {study.shown(angle)} {state}"
     digits = _apart(study, jump, (low, high, full))
-    jumps = f"{_ends(report.kind_jump)} at {study.named(jump, digits)}"
+    jumps = f"{verb_of(report.kind_jump).does} at {study.named(jump, digits)}"
     loses = report.kind_jump == "border"
     sprags, does = ("loses its contact", "lose it") if loses else ("sprags", "jump")
     if report.reach in ("never", "beyond"):
@@ -143,12 +144,6 @@ def _on_the_jump(report: Facts) -> str:
         else "within your range of"
     )
     return f"It {sprags}{model}: {state} {jumps}, {where} {load.word} {ends}."
-
-
-def _ends(kind: str) -> str:
-    """What a state does where it ends."""
-    ways = {"border": "leaves the contact", "infinity": "runs to infinity"}
-    return ways.get(kind, "jumps")
 
 
 def _apart(study: Brake, jump: float, ends: Sequence[float]) -> int:
@@ -354,7 +349,7 @@ def _jump(report: Facts) -> Rows:
 
 def _without_jump(kind: str) -> str:
     """Words before the value at which a state ends without a jump."""
-    way = _ends(kind)
+    way = verb_of(kind).does
     return "" if way == "jumps" else f"none: it {way} "
 
 

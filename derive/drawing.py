@@ -234,9 +234,9 @@ def _tied_to_ground(drawing: Drawing, page: Page, coordinate: Coordinate) -> Non
     drawing.line(width, arm + rows[-1])
     ceiling = -118.0
     for part, x in zip(parts, rows, strict=True):
-        place, way = arm + x, -1 if x < 0 else 1
-        beside = complex(place + 14 * way, 0.5 * ceiling + 6)
-        axis = Axis(place, complex(place, ceiling))
+        position, way = arm + x, -1 if x < 0 else 1
+        beside = complex(position + 14 * way, 0.5 * ceiling + 6)
+        axis = Axis(position, complex(position, ceiling))
         _draw(drawing, part, axis, beside, "end" if x < 0 else "start")
     wall(drawing, complex(arm, ceiling), 18.0 + 0.5 * (rows[-1] - rows[0]), -1j)
 
@@ -274,17 +274,17 @@ def _between_ends(drawing: Drawing, page: Page) -> None:
             _angle(drawing, axis)
 
 
-def _anchor(drawing: Drawing, place: complex) -> None:
-    drawing.circle(place, 5.0)
-    wall(drawing, place - 8j, 16.0, -1j)
+def _anchor(drawing: Drawing, point: complex) -> None:
+    drawing.circle(point, 5.0)
+    wall(drawing, point - 8j, 16.0, -1j)
 
 
-def _turning(drawing: Drawing, place: complex, letter: str) -> None:
+def _turning(drawing: Drawing, point: complex, letter: str) -> None:
     """A torsion spring at an anchor: two arcs around it, and its letter."""
     for radius in (11.0, 17.0):
-        arc = (place + cmath.rect(radius, math.radians(10.0 * turn)) for turn in range(17))
+        arc = (point + cmath.rect(radius, math.radians(10.0 * turn)) for turn in range(17))
         drawing.line(*arc, style="ink thin")
-    drawing.name(letter, place + 24 + 12j, anchor="start")
+    drawing.name(letter, point + 24 + 12j, anchor="start")
 
 
 def _side_by_side(drawing: Drawing, axis: Axis, parts: list[Element]) -> None:
@@ -308,17 +308,17 @@ def _angle(drawing: Drawing, axis: Axis) -> None:
     drawing.name("theta", start + cmath.rect(60, -0.4 * angle) + 6j)
 
 
-def _trolley(drawing: Drawing, page: Page, place: complex, coordinate: Coordinate) -> None:
+def _trolley(drawing: Drawing, page: Page, point: complex, coordinate: Coordinate) -> None:
     """An anchor that moves along the belt: a car on a rail, with what ties it to the ground."""
-    drawing.box(place - 24 - 12j, place + 24 + 4j, style="ink body")
+    drawing.box(point - 24 - 12j, point + 24 + 4j, style="ink body")
     for wheel in (-14, 14):
-        drawing.circle(place + wheel - 17j, 5.0)
-    drawing.line(place - 60 - 23j, place + 70 - 23j)
-    arrow(drawing, place + 34 - 4j, place + 70 - 4j)
-    drawing.name(str(coordinate.symbol), place + 76 + 2j, anchor="start")
+        drawing.circle(point + wheel - 17j, 5.0)
+    drawing.line(point - 60 - 23j, point + 70 - 23j)
+    arrow(drawing, point + 34 - 4j, point + 70 - 4j)
+    drawing.name(str(coordinate.symbol), point + 76 + 2j, anchor="start")
     for part in _along(page, coordinate):
-        end = place - 150 - 4j
-        _draw(drawing, part, Axis(end, place - 24 - 4j), place - 87 + 24j)
+        end = point - 150 - 4j
+        _draw(drawing, part, Axis(end, point - 24 - 4j), point - 87 + 24j)
         wall(drawing, end, 18.0, -1)
 
 

@@ -216,17 +216,23 @@ def _motion(
     return targets.MotionMaterial(
         time=time,
         states=(
-            *(variable(str(place.symbol), place.meaning, place.unit) for place in places),
+            *(
+                variable(str(coordinate.symbol), coordinate.meaning, coordinate.unit)
+                for coordinate in places
+            ),
             *(
                 replace(
-                    variable(str(place.rate), f"rate of {place.symbol}", place.unit, 1),
+                    variable(
+                        str(coordinate.rate), f"rate of {coordinate.symbol}", coordinate.unit, 1
+                    ),
                     reset=any(level.has(rate) for level in held),
                 )
-                for place, rate in zip(places, it.rates, strict=True)
+                for coordinate, rate in zip(places, it.rates, strict=True)
             ),
         ),
         accelerations=tuple(
-            variable("", f"acceleration of {place.symbol}", place.unit, 2) for place in places
+            variable("", f"acceleration of {coordinate.symbol}", coordinate.unit, 2)
+            for coordinate in places
         ),
         given=tuple(map(given, (*it.parameters, *measures))),
         step=float(f"{0.1 * time.nominal:.0e}"),
@@ -252,14 +258,14 @@ def _of_contact(name: str, outputs: Mapping[str, tuple[str, str, int]]) -> tuple
 def _edges(it: Mechanics) -> tuple[targets.Edge, ...]:
     """Borders of all contacts, and then of all frictions."""
     found = list[targets.Edge]()
-    for place, contact in enumerate(it.contacts):
+    for index, contact in enumerate(it.contacts):
         kinds = ["gap"] * contact.unilateral + ["face"] * contact.either_face
-        found += [targets.Edge(kind, place, contact.name) for kind in kinds]
+        found += [targets.Edge(kind, index, contact.name) for kind in kinds]
     holding = [friction for friction in it.frictions if friction.holds is not None]
-    for place, friction in enumerate(it.frictions, len(it.contacts)):
+    for index, friction in enumerate(it.frictions, len(it.contacts)):
         row = holding.index(friction) if friction in holding else -1
         kinds = ["slip"] * (friction.along is not None) + ["ahead", "behind"] * (row >= 0)
-        found += [targets.Edge(kind, place, friction.normal.name, row) for kind in kinds]
+        found += [targets.Edge(kind, index, friction.normal.name, row) for kind in kinds]
     return tuple(found)
 
 

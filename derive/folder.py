@@ -174,11 +174,11 @@ def _sides(contact: NormalForce) -> str:
     return f"1 in contact, 0 in lift-off{on(contact)}"
 
 
-def _comes_around(model: Mechanics, place: int, turns: Mapping[int, int]) -> dict[str, Any]:
+def _comes_around(model: Mechanics, index: int, turns: Mapping[int, int]) -> dict[str, Any]:
     """That an angle makes a turn after which all is as before: alone, or with the turns of others,
     by their names.
     """
-    others = {str(model.coordinates[k]): count for k, count in turns.items() if k != place}
+    others = {str(model.coordinates[k]): count for k, count in turns.items() if k != index}
     return {"comes_around": others or True} if turns else {}
 
 
@@ -292,12 +292,12 @@ def description(model: PageModel) -> dict[str, Any]:
     }
 
 
-def _ties(it: Mechanics, place: int) -> list[str]:
+def _ties(it: Mechanics, index: int) -> list[str]:
     """Stiffnesses of the springs that tie a coordinate to the ground: parameters, or ``"1"`` for
     what is a unit of the model.
     """
     names = {str(datum.symbol): datum.becomes for datum in it.parameters}
-    ties = (spring for spring in it.page.springs if str(spring.along) == str(it.coordinates[place]))
+    ties = (spring for spring in it.page.springs if str(spring.along) == str(it.coordinates[index]))
     return [
         names.get(name, "1")
         for spring in ties

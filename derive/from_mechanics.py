@@ -126,7 +126,7 @@ class _MethodReader:
                 "of each of these"
             )
         self.places = [page.coordinate(q.func.__name__, *coordinates[q]) for q in method.q]
-        self.rates = [page.rate(place) for place in self.places]
+        self.rates = [page.rate(coordinate) for coordinate in self.places]
         by_speeds = [rate - value for rate, value in method.kindiffdict().items()] if kane else []
         self.names = [
             sp.solve(by_speeds, [*method.u], dict=True)[0] if kane else {},
@@ -228,10 +228,10 @@ class _MethodReader:
             *self.rates,
             *(entry.symbol for entry in (*self.page.units, *self.page.parameters)),
         }
-        for place, force in zip(self.places, forces, strict=True):
+        for coordinate, force in zip(self.places, forces, strict=True):
             if unknown := sorted(map(str, force.free_symbols - known)):
                 raise self.refused(
-                    f"the force along {place} holds {', '.join(unknown)} beside contact and "
+                    f"the force along {coordinate} holds {', '.join(unknown)} beside contact and "
                     "friction, which act along the slope of the "
                     "gap and of the displacement; give contact=(N, gap, law) and "
                     "friction=(mu, along, belt, law) as the loads have them"
@@ -242,11 +242,12 @@ class _MethodReader:
         """A force that is the same on both sides of a place, as along a pathway of length |x|,
         without their signs.
         """
-        for place in self.places:
-            if any(one.has(place) for one in force.atoms(sp.sign, sp.Abs)):
+        for coordinate in self.places:
+            if any(one.has(coordinate) for one in force.atoms(sp.sign, sp.Abs)):
                 far = sp.Dummy(positive=True)
                 one, other = (
-                    force.subs(place, side * far).subs(far, side * place) for side in (1, -1)
+                    force.subs(coordinate, side * far).subs(far, side * coordinate)
+                    for side in (1, -1)
                 )
                 force = one if self.expanded(one - other) == 0 else force
         return force
@@ -291,7 +292,9 @@ class _MethodReader:
             )
             raise self.refused(f"the loads hold {jumps[0]}: {words}")
         return by_side.subs(side, 0), {
-            "along": sum(slope * place for slope, place in zip(slopes, self.places, strict=True)),
+            "along": sum(
+                slope * coordinate for slope, coordinate in zip(slopes, self.places, strict=True)
+            ),
             "belt": belt,
             "slip": lambda v: law.subs(speed, v) * sgn(v),
             "holds": law.subs(speed, 0),
@@ -328,13 +331,15 @@ class _MethodReader:
             # moves.
             parts.sort(
                 key=lambda part: next(
-                    (row for row, place in enumerate(self.places) if part.has(place)),
+                    (row for row, coordinate in enumerate(self.places) if part.has(coordinate)),
                     len(self.places),
                 )
             )
             ends = []
             for part in parts:
-                slopes = {sp.diff(part, place): place for place in reversed(self.places)}
+                slopes = {
+                    sp.diff(part, coordinate): coordinate for coordinate in reversed(self.places)
+                }
                 falling = part if -1 in slopes or 1 not in slopes else -part
                 start = slopes.get(-1, slopes.get(1, sp.S.Zero))
                 ends.append((start, sp.expand(falling + start)))
@@ -395,22 +400,22 @@ class _MethodReader:
             self.page.spring(stiffness, *ends, length=product / stiffness)
             forces = left[stiffness]
         potential = sp.S.Zero
-        for place, force in zip(self.places, forces, strict=True):
+        for coordinate, force in zip(self.places, forces, strict=True):
             potential -= sp.expand(
-                sp.integrate(sp.expand(force + sp.diff(potential, place)), place)
+                sp.integrate(sp.expand(force + sp.diff(potential, coordinate)), coordinate)
             )
-        for place, force in zip(
+        for coordinate, force in zip(
             self.places, (forces + self.gradient(potential)).applyfunc(sp.expand), strict=True
         ):
-            pull, square = (potential.coeff(place, power) for power in (1, 2))
+            pull, square = (potential.coeff(coordinate, power) for power in (1, 2))
             pull, square = (
                 sp.S.Zero if part.has(*self.places) else part for part in (pull, square)
             )
             if force != pull:
-                self.page.force(force - pull, along=place)
+                self.page.force(force - pull, along=coordinate)
             if square != 0:
-                self.page.spring(2 * square, along=place)
-            potential -= pull * place + sp.expand(square * place**2)
+                self.page.spring(2 * square, along=coordinate)
+            potential -= pull * coordinate + sp.expand(square * coordinate**2)
         if potential != 0:
             self.page.potential(potential)
 

@@ -76,8 +76,8 @@ class PageError(ArithmeticError):
         message = re.sub(
             r"(?<!['\w])_(?=[a-z])", "", message
         )  # names of generated code's own, as the page's laws have them
-        place = ", ".join(part for part in (page, f"line {line}" if line else "") if part)
-        super().__init__(f"{place}: {message}" if place else message)
+        where = ", ".join(part for part in (page, f"line {line}" if line else "") if part)
+        super().__init__(f"{where}: {message}" if where else message)
         self.line, self.message = line, message
 
     def of(self, page: str) -> PageError:
@@ -458,8 +458,8 @@ class Page:
             raise refused(
                 f"at = {at} is no point of the plane; give its two coordinates, as at=(x, y)"
             )
-        place = (_along(along),) if at is None else tuple(map(expression_of, at))
-        self.forces.append(Force(tuple(map(expression_of, components)), place, _line()))
+        point = (_along(along),) if at is None else tuple(map(expression_of, at))
+        self.forces.append(Force(tuple(map(expression_of, components)), point, _line()))
 
     # ---------------------------------------------------------------------------------------------
     # laws

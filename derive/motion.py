@@ -76,11 +76,11 @@ class Motion:
             ]
         )
 
-    def _coupled(self, place: int) -> list[int]:
+    def _coupled(self, index: int) -> list[int]:
         """The frictions that hold whose forces a constraint depends on: its own, and those that the
         mobility couples with it, one after another.
         """
-        found = [place]
+        found = [index]
         for row in found:
             coupled = (i for i, entry in enumerate(self.mobility.row(row)) if entry != 0)
             found += [i for i in coupled if i not in found]

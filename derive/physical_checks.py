@@ -191,7 +191,8 @@ def _check_inertia(model: Mechanics) -> None:
         {q: sp.Rational(3 + i, 7) for i, q in enumerate(model.coordinates)},
     ]
     minors = [
-        [M[:size, :size].subs(place).det() for size in range(1, M.rows + 1)] for place in places
+        [M[:size, :size].subs(position).det() for size in range(1, M.rows + 1)]
+        for position in places
     ]
     known = [[sp.N(minor) for minor in row if minor.is_number] for row in minors]
     if any(minor < 0 for row in known for minor in row) or all(
@@ -294,11 +295,11 @@ def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
     values = dict(_bases(model))
     # Penetrations and speeds at which a law that can't be decided by its form is looked at.
     places = tuple(sp.Rational(10) ** power for power in range(-6, 3))
-    for place in places:
-        value = law.subs(values).subs(variable, place)
+    for at in places:
+        value = law.subs(values).subs(variable, at)
         if value.is_number and value.is_negative:
             return (
-                f"at {variable} = {sp.N(place, 3)} it is {sp.N(value, 3)} times its scale, at the "
+                f"at {variable} = {sp.N(at, 3)} it is {sp.N(value, 3)} times its scale, at the "
                 "base values"
             )
     return ""

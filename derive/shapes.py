@@ -58,7 +58,7 @@ class Drawing:
         self.elements.append(f'<path class="ink thin" d="M{sweep}"/>')
         self.places += ends
 
-    def name(self, text: str, place: complex, anchor: str = "middle", style: str = "") -> None:
+    def name(self, text: str, point: complex, anchor: str = "middle", style: str = "") -> None:
         """A name, its index lowered; Greek letters by their English names."""
         words = []
         greek = {
@@ -92,22 +92,22 @@ class Drawing:
             )
             words.append(escape(greek.get(stem, stem)) + lowered)
         kind = f' class="{style}"' if style else ""
-        at = f'x="{_number(place.real)}" y="{_number(place.imag)}"'
+        at = f'x="{_number(point.real)}" y="{_number(point.imag)}"'
         self.elements.append(f'<text{kind} {at} text-anchor="{anchor}">{" ".join(words)}</text>')
         width = 11.0 * len(text.replace("_", ""))
-        left = place - width * {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor]
+        left = point - width * {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor]
         self.places += [left - 16j, left + width + 8j]
 
     def typed(self, text: str, row: int) -> None:
         """A line of a drawing that is made of letters, each in its column whatever the font."""
-        width, place = 9.0 * len(text), 18.0j * row
+        width, baseline = 9.0 * len(text), 18.0j * row
         if text.strip():
             kept = escape(text).replace(" ", "\N{NO-BREAK SPACE}")
-            size = f'y="{_number(place.imag)}" textLength="{_number(width)}"'
+            size = f'y="{_number(baseline.imag)}" textLength="{_number(width)}"'
             self.elements.append(
                 f'<text class="typed" x="0" {size} lengthAdjust="spacingAndGlyphs">{kept}</text>'
             )
-        self.places += [place - 16j, place + width + 8j]
+        self.places += [baseline - 16j, baseline + width + 8j]
 
     def svg(self, title: str) -> str:
         """The file."""
@@ -128,8 +128,8 @@ def _number(value: float) -> str:
     return f"{round(value, 1) + 0.0:g}"
 
 
-def _pair(place: complex) -> str:
-    return f"{_number(place.real)} {_number(place.imag)}"
+def _pair(point: complex) -> str:
+    return f"{_number(point.real)} {_number(point.imag)}"
 
 
 @dataclass(frozen=True)

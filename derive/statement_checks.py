@@ -211,10 +211,10 @@ def _check_elements(page: Page) -> None:
                 f"the {element.quality} of this {what}, {strength}, is negative: it {does}; "
                 "give a positive one",
             )
-        if what == "damper" and (place := _negative_place(page, strength)):
+        if what == "damper" and (where := _negative_place(page, strength)):
             raise PageError(
                 element.line,
-                f"the coefficient of this damper, {strength}, is negative {place}, where it "
+                f"the coefficient of this damper, {strength}, is negative {where}, where it "
                 "drives the motion; give its quantities "
                 'domains in which it is not, as ">= 0", or write it so',
             )
@@ -286,14 +286,14 @@ def _negative_place(page: Page, value: sp.Expr) -> str:
     units = {entry.symbol: sp.S.One for entry in page.units}
     # Places at which the sign of a coefficient is looked at, and where a range without an
     # end is ended for it.
-    for place in itertools.islice(itertools.product(*map(_places, data)), 2000):
+    for numbers in itertools.islice(itertools.product(*map(_places, data)), 2000):
         at = value.subs(
-            units | {entry.symbol: number for entry, number in zip(data, place, strict=True)}
+            units | {entry.symbol: number for entry, number in zip(data, numbers, strict=True)}
         )
         if at.is_number and at.is_negative:
             return "at " + ", ".join(
                 f"{entry.symbol} = {sp.N(number, 3)}"
-                for entry, number in zip(data, place, strict=True)
+                for entry, number in zip(data, numbers, strict=True)
             )
     return ""
 
@@ -453,11 +453,11 @@ def statements(page: Page) -> Iterator[PageExpression]:
         yield PageExpression(page.timer.speed, "the speed of the clock", page.timer.line, rate)
     for force in page.forces:
         alone = len(force.place) == 1
-        for component, place in zip(force.components, force.place, strict=True):
+        for component, position in zip(force.components, force.place, strict=True):
             yield PageExpression(
-                place, "the place of this force", force.line, None if alone else units.LENGTH
+                position, "the place of this force", force.line, None if alone else units.LENGTH
             )
-            work = (units.ENERGY, place) if alone else (units.FORCE, sp.S.One)
+            work = (units.ENERGY, position) if alone else (units.FORCE, sp.S.One)
             yield PageExpression(component, "this force", force.line, *work)
     for contact in page.contacts:
         yield PageExpression(contact.gap or sp.S.Zero, "the gap", contact.line, units.LENGTH)

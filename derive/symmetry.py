@@ -28,13 +28,13 @@ def whole_turns(model: Mechanics) -> dict[int, dict[int, int]]:
     """
     angles = [k for k, entry in enumerate(model.page.coordinates) if entry.unit == "rad"]
     found: dict[int, dict[int, int]] = {k: {k: 1} for k in angles if is_as_before(model, {k: 1})}
-    for place in angles:
-        others = [k for k in angles if k not in found and k != place]
-        counts = itertools.product(range(-2, 3), repeat=len(others)) if place not in found else ()
+    for index in angles:
+        others = [k for k in angles if k not in found and k != index]
+        counts = itertools.product(range(-2, 3), repeat=len(others)) if index not in found else ()
         for count in sorted(counts, key=lambda count: sum(map(abs, count))):
-            turns = {place: 1} | {k: n for k, n in zip(others, count, strict=True) if n}
+            turns = {index: 1} | {k: n for k, n in zip(others, count, strict=True) if n}
             if len(turns) > 1 and is_as_before(model, turns):
-                found[place] = dict(sorted(turns.items()))
+                found[index] = dict(sorted(turns.items()))
                 break
     return found
 

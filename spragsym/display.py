@@ -378,7 +378,7 @@ def in_rows(
 def points(places: Sequence[IntArray]) -> dict[str, list[str]]:
     """A column that says where in an array rows are of; none for an array of no axis."""
     return (
-        {"point": [", ".join(map(str, place)) for place in zip(*places, strict=True)]}
+        {"point": [", ".join(map(str, index)) for index in zip(*places, strict=True)]}
         if places
         else {}
     )

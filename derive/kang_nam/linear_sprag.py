@@ -72,10 +72,10 @@ def identities() -> dict[str, bool]:
     """The linear model is the nonlinear one, linearized about the undeformed state."""
     undeformed = {L: 1, c: c0, s: s0, nbar: 1}
     gap = stability.stiffness().subs(undeformed) - stiffness()
-    place = sp.Matrix(equilibrium())
+    state = sp.Matrix(equilibrium())
     return {
         "its stiffness is K at x = y = 0": all(unit_circles.equal(entry, 0) for entry in gap),
         "its displacement solves K (x, y) = (0, −κ)": all(
-            unit_circles.equal(entry, 0) for entry in stiffness() * place + sp.Matrix([0, kappa])
+            unit_circles.equal(entry, 0) for entry in stiffness() * state + sp.Matrix([0, kappa])
         ),
     }

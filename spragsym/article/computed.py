@@ -422,18 +422,18 @@ def lives_below() -> Outcome:
     far_below = (10.0, 20.0, 30.0, 40.0)
     # Inclination at which the cycle is looked for with other belts, degrees.
     with_others = 30.0
-    for place in [(degrees, V, D) for degrees in far_below[::-1]] + [
+    for case in [(degrees, V, D) for degrees in far_below[::-1]] + [
         (with_others, *belt) for belt in OTHER_BELTS
     ]:
-        degrees, speed, creep = place
-        near = found[place] = cycle(
+        degrees, speed, creep = case
+        near = found[case] = cycle(
             _at(degrees, V=speed, d=creep), near=found.get((degrees, V, D), near)
         )
     ours, others = (
         [found[degrees, V, D] for degrees in far_below],
         [found[with_others, *belt] for belt in OTHER_BELTS],
     )
-    return all(one.stable and _slides_stably(*place) for place, one in found.items()), {
+    return all(one.stable and _slides_stably(*case) for case, one in found.items()), {
         "theta0_deg": far_below,
         "periods": [one.period for one in ours],
         "largest multipliers": [np.abs(one.multipliers[1]) for one in ours],

@@ -473,10 +473,10 @@ def _chains(folds: FoldCurves, states: FloatArray, pairs: Iterable[IntArray]) ->
     ``pairs`` of points may be neighbours.
     """
     count = states.shape[1]
-    place, tangent = states / folds.scale[:, None], folds.tangents(states)
+    scaled, tangent = states / folds.scale[:, None], folds.tangents(states)
     joints = [np.empty((5, 0))]
     for one, other in pairs:
-        gap = place[:, other] - place[:, one]
+        gap = scaled[:, other] - scaled[:, one]
         distance = np.linalg.norm(gap, axis=0)
         ahead = np.array(
             [(gap * tangent[:, one]).sum(axis=0), (-gap * tangent[:, other]).sum(axis=0)]
@@ -727,7 +727,7 @@ class FoldCurves:
         """
         count, columns = len(self.scale), np.arange(states.shape[1])
         free = (
-            np.array([np.delete(np.arange(count), place) for place in fixed], dtype=np.int64)
+            np.array([np.delete(np.arange(count), index) for index in fixed], dtype=np.int64)
             .reshape(-1, count - 1)
             .T
         )

@@ -160,7 +160,9 @@ def linked(
     for (one, two), middle in reversed(halved):
         second = pairs[middle, two]
         pairs[one, two] = {
-            slot: second[place] for slot, place in pairs[one, middle].items() if place in second
+            slot: second[at_middle]
+            for slot, at_middle in pairs[one, middle].items()
+            if at_middle in second
         }
     return [pairs[step] for step in steps]
 

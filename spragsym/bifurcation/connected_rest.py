@@ -48,21 +48,21 @@ def connected(p: ParameterSet, one: FloatArray, other: FloatArray, near: FloatAr
     balance = Balance(own.model, law="friction_at_speed")
     rows = [balance.parameters.index(name) for name in shares]
     begin, end = np.repeat(columns(own, balance.parameters), 2, axis=1).T
-    for column, place in ((begin, one), (end, other)):
-        column[rows] = _used(balance, rows, column, place)
+    for column, state in ((begin, one), (end, other)):
+        column[rows] = _used(balance, rows, column, state)
     return any(
         _leads(balance, order, (begin.copy(), end), (one, other), near)
         for order in permutations(rows)
     )
 
 
-def _used(balance: Balance, rows: list[int], column: FloatArray, place: FloatArray) -> FloatArray:
+def _used(balance: Balance, rows: list[int], column: FloatArray, state: FloatArray) -> FloatArray:
     """Shares of the static friction coefficients at a place, by least squares: forces are linear in
     them.
     """
     given = np.repeat(column[:, None], 1 + len(rows), axis=1)
     given[rows, 1 + np.arange(len(rows))] = 1.0
-    at = balance.at(list(np.tile(place[:, None], given.shape[1])), balance.floats(given), xp=np)
+    at = balance.at(list(np.tile(state[:, None], given.shape[1])), balance.floats(given), xp=np)
     none, *whole = filled([at.rows("forces")], given.shape[1:])[0].T
     return np.clip(np.linalg.lstsq((whole - none).T, -none)[0], -1.0, 1.0)
 

@@ -363,9 +363,9 @@ class _CandidateSearch:
         places = {
             first,
             last,
-            *(place for one in candidates for sides in self.beside(one) for place in sides),
+            *(value for one in candidates for sides in self.beside(one) for value in sides),
         }
-        self.begin(sorted(place for place in places if first <= place <= last))
+        self.begin(sorted(value for value in places if first <= value <= last))
         for one in candidates:
             above = [
                 other.value
@@ -450,11 +450,11 @@ class _CandidateSearch:
         way = carried(balance, here, self.over, np.array(places), first, error)
         self.beginning = dict(zip(places, way.T, strict=True))
 
-    def end_at(self, place: float, limit: float) -> ModelEnd | None:
+    def end_at(self, value: float, limit: float) -> ModelEnd | None:
         """Value at which the state ends there below a limit; None if it does not."""
         here, near = (
-            self.p.replace(**{self.over: place}),
-            dict(zip(self.p.model.coordinates, self.beginning[place], strict=True)),
+            self.p.replace(**{self.over: value}),
+            dict(zip(self.p.model.coordinates, self.beginning[value], strict=True)),
         )
         slot = nearest_state(equilibria(here.replace(**{self.vary: self.low})), near)
         return first_end(here, self.vary, (self.low, limit), start=int(slot))
@@ -482,10 +482,10 @@ class _CandidateSearch:
             pass
         return None
 
-    def folds_below(self, place: float, limit: float) -> int:
+    def folds_below(self, value: float, limit: float) -> int:
         """Number of folds there below a limit."""
         found = folds(
-            self.p.replace(**{self.over: place}), self.vary, between={self.vary: (self.low, limit)}
+            self.p.replace(**{self.over: value}), self.vary, between={self.vary: (self.low, limit)}
         )
         if not found.decided:
             raise ConvergenceError("folds beside a cusp are not all decided")

@@ -552,18 +552,18 @@ def _known_direction(spring: int) -> Entries:
 
 def _determinant_entries(spring: int) -> Entries:
     """det K times the length of a spring, for directions on arcs."""
-    place = 3 * spring
+    first = 3 * spring
 
     def rows(at: Evaluation, arcs: Any) -> Sequence[Any]:
         def slopes(length: Number) -> list[Any]:
-            fixed = [*at.directions[:place], *arcs, length, *at.directions[place + 3 :]]
+            fixed = [*at.directions[:first], *arcs, length, *at.directions[first + 3 :]]
             return [list(row) for row in replace(at, fixed=fixed).slopes]
 
         K = slopes(ENDLESS)
         R = slopes(Jet.variable(Intervals.point([1.0]), 0, 1))
         size = range(len(K))
         pushed = -sum(cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in size for j in size)
-        return [pushed + determinant(K) * at.directions[place + 2]]
+        return [pushed + determinant(K) * at.directions[first + 2]]
 
     return ("regular", spring), rows
 

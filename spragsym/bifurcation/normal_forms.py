@@ -455,9 +455,9 @@ def _isolated(Z: FloatArray) -> FloatArray:
         1 + 4 * rounding
     )
 
-    def apart(i: int, place: complex, j: int) -> bool:
+    def apart(i: int, centre: complex, j: int) -> bool:
         """Whether the disc i, moved to another place, does not meet the disc j."""
-        return abs(place - middle[j]) * (1 - rounding) > radius[i] + radius[j]
+        return abs(centre - middle[j]) * (1 - rounding) > radius[i] + radius[j]
 
     sums = [(i, j) for i in size for j in size if i <= j and not apart(i, -middle[i], j)]
     if len(sums) != 1:

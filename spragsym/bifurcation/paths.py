@@ -154,21 +154,23 @@ def quasi_static_path(
             "strictly decreasing"
         )
     continuation = QuasiStaticContinuation(p, vary, along, options)
-    place = continuation.begin(start)
-    out, touching = [continuation.state(0, place)], [continuation.touching(0, place)]
+    location = continuation.begin(start)
+    out, touching = [continuation.state(0, location)], [continuation.touching(0, location)]
     jumps = []
     for node in range(1, continuation.mesh.size):
-        place = continuation.followed(node, place)
-        if continuation.ended(node, place):
+        location = continuation.followed(node, location)
+        if continuation.ended(node, location):
             # No state is the nearest to infinity.
-            if continuation.far[~place] and (after_jump is None or not continuation.eq.count[node]):
-                jumps.append(continuation.escape(~place))
+            if continuation.far[~location] and (
+                after_jump is None or not continuation.eq.count[node]
+            ):
+                jumps.append(continuation.escape(~location))
                 break
-            place, jump = continuation.jump(node, ~place, after_jump)
+            location, jump = continuation.jump(node, ~location, after_jump)
             jumps.append(jump)
         if continuation.mesh[node] in along:
-            out.append(continuation.state(node, place))
-            touching.append(continuation.touching(node, place))
+            out.append(continuation.state(node, location))
+            touching.append(continuation.touching(node, location))
     *q, undamped, error = np.array(out).T
     along = along[: len(out)]
     coordinates: dict[str, Any] = dict(zip(continuation.balance.coordinates, q, strict=True))
@@ -189,11 +191,11 @@ def first_end(
     is not asked.
     """
     continuation = QuasiStaticContinuation(p, vary, np.array(span))
-    place = continuation.begin(start)
+    location = continuation.begin(start)
     for node in range(1, continuation.mesh.size):
-        place = continuation.followed(node, place)
-        if continuation.ended(node, place):
-            return continuation.end(~place)
+        location = continuation.followed(node, location)
+        if continuation.ended(node, location):
+            return continuation.end(~location)
     return None
 
 
@@ -492,16 +494,16 @@ class QuasiStaticContinuation:
         contact = combination(self.turns, number)
         return with_a_zero(Balance(self.p.model, contact), self.q[:, [number]], given)
 
-    def followed(self, node: int, place: int) -> int:
+    def followed(self, node: int, location: int) -> int:
         """The place at a node of the state that was in one at the node before."""
-        if place in self.joined[node - 1]:
-            return self.joined[node - 1][place]
-        if place < 0:
-            return self._begun(node, place)
-        number = self._limit_point(node - 1, place, node)
-        if number is None and place in self._links(node - 1):
-            return self._links(node - 1)[place]
-        return ~(self._ending(node - 1, place, node) if number is None else number)
+        if location in self.joined[node - 1]:
+            return self.joined[node - 1][location]
+        if location < 0:
+            return self._begun(node, location)
+        number = self._limit_point(node - 1, location, node)
+        if number is None and location in self._links(node - 1):
+            return self._links(node - 1)[location]
+        return ~(self._ending(node - 1, location, node) if number is None else number)
 
     def vanishing(self, node: int, slot: int, goal: int) -> int:
         """The number of the point at which a state vanishes on its way to the node before or
@@ -520,23 +522,23 @@ class QuasiStaticContinuation:
             )
         return (there.z - start.z)[:-1, 0]
 
-    def ended(self, node: int, place: int) -> bool:
+    def ended(self, node: int, location: int) -> bool:
         """Whether a state has vanished on the way to a node, or at a point there from which it does
         not go on.
         """
-        return place < 0 and ~place not in self._met(node)
+        return location < 0 and ~location not in self._met(node)
 
-    def _begun(self, node: int, place: int) -> int:
+    def _begun(self, node: int, location: int) -> int:
         """The stable one of the two states that begin at a fold, at the node behind it; the fold if
         they lie before it.
         """
         links = self._links(node - 1)
         begun = [slot for slot in range(int(self.eq.count[node])) if slot not in links.values()]
         if len(self._met(node - 1)) > 1:
-            begun = [slot for slot in begun if self._limit_point(node, slot, node - 1) == ~place]
+            begun = [slot for slot in begun if self._limit_point(node, slot, node - 1) == ~location]
         return next(
             (slot for slot in begun if self.eq.undamped[node, slot] == EquilibriumType.STABLE),
-            place,
+            location,
         )
 
     def _candidates(self, node: int, other: int) -> IntArray:
@@ -580,16 +582,16 @@ class QuasiStaticContinuation:
         """Coordinates of a point at which states vanish, or what else is named, by name."""
         return {name: float(self.turns[name][number]) for name in names or self.balance.coordinates}
 
-    def _ending(self, node: int, place: int, goal: int) -> int:
+    def _ending(self, node: int, location: int, goal: int) -> int:
         """The number of the point at which a state vanishes on its way from a node to the next
         one.
         """
         here = self._candidates(node, goal)
         if here.size == 1:
             return int(here[0])
-        own = self._balance(node, place).extended()
+        own = self._balance(node, location).extended()
         for number in here[np.char.startswith(self.kinds[here].astype(str), BORDER)].tolist():
-            tubes, start = self._standing(own, node, place)
+            tubes, start = self._standing(own, node, location)
             there = tubes.followed(start, self.at[[number]])
             away = np.abs(self.q[:, [number]] - there.z[: tubes.n])
             if (
@@ -599,7 +601,7 @@ class QuasiStaticContinuation:
             ):
                 return int(number)
         others = here[(self.kinds[here] == "pitchfork") | self.far[here]]
-        q = np.array([self.state(node, place)[:-2]]).T
+        q = np.array([self.state(node, location)[:-2]]).T
         if others.size > 1 and self.far[others].all():  # of states that run opposite ways
             away = self.q[:, others]
             others = others[(np.isnan(away) | (np.sign(q) == np.sign(away))).all(axis=0)]
@@ -688,8 +690,8 @@ class QuasiStaticContinuation:
     def escape(self, number: int) -> Jump:
         """The last event of a path whose state runs to infinity."""
         end = self.end(number)
-        place = self._place(number, self.eq.state_columns)
-        return Jump(end.value, end.kind, place, {}, None, end.error, end.touching)
+        state = self._place(number, self.eq.state_columns)
+        return Jump(end.value, end.kind, state, {}, None, end.error, end.touching)
 
     def end(self, number: int) -> ModelEnd:
         """A point at which states vanish, as a result."""

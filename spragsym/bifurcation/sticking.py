@@ -173,39 +173,42 @@ def _laws(model: Model, holding: tuple[str, ...]) -> dict[str, Any]:
     laws, count = dict[str, Any](), len(holding)
     for entry in model.frictions:
         name = entry["name"]
-        slopes, place = named("friction_by_parameters", name), None
+        slopes, position = named("friction_by_parameters", name), None
         own = undecorated(getattr(model.algebra, slopes))
         if name in holding:
             own = undecorated(getattr(model.algebra, named("friction_held", name)))
-            place = holding.index(name)
+            position = holding.index(name)
 
         def law(
-            *given: Any, xp: object = None, own: Callable[..., Any] = own, place: Any = place
+            *given: Any, xp: object = None, own: Callable[..., Any] = own, position: Any = position
         ) -> Number:
-            return own(*given[:-count], given[place - count], xp=xp)
+            return own(*given[:-count], given[position - count], xp=xp)
 
         def by_parameters(
-            *given: Any, xp: object = None, own: Callable[..., Any] = own, place: int | None = place
+            *given: Any,
+            xp: object = None,
+            own: Callable[..., Any] = own,
+            position: int | None = position,
         ) -> tuple[Number, ...]:
             fixed, added = given[:-count], [0] * count
-            if place is None:
+            if position is None:
                 return *own(*fixed, xp=xp), *added
             none, whole = (own(*fixed, share, xp=xp) for share in (0, 1))
-            added[place] = whole - none  # μ is linear in the share
+            added[position] = whole - none  # μ is linear in the share
             return *[0] * len(model.parameters), *added
 
         laws[slopes] = by_parameters
-        if place is not None:
+        if position is not None:
             laws |= {named(f"friction_at_{it}", name): law for it in ("rest", "speed")}
     return laws
 
 
-def _turns(own: ParameterSet, share: str, place: int) -> Points:
+def _turns(own: ParameterSet, share: str, index: int) -> Points:
     """Points where a coordinate turns back along the states, by the share that is used."""
     family = Family.of(own, (share,))
 
     def equations(at: Evaluation) -> Sequence[Any]:
-        columns = [len(at.q) if k == place else k for k in range(len(at.q))]
+        columns = [len(at.q) if k == index else k for k in range(len(at.q))]
         return (determinant([[slope(row, column) for column in columns] for row in at.forces()]),)
 
     system = Augmented(family, Condition(equations, order=1))
@@ -229,8 +232,8 @@ def _pressed(continuation: QuasiStaticContinuation, q: FloatArray, error: FloatA
     contact's.
     """
     shape, model = error.shape, continuation.balance.model
-    place = _pressing(model)
-    if model.contacts[place]["gap"] is not None or not error.size:
+    contact = _pressing(model)
+    if model.contacts[contact]["gap"] is not None or not error.size:
         return np.ones(shape, dtype=np.bool_)
     room = error * scale_of(q)
     given = np.repeat(
@@ -243,7 +246,7 @@ def _pressed(continuation: QuasiStaticContinuation, q: FloatArray, error: FloatA
     with quiet():
         values = continuation.balance.over(Intervals.point(given))
         at = continuation.balance.at(list(Intervals.between(q - room, q + room)), values, shape)
-        N = as_intervals(at.contact_force(place, 1), shape)
+        N = as_intervals(at.contact_force(contact, 1), shape)
     if (N.holds_zero() & (N.magnitude > NOTHING)).any():
         raise ConvergenceError("whether a normal force presses a state of sticking is not known")
     return np.asarray(N.low > 0)
@@ -265,15 +268,15 @@ def _sets(
     )
     labels, comes_around = np.arange(q.shape[1]), np.zeros(q.shape, dtype=np.bool_)
 
-    def link(node: int, slot: int, goal: int, place: int) -> None:
+    def link(node: int, slot: int, goal: int, target: int) -> None:
         """Join the sets of a state and of another one on its curve, or of the point at which it
         vanishes; angles go on there.
         """
         one, other = (
             int(first[at] + there if there >= 0 else first[-1] + ~there)
-            for at, there in ((node, slot), (goal, place))
+            for at, there in ((node, slot), (goal, target))
         )
-        follow = balance.periodic and place >= 0
+        follow = balance.periodic and target >= 0
         moved = (
             continuation.moved(node, slot, goal)
             if follow
@@ -320,5 +323,5 @@ def _sets(
         [*eq.remarks, *(remark for points in parts for remark in points.remarks)]
     )
     complete = bool(eq.whole.all()) and all(points.complete for points in parts)
-    largest = np.array([error[sets[place]].max() for place in order])
+    largest = np.array([error[sets[index]].max() for index in order])
     return StickingStates(p, largest, complete, tuple(remarks), ends)

@@ -402,7 +402,7 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
 def _meanings(case: Case, frictions: Row, vary: str) -> dict[str, str]:
     """Meaning of each critical friction, of those that the model has."""
     kind, own, angle = frictions["kind_lowest"], case.model.coefficient, case.model.inclination
-    place = (
+    where = (
         f" ({'to' if kind == 'infinity' else 'a'} {kind}, at "
         f"{frictions['theta0_lowest_deg']:.6g} deg)"
         if kind
@@ -417,7 +417,7 @@ def _meanings(case: Case, frictions: Row, vary: str) -> dict[str, str]:
         else {}
     )
     lowest = {
-        "mu0_lowest": f"mu0_lowest: no jump below this {own}{place}",
+        "mu0_lowest": f"mu0_lowest: no jump below this {own}{where}",
         "mu0_cusp": f"mu0_cusp: {own} of the lowest cusp",
     }
     return jump | lowest | linear

@@ -225,8 +225,8 @@ class EndOfState:
         """Distance beyond the design's own value at which the state ends, and its slopes by z."""
         p, slopes = self.designs.sets(z), self.designs.slopes(z)
         found = self._next(p) or require_known(first_limit_points(p, self.vary, begin=self.begin))
-        place = np.append(found.state, found.value)
-        self.last = place if np.isfinite(place).all() else None
+        unknowns = np.append(found.state, found.value)
+        self.last = unknowns if np.isfinite(unknowns).all() else None
         # What is not among the slopes the jump does not depend on, as the belt's speed.
         by_z = sum(
             float(slope) * slopes[name]

@@ -71,8 +71,8 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
             ends = [angle, angle], [mu0[-1], mu0[-1]], [x[-1], landed[0]]
             ax.plot(*ends, color=color, linewidth=1.2, linestyle=":", zorder=4)
         for (mu0, x), mark, at in ((pieces[0], "", 0), (pieces[-1], "′", -1)):
-            place = angle, mu0[at] + (-0.06 if at == 0 else 0.05), x[at] + 0.12
-            ax.text(*place, f"$\\mathit{{{name}}}${mark}", color=color, zorder=6)
+            position = angle, mu0[at] + (-0.06 if at == 0 else 0.05), x[at] + 0.12
+            ax.text(*position, f"$\\mathit{{{name}}}${mark}", color=color, zorder=6)
         figure.tables[f"a_path_{name}"] = table_of_path(up)
     return figure.describe(
         f"""Figure 11. Surface of equilibria in contact over inclination and friction, {BASE_TEXT}.
@@ -152,8 +152,8 @@ def _regions(ax: Axes, p: Parameters, counts: Mapping[tuple[float, float], str])
     coordinates beside it.
     """
     found, _ = draw_plane(ax, p, {"mu0": MU0_RANGE})
-    for place, text in counts.items():
-        write_along(ax, text, *place, ha="center", fontsize=10)
+    for position, text in counts.items():
+        write_along(ax, text, *position, ha="center", fontsize=10)
     theta0, mu0 = np.degrees(found.cusps.theta0[0]), found.cusps.mu0[0]
     write_along(ax, f"cusp\n{theta0:.2f}°\n{mu0:.4f}", theta0 + 3, mu0 + 0.09, linespacing=0.95)
     return stacked(

@@ -218,11 +218,11 @@ def _by_stability(
         fold = {name: turns[name][folds[0]] for name in columns}
         away = [values[side, :count] - fold[name] for name, values in eq.coordinates.items()]
         if at[1][side] in np.argsort(np.hypot.reduce(away))[:meeting]:
-            place = side % (kinds.size + 1)
+            index = side % (kinds.size + 1)
             columns = {
-                name: np.insert(column, place, fold[name]) for name, column in columns.items()
+                name: np.insert(column, index, fold[name]) for name, column in columns.items()
             }
-            kinds = np.insert(kinds, place, kinds[side])
+            kinds = np.insert(kinds, index, kinds[side])
     for part in runs(kinds):
         states = selected_rows(columns, part)
         yield Branch(model, vary, states.pop(vary), states, EquilibriumType(kinds[part][0]))

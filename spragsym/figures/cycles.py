@@ -103,8 +103,8 @@ def figure_cycles() -> Sheet:
         if not doubled or np.ptp(angles[stable]) > 10.0:
             nearest = np.argmin(np.abs(theta0 - value) + np.abs(periods - period))
             # A label stands this far above its curve.
-            place = np.degrees(value), heights[nearest] + 0.035
-            write_along(ax, f"{period:.0f}", *place, color=colour, ha="center", fontsize=7)
+            position = np.degrees(value), heights[nearest] + 0.035
+            write_along(ax, f"{period:.0f}", *position, color=colour, ha="center", fontsize=7)
         for kind, at, length, rms, how in line["events"]:
             events.append((line["name"], kind, np.degrees(at), length, rms, how))
             if kind in MARKERS:
@@ -227,8 +227,8 @@ def draw_branch(branch: CycleBranch, ax: Axes, quantity: str = "rms") -> None:
     ax.set(xlabel=along, ylabel=up)
     for kind, marker in {**MARKERS, **dict.fromkeys(("grazing", *SLIDING), "|")}.items():
         for event in branch.of(kind):
-            place = unit * event.value, size * height_of(event.cycle)
-            ax.plot(*place, marker, color=BLACK, markersize=4, markerfacecolor="white")
+            position = unit * event.value, size * height_of(event.cycle)
+            ax.plot(*position, marker, color=BLACK, markersize=4, markerfacecolor="white")
 
 
 #: Events of the cycle of period 34, from its branches at 42 degrees over the friction and at
@@ -262,7 +262,7 @@ def figure_cycles_plane(
     figure, ax = single(DOUBLE, 3.6)
     followed = functools.cache(_along)
     for name in curves:
-        vary, kind, nearest, points, text, place = CURVES[name]
+        vary, kind, nearest, points, text, position = CURVES[name]
         event = min(followed(vary).of(kind), key=lambda event: abs(event.value - nearest))
         found = cycle_events(
             event,
@@ -273,7 +273,7 @@ def figure_cycles_plane(
         angles, friction = np.degrees(found.values[:, 0]), found.values[:, 1]
         colour = BLUE if kind == "period_doubling" else VERMILION
         ax.plot(angles, friction, color=colour)
-        write_along(ax, text, *place, color=colour)
+        write_along(ax, text, *position, color=colour)
         figure.tables[f"a_{name}"] = {
             "theta0_deg": angles,
             "mu0": friction,
@@ -471,11 +471,11 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
     return tables
 
 
-def _aside(label: Label, place: tuple[float, float]) -> tuple[float, float]:
+def _aside(label: Label, position: tuple[float, float]) -> tuple[float, float]:
     """Place of the text of a label, in points: inside of the frame."""
     if label.label == "H":
         return (-11.0, 5.0)
     return (
-        -16.0 if place[0] > 0.93 else 4.0,
-        -10.0 if place[1] > 0.93 or label.of == "equilibria" else 4.0,
+        -16.0 if position[0] > 0.93 else 4.0,
+        -10.0 if position[1] > 0.93 or label.of == "equilibria" else 4.0,
     )

@@ -95,9 +95,9 @@ def figure_5() -> Sheet:
             )
             draw_panel(ax, p, curves, name, ylim=ylim)
             remark(ax, rf"$\mu_0 = {mu0}$")
-    for ax, place in zip(axes[:, 0], (86, 92), strict=True):
+    for ax, angle in zip(axes[:, 0], (86, 92), strict=True):
         write_along(ax, "nonlinear", 30, 1.85)
-        write_along(ax, "linear", place, 2.3, color=BLUE)
+        write_along(ax, "linear", angle, 2.3, color=BLUE)
     return figure.describe(
         f"""Figure 5. Equilibria in contact (black) and those of the linear sprag model, whose
         spring keeps its angle (blue), over the inclination: (a) x and (b) y at μ₀ = 0.5, (c) x and
@@ -166,10 +166,10 @@ def figure_9() -> Sheet:
     _flutter(ax, low, high, -0.14, 8)
     inset = _magnified(ax, "alpha", values)
     _flutter(inset, low, high, -0.002, 7)
-    for value, place, color in zip(
+    for value, position, color in zip(
         values, ((134, 0.055), (47, 0.06), (40, 0.012)), _FAMILY_COLORS, strict=True
     ):
-        write_along(inset, rf"$\alpha = {value:g}$", *place, color=color, fontsize=7)
+        write_along(inset, rf"$\alpha = {value:g}$", *position, color=color, fontsize=7)
     figure.caption += (
         " The inset magnifies small deformation. At α = 0.7 the state flutters between the "
         f"onsets, {low:.1f}° and {high:.1f}°, "
@@ -196,11 +196,11 @@ def _family(
     """
     figure, ax = single(SINGLE, 2.9)
     tables = []
-    for value, color, (place, target) in zip(values, _FAMILY_COLORS, labels, strict=True):
+    for value, color, (position, target) in zip(values, _FAMILY_COLORS, labels, strict=True):
         p = Parameters.article(**{name: value})
         curves = branches(p)
         draw_panel(ax, p, curves, color=color, ylim=(-2.2, 2.4))
-        _point_at(ax, rf"$\{name} = {value:g}$", target, place, color)
+        _point_at(ax, rf"$\{name} = {value:g}$", target, position, color)
         tables.append({name: value, **table_of(curves)})
     others = ", ".join(
         part for part in f"μ₀ = 0.5, {BASE_TEXT}".split(", ") if not part.startswith(LETTERS[name])
@@ -215,13 +215,17 @@ def _family(
 
 
 def _point_at(
-    ax: Axes, text: str, target: tuple[float, float], place: tuple[float, float], color: str = BLACK
+    ax: Axes,
+    text: str,
+    target: tuple[float, float],
+    position: tuple[float, float],
+    color: str = BLACK,
 ) -> None:
     """A label with a thin line from it to a point of a curve; the line starts beside the text or
     above it.
     """
     leader = {"arrowstyle": "-", "linewidth": 0.5, "color": color, "shrinkA": 1, "shrinkB": 2}
-    ax.annotate(text, target, place, color=color, fontsize=8, va="center", arrowprops=leader)
+    ax.annotate(text, target, position, color=color, fontsize=8, va="center", arrowprops=leader)
 
 
 def _magnified(ax: Axes, name: str, values: tuple[float, ...]) -> Axes:
@@ -337,10 +341,10 @@ def _both_ways(
     back = ss.quasi_static_path(p.following(x=float(up.x[-1])), vary, values[::-1])
     draw_path(back, ax=ax, color=BLUE, arrows=arrows[1], linewidth=3.2, alpha=0.45, zorder=2.1)
     draw_path(up, ax=ax, color=VERMILION, arrows=arrows[0])
-    for word, path, color, place in zip(
+    for word, path, color, position in zip(
         ("rising", "falling"), (up, back), (VERMILION, BLUE), places, strict=True
     ):
-        write_along(ax, f"${symbol(vary)}$ {word}", *place, color=color)
+        write_along(ax, f"${symbol(vary)}$ {word}", *position, color=color)
         tables.append(table_of_path(path))
     mark_folds(ss.folds(p, vary), ax=ax, between={vary: (values[0], values[-1])})
     return tables

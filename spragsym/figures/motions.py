@@ -418,10 +418,10 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
         coarse, V * 10.0 ** np.linspace(-0.5, 0.5, 5), creeps, refine=4, workers=workers
     )
     places = np.degrees(jumps.theta0)
-    for place, creep, color in zip(places.T, creeps, shades, strict=True):
+    for position, creep, color in zip(places.T, creeps, shades, strict=True):
         ax.semilogx(
             jumps.V,
-            place,
+            position,
             color=color,
             marker="o",
             markersize=3,

@@ -118,9 +118,9 @@ def draw_onset_curves(
         (found.points.kind.tolist(), _places(model, found.vary, found.points), "s", (3, -9)),
     ):
         artists += ax.plot(*places, marker, color=BLACK, markersize=3.5)
-        for text, place in zip(labels, zip(*places, strict=True), strict=True):
+        for text, position in zip(labels, zip(*places, strict=True), strict=True):
             artists.append(
-                ax.annotate(text, place, aside, textcoords="offset points", fontsize="x-small")
+                ax.annotate(text, position, aside, textcoords="offset points", fontsize="x-small")
             )
     shown = shown or found.between
     if found.damping and found.curves:

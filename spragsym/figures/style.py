@@ -195,10 +195,10 @@ def remark(ax: Axes, text: str) -> None:
 
 
 def line_at(
-    ax: Axes, place: float, color: str = GREY, width: float = 0.7, style: str = ":", **options: Any
+    ax: Axes, x: float, color: str = GREY, width: float = 0.7, style: str = ":", **options: Any
 ) -> None:
     """A thin line upwards, dotted unless told otherwise."""
-    ax.axvline(place, color=color, linewidth=width, linestyle=style, **options)
+    ax.axvline(x, color=color, linewidth=width, linestyle=style, **options)
 
 
 def write_along(

@@ -408,13 +408,13 @@ def _conditions(exact: Fixed) -> list[Polynomial]:
             _catastrophe.fold_events_without_alpha(s, exact.kappa, exact.sigma, exact.beta)
         )
 
-    def one(place: int, s: Fraction) -> Fraction:
-        return values(s)[place]
+    def one(index: int, s: Fraction) -> Fraction:
+        return values(s)[index]
 
     found: list[Polynomial] = []
     # Degrees in sin θ of what is 0 at an event, at most.
-    for place, degree in enumerate((15, 6, 6)):
-        in_sine = polynomials.interpolate(partial(one, place), degree)
+    for index, degree in enumerate((15, 6, 6)):
+        in_sine = polynomials.interpolate(partial(one, index), degree)
         if in_sine:  # else the same at every θ
             condition = polynomials.squarefree(of_sine_in_t(in_sine))
             for other in [(-1, 1), *found]:

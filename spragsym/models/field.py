@@ -231,11 +231,11 @@ class Field:
         with_place = {*self.faces, *range(last, len(first))}
         return tuple(here[k] if k in with_place else own for k, own in enumerate(first))
 
-    def at_rest(self, place: Sequence[float], constants: Values) -> tuple[float, ...]:
+    def at_rest(self, position: Sequence[float], constants: Values) -> tuple[float, ...]:
         """The state without speeds at a place; that of a clock, which no place has, is at its
         phase 0 and has its rate.
         """
-        still = (*place, *(0.0,) * (self.size - len(place)))
+        still = (*position, *(0.0,) * (self.size - len(position)))
         return (*still[:-1], self.clock(constants)) if self.clock else still
 
     @cached_property
@@ -528,15 +528,15 @@ class _Motion:
                 return False
         return True
 
-    def _slip_rate(self, place: int, mode: Mode, state: Vector, constants: Vector) -> float:
+    def _slip_rate(self, index: int, mode: Mode, state: Vector, constants: Vector) -> float:
         """Rate of change of a sliding speed in a mode."""
         pulls = self.in_mode("regime_rhs")(state, constants, mode, FLOATS)
         rates = undecorated(self.model.algebra.border_rates)(*state, *pulls, *constants)
-        return float(rates[self.side + place])
+        return float(rates[self.side + index])
 
-    def _grips(self, place: int) -> Callable[..., float]:
+    def _grips(self, index: int) -> Callable[..., float]:
         """Distance of the force of a friction that would hold the mass from its limits."""
-        row, grip = 2 * self.holding.index(place), self.in_mode("grip")
+        row, grip = 2 * self.holding.index(index), self.in_mode("grip")
         return lambda state, constants, mode: float(
             min(grip(state, constants, mode, FLOATS)[row : row + 2])
         )
@@ -552,10 +552,10 @@ class _Motion:
 
     def lengths(self, state: Vector, constants: Values) -> list[float]:
         """Undeformed lengths of the springs along lines."""
-        place = state[: len(self.model.coordinates)]
+        position = state[: len(self.model.coordinates)]
         geometry = undecorated(self.model.algebra.geometry)
         try:
-            lines = geometry(*place, *forces.of_statics(self.model, constants))
+            lines = geometry(*position, *forces.of_statics(self.model, constants))
         except ArithmeticError:
             return []
         return [float(rest) for *_, rest in lines if rest]
@@ -581,15 +581,15 @@ class _Motion:
         for contact, entry in enumerate(self.contacts):
             if entry["border"] is not None:
                 yield self._lifting(contact, entry)
-        for place, entry in enumerate(self.model.frictions):
-            yield from self._sliding(place, entry)
+        for index, entry in enumerate(self.model.frictions):
+            yield from self._sliding(index, entry)
         reach = self.reach
         for k in range(
             self.layers
         ):  # exponentials of the sliding speed, where they are about to be felt
 
-            def shift(mode: Mode, place: int = self.near + k) -> Number:
-                return -reach - WIDTH * mode[place]
+            def shift(mode: Mode, index: int = self.near + k) -> Number:
+                return -reach - WIDTH * mode[index]
 
             sides = slice(self.side, self.near)
             levels = self._generated("layers", "layer_rates", k, sides, shift)
@@ -621,8 +621,8 @@ class _Motion:
             def jumps(state: Vector, constants: Vector, k: int = k) -> bool:
                 return bool(self._turning_waves(state, constants)[k][1] < 0)
 
-            place = self.way + k
-            yield Border(f"turning {k + 1}", *levels, lambda _: 1, beyond, jumps=jumps, place=place)
+            index = self.way + k
+            yield Border(f"turning {k + 1}", *levels, lambda _: 1, beyond, jumps=jumps, place=index)
 
     def _lifting(self, contact: int, entry: Mapping[str, Any]) -> Border:
         """The border of a contact between its two regimes."""
@@ -653,14 +653,14 @@ class _Motion:
 
     def _sliding(self, friction: int, entry: Mapping[str, Any]) -> Iterator[Border]:
         """The border of a sliding speed; of friction that holds, the limits of its force too."""
-        place, along, contact = self.side + friction, entry["along"], entry["name"]
+        index, along, contact = self.side + friction, entry["along"], entry["name"]
         along = along if along.isidentifier() else f"({along})"
         slip = Border(
             f"{_said(entry)}{along}' = {entry['belt']}",
-            *self._generated("borders", "border_rates", place),
-            *_side(place, 0),
+            *self._generated("borders", "border_rates", index),
+            *_side(index, 0),
             crossings=("belt_overtakes", "mass_overtakes"),
-            place=place,
+            place=index,
             contact=contact,
         )
         if not entry["holds"]:
@@ -701,12 +701,12 @@ class _Motion:
                 f"{_said(entry)}friction at its limit {way} the belt",
                 level,
                 rate,
-                lambda mode: 1 - mode[place] * mode[place],
+                lambda mode: 1 - mode[index] * mode[index],
                 held,
                 crossings=("", "", "slip"),
                 jumps=always,
                 slopes=slopes,
-                place=place,
+                place=index,
                 contact=contact,
             )
 
@@ -751,13 +751,13 @@ def always(*_: Any) -> bool:
     return True
 
 
-def _side(place: int, both: int) -> tuple[Callable[[Any], Any], Callable[..., Mode]]:
+def _side(index: int, both: int) -> tuple[Callable[[Any], Any], Callable[..., Mode]]:
     """Sign and other side of a border at which a number of the mode becomes the other one of two
     that add up to ``both``.
     """
     return (
-        lambda mode: 1 - 2 * mode[place] if both else mode[place],
-        lambda mode, *_: (*mode[:place], both - mode[place], *mode[place + 1 :]),
+        lambda mode: 1 - 2 * mode[index] if both else mode[index],
+        lambda mode, *_: (*mode[:index], both - mode[index], *mode[index + 1 :]),
     )
 
 

@@ -88,12 +88,12 @@ def derived_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, Flo
 
 
 def contact_force(
-    model: Model, states: Sequence[ArrayLike] | FloatArray, constants: Sequence[Any], place: int = 0
+    model: Model, states: Sequence[ArrayLike] | FloatArray, constants: Sequence[Any], index: int = 0
 ) -> FloatArray:
     """The normal force of a contact, by its number: 0 where the gap is open; ``states`` begin with
     the coordinates.
     """
-    q, contact = states[: len(model.coordinates)], model.contacts[place]
+    q, contact = states[: len(model.coordinates)], model.contacts[index]
     gap, force = (
         getattr(model.algebra, named(function, contact["name"]))
         for function in ("contact_gap", "contact_force")
@@ -118,7 +118,7 @@ def forces_of(model: Model) -> dict[str, partial[FloatArray]]:
         f"spring_force{end}": partial(tension, index) for index, end in enumerate(_ends(model))
     }
     return found | {
-        named("contact_force", entry["name"]): partial(contact_force, model, place=index)
+        named("contact_force", entry["name"]): partial(contact_force, model, index=index)
         for index, entry in enumerate(model.contacts)
         if entry["gap"] is not None
     }

@@ -99,7 +99,7 @@ def at_rest(statistics: MotionStatistics, problem: Problem) -> Outcome | None:
     rest = rest_near(problem, statistics.last[:n] if still else statistics.means)
     if rest is None:
         return None
-    place = tuple(in_one_turn(rest.state[:n], problem.field.periodic).tolist())
+    position = tuple(in_one_turn(rest.state[:n], problem.field.periodic).tolist())
     growth = -rest.rate
     late = statistics.maxima[statistics.maxima_t >= (statistics.begin + statistics.end) / 2]
     distance = magnitude(np.vstack([late, statistics.last]) - rest.state)
@@ -110,7 +110,9 @@ def at_rest(statistics: MotionStatistics, problem: Problem) -> Outcome | None:
         and growth <= 1e-12
         and _stays(statistics, rest, options.noise * problem.rtol, kinks)
     ):
-        return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(0.0, rest.rate), distance=distance)
+        return Outcome(
+            Regime.EQUILIBRIUM, rest=position, rate=max(0.0, rest.rate), distance=distance
+        )
     if (
         decaying
         and rest.decay > 0
@@ -118,7 +120,7 @@ def at_rest(statistics: MotionStatistics, problem: Problem) -> Outcome | None:
         and not _persists(statistics, rest, options.noise * problem.rtol)
     ):
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
-        return Outcome(regime, rest=place, rate=rest.decay, distance=distance)
+        return Outcome(regime, rest=position, rate=rest.decay, distance=distance)
     return None
 
 
@@ -176,7 +178,7 @@ def spectrum_at_rest(
     return values, moving @ vectors
 
 
-def rest_near(problem: Problem, place: FloatArray) -> Equilibrium | None:
+def rest_near(problem: Problem, position: FloatArray) -> Equilibrium | None:
     """The equilibrium in contact that Newton's method finds from a place, at the friction μ(V);
     None where it finds none.
 
@@ -184,11 +186,11 @@ def rest_near(problem: Problem, place: FloatArray) -> Equilibrium | None:
     all at which it does.
     """
     field, constants = problem.field, problem.constants
-    still = [*place.tolist(), *np.zeros(len(place))]
+    still = [*position.tolist(), *np.zeros(len(position))]
     here = field.initial_mode(still, constants)
     mode = here if field.stays(here) else field.mode_at_rest(still, constants)
     try:
-        state = equilibrium_near(field, constants, place, mode)
+        state = equilibrium_near(field, constants, position, mode)
     except ConvergenceError:
         return None
     if any(
@@ -203,12 +205,12 @@ def rest_near(problem: Problem, place: FloatArray) -> Equilibrium | None:
 
 
 def equilibrium_near(
-    field: Field, constants: Values, place: FloatArray, kept: Mode | None = None
+    field: Field, constants: Values, position: FloatArray, kept: Mode | None = None
 ) -> FloatArray:
     """The state of rest that Newton's method finds from a place, in a mode that is kept, or in
     those of the states.
     """
-    q, n = np.array(place, dtype=float), len(place)
+    q, n = np.array(position, dtype=float), len(position)
     # Steps of Newton's method, at most.
     most_steps = 40
     # Newton's method has gone astray beyond this, in units of the motion.

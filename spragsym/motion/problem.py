@@ -208,13 +208,13 @@ def prepare(
 
 def undirected(model: Model, constants: Values, start: Values) -> ParameterError | None:
     """The error of a motion that starts with a spring that has no length, and so no direction."""
-    place, geometry = start[: len(model.coordinates)], undecorated(model.algebra.geometry)
+    position, geometry = start[: len(model.coordinates)], undecorated(model.algebra.geometry)
     for (dx, dy, _), spring in zip(
-        geometry(*place, *of_statics(model, constants)), model.about["springs"], strict=True
+        geometry(*position, *of_statics(model, constants)), model.about["springs"], strict=True
     ):
         if dx == dy == 0:
             ends = f"both ends of {spring['name']} on one point"
             return ParameterError(
-                f"the start {place} puts {ends}, where it has no direction; start anywhere else"
+                f"the start {position} puts {ends}, where it has no direction; start anywhere else"
             )
     return None

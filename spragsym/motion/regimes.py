@@ -218,7 +218,7 @@ class RestSets:
         """Whether two places of rest lie in one set; None where that is not known."""
         model = self.p.model
         field, constants = model.field, model.field.constants(self.p.scalars(*self.p.ranges))
-        ends = [field.at_rest(place.tolist(), constants) for place in (one, other)]
+        ends = [field.at_rest(position.tolist(), constants) for position in (one, other)]
         if not all(field.stays(field.initial_mode(end, constants)) for end in ends):
             return False
         if field.clock:
@@ -228,7 +228,7 @@ class RestSets:
             places = [
                 _sets_that_hold(each, self.boxes, field.periodic, near) for each in (one, other)
             ]
-            if [len(place) for place in places] == [1, 1]:
+            if [len(position) for position in places] == [1, 1]:
                 return places[0] == places[1]
         return self.convex or connected(self.p, one, other, near) or None
 

@@ -181,12 +181,12 @@ class Closed:
         statistics = self.onward.statistics(states, 1.1 * self.orbit.period)
         return np.array(
             [
-                self._next(place, statistics)
-                for place, statistics in zip(places, statistics, strict=True)
+                self._next(point, statistics)
+                for point, statistics in zip(places, statistics, strict=True)
             ]
         )
 
-    def _next(self, place: FloatArray, statistics: MotionStatistics) -> FloatArray:
+    def _next(self, point: FloatArray, statistics: MotionStatistics) -> FloatArray:
         times, states = _marks(statistics, self.fixed)
         late = np.flatnonzero(times > 0.5 * self.orbit.period)
         if not len(late):
@@ -194,7 +194,7 @@ class Closed:
                 "no cycle: the motion does not return to its section; start elsewhere"
             )
         returns = self.scaled(states[late])
-        off = np.abs(returns - place).max(axis=1) + np.abs(times[late] / self.orbit.period - 1)
+        off = np.abs(returns - point).max(axis=1) + np.abs(times[late] / self.orbit.period - 1)
         return returns[int(np.argmin(off))]
 
 
@@ -275,9 +275,9 @@ def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:
     return None
 
 
-def _near(states: FloatArray, place: FloatArray, periodic: WholeTurns) -> FloatArray:
+def _near(states: FloatArray, point: FloatArray, periodic: WholeTurns) -> FloatArray:
     """States with periodic coordinates shifted by whole turns nearer to a place."""
-    return place + apart(states, place, periodic)
+    return point + apart(states, point, periodic)
 
 
 def _candidates(states: FloatArray, close: float) -> Iterator[int]:
@@ -397,10 +397,10 @@ def _described(cycle: Closed, regime: Regime, rate: float, distance: float) -> O
     maxima = in_one_turn(np.array([cycle.state, *others]), orbit.field.periodic)
     # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle
     # has one such state.
-    for place, scale in zip(
+    for index, scale in zip(
         (i for i in range(maxima.shape[1]) if i != fixed), cycle.scale, strict=True
     ):
-        maxima = maxima[maxima[:, place] >= maxima[:, place].max() - 1e-6 * scale]
+        maxima = maxima[maxima[:, index] >= maxima[:, index].max() - 1e-6 * scale]
     state = np.where(np.arange(maxima.shape[1]) == fixed, 0.0, maxima[0])
     return Outcome(
         regime,

@@ -214,7 +214,7 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Motion
 def _time_and_ways(field: Field, constants: Values, state: list[float]) -> tuple[float, FloatArray]:
     """The unit of time, and how far each coordinate goes in it."""
     n = len(field.coordinates)
-    place, rates = np.abs(state[:n]), np.abs(state[n:])
+    positions, rates = np.abs(state[:n]), np.abs(state[n:])
     alike = np.array([[one == other for one in field.units] for other in field.units])
     stiff, damped, pull = 0.0, 0.0, np.zeros(n)
     for mode in _modes(field, constants, state):
@@ -226,8 +226,8 @@ def _time_and_ways(field: Field, constants: Values, state: list[float]) -> tuple
     fastest = float(rates.max())
     rate = math.sqrt(stiff) or damped or (float(pull.max()) / fastest if fastest else 0.0)
     if not 0.0 < rate < math.inf:
-        return 1.0, np.max([place, rates, pull], axis=0)
-    ways = np.max([place, rates / rate, pull / rate**2], axis=0)
+        return 1.0, np.max([positions, rates, pull], axis=0)
+    ways = np.max([positions, rates / rate, pull / rate**2], axis=0)
     for border in field.borders:
         if border.stays or not border.slopes:
             continue
@@ -308,7 +308,7 @@ def _power(value: float) -> float:
 def scaled(field: Field, scales: MotionScales) -> Field:
     """A field in units of its scales; parameters and forces stay as they are."""
     n, units, time = len(field.coordinates), scales.states.tolist(), scales.time
-    faster = [time**2 / place for place in scales.places]
+    faster = [time**2 / length for length in scales.places]
     inner = field.sized(scales.levels).with_lead(field.lead) if field.sized else field
 
     def at(state: Vector) -> list[Any]:

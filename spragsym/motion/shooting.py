@@ -419,21 +419,21 @@ def closed_orbit(
     raise ConvergenceError("Newton's method finds no closed orbit there; start nearer to one")
 
 
-def through(place: FloatArray, normal: FloatArray, guess: Iterate) -> Conditions:
+def through(point: FloatArray, normal: FloatArray, guess: Iterate) -> Conditions:
     """Phase condition of orbits of as many mesh intervals as a guess: the first state stays in a
     plane through a place.
     """
     row = np.zeros((1, len(guess.coordinates)))
     row[0, : len(normal)] = normal
-    return lambda orbit: (np.array([normal @ (orbit.state - place)]), row)
+    return lambda orbit: (np.array([normal @ (orbit.state - point)]), row)
 
 
-def across(orbit: Orbit, place: FloatArray | None = None) -> Conditions:
+def across(orbit: Orbit, point: FloatArray | None = None) -> Conditions:
     """The plane across the flow at the first state of an orbit, through that or another place."""
     first = orbit.state
     normal = orbit.rate(first)
-    place = first if place is None else place
-    return through(place, normal / norm(normal), orbit.guess)
+    point = first if point is None else point
+    return through(point, normal / norm(normal), orbit.guess)
 
 
 def phase(orbit: Orbit, guess: Iterate) -> Conditions:

@@ -772,8 +772,8 @@ class Trajectory(Named):
         True
         """
         names = [entry["name"] for entry in self.model.contacts]
-        place = forces.contact_named(self.model, contact, names)
-        return forces.contact_force(self.model, self.state, self._arguments(), place)
+        index = forces.contact_named(self.model, contact, names)
+        return forces.contact_force(self.model, self.state, self._arguments(), index)
 
     def spectrum(
         self, transient: float | None = None, *, of: str | None = None, points: int = 4096

@@ -104,20 +104,20 @@ def _through(
     crossings = list[Crossing]()
     # What else begins or ends to stick at the same instant does so through a border of its own; not
     # where the contact opens on which it sticks.
-    changed = (place for place, (a, b) in enumerate(zip(mode, last, strict=True)) if a != b)
-    others = [place for place in changed if place != border.place and border.slopes]
-    for place in (border.place, *others):
+    changed = (index for index, (a, b) in enumerate(zip(mode, last, strict=True)) if a != b)
+    others = [index for index in changed if index != border.place and border.slopes]
+    for index in (border.place, *others):
         at = np.asarray(state).tolist(), constants
-        if place != border.place:
+        if index != border.place:
             row, border = min(
                 (
                     (number, that)
                     for number, that in enumerate(problem.field.borders)
-                    if that.place == place and that.sign(mode)
+                    if that.place == index and that.sign(mode)
                 ),
                 key=lambda each: each[1].sign(mode) * each[1].level(*at, mode),
             )
-        after = (*mode[:place], last[place], *mode[place + 1 :]) if others else last
+        after = (*mode[:index], last[index], *mode[index + 1 :]) if others else last
         crossing = Crossing(t, row, int(border.sign(after)), state.copy(), int(border.sign(mode)))
         if border.jumps is not None and border.jumps(*at):
             if border.slopes is not None:

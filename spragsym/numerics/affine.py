@@ -195,8 +195,8 @@ class Affine(Rounded):
         ]
         sides = max(row.terms.shape[0] for row in rows)
         terms = np.zeros((sides, len(rows), *shape))
-        for place, row in enumerate(rows):
-            terms[: row.terms.shape[0], place] = row.terms
+        for column, row in enumerate(rows):
+            terms[: row.terms.shape[0], column] = row.terms
         value, error = (
             np.stack([np.broadcast_to(part, shape) for part in parts])
             for parts in zip(*((row.value, row.error) for row in rows), strict=True)

@@ -124,14 +124,14 @@ def signs_between(
     return Signs(at_low, negative & ~positive, positive)
 
 
-def _cut(value: FloatArray, place: FloatArray | float = 0.5) -> tuple[FloatArray, FloatArray]:
+def _cut(value: FloatArray, t: FloatArray | float = 0.5) -> tuple[FloatArray, FloatArray]:
     """Coefficients on both sides of a place between 0 and 1, by de Casteljau's rule; halved, each
     average is rounded once.
     """
     upper, lower = value.copy(), np.empty_like(value)
     lower[0] = upper[0]
     for step in range(1, len(value)):
-        upper[:-step] = upper[:-step] * (1 - place) + upper[1 : len(value) - step + 1] * place
+        upper[:-step] = upper[:-step] * (1 - t) + upper[1 : len(value) - step + 1] * t
         lower[step] = upper[0]
     return lower, upper
 
@@ -188,16 +188,16 @@ def _halved(parts: Parts) -> Parts:
     return lower.concatenated(Parts(parts.row, parts.low + half, half, high_value, high_error))
 
 
-def _at(value: FloatArray, place: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _at(value: FloatArray, t: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Polynomials at a place between 0 and 1, and their slopes, by de Casteljau's rule.
 
     It rounds the value no more than 4 · degree times, each relative to the largest coefficient.
     """
     value, degree = value.copy(), len(value) - 1
     for step in range(1, degree):
-        value[:-step] += (value[1 : degree - step + 2] - value[:-step]) * place
+        value[:-step] += (value[1 : degree - step + 2] - value[:-step]) * t
     rise = value[1] - value[0]
-    return value[0] + rise * place, degree * rise
+    return value[0] + rise * t, degree * rise
 
 
 def _refined(parts: Parts, undecided: BoolArray) -> PolynomialRoots:

@@ -118,11 +118,11 @@ def search(
     A root that can't be told from one on the border of the region is among the boxes that are left.
     """
     outcome = boxes.search(system, region, low, high, **how)
-    place, point = outcome.points.below(outcome.unique.nodes)
+    row, point = outcome.points.below(outcome.unique.nodes)
     open_, undecided_point = outcome.points.below(outcome.undecided.nodes)
-    alone = outcome.unique.ends[:, :, place]
+    alone = outcome.unique.ends[:, :, row]
     with quiet():
-        ends = np.minimum(outcome.where.ends[:, :, place], alone)
+        ends = np.minimum(outcome.where.ends[:, :, row], alone)
         ends, gone = _refined(system, ends, Intervals.between(low, high), point)
         # Each holds a root; where a law ends at the root itself, as a contact's at the touch,
         # refinement may lose it: undecided.

@@ -257,7 +257,7 @@ class _Task:
             gradient(row, len(unknowns))
             for row in self.evaluate(variables(self._ordered(unknowns), 1))
         ]
-        return [[rows[row][place] for place in self.unknowns] for row in self.equations]
+        return [[rows[row][index] for index in self.unknowns] for row in self.equations]
 
     def _coefficients(self, series: Matrix, order: int) -> list[Any]:
         """Coefficients of that order of F along series of u and the others to one order less, the

@@ -48,9 +48,9 @@ def in_one_turn(state: ArrayLike, periodic: WholeTurns, begin: ArrayLike = BEGIN
     return found
 
 
-def makes_turns(place: int, periodic: WholeTurns) -> bool:
+def makes_turns(index: int, periodic: WholeTurns) -> bool:
     """Whether an angle moves in a turn after which all is as before."""
-    return any(place in moved for moved in periodic.values())
+    return any(index in moved for moved in periodic.values())
 
 
 def _turned_back(state: FloatArray, turns: FloatArray, moved: Mapping[int, int]) -> None:

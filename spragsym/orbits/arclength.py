@@ -150,14 +150,14 @@ class BranchPoint:
         return found
 
 
-def level_and_rate(orbit: Orbit, border: int, mode: Mode, place: FloatArray) -> FloatArray:
+def level_and_rate(orbit: Orbit, border: int, mode: Mode, point: FloatArray) -> FloatArray:
     """Level and rate of a border in a mode at a state, followed by the free parameters, as they are
     for an orbit.
     """
     field, guess, size = orbit.field, orbit.guess, orbit.field.size
-    for index, value in zip(guess.free, place[size:].tolist(), strict=True):
+    for index, value in zip(guess.free, point[size:].tolist(), strict=True):
         guess = guess.at(index, value)
-    constants, state = field.constants(guess.values), place[:size].tolist()
+    constants, state = field.constants(guess.values), point[:size].tolist()
     that = field.borders[border]
     accelerations = field.acceleration(state, constants, mode, FLOATS)
     return np.array(
@@ -442,10 +442,10 @@ def started(setting: Setting, guess: Iterate) -> BranchPoint:
 
 
 def differences(
-    function: Callable[[FloatArray], FloatArray], place: FloatArray, step: FloatArray | float
+    function: Callable[[FloatArray], FloatArray], point: FloatArray, step: FloatArray | float
 ) -> FloatArray:
     """Central differences of a function by each number of a place, along the last axis."""
-    ways = np.eye(len(place)) * step
+    ways = np.eye(len(point)) * step
     return np.stack(
-        [(function(place + way) - function(place - way)) / (2 * way.max()) for way in ways], axis=-1
+        [(function(point + way) - function(point - way)) / (2 * way.max()) for way in ways], axis=-1
     )

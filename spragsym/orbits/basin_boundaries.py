@@ -218,12 +218,12 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     n = len(p.model.coordinates)
     found: list[Saddle] = []
     if near is not None:
-        place = as_numbers("saddle", near)
-        if place.shape not in ((n,), (2 * n,)):
+        guess = as_numbers("saddle", near)
+        if guess.shape not in ((n,), (2 * n,)):
             raise ParameterError(
-                f"saddle has the shape {place.shape}; give the {n} coordinates of a place near it"
+                f"saddle has the shape {guess.shape}; give the {n} coordinates of a place near it"
             )
-        found = _saddles(system, [place])
+        found = _saddles(system, [guess])
     for contact in (None, False) if near is None else ():
         if not found and contact in (None, *p.model.regimes):
             rests = equilibria(p, contact)
@@ -245,9 +245,9 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
 def _saddles(system: System, places: Iterable[FloatArray]) -> list[Saddle]:
     """Those near places, each once."""
     found: list[Saddle] = []
-    for place in places:
+    for guess in places:
         with suppress(ConvergenceError):
-            saddle = saddle_near(system, place)
+            saddle = saddle_near(system, guess)
             states = system.scales(saddle.state).states
             # Equilibria that differ by less than this are one. Lengths are in units
             # of the motion about the saddle.
@@ -417,8 +417,8 @@ class _Walk:
                     return found, "it could not be followed farther"
                 continue
             if not all(
-                low <= place <= high
-                for place, (low, high) in zip(self.plane @ ahead, self.to, strict=True)
+                low <= value <= high
+                for value, (low, high) in zip(self.plane @ ahead, self.to, strict=True)
             ):
                 return found, "the range ends"
             found.append((ahead, error))

@@ -578,8 +578,8 @@ def _rests(orbit: Orbit, still: float) -> str:
     sizes = [norm(orbit.rate(state)) for state in states]
     if min(sizes) >= still:
         return ""
-    place = np.round(states[int(np.argmin(sizes))], 6) + 0.0
-    return Remark("it comes to rest near {}", orbit.field.place(place, "g"))
+    slowest = np.round(states[int(np.argmin(sizes))], 6) + 0.0
+    return Remark("it comes to rest near {}", orbit.field.place(slowest, "g"))
 
 
 @dataclass(frozen=True, eq=False)

@@ -354,10 +354,10 @@ def _labels(rest: FixedPoints, line: Sequence[BranchPoint], number: int) -> Iter
                 (abs(a + b), abs(a.imag)) for a, b in combinations(rest.eigenvalues(hopf), 2)
             )
             hopf = hopf if pair > 1e-6 > total else None
-        for label, place in (("LP", fold), ("H", hopf)):
-            if place is not None:
-                x = float(natural(place.orbit).state[0])
-                yield Label(label, place.value, x, "equilibria", number)
+        for label, point in (("LP", fold), ("H", hopf)):
+            if point is not None:
+                x = float(natural(point.orbit).state[0])
+                yield Label(label, point.value, x, "equilibria", number)
 
 
 def _passes(line: Sequence[BranchPoint], point: BranchPoint) -> bool:

@@ -453,8 +453,8 @@ class _Bracket:
             for sign, own in zip((-1, 1), self.sides, strict=True):
                 places = self.samples.inside(value + sign * times * error)
                 samples = [
-                    self.samples.sample(place, precision)
-                    for place in places
+                    self.samples.sample(inner, precision)
+                    for inner in places
                     for precision in (self.samples.rough, self.samples.fine)
                 ]
                 found = {each.label == self.kept for each in samples if each.label >= 0}
@@ -542,8 +542,8 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
         raise bracket.alternating(value, shares[-1] * error)
     # Beside the value it is looked whether fates alternate.
     asides = (sign * aside * samples.size for aside in (1e-8, 1e-6) for sign in (-1, 1))
-    for place in samples.inside(*(value + aside for aside in asides)):
-        samples.sample(place)
+    for inside in samples.inside(*(value + aside for aside in asides)):
+        samples.sample(inside)
     kind, state, growth, distance = _saddle(bracket)
     away = [(a.value, b.value) for a, b in samples.changes() if a.value < b.value]
     others = {

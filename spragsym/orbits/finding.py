@@ -376,10 +376,12 @@ def born_at(
     form = onsets.normal_forms[row]
     if isinstance(form, str):
         raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")
-    place = model.parameters.index(vary)
+    parameter = model.parameters.index(vary)
     if amplitude is not None:
         amplitude = as_number("amplitude", amplitude, POSITIVE)
-    given, state, radii = _of_the_motion(model, onsets.given(row), onsets.state(row), place, form)
+    given, state, radii = _of_the_motion(
+        model, onsets.given(row), onsets.state(row), parameter, form
+    )
     balance = onsets.balance(row, "friction_at_speed")
     try:
         form = normal_form(balance, given, state, vary, radii)
@@ -400,7 +402,7 @@ def born_at(
         # A tenth of that at which it first comes to a border; where it comes to none, in units of
         # the motion.
         free = 0.1 * reach if border else 0.01 * unit
-        z = min(free, unit, _within(model, given, place, form))
+        z = min(free, unit, _within(model, given, parameter, form))
         asked = 2 * z * size
     else:
         z, asked = amplitude / 2 / size, amplitude
@@ -411,7 +413,7 @@ def born_at(
     farthest, steps = 2.0, 20
     for _ in range(steps):
         try:
-            found = _along(system, rest, place, form, z)
+            found = _along(system, rest, parameter, form, z)
         except ConvergenceError as error:
             raise ConvergenceError(
                 f"no cycle of the amplitude {asked:.3g} was found: {error}; {remedy}"
@@ -426,12 +428,12 @@ def born_at(
     )
 
 
-def still(place: FloatArray) -> FloatArray:
+def still(position: FloatArray) -> FloatArray:
     """The state at rest in a place."""
-    return np.append(place, np.zeros(len(place)))
+    return np.append(position, np.zeros(len(position)))
 
 
-def _along(system: System, rest: FloatArray, place: int, form: NormalForm, z: float) -> Cycle:
+def _along(system: System, rest: FloatArray, parameter: int, form: NormalForm, z: float) -> Cycle:
     """The cycle whose largest state has the part 2 |z| along q, as the normal form has it to first
     order.
     """
@@ -442,7 +444,7 @@ def _along(system: System, rest: FloatArray, place: int, form: NormalForm, z: fl
     ahead = form.along * aside + 2 * z * form.q.real + z**2 * (form.square.real + form.mean)
     first, middle = (rest + ahead) / scales.states, rest / scales.states
     start = list(system.values)
-    start[place] += aside
+    start[parameter] += aside
 
     # What is asked of the first state: its part along q, as the normal form has it.
     left_eigenvector = form.p.conjugate() * scales.states / unit
@@ -455,12 +457,12 @@ def _along(system: System, rest: FloatArray, place: int, form: NormalForm, z: fl
         return np.array([seen.real - wanted, seen.imag]), wide
 
     period = 2 * math.pi / form.omega / scales.time
-    guess = subdivided(own.flow, Iterate(first[None], period, tuple(start), (place,))).guess
+    guess = subdivided(own.flow, Iterate(first[None], period, tuple(start), (parameter,))).guess
     return cycle_of(natural(closed_orbit(own.flow, guess, conditions, reach=4 * z / unit)))
 
 
 def _of_the_motion(
-    model: Model, given: FloatArray, state: FloatArray, place: int, form: NormalForm
+    model: Model, given: FloatArray, state: FloatArray, parameter: int, form: NormalForm
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Parameters and coordinates at the Hopf point of the motion itself, and how well each is
     known, by Newton's method in units of the motion and of the parameter: its value, or what makes
@@ -468,11 +470,11 @@ def _of_the_motion(
     """
     field, n = model.field, len(state)
     scales = scales_of(field, field.constants(given.tolist()), still(state).tolist())
-    units = np.array([*scales.places, abs(given[place]) or form.omega / abs(form.crossing)])
+    units = np.array([*scales.places, abs(given[parameter]) or form.omega / abs(form.crossing)])
 
     def residual(unknowns: FloatArray) -> FloatArray:
         values = given.copy()
-        *q, values[place] = units * unknowns
+        *q, values[parameter] = units * unknowns
         constants = field.constants(values.tolist())
         u = still(np.array(q)).tolist()
         mode = field.exact(field.mode_at_rest(u, constants))
@@ -482,7 +484,7 @@ def _of_the_motion(
         off = near.real / form.crossing / units[n]
         return np.append(accelerations * scales.time**2 / scales.places, off)
 
-    found = np.append(state, given[place]) / units
+    found = np.append(state, given[parameter]) / units
     scale = 1 + magnitude(found)
     # Least half-width of the box that is taken around the Hopf point of the motion, over its
     # numbers, which are no less than 1 in units of the motion and of the parameter.
@@ -495,14 +497,14 @@ def _of_the_motion(
         if not rounding * scale < width < scale:
             break
     if not width <= 1e-7 * scale:
-        vary = model.parameters[place]
+        vary = model.parameters[parameter]
         raise ConvergenceError(
             "no Hopf point of the motion, which takes friction at its own speed, was found beside "
-            f"the onset at {vary} = {given[place]:.6g}: see the labels H of "
+            f"the onset at {vary} = {given[parameter]:.6g}: see the labels H of "
             f"ss.diagram(p, {vary!r}, between=...)"
         )
     there = given.copy()
-    *q, there[place] = units * found
+    *q, there[parameter] = units * found
     return there, np.array(q), 4 * max(width, rounding * scale) * units
 
 
@@ -526,9 +528,9 @@ def _first_border(system: System, rest: FloatArray, form: NormalForm) -> tuple[s
     return borders[int(reach.argmin())].name, float(reach.min())
 
 
-def _within(model: Model, given: FloatArray, place: int, form: NormalForm) -> float:
+def _within(model: Model, given: FloatArray, parameter: int, form: NormalForm) -> float:
     """|z| up to which the parameter stays within a tenth of its range, to first order."""
-    entry, value = model.about["parameters"][place], given[place]
+    entry, value = model.about["parameters"][parameter], given[parameter]
     ahead = -form.omega * form.lyapunov / form.crossing
     end = entry["high"] if ahead > 0 else entry["low"]
     return np.inf if end is None or not ahead else math.sqrt(0.1 * abs(end - value) / abs(ahead))

@@ -417,12 +417,12 @@ class Cycles(Sequence[Cycle]):
         return len(self.orbits)
 
     def __getitem__(self, index: Any) -> Any:
-        place = range(len(self))[index]
-        if isinstance(place, range):
-            return tuple(self[i] for i in place)
-        if place not in self._known:
-            self._known[place] = cycle_of(self.orbits[place])
-        return self._known[place]
+        chosen = range(len(self))[index]
+        if isinstance(chosen, range):
+            return tuple(self[i] for i in chosen)
+        if chosen not in self._known:
+            self._known[chosen] = cycle_of(self.orbits[chosen])
+        return self._known[chosen]
 
 
 def is_stable(orbit: Orbit) -> bool:

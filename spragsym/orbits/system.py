@@ -240,11 +240,11 @@ def saddle_near(system: System, state: FloatArray) -> Saddle:
     return Saddle(rest, float(eigenvalues[which].real), left_eigenvector, attracts)
 
 
-def spectrum(system: System, place: FloatArray) -> tuple[Any, Any, FloatArray]:
+def spectrum(system: System, state: FloatArray) -> tuple[Any, Any, FloatArray]:
     """Eigenvalues of the motion about an equilibrium with their vectors and errors: by how much
     more than the matrix each moves; infinite for a double one.
     """
-    scales, matrix = system.scales(place), system.linearization(place)
+    scales, matrix = system.scales(state), system.linearization(state)
     eigenvalues, vectors = np.linalg.eig(matrix)
     try:
         with np.errstate(over="ignore"):  # vectors that are one but for rounding: infinite, too

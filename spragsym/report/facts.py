@@ -448,7 +448,7 @@ def _rows(study: Brake, found: dict[str, Points]) -> tuple[FoldRow, ...]:
             shown = None if angle is not None else study.displayed(value)
             friction, other = (shown, None) if study.of_friction else (None, shown)
             places = (points.coordinates, points.after)
-            before, after = (in_units(study, selected_rows(place, i)) for place in places)
+            before, after = (in_units(study, selected_rows(state, i)) for state in places)
             words = (points.kind, points.ends, points.when)
             kind, ends, when = (str(word[i]) for word in words)
             rows.append(FoldRow(kind, friction, angle, other, ends, when, before, after))

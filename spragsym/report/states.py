@@ -166,10 +166,10 @@ def unit_of(study: Brake, name: str = "") -> tuple[str, float]:
     return ("mm", 1e3 * study.scales.length) if si == "m" else ("deg", math.degrees(1.0))
 
 
-def in_units(study: Brake, place: Numbers) -> Numbers:
+def in_units(study: Brake, position: Numbers) -> Numbers:
     """The coordinates of a place by name and unit."""
-    known = ((name, *unit_of(study, name)) for name in study.kind.coordinates if name in place)
-    return {f"{name}_{unit}": size * float(place[name]) for name, unit, size in known}
+    known = ((name, *unit_of(study, name)) for name in study.kind.coordinates if name in position)
+    return {f"{name}_{unit}": size * float(position[name]) for name, unit, size in known}
 
 
 def _of_springs(study: Brake, values: Sequence[Any]) -> OfSprings:
@@ -208,13 +208,13 @@ def states(study: Brake, eq: Equilibria, here: Numbers | None) -> tuple[State, .
     """
     places = _places(eq)
     off = [
-        max(abs(value - here[name]) for name, value in place.items()) if here else math.inf
-        for place in places
+        max(abs(value - here[name]) for name, value in position.items()) if here else math.inf
+        for position in places
     ]
     # Coordinates that differ by less are of one state.
     return tuple(
-        _state(study, eq, slot, place, slot == off.index(min(off)) and off[slot] < 1e-6)
-        for slot, place in enumerate(places)
+        _state(study, eq, slot, position, slot == off.index(min(off)) and off[slot] < 1e-6)
+        for slot, position in enumerate(places)
     )
 
 
@@ -225,7 +225,7 @@ def others(
     and the loading parameter where it ends, NaN where it does not, None where that is not known.
     """
     at, load, found = study.operating_point, study.load, []
-    for state, place in zip(known, _places(eq), strict=True):
+    for state, position in zip(known, _places(eq), strict=True):
         if state.undamped != "stable" or state.current:
             continue
         end = None
@@ -233,7 +233,9 @@ def others(
             with suppress(SpragsymError):
                 end = study.displayed(
                     float(
-                        jump_value(at.following(**place), load.name, begin=at.scalars(load.name)[0])
+                        jump_value(
+                            at.following(**position), load.name, begin=at.scalars(load.name)[0]
+                        )
                     )
                 )
         found.append((state.places, end))
@@ -255,15 +257,15 @@ def current(study: Brake, eq: Equilibria) -> Numbers | None:
     return {name: float(column[-1]) for name, column in path.coordinates.items()}
 
 
-def comes_from_near(study: Brake, place: Numbers) -> bool:
+def comes_from_near(study: Brake, position: Numbers) -> bool:
     """Whether the state in a place, of coordinates and units, is the one that is reached from near
     it, where the loading parameter begins; else a jump leads there, or a push.
     """
     if study.load is None:
         return True
-    names = {name: name.rpartition("_")[::2] for name in place}
+    names = {name: name.rpartition("_")[::2] for name in position}
     si = {
-        own: place[name] * factor(unit, study.kind.coordinates[own])
+        own: position[name] * factor(unit, study.kind.coordinates[own])
         for name, (own, unit) in names.items()
     }
     beside = study.with_data(state=si)
@@ -284,20 +286,20 @@ def _places(eq: Equilibria) -> list[Numbers]:
     ]
 
 
-def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: bool) -> State:
+def _state(study: Brake, eq: Equilibria, slot: int, position: Numbers, is_here: bool) -> State:
     scales, model = study.scales, study.kind.model
 
     def of(names: Iterable[str], scale: float) -> OfSprings:
         return _of_springs(study, [scale * float(eq[name][slot]) for name in names])
 
     where = [
-        name for name in forces.columns_of(model) if name not in place
+        name for name in forces.columns_of(model) if name not in position
     ]  # direction and length of each spring in turn
     names = forces.forces_of(model)
     springs = [name for name in names if not name.startswith("contact_force")]
     contacts = {name: scales.force * float(eq[name][slot]) for name in names if name not in springs}
     touching = str(eq[own_name(model, "touching")][slot]) if model.has_regimes else ""
-    rate = _roots(study, list(place.values()), touching) / scales.time
+    rate = _roots(study, list(position.values()), touching) / scales.time
     size = np.abs(rate).max()
     # Where nothing damps, as without friction, the sign of the real part is the rounding's.
     # What the eigenvalues of a matrix of some rows are off by, relative to the largest,
@@ -315,7 +317,7 @@ def _state(study: Brake, eq: Equilibria, slot: int, place: Numbers, is_here: boo
         stability=stability,
         undamped=kind.name.lower(),
         direction_deg=of(where[::2], math.degrees(1.0)),
-        places=in_units(study, place),
+        places=in_units(study, position),
         spring_length_mm=of(where[1::2], 1e3 * scales.length),
         spring_force_N=of(springs, scales.force),
         contact_force_N=_of_contacts(study, contacts),
@@ -422,12 +424,12 @@ def _moving(study: Brake, value: float, speed: float) -> ParameterSet | None:
     return at.replace(**{name: jump / float(p.model.friction(at, contact=law["name"]))})
 
 
-def _balanced(balance: Balance, p: ParameterSet, place: FloatArray, held: int) -> FloatArray:
+def _balanced(balance: Balance, p: ParameterSet, position: FloatArray, held: int) -> FloatArray:
     """A place with one coordinate as it is, and the forces on all others balanced: by Newton's
     method.
     """
     values = balance.floats(np.array(p.scalars(*balance.parameters)))
-    free, q = np.delete(np.arange(place.size), held), place.copy()
+    free, q = np.delete(np.arange(position.size), held), position.copy()
     # Steps of Newton's method to balance the other coordinates.
     for _ in range(20):
         at = balance.at(list(q), values, xp=np)

@@ -760,7 +760,7 @@ def as_json(report: Facts) -> Json:
         ],
         "vary": report.vary,
         "jump_at": told(report.jump_at),
-        "other_states": [{**place, "ends_at": told(end)} for place, end in report.others],
+        "other_states": [{**at, "ends_at": told(end)} for at, end in report.others],
         "next_steps": [f"{verb} {what}" for verb, what in next_steps(report)],
         "about": about(report),
     }

@@ -258,8 +258,8 @@ def _read(given: Model | None, held: dict[str, Any]) -> Any:
             return model(value).field
         case "parameters":
             return set_of(*value)
-    *place, parts = value
-    made = _class(*place)
+    *names, parts = value
+    made = _class(*names)
     if kind == "enum":
         return made(parts)
     if hasattr(made, "_fields"):

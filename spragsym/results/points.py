@@ -275,7 +275,9 @@ class Points(OfStates, Rows):
     def _derived(self) -> dict[str, FloatArray]:
         """Quantities that follow from where the states are."""
         p = self.parameters.replace(**{name: self[name] for name in self.vary})
-        derived = derived_of_states(p, [place[:, None] for place in self.coordinates.values()])
+        derived = derived_of_states(
+            p, [coordinate[:, None] for coordinate in self.coordinates.values()]
+        )
         return selected_rows(derived, (slice(None), 0))
 
     @property

@@ -225,11 +225,11 @@ def _rows(at: Evaluation, near: Sequence[Any], forces: Rows, slopes: Matrix) -> 
 
 def direction_entries(balance: Balance, spring: int) -> Entries:
     """G and M of F = G + M (c, s) with the direction (c, s) of a spring."""
-    place = 3 * spring
+    first = 3 * spring
 
     def rows(at: Evaluation) -> Sequence[Any]:
         def forces(*direction: Any) -> Sequence[Any]:
-            fixed = [*at.directions[:place], *direction, *at.directions[place + 2 :]]
+            fixed = [*at.directions[:first], *direction, *at.directions[first + 2 :]]
             return replace(at, fixed=fixed).forces()
 
         none, cover = (Intervals(np.full((2, *at.shape), size)) for size in (0.0, 1.0))

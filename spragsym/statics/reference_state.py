@@ -254,8 +254,8 @@ def _less_strained(
     """
     # Many more than a box takes that is told from all others at all.
     found = boxes.search(balance, around, bounds.low, bounds.high, budget=2000, narrow=narrow)
-    place, part = found.points.below(found.every.nodes)
-    every, parameters = found.every.ends.take(place, axis=2), balance.prepared(bounds)
+    row, part = found.points.below(found.every.nodes)
+    every, parameters = found.every.ends.take(row, axis=2), balance.prepared(bounds)
     here = parameters[:, part]
     codes, proved = stability.types_over(balance, here, every)
     strain = _strain_energy(balance, here)(list(Intervals(every)))

@@ -334,8 +334,8 @@ def _near_anchors(at: Evaluation, ends: FloatArray) -> FloatArray:
             break
         q: list[Any] = [0] * balance.n
         anchor = replace(at, q=q).anchors[spring]
-        for place, end in zip(places, anchor, strict=True):
-            hull[:, place] = np.maximum(hull[:, place], rounded_outward(end.ends + LENGTH))
+        for index, end in zip(places, anchor, strict=True):
+            hull[:, index] = np.maximum(hull[:, index], rounded_outward(end.ends + LENGTH))
     return np.minimum(hull, balance.border[:, :, None])
 
 

@@ -110,9 +110,9 @@ def linearized(
         with quiet():
             ends = np.nextafter(ends_around(q, off), np.inf)
     else:
-        place = np.full(eq.undamped.shape, -1)
-        place[eq.states] = np.arange(eq.states[0].size if eq.states else 0)
-        ends = around[:, :, place[states]]
+        number = np.full(eq.undamped.shape, -1)
+        number[eq.states] = np.arange(eq.states[0].size if eq.states else 0)
+        ends = around[:, :, number[states]]
     sign = np.where(eq.undamped[states] == EquilibriumType.STABLE, 1, -1)
     undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
     groups = [np.flatnonzero(which == k) for k in range(len(keys))]

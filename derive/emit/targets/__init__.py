@@ -170,7 +170,7 @@ def runtime(package_file: str, name: str) -> str:
 
 def spoken(text: str, words: Mapping[str, str]) -> str:
     """A text with words in the places that ``@name@`` marks."""
-    return re.sub(r"@([\w:]+)@", lambda place: words.get(place[1], place[0]), text)
+    return re.sub(r"@([\w:]+)@", lambda match: words.get(match[1], match[0]), text)
 
 
 def taken(function: Definition, angles: Angles) -> list[str]:

@@ -211,10 +211,10 @@ def gathered(members: BoolArray, candidates: Columns) -> tuple[IntArray, Columns
     partial, packed = np.flatnonzero((0 < count) & (count < len(members))), candidates
     if partial.size:
         packed = {name: np.array(candidates[name], dtype=kind) for name, kind in _TYPES.items()}
-        place = np.arange(len(members))[:, None]
+        slot = np.arange(len(members))[:, None]
         # Where they are and where they go in a table that is read as one row.
         order = np.argsort(~members[:, partial], axis=0, kind="stable")
-        chosen, target = (members.shape[1] * rows + partial for rows in (order, place))
+        chosen, target = (members.shape[1] * rows + partial for rows in (order, slot))
         for name, table in packed.items():
-            table.put(target, np.where(place >= count[partial], _NOTHING[name], table.take(chosen)))
+            table.put(target, np.where(slot >= count[partial], _NOTHING[name], table.take(chosen)))
     return count, packed

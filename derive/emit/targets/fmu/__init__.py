@@ -226,9 +226,9 @@ def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -
     )
 
 
-def _row(seen: MotionMaterial, place: int) -> int:
+def _row(seen: MotionMaterial, index: int) -> int:
     """The number of a friction among those that hold, by that of a mode; −1 of one that doesn't."""
-    return max((one.row for one in seen.borders if one.place == place), default=-1)
+    return max((one.row for one in seen.borders if one.place == index), default=-1)
 
 
 def _event_border(one: Edge) -> str:

@@ -193,11 +193,13 @@ def _motion(
     moves = motion.Motion(it)
     bordering = sp.Tuple(*moves.borders).free_symbols
     time, places = variable("time", "time", "s" if data is not None else "1"), page.coordinates
-    known = [str(datum.symbol if data is not None else datum.becomes) for datum in it.parameters]
-    known += [str(measure.symbol) for measure in measures]
-    if unknown := sorted(set(inputs) - set(known)):
+    available = [
+        str(datum.symbol if data is not None else datum.becomes) for datum in it.parameters
+    ]
+    available += [str(measure.symbol) for measure in measures]
+    if unknown := sorted(set(inputs) - set(available)):
         raise UnknownInput(
-            f"{', '.join(unknown)} is no quantity of {model.name}; give {', '.join(known)}"
+            f"{', '.join(unknown)} is no quantity of {model.name}; give {', '.join(available)}"
         )
     # Of forces, energy and power: what each is, its unit in SI, and the order of its
     # derivative.
@@ -271,9 +273,9 @@ def _edges(it: Mechanics) -> tuple[targets.Edge, ...]:
 
 def _following(it: Mechanics, function: Function) -> Function:
     """The function without the directions and turnings of springs among its arguments."""
-    known = motion.directions(it)
-    arguments = tuple(symbol for symbol in function.arguments if symbol not in known)
-    return replace(function, arguments=arguments, shorthands={**known, **function.shorthands})
+    directions = motion.directions(it)
+    arguments = tuple(symbol for symbol in function.arguments if symbol not in directions)
+    return replace(function, arguments=arguments, shorthands={**directions, **function.shorthands})
 
 
 def spelled(name: object) -> str:

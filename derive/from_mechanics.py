@@ -178,7 +178,7 @@ class _MethodReader:
             )
         return {name: self.of_page(value) for name, value in said.items()}
 
-    def of_page(self, value: Any) -> Any:
+    def of_page(self, value: object) -> Any:
         """An expression, or a law, in the page's symbols."""
         if isinstance(value, sp.Basic):
             return self.plain(value)
@@ -223,13 +223,13 @@ class _MethodReader:
             self.page.friction(**friction)
             forces -= normal * coefficient * self.gradient(friction["along"])
         forces = forces.applyfunc(self.expanded)
-        known = {
+        allowed = {
             *self.places,
             *self.rates,
             *(entry.symbol for entry in (*self.page.units, *self.page.parameters)),
         }
         for coordinate, force in zip(self.places, forces, strict=True):
-            if unknown := sorted(map(str, force.free_symbols - known)):
+            if unknown := sorted(map(str, force.free_symbols - allowed)):
                 raise self.refused(
                     f"the force along {coordinate} holds {', '.join(unknown)} beside contact and "
                     "friction, which act along the slope of the "
@@ -421,9 +421,11 @@ class _MethodReader:
 
     def stiffnesses(self, product: sp.Expr) -> Iterator[sp.Expr]:
         """Parts of k r, a stiffness times a length, that may be the stiffness."""
-        known = {it.symbol: units.read(it.unit) for it in (*self.page.units, *self.page.parameters)}
-        factors = sp.Mul.make_args(product) if product.free_symbols <= known.keys() else ()
+        dimensions = {
+            it.symbol: units.read(it.unit) for it in (*self.page.units, *self.page.parameters)
+        }
+        factors = sp.Mul.make_args(product) if product.free_symbols <= dimensions.keys() else ()
         for size in range(1, len(factors)):
             for part in map(sp.prod, itertools.combinations(factors, size)):
-                if units.of(part, known) == units.STIFFNESS:
+                if units.of(part, dimensions) == units.STIFFNESS:
                     yield part

@@ -513,12 +513,12 @@ def waves(expression: sp.Basic) -> list[Pair]:
 
 def number(datum: Datum) -> sp.Symbol:
     """The dimensionless quantity that a parameter becomes."""
-    known = {
+    assumptions = {
         name: True
         for name in ("positive", "nonnegative", "real")
         if datum.symbol.assumptions0.get(name)
     }
-    return sp.Symbol(datum.becomes, **known)
+    return sp.Symbol(datum.becomes, **assumptions)
 
 
 def of(page: Page, units: bool = False) -> Mechanics:
@@ -625,9 +625,9 @@ def _lines(
         """
         ((ax, ay), (bx, by)) = ends
         vector = scaled(bx - ax), scaled(by - ay)
-        for known in found:
-            if (known.dx, known.dy) == vector and rest in (None, known.rest):
-                return known
+        for earlier in found:
+            if (earlier.dx, earlier.dy) == vector and rest in (None, earlier.rest):
+                return earlier
         count = len(found) + 1
         c, s = sp.symbols(f"c{count} s{count}", real=True)
         length = sp.Symbol(f"l{count}", positive=True)

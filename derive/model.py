@@ -588,7 +588,7 @@ class Page:
     def _entered(self, entries: list[Any], entry: Datum | Coordinate) -> sp.Symbol:
         """The symbol of a quantity, which is entered once."""
         if str(entry.symbol) in (
-            str(known.symbol) for known in (*self.units, *self.parameters, *self.coordinates)
+            str(other.symbol) for other in (*self.units, *self.parameters, *self.coordinates)
         ):
             raise refused(f"{entry.symbol} is defined twice; give the second quantity another name")
         entries.append(entry)

@@ -127,15 +127,15 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
 
 def _said(error: BaseException) -> str:
     """Text of an error, and the remedy for a name that is not there."""
-    said, known = (
+    said, names = (
         f"{type(error).__name__}: {error}",
         f"spragsym.derive.model offers {', '.join(vocabulary.__all__)}",
     )
     if isinstance(error, ImportError):
-        return f"{str(error).partition(' (')[0]}; {known}"  # without the place of the package
+        return f"{str(error).partition(' (')[0]}; {names}"  # without the place of the package
     forcing = f": {Limit.FORCING}" if getattr(error, "name", None) in ("t", "time") else ""
     if isinstance(error, NameError):
-        return said + (forcing or f"; define it above, or import it: {known}")
+        return said + (forcing or f"; define it above, or import it: {names}")
     if isinstance(error, AttributeError) and isinstance(error.obj, Page):
         offered = ", ".join(
             name

@@ -20,9 +20,9 @@ def check_units(page: Page) -> None:
     """Every sum of the page adds like to like, and every statement is what it says: an energy, a
     force, a length, a number.
     """
-    known = _dimensions(page) | {DEPTH: units.LENGTH, SLIP: units.SPEED}
+    dimensions = _dimensions(page) | {DEPTH: units.LENGTH, SLIP: units.SPEED}
     for it in statements(page):
-        _check_dimension(it, known)
+        _check_dimension(it, dimensions)
     angles = {datum.symbol for datum in page.parameters if datum.unit == "rad"}
     for torsion in page.torsions:
         if not torsion.rest.free_symbols <= angles:
@@ -33,8 +33,8 @@ def check_units(page: Page) -> None:
             )
 
 
-def _check_dimension(it: PageExpression, known: dict[sp.Symbol, Dimension]) -> None:
-    unknown = sorted(str(symbol) for symbol in it.value.free_symbols if symbol not in known)
+def _check_dimension(it: PageExpression, dimensions: dict[sp.Symbol, Dimension]) -> None:
+    unknown = sorted(str(symbol) for symbol in it.value.free_symbols if symbol not in dimensions)
     if unknown:
         time = f": {Limit.FORCING}" if {"t", "time"} & set(unknown) else ""
         raise PageError(
@@ -52,12 +52,12 @@ def _check_dimension(it: PageExpression, known: dict[sp.Symbol, Dimension]) -> N
             f"{most_power}, or a function such as exp",
         )
     try:
-        found = units.of(it.value, known)
+        found = units.of(it.value, dimensions)
     except UnitsError as error:
         raise PageError(it.line, f"{it.what}: {error}") from error
     if it.dimension is None or found is None:
         return
-    expected = units.times(it.dimension, units.of(it.per, known) or units.NONE, -1)
+    expected = units.times(it.dimension, units.of(it.per, dimensions) or units.NONE, -1)
     if found != expected:
         raise PageError(
             it.line,
@@ -66,23 +66,23 @@ def _check_dimension(it: PageExpression, known: dict[sp.Symbol, Dimension]) -> N
 
 
 def _dimensions(page: Page) -> dict[sp.Symbol, Dimension]:
-    known: dict[sp.Symbol, Dimension] = {}
+    dimensions: dict[sp.Symbol, Dimension] = {}
     for entry in (*page.units, *page.parameters, *page.coordinates):
         try:
-            known[entry.symbol] = units.read(entry.unit)
+            dimensions[entry.symbol] = units.read(entry.unit)
         except UnitsError as error:
             raise PageError(entry.line, str(error)) from error
     for coordinate in page.coordinates:
-        known[coordinate.rate] = units.times(known[coordinate.symbol], units.TIME, -1)
-    return known
+        dimensions[coordinate.rate] = units.times(dimensions[coordinate.symbol], units.TIME, -1)
+    return dimensions
 
 
 def groups(page: Page) -> dict[str, sp.Expr]:
     """Every dimensionless parameter as its quantity over the product of units of measure that has
     its dimension.
     """
-    known = _dimensions(page)
-    measures = tuple(known[unit.symbol] for unit in page.units)
+    dimensions = _dimensions(page)
+    measures = tuple(dimensions[unit.symbol] for unit in page.units)
     for index, unit in enumerate(page.units):
         if units.powers(measures[index], measures[:index]) is not None:
             others = ", ".join(str(other.symbol) for other in page.units[:index]) or "numbers"
@@ -93,7 +93,7 @@ def groups(page: Page) -> dict[str, sp.Expr]:
             )
     found = {}
     for entry in (*page.parameters, *page.coordinates):
-        measure = scale(page, known[entry.symbol])
+        measure = scale(page, dimensions[entry.symbol])
         if measure is None:
             raise PageError(
                 entry.line,
@@ -103,7 +103,7 @@ def groups(page: Page) -> dict[str, sp.Expr]:
                 "page.unit(...)",
             )
         if isinstance(entry, Datum):
-            if entry.becomes != str(entry.symbol) and known[entry.symbol] == units.NONE:
+            if entry.becomes != str(entry.symbol) and dimensions[entry.symbol] == units.NONE:
                 raise PageError(
                     entry.line,
                     f"{entry.symbol} has no unit to be rid of and keeps its name; leave out "
@@ -115,8 +115,8 @@ def groups(page: Page) -> dict[str, sp.Expr]:
 
 def scale(page: Page, dimension: Dimension) -> sp.Expr | None:
     """The product of units of measure that has a dimension."""
-    known = _dimensions(page)
-    powers = units.powers(dimension, tuple(known[unit.symbol] for unit in page.units))
+    dimensions = _dimensions(page)
+    powers = units.powers(dimension, tuple(dimensions[unit.symbol] for unit in page.units))
     if powers is None:
         return None
     return sp.Mul(
@@ -194,9 +194,9 @@ def _check_inertia(model: Mechanics) -> None:
         [M[:size, :size].subs(position).det() for size in range(1, M.rows + 1)]
         for position in places
     ]
-    known = [[sp.N(minor) for minor in row if minor.is_number] for row in minors]
-    if any(minor < 0 for row in known for minor in row) or all(
-        any(minor == 0 for minor in row) for row in known
+    numbers = [[sp.N(minor) for minor in row if minor.is_number] for row in minors]
+    if any(minor < 0 for row in numbers for minor in row) or all(
+        any(minor == 0 for minor in row) for row in numbers
     ):
         raise PageError(
             line,

@@ -142,12 +142,12 @@ def _placed(
     expression: sp.Expr, angles: dict[sp.Symbol, Angle], values: dict[sp.Symbol, sp.Expr]
 ) -> sp.Expr:
     """An expression with numbers in the place of symbols, of angles in that of their parts."""
-    known: dict[sp.Symbol, sp.Expr] = {}
+    positions: dict[sp.Symbol, sp.Expr] = {}
     for symbol, value in values.items():
         angle = angles.get(symbol)
-        known |= {angle.c: sp.cos(value), angle.s: sp.sin(value)} if angle else {}
-        known[symbol] = value
-    return expression.subs(known, simultaneous=True)
+        positions |= {angle.c: sp.cos(value), angle.s: sp.sin(value)} if angle else {}
+        positions[symbol] = value
+    return expression.subs(positions, simultaneous=True)
 
 
 def _drawn(rng: random.Random, allowed: Interval, trial: int) -> float:

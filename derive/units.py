@@ -74,7 +74,7 @@ def spelled(dimension: Dimension) -> str:
     return " ".join(parts) or "a number without a unit"
 
 
-def of(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension | None:
+def of(expression: sp.Expr, dimensions: Mapping[sp.Symbol, Dimension]) -> Dimension | None:
     """The dimension of an expression, None for zero, which has any.
 
     Raises
@@ -85,48 +85,50 @@ def of(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension |
     """
     match expression:
         case sp.Symbol():
-            return known[expression]
+            return dimensions[expression]
         case sp.Add():
-            return _of_sum(expression, known)
+            return _of_sum(expression, dimensions)
         case sp.Mul():
             dimension = NONE
             for factor in expression.args:
-                part = of(factor, known)
+                part = of(factor, dimensions)
                 if part is None:
                     return None
                 dimension = times(dimension, part)
             return dimension
         case sp.Pow() if expression.exp.is_Rational:
-            base = of(expression.base, known)
+            base = of(expression.base, dimensions)
             return (
                 None
                 if base is None
                 else times(NONE, base, Fraction(expression.exp.p, expression.exp.q))
             )
         case sp.Abs():
-            return of(expression.args[0], known)
+            return of(expression.args[0], dimensions)
         case sp.Max() | sp.Min():
-            return _of_sum(expression, known)
+            return _of_sum(expression, dimensions)
         case sp.Piecewise():
-            return _of_sum(sp.Add(*(value for value, _ in expression.args), evaluate=False), known)
+            return _of_sum(
+                sp.Add(*(value for value, _ in expression.args), evaluate=False), dimensions
+            )
         case sp.sign():
-            of(expression.args[0], known)
+            of(expression.args[0], dimensions)
             return NONE
         case _ if expression.is_number:
             return None if expression == 0 else NONE
     for argument in expression.args:
-        if of(argument, known) not in (None, NONE):
+        if of(argument, dimensions) not in (None, NONE):
             raise UnitsError(
                 f"{expression} is taken of {argument}, which is in "
-                f"{spelled(of(argument, known) or NONE)}, not a number"
+                f"{spelled(of(argument, dimensions) or NONE)}, not a number"
             )
     return NONE
 
 
-def _of_sum(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension | None:
+def _of_sum(expression: sp.Expr, dimensions: Mapping[sp.Symbol, Dimension]) -> Dimension | None:
     found: dict[Dimension, sp.Expr] = {}
     for term in expression.args:
-        dimension = of(term, known)
+        dimension = of(term, dimensions)
         if dimension is not None:
             found.setdefault(dimension, term)
     if len(found) > 1:

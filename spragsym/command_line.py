@@ -48,9 +48,9 @@ def options_of(about: Mapping[str, Any], name: str) -> tuple[str, ...]:
     """
     # Options whose names are not those of their parameters.
     options = {"V": ("--speed", "-V"), "d": ("--creep", "-d")}
-    known = options.get(name)
-    if known and known[0][2:] not in {entry["name"] for entry in about["parameters"]}:
-        return known
+    flags = options.get(name)
+    if flags and flags[0][2:] not in {entry["name"] for entry in about["parameters"]}:
+        return flags
     return (f"--{option_name(name)}",)
 
 

@@ -262,19 +262,19 @@ def _exactly(
     # Arguments of the functions here, whose names parameters of a page may have.
     arguments = frozenset(("p", "contact", "dps", "method", "vary", "between"))
     spelled = {name: f"{name}_" if name in arguments else name for name in model.parameters}
-    known = {
+    names = {
         **{called: name for name, called in spelled.items()},
         **{f"{name}_deg": name for name in model.about["angles"]},
     }
     for name in exact:
-        if known.get(name) in unasked:
+        if names.get(name) in unasked:
             raise ParameterError(
-                f"{name} is not asked: the answer is for all {known[name]}; leave it out"
+                f"{name} is not asked: the answer is for all {names[name]}; leave it out"
             )
-        if name not in known:
+        if name not in names:
             raise ParameterError(
-                f"{name} is no parameter of {model.name}{hint(name, known)}; it has "
-                f"{', '.join(known)}"
+                f"{name} is no parameter of {model.name}{hint(name, names)}; it has "
+                f"{', '.join(names)}"
             )
     given: dict[str, Any] = {}
     for name in (one for one in model.parameters if one not in unasked):

@@ -94,9 +94,9 @@ class _Program:
         if name not in self.functions:
             given = dict(zip((argument for argument, _ in routine.arguments), kinds, strict=True))
             self.write(name, f"``{name}`` in double-double arithmetic.", given, routine.body)
-        known, returned = self.functions[name]
-        if known != kinds:
-            raise KernelError(f"{name} is called with {kinds} and with {known}")
+        earlier, returned = self.functions[name]
+        if earlier != kinds:
+            raise KernelError(f"{name} is called with {kinds} and with {earlier}")
         return f"wide_{name}", returned
 
     def algebra_call(self, name: str) -> tuple[str, str]:
@@ -154,11 +154,11 @@ class _Writer:
         )
 
     def assigned(self, name: str, value: ast.expr, kind: str) -> ast.expr:
-        known = self.kinds.setdefault(name, kind)
-        if known == WIDE:
+        earlier = self.kinds.setdefault(name, kind)
+        if earlier == WIDE:
             return self.wide(value, kind)
-        if known != kind:
-            raise KernelError(f"{name} is a {known} and then a {kind}")
+        if earlier != kind:
+            raise KernelError(f"{name} is a {earlier} and then a {kind}")
         return value
 
     def wide(self, value: ast.expr, kind: str) -> ast.expr:

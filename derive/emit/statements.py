@@ -176,7 +176,9 @@ class _Powers:
     def _once(self, stem: str, value: sp.Expr) -> sp.Symbol:
         """The name of a value that may have one already."""
         new = sp.Symbol(self.free(f"{stem}{len(self.definitions)}"), real=True)
-        symbol = next((symbol for symbol, known in self.definitions.items() if known == value), new)
+        symbol = next(
+            (symbol for symbol, definition in self.definitions.items() if definition == value), new
+        )
         self.definitions.setdefault(symbol, value)
         return symbol
 

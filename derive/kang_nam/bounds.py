@@ -90,15 +90,15 @@ def _is_power_of_two(value: Counted) -> bool:
 def follow(function: Function, arguments: tuple[Counted, ...]) -> tuple[Counted, ...]:
     """The results of a generated function, by its statements."""
     body = straight_line(function)
-    known = dict(zip(function.arguments, arguments, strict=True))
+    values = dict(zip(function.arguments, arguments, strict=True))
     for symbol, expression in body.assignments:
-        known[symbol] = _follow(expression, known)
-    return tuple(_follow(expression, known) for expression in flat(body.results))
+        values[symbol] = _follow(expression, values)
+    return tuple(_follow(expression, values) for expression in flat(body.results))
 
 
-def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:
+def _follow(expression: sp.Expr, values: Mapping[sp.Symbol, Counted]) -> Counted:
     if expression.is_Symbol:
-        return known[expression]
+        return values[expression]
     if expression.is_Rational:
         # p/q in a product is printed as a product and a quotient, of which only the quotient may
         # round, and not by a power of 2.
@@ -106,7 +106,7 @@ def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:
             abs(expression), 0 if _is_power_of_two(Counted(sp.Integer(expression.q))) else 1
         )
     parts = [
-        _follow(part, known)
+        _follow(part, values)
         for part in expression.args
         if not (expression.is_Pow and part.is_Number)
     ]
@@ -134,8 +134,8 @@ def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:
 # counts
 
 
-def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
-    """Every count that the kernel names, with ``known`` the generated functions by name."""
+def counts(source: Source, functions: Mapping[str, Function]) -> dict[str, float]:
+    """Every count that the kernel names, with ``functions`` the generated functions by name."""
     kernel: dict[str, Any] = {"__name__": f"{__package__}.kernel", "__package__": __package__}
     # our own file, as every import is
     exec(compile(source.text, "the kernel", "exec"), kernel)  # noqa: S102
@@ -148,21 +148,21 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
     c, s = Counted(sp.Symbol("c"), at.cosine.count), Counted(sp.Symbol("s"), at.sine.count)
 
     # The common factor of a balance changes no root: only the product with it rounds.
-    coefficients = follow(known["f_coefficients"], (*angle0, *exact.values()))
+    coefficients = follow(functions["f_coefficients"], (*angle0, *exact.values()))
     line = tuple(Counted(value.size, value.count + 1, value.cancels) for value in coefficients)
-    _same_sizes(coefficients, follow(known["f_magnitudes"], (*angle0, *exact.values())))
+    _same_sizes(coefficients, follow(functions["f_magnitudes"], (*angle0, *exact.values())))
 
-    cubic = follow(known["resolvent"], line)
+    cubic = follow(functions["resolvent"], line)
     it = kernel["depressed"](*cubic)
     sizes = kernel["depressed_size"](*(value.size for value in line))
     _covers(sizes.P, it.P.size)
     _covers(sizes.Q, it.Q.size)
 
     here = (c, s, *line)
-    (value,), (slope,) = follow(known["f"], here), follow(known["f_slope"], here)
-    e1 = follow(known["t_quartic"], line)[1]
+    (value,), (slope,) = follow(functions["f"], here), follow(functions["f_slope"], here)
+    e1 = follow(functions["t_quartic"], line)[1]
     L, x, y = follow(
-        known["state"],
+        functions["state"],
         (c, s, *angle0, exact[nm.kappa], exact[nm.sigma], exact[nm.beta], exact[nm.nbar]),
     )
 
@@ -172,10 +172,10 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
     omega = sp.Rational(8)
     vague = [Counted(sp.Symbol(name), omega) for name in ("c", "s", "L")]
     stiffness = follow(
-        known["stiffness"],
+        functions["stiffness"],
         (*vague, *(exact[symbol] for symbol in (nm.mu0, nm.alpha, nm.sigma, nm.beta, nm.nbar))),
     )
-    trace, _, flutter = follow(known["invariants"], stiffness)
+    trace, _, flutter = follow(functions["invariants"], stiffness)
     found = {
         "COUNT_P": it.P.count,
         "COUNT_Q": it.Q.count,

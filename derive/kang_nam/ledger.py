@@ -155,8 +155,8 @@ def _explained(found: verdicts.Row, exact: str) -> LedgerRow:
             return _failed(
                 row, "the exact form given for this approximation is not the derived one"
             )
-        told, limit = approximation.exact, approximation.limit
-        return replace(row, derived=told, difference=exact, limit=limit)
+        exact_form, limit = approximation.exact, approximation.limit
+        return replace(row, derived=exact_form, difference=exact, limit=limit)
     if row.status != "misprint":
         return _failed(row, found.evidence)
     kinds = tuple(str(edit["kind"]) for edit in found.edits)

@@ -125,7 +125,7 @@ def _of_page(text: str) -> tuple[Definition, ...]:
     """Functions of the page, with n̄ for contact and all exponentials of the friction law felt; no
     name begins with an underscore.
     """
-    known = {function.name: function for function in definitions.of_module(text)}
+    by_name = {function.name: function for function in definitions.of_module(text)}
     # The functions of the page that the library has, and the equations that are in them.
     of_page = {
         "rhs": "(8)–(11)",
@@ -135,7 +135,7 @@ def _of_page(text: str) -> tuple[Definition, ...]:
         "energy": "(1), (2)",
         "friction_force": "(8)",
     }
-    return tuple(_library_form(known[name], equations) for name, equations in of_page.items())
+    return tuple(_library_form(by_name[name], equations) for name, equations in of_page.items())
 
 
 def _library_form(function: Definition, equations: str) -> Definition:

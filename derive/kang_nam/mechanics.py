@@ -107,9 +107,9 @@ def in_article(model: Mechanics, expression: sp.Expr) -> sp.Expr:
     """
     names: dict[sp.Basic, sp.Expr] = {MU: nm.mu, PUSHING: nm.nbar, SIDE: nm.side}
     names |= {number(datum): symbol_of(datum) for datum in page().parameters}
-    known = {*model.coordinates, *model.rates}
-    known |= {part for angle in model.angles for part in (angle.c, angle.s)}
-    names |= {symbol: nm.quantities()[str(symbol)].symbol for symbol in known}
+    symbols = {*model.coordinates, *model.rates}
+    symbols |= {part for angle in model.angles for part in (angle.c, angle.s)}
+    names |= {symbol: nm.quantities()[str(symbol)].symbol for symbol in symbols}
     directions: dict[sp.Basic, sp.Expr] = {}
     for line in model.lines:
         directions |= {line.c: line.dx / nm.L, line.s: line.dy / nm.L, line.l: nm.L}

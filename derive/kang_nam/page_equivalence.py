@@ -92,8 +92,8 @@ def _in_direction() -> bool:
 
 def _reduces(name: str, added: tuple[str, ...]) -> bool:
     model, article = _page(name), _page("kang_nam")
-    known = {str(symbol): symbol for symbol in model.arguments}
-    without = {known[symbol]: sp.S.Zero for symbol in added}
+    by_name = {str(symbol): symbol for symbol in model.arguments}
+    without = {by_name[symbol]: sp.S.Zero for symbol in added}
     pairs = [
         *zip(model.residuals, article.residuals, strict=True),
         *zip(flat(statics.jacobian(model)), flat(statics.jacobian(article)), strict=True),

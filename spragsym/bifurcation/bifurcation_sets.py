@@ -176,7 +176,7 @@ def _curve(family: Family, states: FloatArray) -> Curve:
     return Curve(family.named(states) | which(family.balance, states.shape[1]))
 
 
-def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator[str]:
+def _said(parts: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator[str]:
     """Remarks: ranges that are ``cut``, and each other remark on extrema and ends of curves once,
     with the points it concerns.
     """
@@ -189,7 +189,7 @@ def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator
         "end": "where curves end",
         "border": "where curves leave the contact",
     }
-    for kind, points in known:
+    for kind, points in parts:
         for text in points.remarks:
             said.setdefault(text, {})[where[kind]] = None
     yield from (

@@ -206,20 +206,20 @@ def _by_tubes(
     start = tubes.place(z, error=0.0)
 
     def joined(there: Place) -> dict[Span, dict[int, int]]:
-        known = {step: dict[int, int]() for step in steps}
+        links = {step: dict[int, int]() for step in steps}
         for column in np.flatnonzero(there.sure & (there.v == goal)):
             one, two, slot = begun[column]
             # An angle that goes around is listed once, within one turn.
             away = np.abs(apart(states[two].q.T, there.z[:n, column], along.balance.periodic))
             slots = np.flatnonzero((away <= there.room[:n, column]).all(axis=1))
             if slots.size == 1:
-                known[one, two][slot] = int(slots[0])
-        return known
+                links[one, two][slot] = int(slots[0])
+        return links
 
-    def completed(known: dict[Span, dict[int, int]]) -> set[Span]:
+    def completed(links: dict[Span, dict[int, int]]) -> set[Span]:
         return {
             (one, two)
-            for (one, two), pairs in known.items()
+            for (one, two), pairs in links.items()
             if _complete(along, pairs, (one, two), states[one], states[two])
         }
 
@@ -227,19 +227,19 @@ def _by_tubes(
         """Tubes of steps of which all pairs are known without them: by tubes alone where states
         may be missing, or signs are not proved.
         """
-        known = joined(there)
-        by_tubes = {step: len(pairs) for step, pairs in known.items()}
+        links = joined(there)
+        by_tubes = {step: len(pairs) for step, pairs in links.items()}
         complete = {
             (one, two)
-            for one, two in completed(known)
+            for one, two in completed(links)
             if (along.whole and states[one].sure.all() and states[two].sure.all())
             or by_tubes[one, two] == min(states[end].signs.size for end in (one, two))
         }
         complete = {step for step in complete if "pitchfork" not in _kinds_within(along, step)}
         return np.array([(one, two) in complete for one, two, _ in begun], dtype=np.bool_)
 
-    known = joined(tubes.followed(start, goal, needless=needless))
-    return known, completed(known)
+    links = joined(tubes.followed(start, goal, needless=needless))
+    return links, completed(links)
 
 
 def _within(along: Along, step: Span) -> BoolArray:

@@ -535,7 +535,7 @@ class _InMode:
         size = 2 * self.balance.n
         # Beside the width of such boxes rounding is nothing, or no more than some times as much.
         share = (boxes.width / scale_of(boxes.middle)).max(axis=0)
-        wide, known = share > 2.0**-40, share > 2.0**-48
+        wide, bounded = share > 2.0**-40, share > 2.0**-48
         out: list[Coefficient | str | None] = [None] * boxes.shape[1]
         linear = self._taped("linear", self._linear, boxes, parameters)
         A, levels = linear[: size**2], linear[size**2 :]
@@ -564,7 +564,7 @@ class _InMode:
         for k, row in enumerate(rows.tolist()):
             size = abs(middle[0, k])
             # Digits that narrow the bound to a thirtieth would tell no sign, either.
-            near = known[row] and 32 * size < error[k]
+            near = bounded[row] and 32 * size < error[k]
             if np.isfinite(error[k]) and (wide[row] or near or size > error[k]):
                 reach = _reach(middle[1:, k].tolist())
                 out[row] = Coefficient(float(middle[0, k]), float(error[k]), reach)

@@ -122,17 +122,17 @@ def _region(family: Family, balance: Balance) -> tuple[FloatArray, BoolArray]:
     return with_sides(searched, family.spans), whole
 
 
-def with_sides(around: FloatArray, spans: FloatArray) -> FloatArray:
+def with_sides(region: FloatArray, spans: FloatArray) -> FloatArray:
     """A region of coordinates with −low and high of the parameters that vary."""
     sides = np.stack([-spans[:, 0], spans[:, 1]])[:, :, None]
     return np.concatenate(
-        [around, np.broadcast_to(sides, (*sides.shape[:2], around.shape[2]))], axis=1
+        [region, np.broadcast_to(sides, (*sides.shape[:2], region.shape[2]))], axis=1
     )
 
 
-def _between(around: FloatArray, low: float, high: float) -> FloatArray:
+def _between(region: FloatArray, low: float, high: float) -> FloatArray:
     """A region with another range of its one parameter."""
-    return with_sides(around[:, :-1], np.array([[low, high]]))
+    return with_sides(region[:, :-1], np.array([[low, high]]))
 
 
 def _of_affine_forces(family: Family) -> Found:
@@ -229,15 +229,15 @@ def _merged(left: FloatArray) -> FloatArray:
 
 
 def of_ends(
-    family: Family, found: Found, known: Callable[[float, FloatArray], str | None]
+    family: Family, found: Found, reason: Callable[[float, FloatArray], str | None]
 ) -> tuple[str, ...]:
-    """Remarks on undecided boxes at an end of the range of one parameter: what is ``known`` of
-    them, none if that is None.
+    """Remarks on undecided boxes at an end of the range of one parameter: the ``reason``
+    for them, none if that is None.
     """
     left, remarks = found.roots.undecided, []
     for end in (-float(found.region[0, -1, 0]), float(found.region[1, -1, 0])):
         here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
-        if here.shape[2] and (why := known(end, here)) is not None:
+        if here.shape[2] and (why := reason(end, here)) is not None:
             text = (
                 f"{here.shape[2]} of {left.shape[2]} undecided boxes hold the end {{}} of the "
                 f"range{why}"
@@ -311,8 +311,8 @@ class Logarithmic(Augmented):
         return super().parted([*unknowns[:-1], XP.exp(unknowns[-1])], *given)
 
 
-def begins_at_zero(system: Augmented, around: FloatArray) -> bool:
-    """Whether the range of the parameter in the region ``around`` begins at 0, which it never is,
+def begins_at_zero(system: Augmented, region: FloatArray) -> bool:
+    """Whether the range of the parameter in the region ``region`` begins at 0, which it never is,
     and nothing is known there.
     """
     (vary,) = system.family.vary
@@ -320,25 +320,25 @@ def begins_at_zero(system: Augmented, around: FloatArray) -> bool:
     if (
         allowed.low != 0
         or not allowed.open_low
-        or around[0, -1, 0] != 0
-        or around[1, -1, 0] <= Logarithmic.high
+        or region[0, -1, 0] != 0
+        or region[1, -1, 0] <= Logarithmic.high
     ):
         return False
     if vary in system.balance.angles:
         return False
     with quiet():  # whether the condition has bounds in the whole region but for large values
         below = system.residuals(
-            Intervals(_between(around, 0.0, Logarithmic.low)), _at_end(system, Logarithmic.low, 1)
+            Intervals(_between(region, 0.0, Logarithmic.low)), _at_end(system, Logarithmic.low, 1)
         ).ends[:, -1]
-    return bool(vanishes(system, 0.0, around)[0] or not np.isfinite(below).all())
+    return bool(vanishes(system, 0.0, region)[0] or not np.isfinite(below).all())
 
 
-def _by_logarithm(system: Augmented, around: FloatArray) -> Roots:
+def _by_logarithm(system: Augmented, region: FloatArray) -> Roots:
     """All roots with a parameter from :attr:`~Logarithmic.least` to
     :attr:`~Logarithmic.high`, as boxes of the parameter itself.
     """
     by_logarithm, given = Logarithmic(system.family, system.condition), system.family.begin
-    ends = _between(around, np.log(Logarithmic.least), np.log(Logarithmic.high))
+    ends = _between(region, np.log(Logarithmic.least), np.log(Logarithmic.high))
     found = certified_roots.search(by_logarithm, ends, given, given, budget=100_000)
     return replace(
         found,

@@ -19,7 +19,7 @@ each entry of the matrix for its own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any, Self
@@ -209,8 +209,8 @@ class Tubes(ByColumn):
         """
         centre = fixed[[balance.parameters.index(name) for name in free]]
         half, options = np.zeros_like(centre), options or ContinuationOptions()
-        known = balance.prepared(Intervals.point(fixed)).ends
-        return cls(balance, vary, free, balance.n, fixed, known, centre, half, options)
+        prepared = balance.prepared(Intervals.point(fixed)).ends
+        return cls(balance, vary, free, balance.n, fixed, prepared, centre, half, options)
 
     @property
     def n(self) -> int:
@@ -296,7 +296,7 @@ class Tubes(ByColumn):
             return None
         vanishing = balance.vanishing(Intervals(self.prepared))
 
-        def rows(given: Any, parameters: Any) -> list[Any]:
+        def rows(given: Iterable[Any], parameters: Intervals) -> list[Any]:
             every = list(given)
             names = dict(zip((self.vary, *self.free), every[n:], strict=True))
             values = {**balance.arguments(parameters), **balance.with_angles(names, NARROW)}
@@ -617,8 +617,8 @@ class Tubes(ByColumn):
         """
         slopes, about = self.over(tube), by_s.copy()
         about[self.pivot] = 0.0
-        known, _ = self._solved(slopes, slopes.rows[:, self.pivot], about)
-        return np.where(known, np.sign(by_s[-1]), 0.0)
+        solved, _ = self._solved(slopes, slopes.rows[:, self.pivot], about)
+        return np.where(solved, np.sign(by_s[-1]), 0.0)
 
     def bends(self, tube: Place, by_s: FloatArray) -> FloatArray:
         """Sign of d²v/ds² for all states in tubes of points, 0 where it is not known; ``by_s`` is
@@ -648,8 +648,8 @@ class Tubes(ByColumn):
             )
             inverse = contractors.inverse(slopes.rows[:, self.others].middle)
             about[self.others] = -np.einsum("ijN,jN->iN", inverse, bent.middle)
-            known, _ = self._solved(slopes, bent, about)
-        return np.where(known, np.sign(about[-1]), 0.0)
+            solved, _ = self._solved(slopes, bent, about)
+        return np.where(solved, np.sign(about[-1]), 0.0)
 
     def _solved(
         self, slopes: Slopes, starts: Any, about: FloatArray

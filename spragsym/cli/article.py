@@ -134,35 +134,35 @@ def check(
 _Rows = tuple[list[dict[str, Any]], list[str]]
 
 
-def _chosen(only: tuple[str, ...], known: Mapping[str, T], what: str) -> list[T]:
+def _chosen(only: tuple[str, ...], rows: Mapping[str, T], what: str) -> list[T]:
     """The rows asked for, by name, by how names begin or by the place in the print, in the order of
     the record; all of them if none is asked for.
     """
-    chosen = set() if only else set(known)
+    chosen = set() if only else set(rows)
     for name in only:
         found = (
-            {name} & set(known)
-            or {row for row in known if row.startswith(name)}
-            or _standing_at(name, known)
+            {name} & set(rows)
+            or {row for row in rows if row.startswith(name)}
+            or _standing_at(name, rows)
         )
         if not found:
-            near = ", ".join(difflib.get_close_matches(name, known, n=3, cutoff=0.3)) or "none"
+            near = ", ".join(difflib.get_close_matches(name, rows, n=3, cutoff=0.3)) or "none"
             raise ParameterError(
                 f"--row {name}: no row of {what} has this name, begins with it or stands there; "
                 f"names like it: {near}"
             )
         chosen |= found
-    return [row for name, row in known.items() if name in chosen]
+    return [row for name, row in rows.items() if name in chosen]
 
 
-def _standing_at(given: str, known: Mapping[str, Any]) -> set[str]:
+def _standing_at(given: str, rows: Mapping[str, Any]) -> set[str]:
     """The rows whose place in the print is meant, as by ``9``, ``(9)``, ``eq9`` or ``Figure 7``;
     not those of the text about it.
     """
     number = re.sub(r"^eq[a-z]*[\s.-]*|[()]", "", given.lower())
     places = {
         name: str(row["where"] if isinstance(row, Mapping) else row.where or "").lower()
-        for name, row in known.items()
+        for name, row in rows.items()
     }
     found = {
         name: where

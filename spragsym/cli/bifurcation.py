@@ -252,8 +252,8 @@ def points_of(case: Case, found: Points, after: bool = False) -> Row:
         following = case.row(found.after if after else after_if_known(found), end="_after")
 
     def ours(*rows: str) -> dict[str, Any]:
-        known = (each for each in found.schema if each.row in rows)
-        return {own_name(case.model, each.name): each.value(found) for each in known}
+        columns = (each for each in found.schema if each.row in rows)
+        return {own_name(case.model, each.name): each.value(found) for each in columns}
 
     columns = {
         **{name: found[name] for name in found.vary},
@@ -274,10 +274,10 @@ def points_of(case: Case, found: Points, after: bool = False) -> Row:
     }
 
 
-def print_points(title: str, told: Mapping[str, Any], where: Sequence[str]) -> None:
+def print_points(title: str, found: Mapping[str, Any], where: Sequence[str]) -> None:
     """A table of points, and where it is not known whether there are more."""
-    rows = told["points"]
-    if rows or told["complete"]:
+    rows = found["points"]
+    if rows or found["complete"]:
         # Of an onset what JSON has besides the table.
         beside = tuple(each.name for each in ss.results.Onsets.schema if each.row == "beside")
         shown = [{name: value for name, value in row.items() if name not in beside} for row in rows]
@@ -294,24 +294,24 @@ def print_points(title: str, told: Mapping[str, Any], where: Sequence[str]) -> N
     ]
     if lost:
         everywhere = math.isinf(
-            next(iter(told["searched"].values()))[0]
+            next(iter(found["searched"].values()))[0]
         )  # as by closed forms: a search may be undecided
-        known = "is left" if told["complete"] and everywhere else "was found"
+        said = "is left" if found["complete"] and everywhere else "was found"
         nowhere = ", ".join(f"{row[where[0]]:.6g}" for row in lost)
         click.echo(
-            f"{title}: nothing stable in contact {known} to jump to at {' and '.join(where)} "
+            f"{title}: nothing stable in contact {said} to jump to at {' and '.join(where)} "
             f"= {nowhere}"
         )
-    print_open(title, told)
+    print_open(title, found)
 
 
-def print_open(title: str, told: Mapping[str, Any]) -> None:
+def print_open(title: str, found: Mapping[str, Any]) -> None:
     """Whether these are all, and what is known of the rest."""
-    if told["undecided"]:
-        click.echo(f"{title}: not complete, {summed(told['undecided'])}")
-    elif not told["complete"]:
+    if found["undecided"]:
+        click.echo(f"{title}: not complete, {summed(found['undecided'])}")
+    elif not found["complete"]:
         click.echo(f"{title}: not complete")
-    for remark in told["remarks"]:
+    for remark in found["remarks"]:
         click.echo(f"{title}: {remark}")
 
 

@@ -230,16 +230,16 @@ class Case:
         for span in self.spans:
             if span.name == name:
                 return span.title, span.unit
-        known = columns_of_class(kind, self.model)
-        dimension = known[name].dimension if name in known else "1"
+        columns = columns_of_class(kind, self.model)
+        dimension = columns[name].dimension if name in columns else "1"
         return self._titled(name + end, dimension)
 
     def row(self, values: Mapping[str, Any], kind: type = Equilibria, end: str = "") -> Row:
         """Columns of a class of results, each under the name that says its unit, codes as words."""
-        known, found = columns_of_class(kind, self.model), {}
+        columns, found = columns_of_class(kind, self.model), {}
         for name, value in values.items():
             title, size = self.of(name, kind, end)
-            codes = known[name].codes if name in known else None
+            codes = columns[name].codes if name in columns else None
             if codes is not None:
                 found[title] = [codes(code).name.lower() for code in value]
             else:
@@ -282,11 +282,11 @@ class Case:
                 f"--vary {name}: it is a unit of the model, and several parameters change "
                 "with it; write a file for each value"
             )
-        known = list(
+        names = list(
             dict.fromkeys([*self.model.parameters, *(kind.parameters if self.study else ())])
         )
         raise click.UsageError(
-            f"--vary: {name!r} is not one of {', '.join(known)}{hint(name, known)}"
+            f"--vary: {name!r} is not one of {', '.join(names)}{hint(name, names)}"
         )
 
     def axis(self, name: str, before: str = "", after: str = "") -> Titled | None:

@@ -360,11 +360,11 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
     """The frictions that decide; None for what can't be told, with the reason."""
     model, remarks = case.model, list[str]()
     own, angle = model.coefficient, model.inclination
-    known = {"inclination": angle, "friction coefficient": own}
+    labels = {"inclination": angle, "friction coefficient": own}
 
     def answer(name: str, question: Callable[[], T], *needed: str) -> T | None:
         try:
-            if missing := [one for one in needed if known[one] is None]:
+            if missing := [one for one in needed if labels[one] is None]:
                 raise ParameterError(f"{model.name} has no {' and no '.join(missing)}")
             return question()
         except SpragsymError as reason:
@@ -387,14 +387,14 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
             else None
         )
 
-    lowest, at_deg, kind = answer("mu0_lowest", fold, *known) or (None, None, None)
+    lowest, at_deg, kind = answer("mu0_lowest", fold, *labels) or (None, None, None)
     varies = None in case.values.values()
     return {
         "mu0_jump": None if varies else answer("mu0_jump", jump, "friction coefficient"),
         "mu0_lowest": lowest,
         "theta0_lowest_deg": at_deg,
         "kind_lowest": kind,
-        "mu0_cusp": answer("mu0_cusp", lambda: float(ss.cusp_friction(p, **case.ask)), *known),
+        "mu0_cusp": answer("mu0_cusp", lambda: float(ss.cusp_friction(p, **case.ask)), *labels),
         "mu_cr": answer("mu_cr", lambda: float(ss.kang_nam.linear_critical_friction(p))),
     }, case.said(remarks)
 

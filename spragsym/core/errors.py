@@ -96,8 +96,8 @@ def closest(given: str, allowed: Iterable[str]) -> str | None:
         "preload": "kappa",
     }
     for candidate in (word, word.removesuffix("deg"), word.removesuffix("rad")):
-        if (known := words.get(candidate, candidate)) in plain:
-            return plain[known]
+        if (match := words.get(candidate, candidate)) in plain:
+            return plain[match]
     # A one-letter name resembles every short name, so only its exact spelling counts.
     found = (
         difflib.get_close_matches(word, [name for name in plain if len(name) > 1], n=1)

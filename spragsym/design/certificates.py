@@ -380,19 +380,19 @@ class ClaimOfStates(Claim):
         return replace(parts, holds=holds, around=searched), weight
 
     def _located(
-        self, balance: Balance, parts: LocatedParts, around: FloatArray
+        self, balance: Balance, parts: LocatedParts, box: FloatArray
     ) -> tuple[Roots, FloatArray]:
         """States of one combination in parts, and boxes with all of them, shape (2, n, N)."""
         bounds = Intervals.between(parts.low, parts.high)
-        whole = np.asarray(np.isfinite(around).all(axis=(0, 1)))
+        whole = np.asarray(np.isfinite(box).all(axis=(0, 1)))
         new = np.flatnonzero(~whole)
         if new.size:
-            around = around.copy()
-            around[:, :, new], whole[new] = region(balance, bounds[:, new])
+            box = box.copy()
+            box[:, :, new], whole[new] = region(balance, bounds[:, new])
         found = reduced_by_turns(
             balance.periodic,
             certified_roots.search(
-                balance, around, parts.low, parts.high, budget=600, narrow=2.0**-20
+                balance, box, parts.low, parts.high, budget=600, narrow=2.0**-20
             ),
         )
         ends, point = found.every
@@ -402,13 +402,13 @@ class ClaimOfStates(Claim):
         )  # of which the root is proved
         left = ~(beyond | kept)
         states = Roots.at(ends, point=point).reopened(kept, left)
-        where = np.full(around.shape, -np.inf)
+        where = np.full(box.shape, -np.inf)
         np.maximum.at(
             np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0)
         )
         room = 1e-6 + balance.options.margin * np.maximum(width_of(where), 0.0)
         with quiet():  # where there is no state it stays as it is
-            where = np.fmin(rounded_outward(where + room), around)
+            where = np.fmin(rounded_outward(where + room), box)
         return states, np.where(whole, where, np.inf)
 
     @staticmethod

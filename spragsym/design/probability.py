@@ -12,6 +12,7 @@ from functools import partial
 from typing import Any, Protocol, TypeAlias, get_args
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, one_of
@@ -41,12 +42,16 @@ Distribution: TypeAlias = (
 class Quantiles(Protocol):
     """A distribution, by its values below which a share of it lies."""
 
-    def ppf(self, share: Any, /) -> Any:
+    def ppf(self, share: ArrayLike, /) -> Any:
         """Values, at a share or an array of these."""
 
 
 #: What may happen at many points: quantities by name → 1 or 0, or NaN where that is unknown.
 Event: TypeAlias = Callable[[dict[str, Any]], FloatArray]
+
+
+#: Points from which on parts of the box are asked first.
+MANY = 1 << 12
 
 
 @dataclass(frozen=True)
@@ -415,9 +420,7 @@ def jump_probability(
             f"{said}: a bracket is proved for independent parameters of the model only; leave "
             "max_boxes out"
         )
-    # From so many points on parts of the box are asked first.
-    many = 4096
-    if kind is None and n >= many and asked.closed_form("limit_point_passed") is None:
+    if kind is None and n >= MANY and asked.closed_form("limit_point_passed") is None:
         event = replace(event, proved=_proved(asked, variables, vary, begin))
     sampling = Sampling(correlation, n, rng, replicates, confidence, sobol, workers, progress)
     found = estimated(variables, event, sampling)

@@ -170,12 +170,12 @@ def _stability_map(report: Facts) -> Rows:
     if angle is None or friction is None or not study.moves:
         return
     angles, between = study.quantities[str(study.kind.inclination)], study.friction[::2]
-    known = (
+    marked = (
         (value for value in report.folds[friction][friction].tolist() if value < 3)
         if friction in report.folds
         else ()
     )
-    top = max(1.0, 1.15 * between[1], *(1.15 * value for value in known))
+    top = max(1.0, 1.15 * between[1], *(1.15 * value for value in marked))
     with suppress(SpragsymError):
         # Lines on which onsets of oscillation are looked for.
         onsets = ss.onset_curves(p, (angle, friction), 12, between={friction: (0.0, top)})
@@ -433,8 +433,8 @@ def draw_rising(
         else (further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end)
     )
     turns = ss.folds(p, vary, between={vary: (begin, min(max(far, further), high))})
-    known = [value + _MORE * abs(value) for value in turns[vary].tolist() if begin < value < far]
-    top = min(max(least, further, *known), high)
+    marked = [value + _MORE * abs(value) for value in turns[vary].tolist() if begin < value < far]
+    top = min(max(least, further, *marked), high)
     top = top if top > begin else end  # nothing is applied yet, and nothing ends
     draw_branches(
         curves_between(p, vary, (begin, top), turns, True, n),

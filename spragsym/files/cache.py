@@ -11,10 +11,13 @@ from ..core.errors import SpragsymError
 from .storage import put
 
 
-def cached(made_of: Mapping[str, object], make: Callable[[], dict[str, str]]) -> dict[str, str]:
+def cached(
+    made_of: Mapping[str, object], make: Callable[[], dict[str, str]], most: int = 64
+) -> dict[str, str]:
     """Files by their names, as they were made of the same before, or made now.
 
     A result that is damaged is made again, and one that can't be kept is not: neither is an error.
+    The ``most`` recent results are kept.
     """
     key = hashlib.sha256(json.dumps(made_of, sort_keys=True).encode()).hexdigest()
     path = cache_folder() / f"{key}.json"
@@ -27,8 +30,6 @@ def cached(made_of: Mapping[str, object], make: Callable[[], dict[str, str]]) ->
     text = json.dumps(files)
     with suppress(OSError, SpragsymError):
         put(path, f"{hashlib.sha256(text.encode()).hexdigest()}\n{text}", made=True)
-        # Results that are kept; of more the oldest go.
-        most = 64
         for old in sorted(path.parent.glob("*.json"), key=os.path.getmtime)[:-most]:
             old.unlink()
     return files

@@ -71,8 +71,8 @@ def dataset(
     made = xarray().Dataset(data, coords=coords, attrs=attributes)
     for name in made.variables:
         column = columns.get(name, Column(name, ""))
-        told = {"units": column.dimension, "long_name": column.meaning}
-        made[name].attrs = {key: text for key, text in told.items() if text}
+        described = {"units": column.dimension, "long_name": column.meaning}
+        made[name].attrs = {key: text for key, text in described.items() if text}
         if column.codes is not None:
             made[name].attrs |= {
                 "flag_values": np.array(list(column.codes), dtype=np.int8),

@@ -12,6 +12,7 @@ from importlib import resources
 from typing import Any, TypeAlias
 
 from ..core.errors import MissingExtraError, ParameterError, ParameterTypeError
+from ..core.type_variables import T
 
 #: What says where a file is.
 FilePath: TypeAlias = str | os.PathLike[str]
@@ -83,7 +84,7 @@ def brake_text(path: FilePath) -> str:
     return text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±")
 
 
-def printed(where: str, held: object, allowed: str = "") -> Any:
+def printed(where: str, held: T, allowed: str = "") -> T:
     """Text that was read, or data with texts in them; a ParameterError if one holds what is not
     printed.
 

@@ -87,10 +87,10 @@ class ClosedClaim(Claim):
     def settled(self, parts: ParameterBoxes) -> tuple[ParameterBoxes, FloatArray]:
         holds, weight = self.prove(parts)
         width = parts.high - parts.low
-        known = ((width > 0) & (weight > 0)).any(axis=0)
+        matters = ((width > 0) & (weight > 0)).any(axis=0)
         # The widest where none is known to matter.
         return replace(parts, holds=holds), np.where(
-            known, weight, width / np.maximum(parts.high, 1e-300)
+            matters, weight, width / np.maximum(parts.high, 1e-300)
         )
 
     def point(self, values: FloatArray) -> ParameterSet:

@@ -52,8 +52,8 @@ def first_limit_points(
     """
     vary = vary or "mu0"
     require_usual(p, vary, begin)
-    known = ("up",) if vary in FROM_LOWER_END else ("up", "down")
-    if vary not in NAMES or direction not in known:
+    directions = ("up",) if vary in FROM_LOWER_END else ("up", "down")
+    if vary not in NAMES or direction not in directions:
         raise NotInClosedForm
     return first_jumps(p, vary, direction)
 

@@ -20,6 +20,7 @@ import numpy as np
 from ..generated.models.kang_nam import algebra
 from ..models.field import SETTLED
 from ..models.parameters import FloatArray, Span
+from ..numerics.arithmetic import Number
 from ..numerics.interval_arrays import Int8Array
 from ..numerics.polynomials import eigenvalues
 from ..results import Equilibria, Points
@@ -38,26 +39,26 @@ def airborne(constants: tuple[float, ...], state: FloatArray) -> bool:
         return False
     cos0, sin0, mu0, kappa, *springs, _, _ = constants
     p = Parameters(math.atan2(sin0, cos0), mu0, kappa, *springs)
-    found, known = equilibria(p, contact=False), (cos0, sin0, kappa, *springs)
+    found, arguments = equilibria(p, contact=False), (cos0, sin0, kappa, *springs)
     surface, (x, y, vx, vy) = _stationary_on_the_surface(cos0, sin0, *springs[:2]), state.tolist()
     places = (
         np.concatenate([found.x, surface, [cos0]]),
         np.concatenate([found.y, np.zeros_like(surface), [sin0]]),
     )
     values, energy = (
-        _potential(*places, *known),
-        _potential(x, y, *known, xp=math) + (vx * vx + vy * vy) / 2,
+        _potential(*places, *arguments),
+        _potential(x, y, *arguments, xp=math) + (vx * vx + vy * vy) / 2,
     )
     for slot in np.flatnonzero(found.undamped == EquilibriumType.STABLE):
         brim = float(np.min(values[values > values[slot] + 1e-12], initial=np.inf))
         # Points between which the energy is bounded on the straight way to the well's bottom.
         way = np.linspace([x, y], [found.x[slot], found.y[slot]], 201).T
-        if energy < brim and _highest_on(way, known) < brim:
+        if energy < brim and _highest_on(way, arguments) < brim:
             return True
     return False
 
 
-def _potential(x: Any, y: Any, *constants: Any, xp: Any = np) -> Any:
+def _potential(x: Number, y: Number, *constants: float, xp: object = np) -> Any:
     """Energy at rest, without contact: friction, V and d are nothing to it."""
     cos0, sin0, *rest = constants
     return _energy(x, y, 0.0, 0.0, cos0, sin0, 0.0, *rest, 0.0, 0.0, 0, xp=xp)

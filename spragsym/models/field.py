@@ -433,10 +433,10 @@ class _Motion:
             if xp is not None
             else (lambda v: float(np.cos(v)), lambda v: float(np.sin(v)))
         )
-        known = dict(zip(self.model.parameters, values, strict=True))
+        arguments = dict(zip(self.model.parameters, values, strict=True))
         for angle, names in self.model.about["angles"].items():
-            known |= zip(names, (cos(known[angle]), sin(known[angle])), strict=True)
-        return tuple(known[name] for name in self.model.about["arguments"]["motion"])
+            arguments |= zip(names, (cos(arguments[angle]), sin(arguments[angle])), strict=True)
+        return tuple(arguments[name] for name in self.model.about["arguments"]["motion"])
 
     def in_mode(self, name: str) -> Callable[..., Any]:
         """A generated function of the state, the constants and the numbers of the mode that it

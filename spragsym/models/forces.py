@@ -149,5 +149,5 @@ def spring_named(model: Model, spring: str | None) -> str:
 
 def of_statics(model: Model, constants: Sequence[Any]) -> list[Any]:
     """Arguments of the motion that functions of the statics take."""
-    known = dict(zip(model.about["arguments"]["motion"], constants, strict=True))
-    return [known[name] for name in model.about["arguments"]["statics"]]
+    arguments = dict(zip(model.about["arguments"]["motion"], constants, strict=True))
+    return [arguments[name] for name in model.about["arguments"]["statics"]]

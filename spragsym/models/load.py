@@ -114,11 +114,11 @@ def load(name: str | os.PathLike[str]) -> Model:
             "folder; name that"
         )
     else:
-        known = shipped()
+        names = shipped()
         raise ParameterError(
             f"{text!r} is neither a shipped model nor a folder that spragsym derive PAGE.py "
             "--out DIR wrote"
-            f"{hint(text, known) or '; the models are ' + ', '.join(known)}"
+            f"{hint(text, names) or '; the models are ' + ', '.join(names)}"
         )
     with _LOCK:
         if where in shipped():

@@ -284,8 +284,8 @@ class Model:
         """Parameters that vary unless told otherwise: inclination and friction where the model has
         them, else its first parameter of the balance.
         """
-        known = (name for name in (self.inclination, self.coefficient) if name is not None)
-        return tuple(known) or self.plane[:1] or self.parameters[:1]
+        named = (name for name in (self.inclination, self.coefficient) if name is not None)
+        return tuple(named) or self.plane[:1] or self.parameters[:1]
 
     @property
     def balanced(self) -> tuple[str, ...]:
@@ -297,8 +297,8 @@ class Model:
         """Two parameters for a picture whose reader may choose others: the same, then what else of
         the balance stands first.
         """
-        known = [name for name in (self.inclination, self.coefficient) if name is not None]
-        return tuple(dict.fromkeys([*known, *self.balanced]))[:2]
+        named = [name for name in (self.inclination, self.coefficient) if name is not None]
+        return tuple(dict.fromkeys([*named, *self.balanced]))[:2]
 
     @cached_property
     def columns(self) -> Mapping[str, Column]:
@@ -349,8 +349,8 @@ class Model:
 
         def meaning(entry: Mapping[str, Any]) -> str:
             own = entry.get("quantity", entry["name"])
-            known = "" if own == entry["name"] else f" ({own}, dimensionless)"
-            return entry["meaning"] + (", radians" if entry["unit"] == "rad" else known)
+            symbol = "" if own == entry["name"] else f" ({own}, dimensionless)"
+            return entry["meaning"] + (", radians" if entry["unit"] == "rad" else symbol)
 
         about, roles = self.about, {"both": "statics and motion", "motion": "motion"}
         coordinates = [

@@ -227,23 +227,23 @@ def named(cls: type[T]) -> type[T]:
     have.
     """
     made: Callable[..., None] = cls.__init__
-    known = [field.name for field in fields(cls)]  # type: ignore[arg-type]  # a dataclass, as said
+    names = [field.name for field in fields(cls)]  # type: ignore[arg-type]  # a dataclass, as said
 
     @functools.wraps(made)
     def __init__(self: Any, *args: Any, **values: Any) -> None:
-        check_names(values, known)
+        check_names(values, names)
         made(self, *args, **values)
 
     cls.__init__ = __init__  # type: ignore[method-assign]  # the same arguments
     return cls
 
 
-def check_names(given: Iterable[str], known: Iterable[str]) -> None:
+def check_names(given: Iterable[str], allowed: Iterable[str]) -> None:
     """Raise for a name that is not known, with the one that was meant."""
-    known = list(known)
+    allowed = list(allowed)
     for name in given:
-        if name not in known:
-            remark = hint(name, known) or f"; the parameters are {', '.join(known)}"
+        if name not in allowed:
+            remark = hint(name, allowed) or f"; the parameters are {', '.join(allowed)}"
             raise ParameterTypeError(f"{name} is not a parameter{remark}")
 
 
@@ -273,8 +273,8 @@ class Values(Tabular):
     @functools.cached_property
     def shape(self) -> Shape:
         """Common shape of all fields."""
-        known = {name: np.shape(value) for name, value in self._values.items()}
-        return common_shape(known) if any(known.values()) else ()
+        shapes = {name: np.shape(value) for name, value in self._values.items()}
+        return common_shape(shapes) if any(shapes.values()) else ()
 
     def __getitem__(self, name: str) -> Any:
         """A field by its name."""
@@ -415,10 +415,10 @@ class ParameterSet(Values):
         >>> ss.quasi_static_path(p, "mu0", [0.0, 0.2]).phi.round(4).tolist()
         [-0.5638, -0.5727]
         """
-        known = self.model.coordinates
-        if not coordinates or not set(coordinates) <= set(known):
+        every = self.model.coordinates
+        if not coordinates or not set(coordinates) <= set(every):
             raise ParameterError(
-                f"coordinates = {', '.join(coordinates) or 'none'}; give some of {', '.join(known)}"
+                f"coordinates = {', '.join(coordinates) or 'none'}; give some of {', '.join(every)}"
             )
         other = self._copied(type(self))
         other.__dict__["followed"] = {
@@ -436,8 +436,8 @@ class ParameterSet(Values):
 
     def given(self, /, **changes: ArrayLike | None) -> Self:
         """A copy with those values that are not None; itself if there are none."""
-        known = {name: value for name, value in changes.items() if value is not None}
-        return self.replace(**known) if known else self
+        changed = {name: value for name, value in changes.items() if value is not None}
+        return self.replace(**changed) if changed else self
 
     def require(self, *names: str) -> None:
         """Raise unless the named parameters are given."""

@@ -213,8 +213,8 @@ class Quantities:
 @cache
 def _powers(unit: str, bases: tuple[str, ...]) -> tuple[float, ...]:
     def powers(text: str) -> list[float]:
-        known = {} if text == "1" else dimension(text)
-        return [float(known.get(axis, 0)) for axis in ("[mass]", "[length]", "[time]")]
+        exponents = {} if text == "1" else dimension(text)
+        return [float(exponents.get(axis, 0)) for axis in ("[mass]", "[length]", "[time]")]
 
     matrix = np.array([powers(base) for base in bases]).T
     return tuple(

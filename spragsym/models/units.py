@@ -94,14 +94,14 @@ _TWO_MEANINGS = {
 @cache
 def _words() -> dict[str, str]:
     """Long names of units by the words that are read."""
-    known = {word: name for name, (_, words) in _ALONE.items() for word in words}
+    long_names = {word: name for name, (_, words) in _ALONE.items() for word in words}
     for symbol, (_, names) in _WITH_PREFIX.items():
         long = [form for one in names for form in (one, f"{one}s")]
-        known |= dict.fromkeys([symbol, *long], names[0])
+        long_names |= dict.fromkeys([symbol, *long], names[0])
         for prefix, (whole, _) in _PREFIXES.items():
-            known.setdefault(prefix + symbol, whole + names[0])
-            known |= {whole + form: whole + names[0] for form in long}
-    return known
+            long_names.setdefault(prefix + symbol, whole + names[0])
+            long_names |= {whole + form: whole + names[0] for form in long}
+    return long_names
 
 
 @cache

@@ -7,6 +7,7 @@ from types import ModuleType
 from typing import Any
 
 from ..core.interrupts import held
+from ..numerics.arithmetic import Number
 
 
 @cache
@@ -39,7 +40,7 @@ class HeyokaFunctions:
         if isinstance(found, hy.expression):
             return found
 
-        def call(*values: Any) -> Any:
+        def call(*values: Number) -> Number:
             taken = [
                 hy.expression(float(it)) if isinstance(it, int | float) else it for it in values
             ]
@@ -48,12 +49,12 @@ class HeyokaFunctions:
 
         return call
 
-    def sign(self, value: Any) -> Any:
+    def sign(self, value: Number) -> Number:
         """The sign of an expression: −1, 0 or 1."""
         hy = library()
         return hy.select(hy.gt(value, 0.0), 1.0, hy.select(hy.lt(value, 0.0), -1.0, 0.0))
 
-    def tanh(self, value: Any) -> Any:
+    def tanh(self, value: Number) -> Number:
         """By exponentials: where heyoka's rounds to 1, all its Taylor coefficients are zero, and a
         step misses what follows.
         """

@@ -82,7 +82,7 @@ def held_along(
     return True
 
 
-def _stills(field: Field, mode: Mode, around: Sequence[Any], given: Sequence[Any]) -> bool:
+def _stills(field: Field, mode: Mode, states: Sequence[Any], given: Sequence[Any]) -> bool:
     """Whether over boxes of states nothing moves but the clock where the sliding speeds that are
     held are 0: their derivatives A by the rates have full rank. That is so where |1 − R A| < 1 for
     any R; it is found in floats, of the middles with rows and columns of the size 1, and what is
@@ -90,7 +90,7 @@ def _stills(field: Field, mode: Mode, around: Sequence[Any], given: Sequence[Any
     """
     n, stays = len(field.coordinates), [each for each in field.stays(mode) if each.slopes]
     with quiet():
-        rows = [each.slopes(around, given, mode)[n : 2 * n - 1] for each in stays if each.slopes]
+        rows = [each.slopes(states, given, mode)[n : 2 * n - 1] for each in stays if each.slopes]
         entries = stacked([entry for row in rows for entry in row], (PHASES,))
         middle = entries.middle[:, 0].reshape(len(rows), n - 1)
         sizes = np.abs(middle).max(axis=1, keepdims=True, initial=NOTHING)
@@ -105,14 +105,14 @@ def _stills(field: Field, mode: Mode, around: Sequence[Any], given: Sequence[Any
     return bool((off < 0.5).all())
 
 
-def _is_held(field: Field, mode: Mode, around: Sequence[Any], given: Sequence[Any]) -> bool:
+def _is_held(field: Field, mode: Mode, states: Sequence[Any], given: Sequence[Any]) -> bool:
     """Whether a mode lasts over boxes of states: what stays on a border is on it, and all else is
     inside.
     """
     stays = field.stays(mode)
     with quiet():
         for border in field.borders:
-            level = border.level(around, given, mode)
+            level = border.level(states, given, mode)
             if border in stays:
                 if as_intervals(level, (PHASES,)).magnitude.max() > NOTHING:
                     return False

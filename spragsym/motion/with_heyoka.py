@@ -18,6 +18,7 @@ import numpy as np
 from ..core.errors import ConvergenceError
 from ..models.field import GAP, JUMPED, Border, Field, Mode
 from ..models.parameters import FloatArray
+from ..numerics.arithmetic import Number
 from ..numerics.vectors import makes_turns
 from .heyoka_functions import XP, HeyokaFunctions, library
 from .lobatto import sample_times, unit_points
@@ -125,12 +126,12 @@ def equations(
     constants = len(field.constants([1.0] * parameters))
     end = constants + len(field.modes[0])
     state = hy.make_vars(*names, *(f"v{name}" for name in names))
-    known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
-    accelerations = list(field.acceleration(state, known, mode, xp := HeyokaFunctions()))
+    given, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
+    accelerations = list(field.acceleration(state, given, mode, xp := HeyokaFunctions()))
     system = list(zip(state, [*state[n:], *accelerations], strict=True))
     if directions is not None:
         jacobian, slopes = (
-            make(state, known, mode, XP) for make in (field.jacobian, field.by_parameters)
+            make(state, given, mode, XP) for make in (field.jacobian, field.by_parameters)
         )
         for column in range(m + directions):
             part = hy.make_vars(
@@ -155,10 +156,10 @@ def equations(
         ]
         system += zip(hy.make_vars(*(f"sum.{i}" for i in range(len(sums)))), sums, strict=True)
     roots = field.scales.roots if field.scales else ()
-    return system, (state, known, mode), accelerations, Approach.of(xp.called, system[:m], roots)
+    return system, (state, given, mode), accelerations, Approach.of(xp.called, system[:m], roots)
 
 
-def _dot(one: Sequence[Any], other: Sequence[Any]) -> Any:
+def _dot(one: Sequence[Number], other: Sequence[Number]) -> Number:
     return sum(a * b for a, b in zip(one, other, strict=True))
 
 
@@ -539,11 +540,11 @@ _CACHE = threading.local()
 
 def compiled(field: Field, tol: float, **options: Any) -> BatchIntegrator:
     """An integrator that is compiled once per field, tolerance and thread."""
-    known: dict[Any, BatchIntegrator] = _CACHE.__dict__.setdefault("compiled", {})
+    integrators: dict[Any, BatchIntegrator] = _CACHE.__dict__.setdefault("compiled", {})
     key = field.name, field.lead, tol, *options.items()
-    if key not in known:
-        known[key] = BatchIntegrator(field, tol, **options)
-    return known[key]
+    if key not in integrators:
+        integrators[key] = BatchIntegrator(field, tol, **options)
+    return integrators[key]
 
 
 def flow_integrator(problem: Problem, directions: FloatArray | None) -> BatchIntegrator:

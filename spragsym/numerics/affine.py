@@ -225,11 +225,11 @@ class Affine(Rounded):
         terms = slope * x.terms
         rounding = UNIT * np.abs(terms).sum(axis=0)
         error = (np.abs(slope) * x.error + off + middle.error + rounding) * _SLACK + _TINY
-        known = np.isfinite(error) & np.isfinite(middle.value)
+        finite = np.isfinite(error) & np.isfinite(middle.value)
         return Affine(
-            np.where(known, middle.value, 0.0),
-            np.where(known, terms, 0.0),
-            np.where(known, error, np.inf),
+            np.where(finite, middle.value, 0.0),
+            np.where(finite, terms, 0.0),
+            np.where(finite, error, np.inf),
         )
 
 

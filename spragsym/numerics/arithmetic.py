@@ -231,7 +231,7 @@ class Complex(Arithmetic):
             (self.im * other.re - self.re * other.im) / square,
         )
 
-    def squared(self) -> Any:
+    def squared(self) -> Number:
         """|z|²."""
         return self.re**2 + self.im**2
 

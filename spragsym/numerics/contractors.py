@@ -205,10 +205,10 @@ def inverse(matrices: FloatArray) -> FloatArray:
 def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
     """By Gauss's and Jordan's elimination with the largest pivot of each column."""
     n, _, count = matrices.shape
-    every, known = np.arange(count), np.isfinite(matrices).all(axis=(0, 1))
+    every, finite = np.arange(count), np.isfinite(matrices).all(axis=(0, 1))
     unit = np.broadcast_to(np.eye(n)[:, :, None], matrices.shape)
     # Of what is not finite there is no inverse, nor of a 0.
-    work = np.concatenate([np.where(known, matrices, 0.0), unit], axis=1)
+    work = np.concatenate([np.where(finite, matrices, 0.0), unit], axis=1)
     for k in range(n):
         pivot = k + np.abs(work[k:, k]).argmax(axis=0)
         row = work[pivot, :, every].T

@@ -477,8 +477,8 @@ def _component(along: Intervals, across: Intervals) -> Intervals:
     # underflows or overflows.
     values = rounded_outward(ends / np.sqrt(ends * ends + other * other), 4)
     size = np.maximum(np.abs(ends), other)
-    known = (size > 1e-140) & (size < 1e150) & (values <= 1)
-    return Intervals(np.where(known, values, 1.0))
+    accurate = (size > 1e-140) & (size < 1e150) & (values <= 1)
+    return Intervals(np.where(accurate, values, 1.0))
 
 
 def atan2(sine: Intervals, cosine: Intervals, side: int | None = None) -> Intervals:

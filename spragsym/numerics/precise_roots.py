@@ -116,19 +116,21 @@ def _proved(
 ) -> list[Ball] | None:
     """The box of half-width r around z if it is shown to hold the root."""
     with balls.precision(system.bits):
-        around = [part + balls.between(-r, r) for part in z]
-        sides = zip(map(balls.ends, around), exact_ends(alone), strict=True)
+        enclosed = [part + balls.between(-r, r) for part in z]
+        sides = zip(map(balls.ends, enclosed), exact_ends(alone), strict=True)
         within = all(low <= least and most <= high for (least, most), (low, high) in sides)
-        given = zip(around, exact_ends(box), strict=True)
+        given = zip(enclosed, exact_ends(box), strict=True)
         over = (
-            around if within else [balls.union(part, balls.between(*side)) for part, side in given]
+            enclosed
+            if within
+            else [balls.union(part, balls.between(*side)) for part, side in given]
         )
     columns = list(zip(*as_balls(system.slopes(over), system.bits), strict=True))
     off = [
         [_dot(row, column) - int(i == j) for j, column in enumerate(columns)]
         for i, row in enumerate(Y)
     ]
-    return around if max(map(_norm, off)) <= Fraction(1, 2) else None
+    return enclosed if max(map(_norm, off)) <= Fraction(1, 2) else None
 
 
 def exact_ends(box: FloatArray) -> Box:

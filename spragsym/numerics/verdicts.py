@@ -188,7 +188,7 @@ def _most_told(now: FloatArray, slopes: Intervals, closed: BoolArray) -> IntArra
     widths = width_of(now)
     change = slopes.magnitude * widths[None]
     share = (change / change.sum(axis=1, keepdims=True)).sum(axis=0)
-    known = np.isfinite(share).all(axis=0)
+    finite = np.isfinite(share).all(axis=0)
     # What is as narrow as rounding allows gets no narrower by halving.
     done = closed | (widths <= NARROW * scale_of(now).max(axis=0))
-    return np.where(done, -1.0, np.where(known, share, widths)).argmax(axis=0)
+    return np.where(done, -1.0, np.where(finite, share, widths)).argmax(axis=0)

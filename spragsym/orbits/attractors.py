@@ -53,27 +53,27 @@ def attractor(system: System, verdict: FateVerdict) -> Attractor:
     return _of_cycle(system, orbit)
 
 
-def followed(known: Attractor, system: System) -> Attractor:
+def followed(earlier: Attractor, system: System) -> Attractor:
     """The attractor continued to another value of one parameter; ConvergenceError where it ends or
     is lost on the way.
     """
-    if known.kind == Regime.LIFT_OFF or known.system == system:
-        return replace(known, system=system)
-    if known.orbit is not None:
-        return _of_cycle(system, followed_cycle(known.orbit, system.values))
-    index, span = _varied(known.system.values, system.values)
-    scales = known.system.scales(known.state)
-    there = known.system.scaled(scales)
-    rest = FixedPoints(there.field).started(there, known.state / scales.states, index, span)
+    if earlier.kind == Regime.LIFT_OFF or earlier.system == system:
+        return replace(earlier, system=system)
+    if earlier.orbit is not None:
+        return _of_cycle(system, followed_cycle(earlier.orbit, system.values))
+    index, span = _varied(earlier.system.values, system.values)
+    scales = earlier.system.scales(earlier.state)
+    there = earlier.system.scaled(scales)
+    rest = FixedPoints(there.field).started(there, earlier.state / scales.states, index, span)
     return _at_rest(system, natural(along(rest, system.values[index]).orbit).state)
 
 
-def followed_cycle(known: Cycle, values: Values) -> Cycle:
+def followed_cycle(earlier: Cycle, values: Values) -> Cycle:
     """The cycle continued to another value of one parameter; ConvergenceError where it turns back,
     or is lost, on the way.
     """
-    index, span = _varied(known.values, values)
-    own = in_scales(known.orbit)
+    index, span = _varied(earlier.values, values)
+    own = in_scales(earlier.orbit)
     setting = Setting(own.flow, (index,), own.period, (span,))
     return cycle_of(along(started(setting, own.guess), values[index]).orbit)
 

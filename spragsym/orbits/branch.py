@@ -234,8 +234,8 @@ class CycleBranch(Result):
         2
         """
         # Kinds of event, those first at which stability may change.
-        told = (*CRITERIA, "grazing", *SLIDING, "homoclinic", "catastrophic-sliding", "end")
-        chosen = [one_of("kinds", kind, told) for kind in kinds]
+        offered = (*CRITERIA, "grazing", *SLIDING, "homoclinic", "catastrophic-sliding", "end")
+        chosen = [one_of("kinds", kind, offered) for kind in kinds]
         return tuple(event for event in self.events if event.kind in chosen)
 
 

@@ -287,13 +287,13 @@ def diagram(
 
 
 def _left_alone(
-    vary: str, labels: Sequence[Label], known: FloatArray, near: float
+    vary: str, labels: Sequence[Label], marked: FloatArray, near: float
 ) -> Iterator[str]:
     """Hopf points of the motion that are none of the statics', whose friction may be another: none
     is followed from there.
     """
     for value in (label.value for label in labels if label.label == "H"):
-        if not (np.abs(known - value) < near).any():
+        if not (np.abs(marked - value) < near).any():
             yield Remark(
                 "no cycles were followed from the Hopf point {}: it is the motion's, not the "
                 "statics'",

@@ -175,11 +175,20 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
         held = verdict.kind == Regime.EQUILIBRIUM and system.field.clock
         why += ", where friction holds it in every phase of the clock" if held else ""
         try:
-            kind, known, error = attractor_exponents(system, verdict)
+            kind, spectrum, error = attractor_exponents(system, verdict)
             moves = held or verdict.kind == Regime.LIMIT_CYCLE
-            trivial = int(np.flatnonzero(known == 0)[0]) if moves else -1
+            trivial = int(np.flatnonzero(spectrum == 0)[0]) if moves else -1
             return Fate(
-                kind, why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end
+                kind,
+                why,
+                verdict.t,
+                verdict.outcome,
+                spectrum,
+                error,
+                trivial,
+                scale,
+                "",
+                verdict.end,
             )
         except ConvergenceError as failed:
             return _undecided(

@@ -228,17 +228,17 @@ def _steep(system: System) -> str:
     )
 
 
-def _towards(flow: Flow, known: Iterate, values: Values, halvings: int = 6) -> Orbit:
+def _towards(flow: Flow, earlier: Iterate, values: Values, halvings: int = 6) -> Orbit:
     """The closed orbit at other values of the parameters, by steps half as wide where Newton's
     method fails.
     """
     try:
-        return _from_guess(flow, Iterate(known.states, known.period, values))
+        return _from_guess(flow, Iterate(earlier.states, earlier.period, values))
     except ConvergenceError:
-        if halvings == 0 or values == known.values:
+        if halvings == 0 or values == earlier.values:
             raise
-    middle = tuple((a + b) / 2 for a, b in zip(known.values, values, strict=True))
-    between = _towards(flow, known, middle, halvings - 1)
+    middle = tuple((a + b) / 2 for a, b in zip(earlier.values, values, strict=True))
+    between = _towards(flow, earlier, middle, halvings - 1)
     return _towards(flow, between.guess, values, halvings - 1)
 
 

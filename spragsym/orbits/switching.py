@@ -86,14 +86,14 @@ def _aside(point: BranchPoint, crossed: FloatArray | None, rounds: int) -> Branc
     orbit = setting.integrated(
         Iterate(np.vstack([guess.states] * rounds), rounds * guess.period, guess.values)
     )
-    known, size, weights = (
+    unknowns, size, weights = (
         point.tangent if crossed is None else crossed,
         guess.states.size,
         setting.weights(orbit),
     )
     along = (
         np.concatenate(
-            [*[known[:size]] * rounds, rounds * known[size : size + 1], known[size + 1 :]]
+            [*[unknowns[:size]] * rounds, rounds * unknowns[size : size + 1], unknowns[size + 1 :]]
         )
         * weights
     )

@@ -128,9 +128,9 @@ def _fit(study: Brake) -> Iterator[str]:
         )
     # d times the fastest measured speed up to which none is on its level part.
     if fit.d * fit.fastest < 0.1:
-        known = f"only mu0 d = {fit.mu0 * fit.d:.3g} s/m is known"
+        product = f"only mu0 d = {fit.mu0 * fit.d:.3g} s/m is known"
         yield (
-            f"friction still rises at {fit.fastest:.3g} m/s, and {known}: measure at faster "
+            f"friction still rises at {fit.fastest:.3g} m/s, and {product}: measure at faster "
             "sliding, and check the unit"
         )
 

@@ -276,8 +276,8 @@ class Brake:
         """
         law, laws = self.kind.law, self.kind.about["frictions"]
         asked = {name for one in laws for name in one["quantities"]}
-        known = law["belt"] != "0" and asked <= set(self.quantities)
-        return "friction_at_speed" if known and law["at_rest"] != "other" else "friction_at_rest"
+        applies = law["belt"] != "0" and asked <= set(self.quantities)
+        return "friction_at_speed" if applies and law["at_rest"] != "other" else "friction_at_rest"
 
     @property
     def slides(self) -> bool:

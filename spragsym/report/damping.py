@@ -18,7 +18,7 @@ RATIO = Range(0.0, 1.0)
 
 
 def modal_dampers(
-    kind: Quantities, known: Mapping[str, Measured], ratio: float
+    kind: Quantities, measured: Mapping[str, Measured], ratio: float
 ) -> dict[str, Measured]:
     """Dampers with which every mode of the unloaded mechanism has one damping ratio.
 
@@ -53,7 +53,7 @@ def modal_dampers(
     """
     names, size = kind.dampers, len(kind.coordinates)
     subject = f"damping_ratio = {ratio:g}: the model {kind.model.name}"
-    values = {name: one.value for name, one in known.items()}
+    values = {name: one.value for name, one in measured.items()}
     for name in names:
         if name in values:
             raise ParameterError(

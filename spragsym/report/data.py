@@ -101,8 +101,8 @@ class _FileReader:
         for key, value in table.items():
             with self.at(key):
                 if key not in kind.units:
-                    known = [*kind.units, *keys]
-                    remark = hint(key, known) or f"; the keys are {', '.join(known)}"
+                    allowed = [*kind.units, *keys]
+                    remark = hint(key, allowed) or f"; the keys are {', '.join(allowed)}"
                     raise ParameterError(
                         f"{key} = {value!r} is not a quantity of the model {model}{remark}"
                     )

@@ -378,8 +378,8 @@ def _jump(answers: _Answers) -> float | None:
 
 def speed_of_jump(study: Brake, jump: float | None) -> float:
     """The belt speed from which on the largest friction reaches the jump; NaN without one."""
-    known = jump is not None and not math.isnan(jump) and study.of_friction
-    return speed_for(study, jump) if jump is not None and known else math.nan
+    jumps = jump is not None and not math.isnan(jump) and study.of_friction
+    return speed_for(study, jump) if jump is not None and jumps else math.nan
 
 
 def reach_of(study: Brake, jump: float | None, speed: float) -> str:
@@ -426,8 +426,8 @@ def _folds(answers: _Answers) -> dict[str, Points]:
     load, p, found = study.loading, study.operating_point, dict[str, Points]()
     for vary in dict.fromkeys((load.name, p.model.inclination)):
         if vary in p.model.parameters:
-            known = answers.known(f"folds along {vary} are", partial(folds, p, vary))
-            found |= {} if known is None else {vary: known}
+            points = answers.known(f"folds along {vary} are", partial(folds, p, vary))
+            found |= {} if points is None else {vary: points}
     own = found.get(load.name)
     # Folds at more friction than any brake has do not matter.
     if (

@@ -229,7 +229,7 @@ def _word(name: str) -> str:
     word = re.sub(r"[\s_\-.]+", " ", parts["name"] if parts else name).strip().lower()
     word = re.sub("[\N{MICRO SIGN}\N{GREEK SMALL LETTER MU}]", "mu", word)
     first, _, last = word.rpartition(" ")
-    return first if any({first, last} <= known for known in (SPEED, FRICTION)) else word
+    return first if any({first, last} <= words for words in (SPEED, FRICTION)) else word
 
 
 def _number(cell: str) -> str:
@@ -244,7 +244,7 @@ def _number(cell: str) -> str:
 
 
 def _column(
-    names: Sequence[str], units: Sequence[str], known: frozenset[str], si: str, line: int
+    names: Sequence[str], units: Sequence[str], words: frozenset[str], si: str, line: int
 ) -> tuple[int, float]:
     """Column that has one of these names, and the size of its unit in SI."""
     what, write = (
@@ -252,7 +252,7 @@ def _column(
         if si == "m/s"
         else ("the friction coefficient", "mu or mu [%]")
     )
-    found = [i for i, name in enumerate(names) if _word(name) in known]
+    found = [i for i, name in enumerate(names) if _word(name) in words]
     if len(found) != 1:
         several = f"is named {len(found)} times" if found else "is not among the names"
         raise _RefusedError(f"{what} {several}; name one column {write}, as in {EXAMPLE}", line, 1)

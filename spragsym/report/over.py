@@ -97,8 +97,8 @@ def verdicts_over(study: Brake, over: Mapping[str, FloatArray]) -> Verdicts:
     """
     for name, values in over.items():
         if name not in study.quantities:
-            known = [*study.quantities]
-            remark = hint(name, known) or f"; choose of {', '.join(known)}"
+            quantities = [*study.quantities]
+            remark = hint(name, quantities) or f"; choose of {', '.join(quantities)}"
             raise ParameterError(f"over: {name!r} is no quantity of the brake{remark}")
         for value in values.tolist():
             _placed(study, name, value)  # an error for one out of range, before anything is asked
@@ -139,13 +139,13 @@ def brake_at(study: Brake, values: Mapping[str, float]) -> Brake:
     """The brake with quantities at values in the units of the file; a damping ratio holds for every
     mode there, too, unless one of its dampers is among them.
     """
-    known = dict(study.quantities)
-    known |= {name: _placed(study, name, value) for name, value in values.items()}
+    measured = dict(study.quantities)
+    measured |= {name: _placed(study, name, value) for name, value in values.items()}
     dampers = study.kind.dampers
     if study.damping_ratio is not None and not set(dampers) & set(values):
-        others = {name: one for name, one in known.items() if name not in dampers}
-        known |= modal_dampers(study.kind, others, study.damping_ratio)
-    return study.with_quantities(known)
+        others = {name: one for name, one in measured.items() if name not in dampers}
+        measured |= modal_dampers(study.kind, others, study.damping_ratio)
+    return study.with_quantities(measured)
 
 
 def _placed(study: Brake, name: str, value: float) -> Measured:

@@ -168,8 +168,8 @@ def unit_of(study: Brake, name: str = "") -> tuple[str, float]:
 
 def in_units(study: Brake, position: Numbers) -> Numbers:
     """The coordinates of a place by name and unit."""
-    known = ((name, *unit_of(study, name)) for name in study.kind.coordinates if name in position)
-    return {f"{name}_{unit}": size * float(position[name]) for name, unit, size in known}
+    shown = ((name, *unit_of(study, name)) for name in study.kind.coordinates if name in position)
+    return {f"{name}_{unit}": size * float(position[name]) for name, unit, size in shown}
 
 
 def _of_springs(study: Brake, values: Sequence[Any]) -> OfSprings:
@@ -186,8 +186,8 @@ def _of_contacts(study: Brake, in_newtons: Mapping[str, Any]) -> Any:
     return found.get("", found or None)
 
 
-def _forces(study: Brake, ends: Ranges, known: float = 1.0) -> tuple[Any, Any]:
-    size = known * study.scales.force
+def _forces(study: Brake, ends: Ranges, share: float = 1.0) -> tuple[Any, Any]:
+    size = share * study.scales.force
     in_newtons = {name: (low * size, high * size) for name, (low, high) in ends.items()}
     contacts = _of_contacts(study, in_newtons)
     springs = [force for name, force in in_newtons.items() if not name.startswith("contact_force")]
@@ -219,13 +219,13 @@ def states(study: Brake, eq: Equilibria, here: Numbers | None) -> tuple[State, .
 
 
 def others(
-    study: Brake, eq: Equilibria, known: Sequence[State]
+    study: Brake, eq: Equilibria, states: Sequence[State]
 ) -> tuple[tuple[Numbers, float | None], ...]:
     """Other stable states of ``eq``, as they are known, than the current one: each place in units,
     and the loading parameter where it ends, NaN where it does not, None where that is not known.
     """
     at, load, found = study.operating_point, study.load, []
-    for state, position in zip(known, _places(eq), strict=True):
+    for state, position in zip(states, _places(eq), strict=True):
         if state.undamped != "stable" or state.current:
             continue
         end = None

@@ -357,18 +357,18 @@ def _or_unknown(value: float | None, shown: Callable[[float], str], never: str) 
     return "unknown" if value is None else shown(value) if math.isfinite(value) else never
 
 
-def _springs(told: object, shown: Callable[[Any], str], of: str = "force of ") -> Rows:
+def _springs(forces: object, shown: Callable[[Any], str], of: str = "force of ") -> Rows:
     """Rows of a number of the spring, or of several by their names; none where there is no
     spring.
     """
-    for name, value in (told if isinstance(told, Mapping) else {"the spring": told}).items():
+    for name, value in (forces if isinstance(forces, Mapping) else {"the spring": forces}).items():
         if value is not None:
             yield f"{of}{name}", shown(value)
 
 
-def _contacts(told: object, shown: Callable[[Any], str]) -> Rows:
+def _contacts(forces: object, shown: Callable[[Any], str]) -> Rows:
     """Rows of the force of the contact, or of several by their names; none without any."""
-    named = told if isinstance(told, Mapping) else {"": told}
+    named = forces if isinstance(forces, Mapping) else {"": forces}
     for name, value in named.items():
         if value is not None:
             yield f"force of the contact{name and ' '}{name}", shown(value)
@@ -624,10 +624,10 @@ def _changes(report: Facts) -> Rows:
                 if looked == study.loading.word
                 else f"then it jumps at no {looked}"
             )
-        known = "undecided within the tolerances: of the brakes that were tried none jumps"
+        certainty = "undecided within the tolerances: of the brakes that were tried none jumps"
         if one.outcome == "proved":
-            known = f"proved for everything within {box(report.unbounded)}"
-        yield values, f"{then}; {known}"
+            certainty = f"proved for everything within {box(report.unbounded)}"
+        yield values, f"{then}; {certainty}"
 
 
 def as_json(report: Facts) -> Json:

@@ -91,8 +91,8 @@ def _names(model: Model, more: tuple[str, ...]) -> tuple[str, ...]:
     made = (each.name for each in Equilibria.schema if each.of is not None)
     several = ["touching"] if model.has_regimes else []
     # Columns that every result has.
-    known = ("undamped", "marginal", "eigenvalues", "error", "region", "whole")
-    ours = (own_name(model, name) for name in (*several, *known, *_LINEARIZED, *made, *more))
+    fixed = ("undamped", "marginal", "eigenvalues", "error", "region", "whole")
+    ours = (own_name(model, name) for name in (*several, *fixed, *_LINEARIZED, *made, *more))
     return tuple(dict.fromkeys([*model.places, *forces_of(model), *model.parameters, *ours]))
 
 
@@ -352,9 +352,9 @@ class Equilibria(OfStates):
         >>> eq.row_columns("before")
         ('stability',)
         """
-        known = _names(self.parameters.model, self._source.more)
+        available = _names(self.parameters.model, self._source.more)
         names = (self._own(each.name) for each in self.schema if each.row in rows)
-        return tuple(name for name in names if name in known)
+        return tuple(name for name in names if name in available)
 
     def _rows(self, states: tuple[IntArray, ...]) -> dict[str, NDArray[Any]]:
         p, found = self.parameters, self._source.linearized(self, states)
@@ -369,12 +369,12 @@ class Equilibria(OfStates):
         return given | {name: column(name) for name in (*before, *self.state_columns, *behind)}
 
     def _for_file(self) -> Self:
-        known = {
+        columns = {
             name: column
             for name in self._items
             if (column := self._source.column(name)) is not None
         }
-        return replace(self, _source=self._source.held(known))
+        return replace(self, _source=self._source.held(columns))
 
     def _is_short(self) -> bool:
         return int(self.count.sum()) <= WHOLE
@@ -395,9 +395,9 @@ class Equilibria(OfStates):
         """A column: as it was found, by the linearization, or what follows from where the states
         are.
         """
-        known = self._source.column(name)
-        if known is not None:
-            return known
+        column = self._source.column(name)
+        if column is not None:
+            return column
         if name == self._own("region"):
             return np.broadcast_to(
                 [-np.inf, np.inf], (*self.count.shape, len(self.parameters.model.coordinates), 2)

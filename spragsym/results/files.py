@@ -125,8 +125,8 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     try:
         held = printed(name, json.loads(text))
         version, body = held["spragsym"], _text(held["result"])
-        known = held.get("format", 1) <= FORMAT and "sha256" in held
-        if known and _digest(body) != held["sha256"]:
+        sealed = held.get("format", 1) <= FORMAT and "sha256" in held
+        if sealed and _digest(body) != held["sha256"]:
             raise ValueError("it is not as it was written")
     except ParameterError:
         raise
@@ -135,7 +135,7 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
             f"{name} holds no result of spragsym ({error!r:.80}); give a *.json that save() wrote"
         ) from error
     why = f"this is {__version__}"
-    if known:
+    if sealed:
         try:
             return json.loads(body, object_hook=partial(_read, model))
         except ParameterError:
@@ -286,8 +286,8 @@ def _class(module: str, name: str) -> type[Any]:
     module, name = MOVED.get((module, name), (module, name))
     package, *inner = module.split(".")
     # What derives, and what runs as a command when it is imported, has no results.
-    known = package == __package__.partition(".")[0] and not {"derive", "__main__"} & {*inner}
-    made = getattr(importlib.import_module(module), name) if known else None
+    ours = package == __package__.partition(".")[0] and not {"derive", "__main__"} & {*inner}
+    made = getattr(importlib.import_module(module), name) if ours else None
     if not isinstance(made, type) or not (
         is_dataclass(made) or issubclass(made, enum.Enum) or hasattr(made, "_fields")
     ):

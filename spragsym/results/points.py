@@ -309,8 +309,8 @@ class Points(OfStates, Rows):
 
 def after_if_known(points: Points) -> Mapping[str, FloatArray]:
     """``after`` where it costs no search: of closed forms, and where it was asked for before."""
-    known = points.__dict__.get("after", points._what_ends.after)
-    return {} if callable(known) else known
+    after = points.__dict__.get("after", points._what_ends.after)
+    return {} if callable(after) else after
 
 
 @dataclass(frozen=True, eq=False)

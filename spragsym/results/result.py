@@ -100,8 +100,8 @@ class Result(Tabular):
     @property
     def columns(self) -> dict[str, Column]:
         """Meanings of all columns, by name: dimension, meaning and codes."""
-        known = self._schema.columns
-        return {name: known.get(name, Column(name)) for name in self._items}
+        columns = self._schema.columns
+        return {name: columns.get(name, Column(name)) for name in self._items}
 
     @property
     def _items(self) -> Mapping[str, Any]:
@@ -221,11 +221,11 @@ class Result(Tabular):
         >>> [name for name in found.columns if name[0] in "xL"], found["x_m"].round(5).tolist()
         (['L_m', 'x_m'], [0.00478, 0.02107, 0.05484])
         """
-        known, found, meanings, names = self.columns, {}, {}, {}
+        columns, found, meanings, names = self.columns, {}, {}, {}
         entries = [] if self._of_model is None else self._of_model.about["parameters"]
         quantities = {one["name"]: one.get("quantity", one["name"]) for one in entries}
         for name, column in self._of_points().items():
-            called, said = quantities.get(name, name), known[name]
+            called, said = quantities.get(name, name), columns[name]
             unit, size = in_unit(said.dimension, units, called)
             title = titled(called, said.dimension, units, called)[0]
             found[title] = size * column if column.dtype.kind == "f" else column

@@ -355,11 +355,11 @@ class BalanceInUnits(Balance):
         return super().with_angles(self.scaled(values, xp, self.needed), xp)
 
     def prepared_beside(
-        self, known: FloatArray, fixed: FloatArray, moved: Mapping[str, Intervals]
+        self, prepared: FloatArray, fixed: FloatArray, moved: Mapping[str, Intervals]
     ) -> Intervals:
         """All prepared anew: what follows from one parameter may follow from a unit too."""
         if not self.factors:
-            return super().prepared_beside(known, fixed, moved)
+            return super().prepared_beside(prepared, fixed, moved)
         bounds = Intervals.point(fixed)
         for name, part in moved.items():
             bounds.ends[:, self.parameters.index(name)] = part.ends

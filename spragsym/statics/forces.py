@@ -148,12 +148,12 @@ class Forces:
         return stacked([values[code] for code in self.codes], bounds.shape[1:])
 
     def prepared_beside(
-        self, known: FloatArray, fixed: FloatArray, moved: Mapping[str, Intervals]
+        self, prepared: FloatArray, fixed: FloatArray, moved: Mapping[str, Intervals]
     ) -> Intervals:
         """Prepared parameters of which some have ``moved`` from ``fixed`` ones, whose prepared ends
-        are ``known``.
+        are ``prepared``.
         """
-        ends = known.copy()
+        ends = prepared.copy()
         with quiet():
             for code, part in self.with_angles(moved, XP).items():
                 if code in self.codes:

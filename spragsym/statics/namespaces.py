@@ -212,12 +212,12 @@ class _ParityFunctions:
 
     def __getattr__(self, name: str) -> Callable[..., Parity]:
         def parity(*values: Any) -> Parity:
-            known = [value.odd if isinstance(value, Parity) else False for value in values]
+            parities = [value.odd if isinstance(value, Parity) else False for value in values]
             odd = name in ("sin", "sinh", "tanh", "atan")
             even = name in ("cos", "cosh")
-            if None in known or len(known) > 1 or (known[0] and not (odd or even)):
-                return Parity(None if True in known or None in known else False)
-            return Parity(known[0] and odd)
+            if None in parities or len(parities) > 1 or (parities[0] and not (odd or even)):
+                return Parity(None if True in parities or None in parities else False)
+            return Parity(parities[0] and odd)
 
         return parity
 

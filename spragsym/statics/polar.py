@@ -284,7 +284,7 @@ def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses")
 
 
 def _of_any_spring(
-    balance: Balance, given: FloatArray, around: FloatArray, points: IntArray
+    balance: Balance, given: FloatArray, box: FloatArray, points: IntArray
 ) -> tuple[Roots, BoolArray]:
     """Roots of the points of which all is decided around one of the springs, and which these
     are.
@@ -296,7 +296,7 @@ def _of_any_spring(
         points = points[~done[points]]
         system = _system(balance, given, spring, False) if points.size else None
         if system is not None:
-            found = _of_points(system, given, around, points)
+            found = _of_points(system, given, box, points)
             decided = np.setdiff1d(points, found.undecided_point)
             roots = roots.concatenated(found.of(decided))
             done[decided] = True
@@ -312,24 +312,24 @@ def _system(balance: Balance, given: FloatArray, spring: int, turns: bool) -> Po
     return Polar(balance, spring, (x, y), turns, False)
 
 
-def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: IntArray) -> Roots:
+def _of_points(system: Polar, given: FloatArray, box: FloatArray, points: IntArray) -> Roots:
     """Roots and undecided boxes of some points, by their numbers."""
-    given, around, roots = given[:, points], around[:, :, points], Roots.none(system.balance.n)
+    given, box, roots = given[:, points], box[:, :, points], Roots.none(system.balance.n)
     with quiet():
-        sides, scale, narrow = _sides(system, given, around)
+        sides, scale, narrow = _sides(system, given, box)
         for tight in (False, True):
             some = np.flatnonzero(narrow == tight)
             if some.size:
                 columns = np.concatenate([given[:, some], scale[None, some]])
                 found = _searched(
-                    replace(system, tight=tight), columns, sides[:, :, some], around[:, :, some]
+                    replace(system, tight=tight), columns, sides[:, :, some], box[:, :, some]
                 )
                 roots = roots.concatenated(found.numbered(points[some]))
     return roots
 
 
 def _sides(
-    system: Polar, given: FloatArray, around: FloatArray
+    system: Polar, given: FloatArray, box: FloatArray
 ) -> tuple[FloatArray, FloatArray, BoolArray]:
     """For each point the region in the unknowns, the scale, and whether the length stays away from
     0.
@@ -337,15 +337,15 @@ def _sides(
     balance, shape = system.balance, given.shape[1:]
     nowhere = balance.at((), balance.over(Intervals.point(given)), shape)
     k = as_intervals(nowhere.of_springs("stiffnesses")[system.spring], shape)
-    q = [0 if i in system.chart else Intervals(around[:, i]) for i in range(balance.n)]
+    q = [0 if i in system.chart else Intervals(box[:, i]) for i in range(balance.n)]
     *anchor, rest = stacked(replace(nowhere, q=q).geometry[system.spring], shape)
     reach = [
-        np.maximum(*rounded_outward(around[:, i] + end.ends[::-1]))
+        np.maximum(*rounded_outward(box[:, i] + end.ends[::-1]))
         for i, end in zip(system.chart, anchor, strict=True)
     ]
     length = rounded_outward(np.hypot(*reach), 4)
     # Along the line the tension balances all else.
-    whole = replace(nowhere, q=list(Intervals(around)))
+    whole = replace(nowhere, q=list(Intervals(box)))
     directions = system.rotated(whole.directions[: 3 * balance.springs], 0)
     forces = stacked(system.other_forces(replace(whole, fixed=directions)), shape)
     # More than it can be, so that no tension lies on the border of the region.
@@ -363,7 +363,7 @@ def _sides(
     scale = np.where(scale > 0, scale, 1.0)
     turn = np.full(shape, HALF_TURN + beyond)
     ends = np.where(tight, 1.0, -shortest / scale), np.ones(shape)
-    others = [around[:, i] for i in range(balance.n) if i not in system.chart]
+    others = [box[:, i] for i in range(balance.n) if i not in system.chart]
     return (
         np.stack([np.stack([turn, turn]), rounded_outward(np.stack(ends), 2), *others], axis=1),
         scale,
@@ -371,7 +371,7 @@ def _sides(
     )
 
 
-def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: FloatArray) -> Roots:
+def _searched(system: Polar, given: FloatArray, sides: FloatArray, box: FloatArray) -> Roots:
     """All roots of points, as boxes of coordinates."""
     found = certified_roots.search(system, sides, given, given)
     found = refined_in_digits(system, given, sides, found)
@@ -384,10 +384,10 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
     balance, point, undecided_point = system.balance, found.point, found.undecided_point
     roots = Roots.at(system.cartesian(found.ends, prepared[:, point]), point=point)
     # On which side of the border a root lies that floats can't tell from it, digits do.
-    on_border = ~contractors.within(roots.ends, around[:, :, point])
+    on_border = ~contractors.within(roots.ends, box[:, :, point])
     roots = refined(balance, given[:-1], roots, on_border)
     left = system.cartesian(found.undecided, prepared[:, undecided_point])
-    return _apart(roots.with_undecided(left, undecided_point), around)
+    return _apart(roots.with_undecided(left, undecided_point), box)
 
 
 def _are_equilibria(system: Polar, ends: FloatArray) -> tuple[BoolArray, BoolArray]:
@@ -403,18 +403,18 @@ def _are_equilibria(system: Polar, ends: FloatArray) -> tuple[BoolArray, BoolArr
     return possible[0], possible[0] & possible[1]
 
 
-def _apart(found: Roots, around: FloatArray) -> Roots:
+def _apart(found: Roots, box: FloatArray) -> Roots:
     """Roots of the region, each in a box of its own; those in boxes that meet are among what is
     left.
     """
     found = found.select(np.lexsort((-found.ends[0, 0], found.point)))
-    found = found.select(~contractors.apart(found.ends, around[:, :, found.point]))
+    found = found.select(~contractors.apart(found.ends, box[:, :, found.point]))
     roots, point = found.ends, found.point
-    clear = contractors.within(roots, around[:, :, point])
+    clear = contractors.within(roots, box[:, :, point])
     for first, second in certified_roots.neighbours(roots, point):
         meet = ~contractors.apart(roots[:, :, first], roots[:, :, second])
         clear[first[meet]] = clear[second[meet]] = False
     found = found.reopened(clear, ~clear)
     return found.select(
-        undecided=~contractors.apart(found.undecided, around[:, :, found.undecided_point])
+        undecided=~contractors.apart(found.undecided, box[:, :, found.undecided_point])
     )

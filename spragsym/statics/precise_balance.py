@@ -55,7 +55,7 @@ def refined(
 def refined_in_digits(
     system: StateSystem,
     given: FloatArray,
-    around: FloatArray,
+    box: FloatArray,
     found: Roots,
     *,
     most: int = 24,
@@ -73,8 +73,8 @@ def refined_in_digits(
         whole = [
             found.undecided[:, :, found.undecided_point == point].max(axis=2) for point in many
         ]
-        told = refined_in_digits(system, given, around, found.of(many, others=True), most=most)
-        return told.concatenated(
+        decided = refined_in_digits(system, given, box, found.of(many, others=True), most=most)
+        return decided.concatenated(
             found.of(many).select(undecided=slice(0)).with_undecided(np.stack(whole, axis=2), many)
         )
     found = refined(system, given, found)
@@ -99,10 +99,10 @@ def refined_in_digits(
         return found
     mine = found.of(points[few])
     again = different(
-        mine.select(mine.error <= options.tolerance, slice(0)).concatenated(*parts), around
+        mine.select(mine.error <= options.tolerance, slice(0)).concatenated(*parts), box
     )
     # Clusters are looked at in boxes that are wider than they are.
-    inside = ~contractors.apart(again.undecided, around[:, :, again.undecided_point])
+    inside = ~contractors.apart(again.undecided, box[:, :, again.undecided_point])
     return found.of(points[few], others=True).concatenated(again.select(undecided=inside))
 
 
@@ -224,11 +224,11 @@ def reduced_by_turns(periodic: Iterable[int], found: Roots) -> Roots:
     return found.select(undecided=~hidden).reopened(~beyond & ~across, across & ~beyond)
 
 
-def _parted(ends: FloatArray, around: Sequence[int]) -> tuple[BoolArray, BoolArray]:
+def _parted(ends: FloatArray, periodic: Sequence[int]) -> tuple[BoolArray, BoolArray]:
     """Boxes that lie beyond the turn with one of these unknowns, and boxes that meet an end of
     it.
     """
-    low, high = -ends[0, around], ends[1, around]
+    low, high = -ends[0, periodic], ends[1, periodic]
     # Where the turn ends; the search goes beyond it at both ends.
     end = BEGIN + TURN
     beyond = np.logical_or.reduce((low > end) | (high < BEGIN))

@@ -181,10 +181,10 @@ def _stiffest(stiffness: FloatArray, among: BoolArray) -> tuple[FloatArray, Floa
 
 
 def is_reference(
-    balance: Balance, bounds: Intervals, ends: FloatArray, around: FloatArray
+    balance: Balance, bounds: Intervals, ends: FloatArray, box: FloatArray
 ) -> BoolArray:
     """Boxes, each with one stable state for all parameters within its ``bounds``, shape (P, N), in
-    which that is proved to be the reference state; ``around`` are boxes that hold all states.
+    which that is proved to be the reference state; ``box`` are boxes that hold all states.
 
     Source: what may be the reference state lies in a box about the one that is asked for. Two
     states in that would be a and b with K (a − b) = 0, K within its bounds over the box.
@@ -194,12 +194,12 @@ def is_reference(
         codes, proved = stability.types_over(balance, parameters, ends)
         own = np.asarray(proved & (codes == EquilibriumType.STABLE))
         if _has_stiffness(balance.model):
-            reach, convex = _little_strained(balance, parameters, ends, around)
+            reach, convex = _little_strained(balance, parameters, ends, box)
             return own & convex & _one_at_most(balance, parameters, reach)
         alone = np.zeros_like(own)
         for narrow in (2.0**-4, 2.0**-6):  # wider boxes tell it of most, in a fifth of the time
             if (rows := np.flatnonzero(own & ~alone)).size:
-                some = bounds[:, rows], ends.take(rows, axis=2), around.take(rows, axis=2)
+                some = bounds[:, rows], ends.take(rows, axis=2), box.take(rows, axis=2)
                 reach = _less_strained(balance, *some, narrow)
                 alone[rows] = _one_at_most(balance, parameters[:, rows], reach)
     return own & alone
@@ -221,7 +221,7 @@ def _strain_energy(balance: Balance, parameters: Intervals) -> Callable[[Sequenc
 
 
 def _little_strained(
-    balance: Balance, parameters: Intervals, ends: FloatArray, around: FloatArray
+    balance: Balance, parameters: Intervals, ends: FloatArray, box: FloatArray
 ) -> tuple[FloatArray, BoolArray]:
     """Boxes that hold all of no more strain energy to second order, ½ qᵀ S q + s · q, an ellipsoid
     about the origin; and where that is proved to be one.
@@ -239,7 +239,7 @@ def _little_strained(
     S = np.where(convex, stiffness.middle - off * np.eye(n)[:, :, None], np.eye(n)[:, :, None])
     along = np.sqrt(np.diagonal(np.linalg.inv(np.moveaxis(S, 2, 0)), axis1=1, axis2=2)).T
     # What counts as alike is a share of the largest energy of all states.
-    largest = np.maximum(strain(Intervals(around)), value.magnitude)
+    largest = np.maximum(strain(Intervals(box)), value.magnitude)
     least = (slope.magnitude * along).sum(axis=0)
     t = least + np.sqrt(least**2 + 2 * (strain(Intervals(ends)) + 2 * ALIKE * largest))
     # S is no worse conditioned than 1/CONVEX, so that a thousandth covers all roundings.
@@ -247,13 +247,13 @@ def _little_strained(
 
 
 def _less_strained(
-    balance: Balance, bounds: Intervals, ends: FloatArray, around: FloatArray, narrow: float
+    balance: Balance, bounds: Intervals, ends: FloatArray, box: FloatArray, narrow: float
 ) -> FloatArray:
     """Hulls of boxes and of all stable states of no more strain energy, by a search that parts no
     ``narrow`` box: what it leaves has more energy, or is not stable, or near.
     """
     # Many more than a box takes that is told from all others at all.
-    found = boxes.search(balance, around, bounds.low, bounds.high, budget=2000, narrow=narrow)
+    found = boxes.search(balance, box, bounds.low, bounds.high, budget=2000, narrow=narrow)
     row, part = found.points.below(found.every.nodes)
     every, parameters = found.every.ends.take(row, axis=2), balance.prepared(bounds)
     here = parameters[:, part]

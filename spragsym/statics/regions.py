@@ -113,7 +113,7 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArr
 
 
 def _by_cells(
-    balance: Balance, bounds: Intervals, known: FloatArray
+    balance: Balance, bounds: Intervals, outer: FloatArray
 ) -> tuple[FloatArray, BoolArray]:
     """Bounds as by forces, each the hull of those over the cells of one coordinate; and where there
     are any.
@@ -121,7 +121,7 @@ def _by_cells(
     A slope that is known over no large box, as of a bell of the gap, is known over a cell:
     constructive interval disjunction.
     """
-    ends, options = known.copy(), balance.options
+    ends, options = outer.copy(), balance.options
     # Points that lie together are proved together where that succeeds: first all of them, then
     # halves.
     groups, depth = [np.arange(bounds.shape[1])], 0
@@ -238,15 +238,15 @@ def _bounded(ends: FloatArray) -> BoolArray:
 
 
 def _in_pieces(
-    balance: Balance, bounds: Intervals, known: FloatArray
+    balance: Balance, bounds: Intervals, outer: FloatArray
 ) -> tuple[FloatArray, BoolArray]:
     """Regions of boxes of parameters, as hulls over parts of these; by scales where there is no
     bound.
     """
     count = bounds.shape[1]
     by_scales = np.where(
-        known < FAR * 1e-6,
-        known,
+        outer < FAR * 1e-6,
+        outer,
         np.minimum(balance.options.near * _scales(balance, bounds), balance.border[:, :, None]),
     )
     hulls = np.full((2, balance.n, count), -np.inf)

@@ -210,7 +210,7 @@ def _in_slots(found: Roots) -> tuple[IndexArray, IntArray]:
     return order, np.arange(point.size) - np.searchsorted(point, point)
 
 
-def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
+def _by_boxes(balance: Balance, given: FloatArray, box: FloatArray) -> Roots:
     """The roots of all points by a search over boxes, and what that leaves open in polar
     coordinates and with many digits.
     """
@@ -218,9 +218,9 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
         return Roots.none(balance.n)
     # What is left is looked at with many digits.
     narrow = balance.options.narrow or 2.0**-19
-    found = certified_roots.search(balance, around, given, given, narrow=narrow)
-    refined = refined_in_digits(balance, given, around, found)
-    return around_anchors(balance, given, around, refined)
+    found = certified_roots.search(balance, box, given, given, narrow=narrow)
+    refined = refined_in_digits(balance, given, box, found)
+    return around_anchors(balance, given, box, refined)
 
 
 def _arranged(
@@ -229,7 +229,7 @@ def _arranged(
     """Roots of all combinations of contacts that touch, in slots by point."""
     shape = p.shape
     size = int(np.prod(shape))
-    balance, around = parts[0][0], np.max([region for *_, region, _ in parts], axis=0)
+    balance, box = parts[0][0], np.max([region for *_, region, _ in parts], axis=0)
     whole: BoolArray = np.logical_and.reduce([whole for *_, whole in parts])
     given, every = columns(p, balance.parameters), list[tuple[Any, ...]]()
     reasons, touching = list[str](), list[str]()
@@ -263,7 +263,7 @@ def _arranged(
             strict=True,
         )
     )
-    searched = np.moveaxis(spans_of(around), 0, 1)
+    searched = np.moveaxis(spans_of(box), 0, 1)
     ours = {
         "undamped": placed(codes, 0),
         "marginal": placed(~proved, False),
@@ -278,10 +278,10 @@ def _arranged(
         **{own_name(p.model, name): column for name, column in ours.items()},
         **{name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
     }
-    remarks = (*summed(reasons), *of_region(balance, around, whole))
-    counts, known = count.reshape(shape), decided.reshape(shape)
+    remarks = (*summed(reasons), *of_region(balance, box, whole))
+    counts, settled = count.reshape(shape), decided.reshape(shape)
     which = balance.contact if len(parts) == 1 else None
-    return Equilibria(p, which, counts, known, undecided, remarks, Held(made, found.ends))
+    return Equilibria(p, which, counts, settled, undecided, remarks, Held(made, found.ends))
 
 
 #: Where a box is that is left, and what may be there: the first that holds.

@@ -85,9 +85,9 @@ def verdicts(growth: FloatArray, eigenvalues: ComplexArray) -> NDArray[np.str_]:
 
 
 def linearized(
-    eq: Equilibria, states: tuple[IntArray, ...], around: FloatArray | None
+    eq: Equilibria, states: tuple[IntArray, ...], enclosures: FloatArray | None
 ) -> Linearized:
-    """The full linearization at some states, by their indices; ``around`` are boxes around all
+    """The full linearization at some states, by their indices; ``enclosures`` are boxes around all
     states, each alone in its own.
 
     Source: det(λ² M + λ (C + G) + K) = 0; whether something grows by Hurwitz's determinants, see
@@ -105,14 +105,14 @@ def linearized(
         len(balance.parameters), states[-1].size
     )
     q = np.array([eq[name][states] for name in balance.coordinates])
-    if around is None:
+    if enclosures is None:
         off = eq.error[states] * scale_of(q)
         with quiet():
             ends = np.nextafter(ends_around(q, off), np.inf)
     else:
         number = np.full(eq.undamped.shape, -1)
         number[eq.states] = np.arange(eq.states[0].size if eq.states else 0)
-        ends = around[:, :, number[states]]
+        ends = enclosures[:, :, number[states]]
     sign = np.where(eq.undamped[states] == EquilibriumType.STABLE, 1, -1)
     undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
     groups = [np.flatnonzero(which == k) for k in range(len(keys))]
@@ -188,9 +188,9 @@ def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> ComplexArray:
     n = M.shape[-1]
     zero, unit = np.zeros_like(M), np.broadcast_to(np.eye(n), M.shape)
     companion = np.block([[zero, unit], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
-    known = np.isfinite(companion).all(axis=(-2, -1), keepdims=True)
-    out: ComplexArray = np.linalg.eigvals(np.where(known, companion, 0.0)).astype(complex)
-    return np.where(known[..., 0], out, np.nan)
+    finite = np.isfinite(companion).all(axis=(-2, -1), keepdims=True)
+    out: ComplexArray = np.linalg.eigvals(np.where(finite, companion, 0.0)).astype(complex)
+    return np.where(finite[..., 0], out, np.nan)
 
 
 def squares(M: FloatArray, K: FloatArray) -> ComplexArray:
@@ -323,8 +323,8 @@ def decay(
         at = balance.state(Intervals(ends), balance.prepared_at(given))
         without = matrix(at.damping(), at.shape).magnitude.max(axis=(0, 1)) <= NOTHING
         half = np.where(growth > 0, 0.5 * growth, 0.0)
-        told = _decay_by_signs(_signs_over(at, asked(Intervals.point(half))))
-        found = np.where(without & (undamped != 0), undamped, told).astype(np.int8)
+        by_signs = _decay_by_signs(_signs_over(at, asked(Intervals.point(half))))
+        found = np.where(without & (undamped != 0), undamped, by_signs).astype(np.int8)
     for row, signs in _with_digits(
         balance,
         given,
@@ -447,12 +447,12 @@ def _types_by_signs(
     proved = flutter | (real & (divergent | (elementary > 0).all(axis=0)))
     if not counted:
         return code, proved
-    known = np.logical_and.reduce([(part != 0).all(axis=0) for part in counted])
+    certain = np.logical_and.reduce([(part != 0).all(axis=0) for part in counted])
     right, at_zero, far = (np.abs(np.diff(part, axis=0)).sum(axis=0) // 2 for part in counted)
     other = np.where(right > at_zero - far, EquilibriumType.FLUTTER, EquilibriumType.DIVERGENT)
     return (
-        np.where(even | ~known, code, other).astype(np.int8),
-        np.where(even, proved, known),
+        np.where(even | ~certain, code, other).astype(np.int8),
+        np.where(even, proved, certain),
     )
 
 

@@ -71,15 +71,15 @@ def one_each(
     """One state in contact of every point, known from elsewhere: columns of the shape of the
     points.
     """
-    ones, known = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
+    ones, decided = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
     columns = {
         **places,
         own_name(p.model, "undamped"): undamped,
         own_name(p.model, "error"): np.broadcast_to(error, p.shape),
-        own_name(p.model, "marginal"): ~known,
+        own_name(p.model, "marginal"): ~decided,
     }
     contact = None if p.model.has_regimes else True
-    return Equilibria(p, contact, ones, known, (), (), Held(selected_rows(columns, (..., None))))
+    return Equilibria(p, contact, ones, decided, (), (), Held(selected_rows(columns, (..., None))))
 
 
 def combination_of(

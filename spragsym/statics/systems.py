@@ -334,7 +334,7 @@ class Boxes:
 
 
 def at_anchors(
-    boxes: Boxes, among: BoolArray, told: Callable[[Boxes, int], BoolArray]
+    boxes: Boxes, among: BoolArray, excludes: Callable[[Boxes, int], BoolArray]
 ) -> BoolArray:
     """Boxes of which something is told of all directions of a spring, among those at its anchor.
 
@@ -344,7 +344,7 @@ def at_anchors(
     for spring, near in enumerate(boxes.near_anchors):
         rows = np.flatnonzero(among & ~out & near)
         if rows.size:
-            out[rows] = told(boxes.some(rows), spring)
+            out[rows] = excludes(boxes.some(rows), spring)
     return out
 
 

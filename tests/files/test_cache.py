@@ -69,9 +69,8 @@ def test_what_is_damaged_or_cannot_be_kept_is_made_again(
 
 def test_the_oldest_results_go(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    monkeypatch.setattr(cache, "KEPT", 3)
     for number in range(5):
-        cache.cached({"number": number}, lambda: {"name": "text"})
+        cache.cached({"number": number}, lambda: {"name": "text"}, most=3)
     assert len(list(cache.cache_folder().iterdir())) == 3
 
 

@@ -32,14 +32,14 @@ def _abs(u):
 def render(material: Material, module: str, where: str, names: Mapping[str, str]) -> dict[str, str]:
     """A module of the library's name."""
     functions = material.algebra.values()
-    known = {
+    meanings = {
         name: material.quantities[name].meaning
         for it in functions
         for name in taken(it, material.angles)
     }
     table = "\n".join(
-        textwrap.fill(f"{name} : {known[name]}", _WIDTH, subsequent_indent="    ")
-        for name in sorted(known)
+        textwrap.fill(f"{name} : {meanings[name]}", _WIDTH, subsequent_indent="    ")
+        for name in sorted(meanings)
     )
     said = f"{material.summary}\n\n{table}\n\n{material.header}".replace("\\", r"\\").replace(
         '""', r'"\"'

@@ -438,14 +438,14 @@ def _made_of(
     inputs: dict[str, FloatArray],
     settings: Mapping[str, Any],
     columns: dict[str, Any],
-    known: Mapping[str, Any],
+    table: Mapping[str, Any],
 ) -> Sweep:
-    """The sweep of these columns; of a file the slots of equilibria are ``known``, which are
+    """The sweep of these columns; of a file the slots of equilibria are ``table``, which are
     searched for otherwise.
     """
     reason, regime = (columns.pop(own_name(model, name)) for name in ("reason", "regime"))
-    if (at := own_name(model, "equilibrium")) in known:
-        which = np.asarray(known[at]).astype(np.int8).reshape(regime.shape)
+    if (at := own_name(model, "equilibrium")) in table:
+        which = np.asarray(table[at]).astype(np.int8).reshape(regime.shape)
     else:
         places = np.array([columns[f"rest_{name}"] for name in model.coordinates])
         which = np.full(regime.shape, -1, dtype=np.int8)

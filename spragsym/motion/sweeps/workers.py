@@ -82,7 +82,7 @@ def made_or_loaded(
     parallel = 1 if callable(workers) else count(workers)  # before there is a journal
 
     def assembled(
-        numbers: Sequence[Any] | FloatArray, words: Iterable[str], known: Mapping[str, Any]
+        numbers: Sequence[Any] | FloatArray, words: Iterable[str], columns: Mapping[str, Any]
     ) -> R:
         table = np.asarray(numbers, dtype=float).reshape(len(names), *shape)
         return of.made(
@@ -90,7 +90,7 @@ def made_or_loaded(
                 **dict(zip(names, table, strict=True)),
                 text: np.array([*words], dtype=np.str_).reshape(shape),
             },
-            known,
+            columns,
         )
 
     def compute(done: dict[int, Record], keep: Callable[[int, Record], None]) -> R:
@@ -116,8 +116,8 @@ def made_or_loaded(
     def loaded() -> R | None:
         if not target.is_file() or storage.OVERWRITING.get():
             return None
-        known = storage.read_own(target, hashed)
-        return assembled([known[name] for name in names], known[text], known)
+        columns = storage.read_own(target, hashed)
+        return assembled([columns[name] for name in names], columns[text], columns)
 
     if (result := loaded()) is not None:
         clear(target, hashed, total)

@@ -23,17 +23,17 @@ def render(material: Material) -> dict[str, str]:
     definitions = "\n".join(
         text for name, text in sorted(own.items()) if name.endswith(".c") and name != example
     )
-    known = material.algebra
+    functions = material.algebra
     calls = {
         name
         for it in material.kernel.routines.values()
         for name in Kinds(material.kernel).calls(it)
     }
-    used = (calls & known.keys()) | {
-        name for name in re.findall(r"\balgebra_(\w+)\(", definitions) if name in known
+    used = (calls & functions.keys()) | {
+        name for name in re.findall(r"\balgebra_(\w+)\(", definitions) if name in functions
     }
-    inside = {f"algebra_{name}": function for name, function in known.items() if name in used}
-    public = [known[name] for name in material.public]
+    inside = {f"algebra_{name}": function for name, function in functions.items() if name in used}
+    public = [functions[name] for name in material.public]
     parts = {
         "algebra": "\n".join(map(algebra.static, inside, inside.values())),
         "primitives": runtime(__file__, "kernel.c") if material.kernel.routines else "",

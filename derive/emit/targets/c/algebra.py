@@ -137,8 +137,8 @@ def symbols(
     functions: Iterable[Definition], quantities: Mapping[str, Quantity], angles: Angles
 ) -> str:
     """Meanings of all arguments of the public functions, as lines of a comment."""
-    known = {c_name(name): quantity for name, quantity in quantities.items()}
+    by_name = {c_name(name): quantity for name, quantity in quantities.items()}
     names = dict.fromkeys(
         c_name(name) for function in functions for name in taken(function, angles)
     )
-    return "\n * ".join(f"{name}: {plain(known[name].meaning)}" for name in names)
+    return "\n * ".join(f"{name}: {plain(by_name[name].meaning)}" for name in names)

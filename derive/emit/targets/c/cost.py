@@ -19,18 +19,18 @@ def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
     # The loop over blocks of points: costs are stated for one block.
     blocks = re.compile(r"for \(size_t \w+ = 0; \w+ < points; \w+ \+= BLOCK\)")
     source = blocks.sub("", re.sub(r"/\*.*?\*/", "", source, flags=re.DOTALL))
-    known: dict[str, Counter[str]] = {name: Counter({name: 1}) for name in LIBM}
-    known |= {name: Counter({"operations": 1}) for name in ("fabs", "isfinite")}
+    cost_of: dict[str, Counter[str]] = {name: Counter({name: 1}) for name in LIBM}
+    cost_of |= {name: Counter({"operations": 1}) for name in ("fabs", "isfinite")}
     function = re.compile(r"^(?!typedef)[\w *]*?\b(\w+)\([^;{]*\) \{", re.MULTILINE)
     for match in function.finditer(source):
         name, body = match[1], source[match.end() : _closing(source, match.end())]
         if name in emitted:
-            known[name] = Counter({"operations": emitted[name]}) + _calls(
-                body, {key: known[key] for key in LIBM}
+            cost_of[name] = Counter({"operations": emitted[name]}) + _calls(
+                body, {key: cost_of[key] for key in LIBM}
             )
         else:
-            known[name] = _block(body, known, named)
-    return known
+            cost_of[name] = _block(body, cost_of, named)
+    return cost_of
 
 
 def constants(source: str) -> dict[str, int]:
@@ -55,21 +55,21 @@ def _closing(text: str, start: int) -> int:
     raise ArithmeticError("the C template has a block that does not end")
 
 
-def _block(text: str, known: dict[str, Counter[str]], constants: dict[str, int]) -> Counter[str]:
+def _block(text: str, cost_of: dict[str, Counter[str]], constants: dict[str, int]) -> Counter[str]:
     total: Counter[str] = Counter()
     counted = re.compile(r"for \(int \w+ = \w+; \w+ < (\w+); \w+\+\+\) \{")
     while loop := counted.search(text):
         end = _closing(text, loop.end())
-        once = _block(text[loop.end() : end], known, constants)
+        once = _block(text[loop.end() : end], cost_of, constants)
         passes = int(loop[1]) if loop[1].isdigit() else constants[loop[1]]
         total += Counter({name: passes * count for name, count in once.items()})
         text = text[: loop.start()] + text[end + 1 :]
     if re.search(r"\b(for|while|do|goto)\b", text):
         raise ArithmeticError("the C template has a loop whose passes can't be counted")
     operator = re.compile(r"(?<=\s)(?:[-+*/<>]|[<>]=|[-+*/]=)(?=\s)")
-    return total + Counter({"operations": len(operator.findall(text))}) + _calls(text, known)
+    return total + Counter({"operations": len(operator.findall(text))}) + _calls(text, cost_of)
 
 
-def _calls(text: str, known: dict[str, Counter[str]]) -> Counter[str]:
+def _calls(text: str, cost_of: dict[str, Counter[str]]) -> Counter[str]:
     call = re.compile(r"\b([a-z]\w*)\(")
-    return sum((known.get(name, Counter()) for name in call.findall(text)), Counter())
+    return sum((cost_of.get(name, Counter()) for name in call.findall(text)), Counter())

@@ -73,11 +73,11 @@ class _CPrinter(Printer):
 
     def assignment(self, name: str, value: ast.expr, indent: str) -> str:
         kind = self.kinds.of(value, self.names)
-        known = name in self.names
+        assigned = name in self.names
         self.names[name] = kind
         start = (
             name
-            if known
+            if assigned
             else f"{'' if self.written[name] > 1 else 'const '}{declared(kind)} {name}"
         )
         return self.line(f"{start} = {self.expressions.print(value)};", indent)

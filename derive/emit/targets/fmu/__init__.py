@@ -203,8 +203,8 @@ def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -
     geometry = algebra.get("geometry")  # none where there are no springs along lines
     if geometry and geometry.leaves:
         names = taken(algebra["rhs"], material.angles)
-        known = dict(zip(names, (*places["s"], *places["p"]), strict=True))
-        own = [known[name] for name in taken(geometry, material.angles)]
+        variables = dict(zip(names, (*places["s"], *places["p"]), strict=True))
+        own = [variables[name] for name in taken(geometry, material.angles)]
         called.append(_calling(material, geometry, "sp", own))
     texts = {
         "quantities": ",\n    ".join(map(_quantity, (*seen.given, Variable("", "")))),

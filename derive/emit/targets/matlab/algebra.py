@@ -39,9 +39,9 @@ def _printed(expression: str) -> str:
 
 def _outputs(function: Definition) -> list[str]:
     """Names of what is returned: of a result that has a statement of its own, the name there."""
-    leaves, known = function.leaves, dict(function.statements)
+    leaves, statements = function.leaves, dict(function.statements)
     return [
-        leaf if leaf in known and leaves.count(leaf) == 1 else f"result{index}"
+        leaf if leaf in statements and leaves.count(leaf) == 1 else f"result{index}"
         for index, leaf in enumerate(leaves, 1)
     ]
 

@@ -70,6 +70,16 @@ def symmetric(model: Mechanics, stiffness: sp.Matrix) -> bool:
     """Whether K is symmetric where the friction coefficient is 0: not with a force that follows a
     coordinate, for one.
     """
-    K = stiffness.subs(dict.fromkeys(model.coefficients, 0))
+    return _symmetric(model, stiffness.subs(dict.fromkeys(model.coefficients, 0)))
+
+
+def circulatory(model: Mechanics, stiffness: sp.Matrix) -> list[bool]:
+    """Whether each friction makes K asymmetric: not one that opposes a coordinate with a normal
+    force of that coordinate alone. K is linear in the coefficients.
+    """
+    return [not _symmetric(model, stiffness.diff(mu)) for mu in model.coefficients]
+
+
+def _symmetric(model: Mechanics, K: sp.Matrix) -> bool:
     circles = tuple((line.c, line.s) for line in model.lines)
     return all(equal(K[i, j], K[j, i], circles) for i in range(K.rows) for j in range(i))

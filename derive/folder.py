@@ -185,7 +185,7 @@ def _comes_around(model: Mechanics, index: int, turns: Mapping[int, int]) -> dic
 def description(model: PageModel) -> dict[str, Any]:
     """``model.json`` without the digests of the files."""
     it = model.mechanics
-    mirror = symmetry.mirror(it)
+    mirror, stiffness = symmetry.mirror(it), sp.Matrix(statics.jacobian(it))
     turns = symmetry.whole_turns(it)
     of_statics = {
         str(symbol)
@@ -284,7 +284,8 @@ def description(model: PageModel) -> dict[str, Any]:
         },
         "ties": [_ties(it, index) for index in range(min(2, len(it.coordinates)))],
         "torsions": [{"spring": it.lines.index(torsion.line)} for torsion in it.torsions],
-        "symmetric": balance_rows.symmetric(it, sp.Matrix(statics.jacobian(it))),
+        "symmetric": balance_rows.symmetric(it, stiffness),
+        "circulatory": balance_rows.circulatory(it, stiffness),
         "springs": [
             {"name": f"spring {count}", "chart": _chart(it, line)}
             for count, line in enumerate(it.lines, 1)

@@ -387,13 +387,15 @@ class Evaluation:
         return self.of_frictions(self.balance.law)
 
     @property
-    def felt_frictions(self) -> list[Any]:
-        """Friction forces whose contact touches."""
-        names, pushing = self.balance.contacts, self.balance.pushing
+    def circulatory_frictions(self) -> list[Any]:
+        """Friction coefficients of the contacts that touch with which K is not symmetric."""
+        balance = self.balance
         return [
             mu
-            for mu, name in zip(self.frictions, self.balance.rubbing, strict=True)
-            if pushing[names.index(name)]
+            for mu, name, circulatory in zip(
+                self.frictions, balance.rubbing, balance.model.about["circulatory"], strict=True
+            )
+            if circulatory and balance.pushing[balance.contacts.index(name)]
         ]
 
     def mass(self) -> Matrix:

@@ -288,7 +288,7 @@ def without_flutter(balance: Balance, parameters: Intervals) -> BoolArray:
 def _symmetric(balance: Balance, parameters: Intervals) -> BoolArray:
     """Parameters, of shape (…, N), for which K is symmetric whatever the state is."""
     shape = parameters.shape[1:]
-    mus = balance.at((), balance.arguments(parameters), shape).felt_frictions
+    mus = balance.at((), balance.arguments(parameters), shape).circulatory_frictions
     none = [as_intervals(mu, shape).magnitude <= NOTHING for mu in mus]
     return _without_friction(
         balance, np.logical_and.reduce(none or [np.ones(shape, dtype=np.bool_)])
@@ -485,7 +485,7 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> EquilibriumType:
             for row in as_balls(part, precise.bits)
             for low, high in map(balls.ends, row)
         )
-        for part in ([[*at.felt_frictions]], at.gyroscopic(), at.circulatory())
+        for part in ([[*at.circulatory_frictions]], at.gyroscopic(), at.circulatory())
     )
     # Of a model without G it is not asked whether K is symmetric at this state.
     symmetric = _without_friction(balance, np.array([mus])) | (same and balance.gyroscopic)

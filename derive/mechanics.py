@@ -717,15 +717,15 @@ def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
 def _in_coordinates(page: Page, gap: sp.Expr | None, law: sp.Expr, depth: sp.Symbol) -> bool:
     """Whether a contact law stands in coordinates, else in the penetration.
 
-    In the penetration stand laws that are no polynomials, and powers of a gap that bends or takes
-    several coordinates: in coordinates those would be large terms that cancel, and whose intervals
-    tell nothing.
+    In the penetration stand laws that are no polynomials, of a gap that bends, and powers of one
+    that takes several coordinates: in coordinates those would be large terms that cancel, and whose
+    intervals tell nothing.
     """
     if gap is None or not law.is_polynomial(depth):
         return False
     slopes = [slope for one in page.places if (slope := sp.diff(gap, one)) != 0]
-    alone = len(slopes) == 1 and not slopes[0].has(*page.places)
-    return alone or sp.degree(law, depth) <= 1
+    bends = any(slope.has(*page.places) for slope in slopes)
+    return not bends and (len(slopes) == 1 or sp.degree(law, depth) <= 1)
 
 
 def _frictions(

@@ -164,8 +164,8 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
     shipped_one = json.loads((_shipped_folder() / "stick_slip" / "model.json").read_bytes())
     if lacks := sorted(shipped_one.keys() - about.keys()):
         raise StoreError(
-            f"{path} is of another version of spragsym, and does not say {', '.join(lacks)}; derive "
-            "its model page again"
+            f"{path} is of another version of spragsym, and does not say {', '.join(lacks)}; "
+            "derive its model page again"
         )
     if not re.fullmatch(r"\w[\w .-]*", about["name"]) or any(
         Path(name).name != name for name in about["files"]

@@ -17,7 +17,7 @@ is needed of what is cut off, which has none at the border.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -200,12 +200,9 @@ def _squeezed(
     empty = ~np.logical_and.reduce(balance.residuals(Intervals(ends), parameters).holds_zero())
     empty |= at.beside_border()[1]
     steps = [balance.by_rows, balance.with_directions]
-    # Cosines and sines of the coordinates as free unknowns, as directions are.
-    steps += (
-        [lambda at: balance.by_rows(replace(at, xp=FREE))]
-        if balance.model.about.get("waves")
-        else []
-    )
+    if balance.model.about.get("waves"):
+        # Cosines and sines of the coordinates as free unknowns, as directions are.
+        steps += [partial(_with_free_waves, step) for step in tuple(steps)]
     if pressed := _presses(balance):
         steps += [partial(_closed, contact=contact) for contact in pressed] + [_by_contact_force]
     for _ in range(rounds):
@@ -219,6 +216,10 @@ def _squeezed(
         if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else 0.999) * widths_before).all():
             break
     return ends, empty
+
+
+def _with_free_waves(step: Callable[[Evaluation], FloatArray], at: Evaluation) -> FloatArray:
+    return step(replace(at, xp=FREE))
 
 
 def _with_anchors(

@@ -58,5 +58,7 @@ def test_a_folder_of_another_version_says_so(tmp_path: Path) -> None:
     text = json.dumps(about | {"digest": "<digest-of-all>".ljust(64, "-")})
     digest = hashlib.sha256(text.encode()).hexdigest()
     (folder / "model.json").write_text(re.sub("<digest-of-all>-*", digest, text))
-    with pytest.raises(ss.errors.StoreError, match=r"another version .* not say circulatory; derive"):
+    with pytest.raises(
+        ss.errors.StoreError, match=r"another version .* not say circulatory; derive"
+    ):
         ss.load(folder)

@@ -76,11 +76,13 @@ def torsions(phi, cos0, sin0, kappa, *_):
 
 
 def forces(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu, pushing, *, xp=numpy):
-    """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 23."""
+    """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 22."""
+    base0 = 1 - pushing
     w0 = xp.cos(phi)
+    _depth = base0*base0/1099511627776 + pushing*(-cos0 + w0)
     w1 = xp.sin(phi)
     w2 = kappa*phi1/l1
-    return (-c1*w1*w2 - cos0*mu*pushing*w0 + cos0*pushing*w1 + mu*pushing*(w0*w0) - pushing*w0*w1 - s1*w0*w2,)
+    return (_depth*mu*pushing*w0 - _depth*pushing*w1 - c1*w1*w2 - s1*w0*w2,)
 
 
 def stiffnesses(*_):
@@ -94,59 +96,65 @@ def spring_forces(*_):
 
 
 def contact_force(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, *, xp=numpy):
-    """The normal force of the contact. Returns N. Source: the page. Operations: 3."""
-    return pushing*(-cos0 + xp.cos(phi))
+    """The normal force of the contact. Returns N. Source: the page. Operations: 8."""
+    base0 = 1 - pushing
+    _depth = base0*base0/1099511627776 + pushing*(-cos0 + xp.cos(phi))
+    return _depth*pushing
 
 
 def forces_apart(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu, pushing, *, xp=numpy):
     """The forces without those springs; each adds its tension times (c ∂dx + s ∂dy). A torsion spring adds k φ (c ∂dy − s
     ∂dx)/l. Returns (F_1, …). Source: the page. Operations: 13."""
+    base0 = 1 - pushing
     w0 = xp.cos(phi)
-    w1 = mu*pushing
-    w2 = pushing*xp.sin(phi)
-    return (-cos0*w0*w1 + cos0*w2 - w0*w2 + w0*w0*w1,)
+    _depth = base0*base0/1099511627776 + pushing*(-cos0 + w0)
+    w1 = _depth*pushing
+    return (mu*w0*w1 - w1*xp.sin(phi),)
 
 
 def forces_jacobian(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu, pushing, *, xp=numpy):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
-    Operations: 51."""
+    Operations: 55."""
+    base0 = 1 - pushing
+    w0 = xp.cos(phi)
+    _depth = base0*base0/1099511627776 + pushing*(-cos0 + w0)
     s1_2 = s1*s1
-    w0 = xp.sin(phi)
-    w0_2 = w0*w0
-    w1 = 2*pushing
-    w10 = c1*s1
-    w11 = phi1/l1
-    w12 = s1*w0
-    w2 = xp.cos(phi)
-    w13 = c1*w2
-    w14 = 4*phi1
-    w15 = w0*w2
-    w3 = cos0*pushing
-    w4 = mu*w0
-    w5 = 1/(l1*l1)
-    w6 = w0_2*w5
-    w7 = s1_2*w5
-    w8 = 2*w5
-    w9 = phi1*w8
+    w10 = phi1/l1
+    w1 = xp.sin(phi)
+    w11 = s1*w1
+    w12 = c1*w0
+    w13 = 4*phi1
+    w14 = w0*w1
+    w1_2 = w1*w1
+    w2 = _depth*pushing
+    w3 = mu*w1
+    w4 = 1/(l1*l1)
+    w5 = w1_2*w4
+    w6 = s1_2*w4
+    w7 = 2*w4
+    w8 = phi1*w7
+    w9 = c1*s1
     return (
         (
-            (kappa*(-2*s1_2*w6 - w10*w14*w6 + w10*w9 + w11*w12 - w11*w13 + w12*w13*w8 - w14*w15*w7 + w15*w9 + w6 + w7) -
-            pushing + w0_2*w1 - w1*w2*w4 + w2*w3 + w3*w4,)
+            (kappa*(-2*s1_2*w5 + w10*w11 - w10*w12 + w11*w12*w7 - w13*w14*w6 - w13*w5*w9 + w14*w8 + w5 + w6 + w8*w9) -
+            pushing*w0*w3 + pushing*w1_2 - w0*w2 - w2*w3,)
         ),
     )
 
 
 def forces_by_parameters(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu, pushing, *, xp=numpy):
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
-    Source: the page. Operations: 24."""
-    w0 = xp.sin(phi)
-    w1 = pushing*sin0
-    w2 = xp.cos(phi)
+    Source: the page. Operations: 29."""
+    base0 = 1 - pushing
+    w0 = xp.cos(phi)
+    _depth = base0*base0/1099511627776 + pushing*(-cos0 + w0)
+    w1 = xp.sin(phi)
+    w2 = pushing*sin0
     w3 = 1/l1
-    w4 = c1*w0
-    w5 = s1*w2
+    w4 = c1*w1
+    w5 = s1*w0
     w6 = w3*(w4 + w5)
-    return ((kappa*(-w3*w4 - w3*w5) + mu*w1*w2 - w0*w1, -phi1*w6, kappa*w6, pushing*w2*(-cos0 + w2)),)
+    return ((kappa*(-w3*w4 - w3*w5) + mu*w0*w2 - w1*w2, -phi1*w6, kappa*w6, _depth*pushing*w0),)
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
@@ -159,10 +167,10 @@ def mass_matrix(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):
 def damping(phi, c1, s1, l1, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, *, xp=numpy):
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
     16."""
-    base0 = xp.cos(phi)
-    base0_2 = base0*base0
-    w0 = xp.exp(-V*d)
-    return ((mu0*(-base0_2*cos0*d*pushing*w0 + base0*base0_2*d*pushing*w0) + zeta,),)
+    base0 = 1 - pushing
+    w0 = xp.cos(phi)
+    _depth = base0*base0/1099511627776 + pushing*(-cos0 + w0)
+    return ((_depth*d*mu0*pushing*(w0*w0)*xp.exp(-V*d) + zeta,),)
 
 
 def friction_slope(cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
@@ -178,59 +186,57 @@ def friction_slope_by_sizes(cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 def regime_rhs(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, side, near1, way1, *, xp=numpy):
-    """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 58."""
-    w0 = xp.sin(phi)
-    w3 = xp.cos(phi)
-    w3_2 = w3*w3
-    l1 = xp.sqrt(w0*w0 + w3_2)
-    w1 = 1/l1
-    w2 = w0*w1
-    mu = mu0*side*(-near1*xp.exp(-d*side*(V + vphi*w3)) + 1)
-    w4 = w1*w3
+    """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 59."""
+    base0 = 1 - pushing
+    w0 = xp.cos(phi)
+    _depth = base0*base0/1099511627776 + pushing*(-cos0 + w0)
+    w1 = xp.sin(phi)
+    l1 = xp.sqrt(w0*w0 + w1*w1)
+    w2 = 1/l1
+    w3 = w1*w2
+    mu = mu0*side*(-near1*xp.exp(-d*side*(V + vphi*w0)) + 1)
+    w4 = w0*w2
     w5 = cos0*cos_psi + sin0*sin_psi
     w6 = -cos0*sin_psi + cos_psi*sin0
-    phi1 = way1*(-xp.atan2(w2*w6 + w4*w5, way1*(-w2*w5 + w4*w6)) + xp.pi/2)
-    w10 = 3*kappa*phi1
-    w7 = 3*pushing
-    w8 = mu*w7
-    w9 = w0*w7
-    return (w2*w10*w2 + cos0*w3*w8 - cos0*w9 + w4*w10*w4 - 3*vphi*zeta + w3*w9 - w3_2*w8,)
+    phi1 = way1*(-xp.atan2(w3*w6 + w4*w5, way1*(-w3*w5 + w4*w6)) + xp.pi/2)
+    w7 = 3*_depth*pushing
+    w8 = 3*kappa*phi1
+    return (w3*w3*w8 - mu*w0*w7 + w4*w4*w8 - 3*vphi*zeta + w1*w7,)
 
 
 def regime_jacobian(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, side, near1, way1, *, xp=numpy):
     """Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …). Source: the
-    page. Operations: 119."""
-    w0 = xp.sin(phi)
+    page. Operations: 107."""
+    base0 = 1 - pushing
+    w0 = xp.cos(phi)
+    _depth = base0*base0/1099511627776 + pushing*(-cos0 + w0)
     w0_2 = w0*w0
-    w3 = xp.cos(phi)
-    w3_2 = w3*w3
-    l1 = xp.sqrt(w0_2 + w3_2)
-    w1 = 1/l1
-    w2 = w0*w1
-    w4 = vphi*w3
-    w5 = xp.exp(-d*side*(V + w4))
-    w6 = near1*w5
-    mu = mu0*side*(1 - w6)
-    s1 = w1*w3
-    w7 = cos0*cos_psi + sin0*sin_psi
-    w8 = -cos0*sin_psi + cos_psi*sin0
-    phi1 = way1*(-xp.atan2(w2*w8 + s1*w7, way1*(-w2*w7 + s1*w8)) + xp.pi/2)
+    w1 = xp.sin(phi)
+    w1_2 = w1*w1
+    l1 = xp.sqrt(w0_2 + w1_2)
+    w2 = 1/l1
+    w3 = w1*w2
+    w4 = vphi*w0
+    w5 = near1*xp.exp(-d*side*(V + w4))
+    mu = mu0*side*(1 - w5)
+    s1 = w0*w2
+    w6 = cos0*cos_psi + sin0*sin_psi
+    w7 = -cos0*sin_psi + cos_psi*sin0
+    phi1 = way1*(-xp.atan2(w3*w7 + s1*w6, way1*(-w3*w6 + s1*w7)) + xp.pi/2)
     s1_2 = s1*s1
-    w10 = 6*pushing
-    w9 = 3*pushing
-    w11 = cos0*w9
-    w12 = w0*w3
-    w13 = d*pushing*w6
-    w14 = cos0*w13
-    w15 = 3*mu0
-    w16 = 1/(l1*l1)
-    w17 = 2*w16
-    w18 = w12*w17
+    w8 = 3*pushing
+    w9 = _depth*w8
+    w10 = w1*w9
+    w11 = w0*w1
+    w12 = d*mu0*w5
+    w13 = 1/(l1*l1)
+    w14 = 2*w13
+    w15 = w11*w14
     return (
         (
-            (3*kappa*(4*w2*phi1*s1*w0_2*w16 - w2*phi1*s1*w17 + w2*phi1*w1*w3 - w2*s1*w18 - phi1*s1*w2 + 4*phi1*s1_2*w0*w16*w3
-            - phi1*w18 + 2*s1_2*w0_2*w16 - s1_2*w16 - w0_2*w16) - mu*w0*w11 + mu*w10*w12 - w0_2*w10 - w11*w3 +
-            w15*(d*near1*pushing*vphi*w0*w5 - vphi*(w0*w0_2)*w13 - w0*w14*w4) + w9, w15*(-w13*(w3*w3_2) + w14*w3_2) - 3*zeta)
+            (3*kappa*(4*w3*phi1*s1*w13*w1_2 - w3*phi1*s1*w14 + w3*phi1*w0*w2 - w3*s1*w15 - phi1*s1*w3 + 4*phi1*s1_2*w0*w1*w13
+            - phi1*w15 + 2*s1_2*w13*w1_2 - s1_2*w13 - w13*w1_2) + mu*w10 + mu*w11*w8 + w0*w9 + w10*w12*w4 - w1_2*w8,
+            -w0_2*w12*w9 - 3*zeta)
         ),
     )
 
@@ -239,33 +245,29 @@ def regime_by_parameters(
     phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, side, near1, way1, *, xp=numpy,
 ):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
-    Operations: 80."""
+    Operations: 75."""
     w0 = xp.sin(phi)
     w3 = xp.cos(phi)
-    w3_2 = w3*w3
-    l1 = xp.sqrt(w0*w0 + w3_2)
+    l1 = xp.sqrt(w0*w0 + w3*w3)
     w1 = 1/l1
     w2 = w0*w1
-    w4 = vphi*w3
-    w5 = xp.exp(-d*side*(V + w4))
-    w6 = near1*w5
-    mu = mu0*side*(1 - w6)
+    w4 = V + vphi*w3
+    w5 = near1*xp.exp(-d*side*w4)
+    w6 = w5 - 1
+    mu = -mu0*side*w6
     w7 = w1*w3
+    base4 = 1 - pushing
+    _depth = base4*base4/1099511627776 + pushing*(-cos0 + w3)
     w8 = cos0*cos_psi + sin0*sin_psi
     w9 = -cos0*sin_psi + cos_psi*sin0
     phi1 = way1*(-xp.atan2(w2*w9 + w7*w8, way1*(-w2*w8 + w7*w9)) + xp.pi/2)
     w10 = 3*pushing
     w11 = sin0*w10
     w12 = 3*kappa
-    w13 = w1*(w2*w0 + w7*w3)
-    w14 = cos0 - w3
-    w15 = mu0*w10*w3*w6
-    return (
-        (
-            (-mu*w11*w3 + w0*w11 + w12*(w2*w2 + w7*w7), side*w10*w3*(-cos0*w6 + cos0 + near1*w3*w5 - w3), 3*phi1*w13,
-            -w12*w13, -3*vphi, d*w14*w15, w15*(V*w14 + cos0*w4 - vphi*w3_2))
-        ),
-    )
+    w13 = _depth*w10*w3
+    w14 = w1*(w2*w0 + w7*w3)
+    w15 = mu0*w13*w5
+    return ((-mu*w11*w3 + w0*w11 + w12*(w2*w2 + w7*w7), side*w13*w6, 3*phi1*w14, -w12*w14, -3*vphi, -d*w15, -w15*w4),)
 
 
 def borders(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, *_, xp=numpy):
@@ -326,18 +328,19 @@ def turning_rates(phi, vphi, aphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zet
 
 def strain_energy(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, *, xp=numpy):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
-    Operations: 34."""
-    w0 = xp.sin(phi)
-    w2 = xp.cos(phi)
-    w2_2 = w2*w2
-    l1 = xp.sqrt(w0*w0 + w2_2)
-    w1 = 1/l1
-    c1 = w0*w1
-    s1 = w1*w2
+    Operations: 36."""
+    base0 = 1 - pushing
+    w0 = xp.cos(phi)
+    _depth = base0*base0/1099511627776 + pushing*(-cos0 + w0)
+    w1 = xp.sin(phi)
+    l1 = xp.sqrt(w0*w0 + w1*w1)
+    w2 = 1/l1
+    c1 = w1*w2
+    s1 = w0*w2
     w3 = cos0*cos_psi + sin0*sin_psi
     w4 = -cos0*sin_psi + cos_psi*sin0
     phi1 = xp.atan2(-c1*w3 + s1*w4, c1*w4 + s1*w3)
-    return kappa*(phi1*phi1)/2 + pushing*(-cos0*w2 + cos0*cos0/2 + w2_2/2)
+    return _depth*_depth*pushing/2 + kappa*(phi1*phi1)/2
 
 
 def energy_besides_strain(phi, vphi, *_):
@@ -347,10 +350,12 @@ def energy_besides_strain(phi, vphi, *_):
 
 
 def friction_force(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, side, near1, *, xp=numpy):
-    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 13."""
+    """The force of friction, along what it opposes. Returns force. Source: the page. Operations: 18."""
+    base0 = 1 - pushing
     w0 = xp.cos(phi)
+    _depth = base0*base0/1099511627776 + pushing*(-cos0 + w0)
     mu = mu0*side*(-near1*xp.exp(-d*side*(V + vphi*w0)) + 1)
-    return mu*pushing*(-cos0 + w0)
+    return _depth*mu*pushing
 
 
 def power_besides_friction(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, *_):

@@ -58,13 +58,13 @@ class Regime(IntEnum):
     """Winds onto a cycle at the rate of the cycle's multipliers, and is still on its way."""
 
 
-#: Columns of what motions come to.
+#: Columns of what motions come to: two codes, then numbers.
 LIMITS: tuple[Column, ...] = (
     Column("regime", "1", "what the motion settles to or approaches", Regime),
     Column("equilibrium", "1", "index of the equilibrium that it comes to; -1 for none"),
+    Column("period", "s", "period of the cycle that it is on or approaches; NaN for none"),
     Column("rate", "1/s", "rate at which what the motion settles to or approaches attracts"),
     Column("distance", "1", "what is left: of the reach of a cycle, or of the unit for rest"),
-    Column("period", "s", "period of the cycle that it is on or approaches; NaN for none"),
     Column("cycle_mean", "{x}", "mean of {x} over one period of the cycle"),
     Column("cycle_rms", "{x}", "root mean square of {x} about zero over one period of the cycle"),
     Column("rest_{q}", "{q}", "{q} of the equilibrium that it comes to; NaN for none"),

@@ -183,7 +183,7 @@ def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:
     return max(1, min(1024, lasting, count // (tasks_each * workers)))
 
 
-#: Columns of sweeps: those after the transient first.
+#: Numbers that a sweep measures, in the order of its records: those after the transient first.
 MEASURED = (
     Column("rms", "{x}", "root mean square of {x} about zero, after the transient"),
     Column("spread", "{x}", "root mean square of {x} about its mean, after the transient"),
@@ -192,9 +192,7 @@ MEASURED = (
     Column("mean_{y}", "{y}", "mean of {y} after the transient"),
     Column("contact_lost", "1", "times contact was lost after the transient"),
     Column("slip_reversed", "1", "times the sliding speed changed its sign after the transient"),
-    *LIMITS,
-    Column("{v}0", "{v}", "initial {v}"),
-    Column("reason", "1", "why a point has no result"),
+    *LIMITS[2:],
 )
 
 
@@ -241,7 +239,12 @@ class Sweep(Named):
         Numbers by which the limits were told.
     """
 
-    schema = MEASURED
+    schema = (
+        *MEASURED,
+        *LIMITS[:2],
+        Column("{v}0", "{v}", "initial {v}"),
+        Column("reason", "1", "why a point has no result"),
+    )
 
     inputs: dict[str, FloatArray]
     t_end: float
@@ -357,22 +360,13 @@ def reported(of: Model | Field) -> tuple[str, ...]:
     Of the first coordinate after the transient, and means of the others but a clock; then about the
     limit, from ``period`` on: an equilibrium by its place, a cycle by one state.
     """
-    coordinates, others = of.coordinates, of.coordinates[1 : -1 if of.clock else None]
-    return (
-        "rms",
-        "spread",
-        "largest",
-        "mean",
-        *(f"mean_{name}" for name in others),
-        "contact_lost",
-        "slip_reversed",
-        "period",
-        "rate",
-        "distance",
-        "cycle_mean",
-        "cycle_rms",
-        *(f"rest_{name}" for name in coordinates),
-        *(f"cycle_{name}" for name in of.components),
+    others = of.coordinates[1 : -1 if of.clock else None]
+    over = {"{y}": others, "{q}": of.coordinates, "{v}": of.components}
+    return tuple(
+        each.name.replace(mark, name)
+        for each in MEASURED
+        for mark in [each.name[-3:]]
+        for name in over.get(mark, (mark,))
     )
 
 
@@ -407,25 +401,24 @@ def _record(statistics: MotionStatistics | Exception, problem: Problem, backend:
     if isinstance(statistics, Exception):
         return _no_result(statistics)
     (mean, spread), (lost, _, *reversals) = statistics.moments(), statistics.events[: Event.STICK]
-    values = [
-        math.hypot(mean, spread),
-        spread,
-        max(map(abs, statistics.reach)),
-        *statistics.means[: -1 if problem.field.clock else None],
-        lost,
-        sum(reversals),
-    ]
-    if not np.isfinite(values).all():
+    field = problem.field
+    names = ("mean", *(f"mean_{name}" for name in field.coordinates[1:]))
+    measures: dict[str, Any] = {
+        "rms": math.hypot(mean, spread),
+        "spread": spread,
+        "largest": max(map(abs, statistics.reach)),
+        **dict(zip(names, statistics.means, strict=True)),
+        "contact_lost": lost,
+        "slip_reversed": sum(reversals),
+    }
+    if not np.isfinite([*measures.values()]).all():
         return _no_result(out_of_range())
     try:
         outcome = classify(statistics, Onward(problem, backend))
     except (ConvergenceError, ArithmeticError) as error:
         return _no_result(error)
-    measures, field = vars(outcome) | outcome.places(), problem.field
-    names = (*reported(field), "regime")
-    return [
-        float(value) for value in (*values, *(measures[name] for name in names[len(values) :]))
-    ], ""
+    measures |= vars(outcome) | outcome.places()
+    return [float(measures[name]) for name in (*reported(field), "regime")], ""
 
 
 def _no_result(error: Exception) -> Record:

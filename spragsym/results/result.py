@@ -494,7 +494,7 @@ class InUnits(Rows):
 
     @property
     def _in_model_units(self) -> dict[str, Column]:
-        return _in_hdf5(self._said)
+        return self._said | _in_hdf5(self._said)
 
     def to_xarray(self) -> Dataset:
         """An ``xarray.Dataset`` with units; in names ``_per_`` stands for the stroke, which HDF5

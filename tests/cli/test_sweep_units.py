@@ -34,6 +34,7 @@ def test_a_sweep_of_a_brake_is_in_the_units_of_its_file(tmp_path: Path, run: Run
     speed = scales.length / scales.time
     assert np.allclose(given["V_m/s"], speed * kept["V"], rtol=1e-11)
     assert np.allclose(given["theta0_deg"], [40, 50])
+    assert "# V_m/s [m/s]: belt speed\n" in store.read_text(encoding="utf-8")
     pytest.importorskip("h5netcdf")
     run(*call, str(tmp_path / "rms.nc"))
     import xarray

@@ -33,6 +33,7 @@ OF_COMMANDS = frozenset(
         "store",
         "t_end",
         "transient",
+        "trust",
         "undamped",
         "vary",
         "whole",

@@ -22,7 +22,9 @@ from hypothesis import strategies as st
 import spragsym as ss
 from spragsym import cli as command_line
 from spragsym.cli import main
+from spragsym.cli.options import OfModel
 from spragsym.cli.output import wrapped
+from spragsym.command_line import OF_COMMANDS
 from spragsym.core.remarks import At, Remark
 from tests.conftest import Run
 from tests.oracles.mistakes import COMMANDS
@@ -303,6 +305,19 @@ def test_each_example_of_help_is_one_call_with_options_of_the_command(name: str)
         assert call.count("spragsym") == 1, line
         options = {word.split("=")[0] for word in call if re.match(r"-{1,2}[a-zA-Z]", word)}
         assert options <= known, line
+
+
+def test_a_parameter_of_a_page_is_not_taken_for_an_option() -> None:
+    """``OF_COMMANDS`` has the names of all options that commands about a model have besides."""
+    model = ss.load("kang_nam")
+    of_model = {*model.parameters, *(f"{name}0" for name in model.starting)}
+    for name in command_line.COMMANDS:
+        command = command_line.cli.get_command(click.Context(command_line.cli), name)
+        if isinstance(command, OfModel):
+            ours = [option for option in command.params if option.name not in of_model]
+            flags = {flag for option in ours for flag in (f"--{option.name}", *option.opts)}
+            names = {flag[2:].replace("-", "_") for flag in flags if flag.startswith("--")}
+            assert names - OF_COMMANDS == set(), name
 
 
 def test_help_tells_the_value_of_an_option_that_is_left_out(run: Run) -> None:

@@ -1,6 +1,8 @@
 """Options of algorithms: ranges of their fields, and what limits do to the answers of questions."""
 
 import math
+import re
+from dataclasses import fields
 
 import numpy as np
 import pytest
@@ -8,6 +10,7 @@ import pytest
 import spragsym as ss
 from spragsym.bifurcation.defining_systems import given_column
 from spragsym.bifurcation.tubes import Tubes
+from spragsym.core.options import Options
 from spragsym.statics.balance import Balance
 
 
@@ -16,6 +19,12 @@ def test_values_out_of_range_are_told_with_their_range_and_the_remedy():
         ss.SearchOptions(margin=0.9)
     with pytest.raises(ss.errors.ParameterError, match="budget = 0 is not 1 or more; leave it out"):
         ss.SearchOptions(budget=0)
+
+
+def test_every_option_is_described():
+    for kind in Options.__subclasses__():
+        described = re.findall(r"^    (\w[\w, ]*) : \w", kind.__doc__ or "", re.MULTILINE)
+        assert {each.name for each in fields(kind)} == {*", ".join(described).split(", ")}, kind
 
 
 @pytest.mark.parametrize("value", [1.5, True, "many"])

@@ -13,6 +13,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -313,12 +314,26 @@ def test_files_that_contributing_names_exist() -> None:
     ]
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     to_write = (
-        "spragsym/cli/NAME.py",
         "spragsym/design/snap_energy.py",
         "derive/emit/targets/text/__init__.py",
+        "derive/models/NAME.py",
     )
     for name in set(re.findall(r"`([\w/.]+\.(?:py|js|c|toml|html))`", text)) - {*to_write}:
         assert (ROOT / name).is_file() or any(path.endswith(f"/{name}") for path in tracked), name
+
+
+def test_the_question_of_contributing_is_answered() -> None:
+    """By the strain energy of the article's model, written by hand."""
+    room = ModuleType("spragsym.design.snap_energy")
+    room.__package__ = "spragsym.design"
+    exec(fenced(ROOT / "CONTRIBUTING.md", "python")[0], vars(room))
+    p, values = spragsym.Parameters.article(mu0=0.5), np.radians([40.0, 50.0])
+    (jump,) = spragsym.quasi_static_path(p, "theta0", values).jumps
+    one, other = (
+        (0.007 * at["x"] ** 2 + 0.1 * (at["L"] - 1) ** 2 + at["y"] ** 2) / 2
+        for at in (jump.before, jump.after)
+    )
+    assert room.snap_energy(p, "theta0", values) == pytest.approx([other - one], rel=1e-12)
 
 
 #: Pages whose cells run here, and the one on clusters, which test_sweeps runs.

@@ -25,10 +25,11 @@ def is_nonnegative(model: Mechanics, expression: sp.Expr) -> bool:
     """
     if _is_nonnegative(expression):
         return True
+    free = sp.Dummy(real=True)
     bounded = {
         atom: ends
         for atom, ends in _bounded(model, expression).items()
-        if sp.expand(sp.diff(expression.xreplace({atom: _FREE}), _FREE, 2)) == 0
+        if sp.expand(sp.diff(expression.xreplace({atom: free}), free, 2)) == 0
     }
     # More bounded quantities than these are not taken at all their ends.
     if not bounded or len(bounded) > 10:
@@ -37,9 +38,6 @@ def is_nonnegative(model: Mechanics, expression: sp.Expr) -> bool:
         _is_nonnegative(expression.xreplace(dict(zip(bounded, corner, strict=True))))
         for corner in itertools.product(*bounded.values())
     )
-
-
-_FREE = sp.Dummy(real=True)
 
 
 def _is_nonnegative(expression: sp.Expr) -> bool:

@@ -2,7 +2,6 @@
 not state.
 """
 
-from ..kang_nam.parameters import ARTICLE as ARTICLE
 from ..kang_nam.parameters import Parameters as Parameters
 
 #: Belt speed.

@@ -165,7 +165,8 @@ def _is_singular(balance: Balance, family: Family) -> bool:
 
     def drawn() -> Fraction:
         # Largest numerator and denominator of these numbers.
-        return Fraction(*map(int, rng.integers(1, (1 << 30), 2)))
+        largest = 2**30
+        return Fraction(*map(int, rng.integers(1, largest, 2)))
 
     def circle() -> list[Fraction]:
         t = drawn()

@@ -449,7 +449,8 @@ def _signals(system: Augmented, z: FloatArray) -> list[ComplexArray]:
         every = stability.roots(*matrices(system.family, z))
         return [row[np.isfinite(row) & (row.imag > 1e-6 * np.abs(row))] for row in every]
     # Error of a state that Newton's method has found, over its size.
-    states = Intervals(ends_around(z, (2.0**-50) * scale_of(z)))
+    error = 2.0**-50
+    states = Intervals(ends_around(z, error * scale_of(z)))
     with quiet():
         tested = system.residuals(states, system.fixed(z.shape[1]))[-1]
     finite = np.isfinite(tested.middle)

@@ -31,8 +31,6 @@ if TYPE_CHECKING:
 #: units is there.
 Row: TypeAlias = dict[str, Any]
 Titled: TypeAlias = tuple[str, float]
-#: Values from one end of a range to the other, unless told otherwise.
-COUNT = 11
 
 
 @dataclass(frozen=True)
@@ -46,7 +44,8 @@ class Span:
     typed: str
     name: str
     ends: tuple[float, float] | None = None
-    count: int = COUNT
+    #: Values from one end to the other.
+    count: int = 11
     unit: float = 1.0
     title: str = ""
 

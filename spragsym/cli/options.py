@@ -30,7 +30,7 @@ from ..models.parameters import (
     degrees,
     shown,
 )
-from .case import COUNT, Case, Span, in_degrees, study_of
+from .case import Case, Span, in_degrees, study_of
 from .output import is_typed, print_json, refuse
 
 if TYPE_CHECKING:
@@ -156,7 +156,7 @@ def _span(typed: str) -> Span:
         return Span(typed, name)
     try:
         low, high, *counts = rest.split(":")
-        ends, (count,) = (float(low), float(high)), [int(one) for one in counts] or [COUNT]
+        ends, (count,) = (float(low), float(high)), [int(one) for one in counts] or [Span.count]
     except ValueError as error:
         cure = "give it as mu0=0:1, or with values as mu0=0:1:11"
         raise click.BadParameter(f"{typed!r} is neither a name nor a range; {cure}") from error

@@ -171,9 +171,9 @@ def estimated(variables: Mapping[str, Any], event: Event, sampling: Sampling) ->
     work = partial(
         sums, partial(_at_points, variables, together, event), [*together.factors], sampling.sobol
     )
-    # Alone a process answers many chunks at once.
-    # Points of a set that are asked together.
-    most = max(1, (1 << 16) // parts[0].size) if sampling.workers == 1 else 1
+    # Points that a process asks together where it is alone: many chunks at once.
+    together_at_most = 2**16
+    most = max(1, together_at_most // parts[0].size) if sampling.workers == 1 else 1
     tasks = [parts[first : first + most] for first in range(0, len(parts), most)]
     done: dict[int, list[list[float]]] = {}
     results = processes.results(sampling.workers, work, dict(enumerate(tasks)), _chunk_text)

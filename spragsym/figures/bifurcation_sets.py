@@ -14,7 +14,7 @@ from matplotlib.colors import to_rgba_array
 
 import spragsym as ss
 
-from ..article.assumed import ARTICLE, MU0_RANGE, Parameters
+from ..article.assumed import MU0_RANGE, Parameters
 from ..generated import equilibrium as _equilibrium
 from ..models.parameters import FloatArray, Span
 from ..numerics.interval_arrays import Int8Array
@@ -348,7 +348,7 @@ _Samples = tuple[Span, tuple[float, ...], Span, tuple[float, ...]]
 def _draw_cusp_friction(ax: Axes, name: str, shown: _Samples, n: int) -> Table:
     (low, high), samples, bracket, ticks = shown
     values = np.geomspace(low, high, n) if ticks else np.linspace(low, high, n)
-    p, mu0 = Parameters.article(), ARTICLE["mu0"]
+    p, mu0 = Parameters.article(), Parameters.mu0
     along = p.replace(**{name: values})
     frictions, cusps = np.asarray(ss.critical_friction(along)), np.asarray(ss.cusp_friction(along))
     ax.plot(values, frictions, color=BLACK)

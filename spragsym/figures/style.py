@@ -23,7 +23,7 @@ from matplotlib.ticker import AutoLocator, FixedLocator
 from numpy.typing import ArrayLike, NDArray
 
 from ..article import drawn
-from ..article.assumed import ARTICLE
+from ..article.assumed import Parameters
 from ..display import Column
 from ..files.storage import put
 from ..models import Model
@@ -229,7 +229,8 @@ PATHS_DEG = {"a": 60.0, "b": 40.0}
 LETTERS = {"alpha": "α", "beta": "β", "kappa": "κ", "mu0": "μ₀", "sigma": "σ", "theta0": "θ₀"}
 
 BASE_TEXT = ", ".join(
-    f"{LETTERS[name]} = {ARTICLE[name]:g}" for name in ("kappa", "alpha", "sigma", "beta")
+    f"{LETTERS[name]} = {getattr(Parameters, name):g}"
+    for name in ("kappa", "alpha", "sigma", "beta")
 )
 
 LINES_TEXT = "Stable solid, divergent dashed, flutter dash-dotted; dots are folds."

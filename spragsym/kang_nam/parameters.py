@@ -15,9 +15,6 @@ from ..models.quantities import QuantityValues
 #: them.
 NAMES = PARAMETERS
 
-#: The article's base values (Section 3); its θ₀ is the control parameter.
-ARTICLE = BASE_VALUES
-
 #: Remedies for values out of range, where the range alone does not suggest one.
 _REMEDIES = {
     "theta0": "angles are radians, strictly between 0 and pi; use numpy.radians for degrees",
@@ -103,11 +100,11 @@ class Parameters(ParameterSet):
     where = "kang_nam"
 
     theta0: Any = None
-    mu0: Any = ARTICLE["mu0"]
-    kappa: Any = ARTICLE["kappa"]
-    alpha: Any = ARTICLE["alpha"]
-    sigma: Any = ARTICLE["sigma"]
-    beta: Any = ARTICLE["beta"]
+    mu0: Any = BASE_VALUES["mu0"]
+    kappa: Any = BASE_VALUES["kappa"]
+    alpha: Any = BASE_VALUES["alpha"]
+    sigma: Any = BASE_VALUES["sigma"]
+    beta: Any = BASE_VALUES["beta"]
     V: Any = 0.5
     d: Any = 10.0
 

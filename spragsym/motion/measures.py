@@ -117,7 +117,8 @@ class Spectrum(Result):
 def spectrum_of(samples: PiecewisePolynomial, row: int, points: int) -> Spectrum:
     """The amplitude spectrum of one component, about its mean, with Hann's window."""
     # Most points at equal steps that a motion is sampled at.
-    points = as_count("points", points, 16, (1 << 20))
+    most = 2**20
+    points = as_count("points", points, 16, most)
     t = np.linspace(samples.t[0], samples.t[-1], points, endpoint=False)
     values = samples(t)[row]
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(points) / points)

@@ -211,37 +211,37 @@ class MotionState:
         return self.problem.max_steps or 2_000_000
 
 
-class BatchIntegrator:
-    """A field compiled for motions in lanes, used again and again: each goes over to its next mode
-    where it passes a border.
+@dataclass(frozen=True)
+class Carried:
+    """What is carried in how many lanes.
 
     ``turning`` is that turns are told, of the leading coordinate and of levels. With ``measured``
     those of the coordinate are, and the integrals of a
-    :class:`~spragsym.motion.measures.MotionStatistics` are carried along.
+    :class:`~spragsym.motion.measures.MotionStatistics` are carried along; with ``directions`` of
+    the parameters derivatives are.
     """
 
-    def __init__(
-        self,
-        field: Field,
-        tol: float,
-        *,
-        lanes: int = 1,
-        measured: bool = False,
-        directions: int | None = None,
-        turning: bool = False,
-    ) -> None:
+    lanes: int = 1
+    measured: bool = False
+    directions: int | None = None
+    turning: bool = False
+
+
+class BatchIntegrator:
+    """A field compiled for motions in lanes, used again and again: each goes over to its next mode
+    where it passes a border.
+    """
+
+    def __init__(self, field: Field, tol: float, carried: Carried) -> None:
         hy = library()
-        self.field, self.m, self.lanes, self.derivatives = (
-            field,
-            field.size,
-            lanes,
-            directions is not None,
-        )
+        self.field, self.m, self.lanes = field, field.size, carried.lanes
+        self.derivatives = carried.directions is not None
+        measured, turning = carried.measured, carried.turning
         self.kinds = kinds_of(field) if measured else {}
         #: What is in the first lanes.
         self.some: Sequence[MotionState] = ()
         system, seen, accelerations, approaches = equations(
-            field, measured=measured, directions=directions
+            field, measured=measured, directions=carried.directions
         )
         self.constants = len(seen[1])
         lead = field.lead
@@ -260,7 +260,7 @@ class BatchIntegrator:
         rates = [(row, rate) for row, rate in rates if hy.get_variables(hy.expression(rate))]
         self.solver = hy.taylor_adaptive_batch(
             system,
-            np.zeros((len(system), lanes)),
+            np.zeros((len(system), self.lanes)),
             tol=_tightened(field, tol),
             compact_mode=turning,
             t_events=[level for level in levels if level is not None]
@@ -538,12 +538,12 @@ def missed_event(t: float) -> ConvergenceError:
 _CACHE = threading.local()
 
 
-def compiled(field: Field, tol: float, **options: Any) -> BatchIntegrator:
+def compiled(field: Field, tol: float, carried: Carried = Carried()) -> BatchIntegrator:
     """An integrator that is compiled once per field, tolerance and thread."""
     integrators: dict[Any, BatchIntegrator] = _CACHE.__dict__.setdefault("compiled", {})
-    key = field.name, field.lead, tol, *options.items()
+    key = field.name, field.lead, tol, carried
     if key not in integrators:
-        integrators[key] = BatchIntegrator(field, tol, **options)
+        integrators[key] = BatchIntegrator(field, tol, carried)
     return integrators[key]
 
 
@@ -553,7 +553,7 @@ def flow_integrator(problem: Problem, directions: FloatArray | None) -> BatchInt
     """
     # Tolerance of plain ones, whose other steps make them a witness of the first.
     tol, count = (1e-16, None) if directions is None else (TOLERANCE, len(directions))
-    return compiled(problem.field, tol, directions=count, turning=True).begun(
+    return compiled(problem.field, tol, Carried(directions=count, turning=True)).begun(
         problem, () if directions is None else directions
     )
 
@@ -587,11 +587,11 @@ def measured(problems: Sequence[Problem]) -> tuple[list[MotionStatistics | Excep
     begin, end, size = one.t_record, one.t_end, one.field.size
     scale, motions = 1e-3 / (end - begin), [MotionState(each) for each in problems]
     if begin > 0:
-        compiled(one.field, one.rtol, lanes=LANES).propagate(motions, 0.0, begin)
+        compiled(one.field, one.rtol, Carried(LANES)).propagate(motions, 0.0, begin)
     first = [each.carried[:size] for each in motions]
     for each in motions:
         each.further = each.carried[one.field.lead], scale
-    compiled(one.field, one.rtol, lanes=LANES, measured=True).propagate(motions, begin, end)
+    compiled(one.field, one.rtol, Carried(LANES, measured=True)).propagate(motions, begin, end)
 
     def statistics(motion: MotionState, first: FloatArray) -> MotionStatistics:
         last, reach, lead = motion.carried, motion.reach, motion.problem.field.lead

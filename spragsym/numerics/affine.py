@@ -283,10 +283,11 @@ def cosine_and_sine(angle: Any) -> tuple[Any, Any]:
 def _through(name: str) -> Callable[[Affine], Affine]:
     """A function of affine numbers from itself and its slope, of intervals."""
     function = getattr(interval_arrays, name)
+    intervals = Functions(interval_arrays, lambda value: value)
 
     def through(x: Affine) -> Affine:
         with quiet():
-            slope = _INTERVALS.of(name, Jet.variable(x.interval(), 0, 1)).derivative(0)
+            slope = intervals.of(name, Jet.variable(x.interval(), 0, 1)).derivative(0)
             return Affine.linear(x, Affine.between(function(Intervals.point(x.value))), slope)
 
     return through
@@ -316,7 +317,6 @@ class _AffineFunctions(Functions):
         return Affine.between(self.taken(value).interval().sign())
 
 
-_INTERVALS = Functions(interval_arrays, lambda value: value)
 #: The one that is needed.
 AFFINE = _AffineFunctions(
     SimpleNamespace(

@@ -269,7 +269,7 @@ class _Search:
         if self.plan is None or self.points.size.tolist() != [1] or not self.system.covered_by_plan:
             return start
         self.looks, ends = self.plan.rounds(
-            start.ends, self.parameters, self.limits, self.rules, self.budget, 2 * CHUNK
+            start.ends, self.parameters, self.limits, self.rules, (self.budget, 2 * CHUNK)
         )
         self.work[0] = self.looks
         unique, where, undecided, left = (

@@ -440,7 +440,8 @@ def _wave(angle: Intervals, function: np.ufunc, peak: float) -> Intervals:
     one, other = function(low), function(high)
     # Bound on the absolute error of NumPy's sine and cosine, for arguments up to
     # :data:`LARGEST_ANGLE`.
-    ends = pair(-np.minimum(one, other), np.maximum(one, other)) + (2.0**-50)
+    error = 2.0**-50
+    ends = pair(-np.minimum(one, other), np.maximum(one, other)) + error
     turns_low, turns_high = low / (2 * np.pi) - peak, high / (2 * np.pi) - peak
     unknown = ~((angle.magnitude <= LARGEST_ANGLE) & np.isfinite(one) & np.isfinite(other))
     # More than the error of an angle over 2π: an extremum so near to an end counts as

@@ -126,10 +126,9 @@ class Plan:
             np.ascontiguousarray(given),
             np.ascontiguousarray(boxes),
             parameters.ends,
-            np.array(np.broadcast_to(limits[..., 0], (2, self.n))),
+            self._limits(limits),
             *marks,
-            rules.sharp,
-            (rules.margin, rules.spread, rules.small, rules.narrow, rules.shrunk, NARROW),
+            *_numbers(rules),
             wide,
             step,
             left,
@@ -147,11 +146,11 @@ class Plan:
         parameters: Intervals,
         limits: FloatArray,
         rules: Rules,
-        budget: int,
-        most: int,
+        most: tuple[int, int],
     ) -> tuple[int, list[FloatArray]]:
-        """A search at one point until no box is left, or more than ``most``: how many were looked
-        at, and boxes with a root, where it is, undecided and further ones.
+        """A search at one point until no box is left, or ``most`` are: of those looked at in all,
+        and of those left. How many were looked at, and boxes with a root, where it is, undecided
+        and further ones.
         """
         looks, *found = compiled.rounds(
             self.held,
@@ -159,8 +158,7 @@ class Plan:
             parameters.ends,
             self._limits(limits),
             *_numbers(rules),
-            budget,
-            most,
+            *most,
         )
         piles = (np.frombuffer(part).reshape(-1, 2, self.n) for part in found)
         return looks, [np.ascontiguousarray(np.moveaxis(pile, 0, 2)) for pile in piles]

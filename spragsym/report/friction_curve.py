@@ -86,8 +86,9 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     raised for a file that has no such head, may be read in two ways, or has a line that is no
     measurement.
     """
-    # An instrument writes more than a person does.
-    text = text_of(path, (8 << 20), "a text file with sliding speed and coefficient").splitlines()
+    # Bytes of a file, at most: an instrument writes more than a person does.
+    most = 8 * 2**20
+    text = text_of(path, most, "a text file with sliding speed and coefficient").splitlines()
     stripped = ((number, line.strip(" \r\n")) for number, line in enumerate(text, 1))
     lines = [
         (number, line)

@@ -61,18 +61,18 @@ def speed_for(study: Brake, friction: float) -> float:
     parts = [
         (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(30))
     ] + [(0.0, speed)]
-    # Ranges of the speed that are looked at, at most.
-    for _ in range(1 << 12):
+    # Ranges of the speed that are looked at, at most; boxes of a rough look; and the relative width
+    # to which that speed is enclosed.
+    most, boxes, narrow = 4096, 64, 2.0**-44
+    for _ in range(most):
         if not parts:
             return math.nan
         slow, fast = parts.pop()
         law.low[index], law.high[index] = slow, fast
-        # Boxes of a rough look.
-        if law.largest(1, (1 << 6)) < friction:
+        if law.largest(1, boxes) < friction:
             continue
         middle = 0.5 * (slow + fast)
-        # Relative width to which that speed is enclosed.
-        if fast - slow <= (2.0**-44) * fast:
+        if fast - slow <= narrow * fast:
             return float(middle * study.scales.length / study.scales.time)
         parts += [(middle, fast), (slow, middle)]
     return math.nan

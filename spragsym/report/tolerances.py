@@ -249,8 +249,9 @@ def bracket(study: Brake) -> Span:
     parts = 200
     below, above = measured(whole, laws, up_to, parts)
     ends = [study.quantities[name] for name in names]
-    # What a share of a distribution is rounded by, where values go over its width.
-    off = parts * (2.0**-50) * max(abs(one.high) / (one.high - one.low) for one in ends)
+    # Of a share of a distribution, where values go over its width.
+    rounding = 2.0**-50
+    off = parts * rounding * max(abs(one.high) / (one.high - one.low) for one in ends)
     return max(0.0, below - off), min(1.0, above + off)
 
 

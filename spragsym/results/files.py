@@ -111,7 +111,8 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
         )
     remedy = ", or give a *.json that save() wrote"
     # Bytes of a file that is read back, at most.
-    text = text_of(path, (1 << 30), "a *.json that save() wrote", remedy)
+    most = 2**30
+    text = text_of(path, most, "a *.json that save() wrote", remedy)
     # What a file raises that is not as :func:`save` writes it now.
     wrong = (
         ValueError,

@@ -7,7 +7,7 @@ from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -24,10 +24,6 @@ from .options import SearchOptions
 
 if TYPE_CHECKING:
     from .balance import Balance
-
-
-#: Tapes of every model's systems, as long as its functions are loaded.
-TAPES: WeakKeyDictionary[ModuleType, dict[Hashable, Tapes]] = WeakKeyDictionary()
 
 #: Entries over boxes, from unknowns, whatever else, and parameters.
 Rows: TypeAlias = Callable[..., Sequence[Any]]
@@ -88,13 +84,16 @@ class StateSystem(EquationSystem):
         """
         return None
 
+    #: Of every model's systems, as long as its functions are loaded.
+    _tapes: ClassVar[WeakKeyDictionary[ModuleType, dict[Hashable, Tapes]]] = WeakKeyDictionary()
+
     @cached_property
     def tapes(self) -> Tapes:
         """Tapes of what is asked over boxes."""
         identity, algebra = self.identity(), self.balance.model.algebra
         if identity is None or not isinstance(algebra, ModuleType):
             return Tapes()
-        of_model = TAPES.setdefault(algebra, {})
+        of_model = self._tapes.setdefault(algebra, {})
         return of_model.setdefault((type(self), identity), Tapes())
 
     def taped(self, key: Hashable, rows: Rows, *given: Intervals) -> Intervals:

@@ -85,39 +85,33 @@ def test_a_room_has_what_it_offers(room: str) -> None:
     exec(f"from spragsym.{room} import *", {})
 
 
-def test_a_public_function_says_what_it_takes_gives_and_refuses() -> None:
-    rooms = (spragsym, spragsym.kang_nam)
-    for name, found in ((name, getattr(room, name)) for room in rooms for name in room.__all__):
-        if inspect.isfunction(found) or (
-            inspect.isclass(found) and not issubclass(found, spragsym.results.Result)
-        ):
-            examples = doctest.DocTestParser().get_examples(inspect.getdoc(found) or "")
-            assert any(example.want for example in examples), f"{name}: no example with output"
-        if inspect.isfunction(function := found):
-            text, signature = inspect.getdoc(function) or "", inspect.signature(function)
-            wanted = {"Examples"}
-            if signature.parameters:
-                wanted |= {"Parameters", "Raises"}
-            if signature.return_annotation not in (None, "None"):
-                wanted.add("Returns")
-            assert {
-                section for section in wanted if f"\n{section}\n{'-' * len(section)}\n" not in text
-            } == set(), name
+def lacking(found: object, *sections: str) -> list[str]:
+    """Sections that a docstring lacks; an example with its output is one."""
+    text = inspect.getdoc(found) or ""
+    examples = doctest.DocTestParser().get_examples(text)
+    lacks = [one for one in sections if f"\n{one}\n{'-' * len(one)}\n" not in text]
+    return lacks + ["Examples"] * (not any(example.want for example in examples))
 
 
-def test_a_public_method_of_a_result_says_what_it_takes_and_gives() -> None:
-    """Each section that applies, and an example with its output, where the method is written."""
+def test_what_is_public_says_what_it_takes_gives_and_refuses() -> None:
+    """Functions and classes, and methods of results where they are written."""
+    for room in (spragsym, spragsym.kang_nam):
+        for name in room.__all__:
+            found = getattr(room, name)
+            if inspect.isfunction(found):
+                signature = inspect.signature(found)
+                gives = signature.return_annotation not in (None, "None")
+                wanted = ["Parameters", "Raises"] * bool(signature.parameters) + ["Returns"] * gives
+                assert lacking(found, *wanted) == [], name
+            elif inspect.isclass(found) and not issubclass(found, spragsym.results.Result):
+                assert lacking(found) == [], name
     for kind in {getattr(spragsym.results, name) for name in dir(spragsym.results)}:
-        for name, method in vars(kind).items() if inspect.isclass(kind) else ():
-            if name.startswith("_") or not inspect.isfunction(method):
-                continue
-            text, signature = inspect.getdoc(method) or "", inspect.signature(method)
-            examples = doctest.DocTestParser().get_examples(text)
-            assert any(example.want for example in examples), method.__qualname__
-            given = signature.return_annotation not in (None, "None")
-            wanted = ["Parameters"] * (len(signature.parameters) > 1) + ["Returns"] * given
-            for section in wanted:
-                assert f"\n{section}\n{'-' * len(section)}\n" in text, method.__qualname__
+        for name, method in vars(kind).items():
+            if inspect.isfunction(method) and not name.startswith("_"):
+                signature = inspect.signature(method)
+                gives = signature.return_annotation not in (None, "None")
+                wanted = ["Parameters"] * (len(signature.parameters) > 1) + ["Returns"] * gives
+                assert lacking(method, *wanted) == [], method.__qualname__
 
 
 # ------------------------------------------------------------------------------------------------
@@ -230,18 +224,6 @@ def test_the_page_on_the_command_line_lists_every_command() -> None:
         r"^\| `(\w+)` \|", (DOCS / "command_line.md").read_text(encoding="utf-8"), re.MULTILINE
     )
     assert sorted(listed) == sorted(COMMANDS)
-
-
-def test_the_reference_has_every_public_name() -> None:
-    """By itself, as a module, or among the errors, which come with theirs."""
-    page = "".join(one.read_text(encoding="utf-8") for one in sorted(DOCS.glob("api_*.md")))
-    shown = (
-        set(re.findall(r"spragsym\.(?:kang_nam\.)?(\w+)", page))
-        | {"kang_nam"}
-        | set(vars(spragsym.core.errors))
-        | {"__version__"}
-    )
-    assert set(spragsym.__all__) - shown == set()
 
 
 def test_the_table_of_questions_names_every_public_name_once_and_its_page() -> None:

@@ -284,9 +284,9 @@ class Sweep(Named):
         >>> sweep.outcome(0).regime.name
         'LIMIT_CYCLE'
         """
-        names = reported(self.model)
-        columns = (self.measured[self._own(name)] for name in names)
-        measures = {name: float(one[index]) for name, one in zip(names, columns, strict=True)}
+        measures = {
+            name: float(self.measured[self._own(name)][index]) for name in reported(self.model)
+        }
         rest, cycle = (
             tuple(
                 measures[f"{what}_{name}"]

@@ -297,6 +297,7 @@ def test_each_example_of_help_is_one_call_with_options_of_the_command(name: str)
     block = command.help.split("Examples:\n")[1].split("\n\n")[0]
     known = {option for parameter in command.params for option in parameter.opts}
     known |= {option for parameter in command.params for option in parameter.secondary_opts}
+    assert ("--force" in known) == (name in WRITING)
     for line in block.splitlines():
         call = shlex.split(line.split("|")[0].split(">")[0])
         if call[0] == "make":  # of what was exported

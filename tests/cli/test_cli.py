@@ -103,48 +103,27 @@ def test_a_point_without_an_answer_costs_no_other(run: Run) -> None:
 # ------------------------------------------------------------------------------------------------
 # files in the way
 
-MOTION = ["--theta0", "49", "--t-end", "20", "--backend", "scipy"]
+MOTION = "--theta0 49 --t-end 20 --backend scipy"
+BRAKE = (Path(ss.__file__).parent / "report/brake.toml").as_posix()
 
-#: Command that writes → what it writes to, given a folder.
+#: Command that writes → its options but for what it writes to, given a folder.
 WRITING = {
-    "bifurcation": (["bifurcation", "--plot"], "a.svg"),
-    "equilibria": (
-        ["equilibria", "--model", "mode_coupling", "--vary", "mu0=0:1", "--plot"],
-        "a.svg",
-    ),
+    "bifurcation": ("--plot", "a.svg"),
+    "equilibria": ("--model mode_coupling --vary mu0=0:1 --plot", "a.svg"),
     "onsets": (
-        [
-            "onsets",
-            "--model",
-            "stick_slip",
-            "--vary",
-            "V=0.1:0.4",
-            "--vary",
-            "zeta=0.5:1.5",
-            "--n",
-            "4",
-            "--plot",
-        ],
+        "--model stick_slip --vary V=0.1:0.4 --vary zeta=0.5:1.5 --n 4 --plot",
         "a.svg",
     ),
-    "check": (["check", "--report"], "a.md"),
-    "report": (
-        [
-            "report",
-            "--no-oscillation",
-            str(Path(ss.__file__).parent / "report/brake.toml"),
-            "--html",
-        ],
-        "a.html",
-    ),
-    "simulate": (["simulate", *MOTION, "-o"], "a.csv"),
-    "cycles": (["cycles", "--theta0", "42", "--vary", "theta0=41.9:42.1", "--plot"], "a.svg"),
-    "sweep": (["sweep", *MOTION, "--quiet", "-o"], "a.csv"),
-    "fates": (["fates", "--theta0", "30,35", "--quiet", "-o"], "a.csv"),
-    "figures": (["figures", "--only", "3", "--quiet", "-j", "1", "--out"], "figure_3.pdf"),
-    "explore": (["explore", "--no-open", "--out"], "a.html"),
-    "export": (["export", "--out"], "spragsym.c"),
-    "derive": (["derive", str(ROOT / "derive/models/stick_slip.py"), "--out"], "model.json"),
+    "check": ("--report", "a.md"),
+    "report": (f"--no-oscillation '{BRAKE}' --html", "a.html"),
+    "simulate": (f"{MOTION} -o", "a.csv"),
+    "cycles": ("--theta0 42 --vary theta0=41.9:42.1 --plot", "a.svg"),
+    "sweep": (f"{MOTION} --quiet -o", "a.csv"),
+    "fates": ("--theta0 30,35 --quiet -o", "a.csv"),
+    "figures": ("--only 3 --quiet -j 1 --out", "figure_3.pdf"),
+    "explore": ("--no-open --out", "a.html"),
+    "export": ("--out", "spragsym.c"),
+    "derive": (f"'{(ROOT / 'derive/models/stick_slip.py').as_posix()}' --out", "model.json"),
 }
 
 #: Those that are told a folder.
@@ -153,9 +132,11 @@ FOLDERS = ("figures", "export", "derive")
 
 def in_the_way(command: str, folder: Path) -> tuple[list[str], Path]:
     """A command and the file that it would write, which is there and holds something else."""
-    arguments, name = WRITING[command]
-    (folder / name).write_text("precious", encoding="utf-8")
-    return [*arguments, str(folder if command in FOLDERS else folder / name)], folder / name
+    options, name = WRITING[command]
+    target = folder / name
+    target.write_text("precious", encoding="utf-8")
+    told = folder if command in FOLDERS else target
+    return [command, *shlex.split(options), str(told)], target
 
 
 @pytest.mark.parametrize("command", WRITING)
@@ -216,7 +197,7 @@ def test_what_is_refused_is_refused_before_a_solver_is_loaded(tmp_path: Path) ->
     """Neither mpmath nor a room that solves is loaded, which takes a second; nor pint, which loads
     SciPy, where the size of no unit matters.
     """
-    good = (Path(ss.__file__).parent / "report/brake.toml").read_text(encoding="utf-8")
+    good = Path(BRAKE).read_text(encoding="utf-8")
     mistakes = {
         "key": good + 'mass = "0.35 kg"\n',
         "syntax": good + "V\n",

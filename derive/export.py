@@ -12,7 +12,7 @@ from typing import TypeAlias
 
 import sympy as sp
 
-from . import folder, motion, pages, units
+from . import folder, mechanics, motion, pages, units
 from .emit import definitions, targets
 from .emit.function import Function, renamed
 from .emit.python import algebra
@@ -53,7 +53,7 @@ def for_the_browser(model: pages.PageModel, header: str) -> str:
     """The functions of a page that the explorer calls, as an ES module."""
     # What the explorer's page of a model asks its algebra for: all that ``explorer/src``
     # calls.
-    explored = frozenset(
+    explored = set(
         {
             "border_rates",
             "borders",
@@ -73,6 +73,11 @@ def for_the_browser(model: pages.PageModel, header: str) -> str:
             "turnings",
         }
     )
+    it = model.mechanics
+    explored |= {
+        mechanics.named(f"contact_{part}", one) for one in it.contacts for part in ("force", "gap")
+    }
+    explored |= {mechanics.named("friction_at_rest", one) for one in it.frictions}
     files = targets.render("javascript", material(model, header, explored))
     return files[f"{library(model.name)}.mjs"]
 

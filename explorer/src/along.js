@@ -52,15 +52,15 @@ export function createAlong(box, { field, span, states, shown, go }, coordinate)
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
     for (const [kind, mark] of Object.entries(MARKS)) {
-      for (const contact of [true, false]) {
+      for (const whole of [true, false]) {
         ctx.beginPath();
-        ctx[contact ? "fillStyle" : "strokeStyle"] = colour[kind] ?? colour.ink;
-        for (const point of points.filter((one) => one.kind === kind && one.contact === contact)) {
+        ctx[whole ? "fillStyle" : "strokeStyle"] = colour[kind] ?? colour.ink;
+        for (const point of points.filter((one) => one.kind === kind && one.whole === whole)) {
           const [x, y] = [plot.valToPos(point.x, "x", true), plot.valToPos(point.y, "y", true)];
           ctx.moveTo(x, y);
           mark(ctx, x, y, 2.6 * devicePixelRatio);
         }
-        ctx[contact ? "fill" : "stroke"]();
+        ctx[whole ? "fill" : "stroke"]();
       }
     }
     ctx.restore();
@@ -80,7 +80,7 @@ export function createAlong(box, { field, span, states, shown, go }, coordinate)
       const end = performance.now() + BUDGET;
       while (i < COLUMNS && performance.now() < end) {
         const x = low + ((high - low) * (i + 0.5)) / COLUMNS; // off the ends, which may not be allowed
-        points.push(...states(inward(field(), x)).map(({ q, undamped, contact }) => ({ x, y: coordinate.size * q[0], kind: undamped, contact })));
+        points.push(...states(inward(field(), x)).map(({ q, undamped, regime }) => ({ x, y: coordinate.size * q[0], kind: undamped, whole: regime === 0 })));
         i += 1;
       }
       if (i < COLUMNS) {

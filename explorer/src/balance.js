@@ -13,14 +13,17 @@ function given(about, point) {
 /** Far away: with springs of this length their directions stay as they are. */
 const FAR = 1e300;
 
+/** A function of one contact by its name; that of the only contact has none behind it. */
+const named = (name, contact) => (contact ? `${name}_${contact}` : name);
+
 /**
- * The functions of a model at one point of its parameters. `q` are coordinates, `contact` says whether the belt pushes.
+ * The functions of a model at one point of its parameters. `q` are coordinates, `regime` is the number of the one that says which contacts touch.
  * A function without any result, as the geometry of a model without springs, is not exported.
  */
 export function balanceAt(algebra, about, point) {
   const { statics, motion } = given(about, point);
-  const mu = algebra.friction_at_rest ? algebra.friction_at_rest(...motion) : 0;
-  const pushing = (contact) => (contact ? 1 : 0);
+  const mu = about.frictions.length ? about.frictions.map(({ contact }) => algebra[named("friction_at_rest", about.contacts[contact].name)](...motion)) : [0];
+  const pushing = (regime) => about.regimes[regime].touching;
   const vectors = (q) => (algebra.geometry ? algebra.geometry(...q, ...statics) : []);
 
   /** Cosine, sine and length of every spring. */
@@ -38,33 +41,36 @@ export function balanceAt(algebra, about, point) {
     return [...along, ...turned.map(([cosine, sine]) => Math.atan2(sine, cosine))];
   }
 
-  const call = (name, q, along, contact, friction = mu) => algebra[name](...q, ...along, ...statics, friction, pushing(contact));
+  const call = (name, q, along, touching, friction = mu) => algebra[name](...q, ...along, ...statics, ...friction, ...touching);
 
   /**
-   * What acts on the mass at a state: the tension of every spring, the belt's normal force and its friction, and for a mass on a belt
-   * these as vectors. The balance is linear in the friction, so that each is a difference of the generated one, with the other sign.
+   * What acts on the mass at a state: the tension of every spring, the normal force of every contact and every friction, and for a mass on
+   * a belt these as vectors. The balance is linear in the friction, so that each is a difference of the generated one, with the other sign.
    */
-  function acting(q, contact) {
+  function acting(q, regime) {
     const along = directions(q);
-    const [all, smooth, alone] = [[contact, mu], [contact, 0], [false, 0]].map(([touching, friction]) => call("forces", q, along, touching, friction).slice(0, 2));
+    const [touching, none] = [pushing(regime), mu.map(() => 0)];
+    const [all, smooth, alone] = [[touching, mu], [touching, none], [touching.map(() => 0), none]].map((pair) => call("forces", q, along, ...pair).slice(0, 2));
     const less = (one, other) => [0, 1].map((k) => (other[k] ?? 0) - (one[k] ?? 0));
     const tensions = algebra.spring_forces?.(...q, ...statics) ?? [];
-    const normal = algebra.contact_force?.(...q, ...motion, pushing(contact)) ?? 0;
+    const normals = about.contacts.map(({ name }, k) => algebra[named("contact_force", name)]?.(...q, ...motion, touching[k]) ?? 0);
+    const frictions = mu.map((value, j) => value * Math.abs(normals[about.frictions[j]?.contact ?? 0]));
     const springs = tensions.map((tension, i) => [tension * along[3 * i], tension * along[3 * i + 1]]);
     return {
-      tensions, normal, friction: mu * Math.abs(normal),
+      tensions, normals, frictions,
       vectors: { springs, normal: less(smooth, alone), friction: less(all, smooth), others: less(springs.reduce((sum, one) => sum.map((value, k) => value + one[k]), alone), [0, 0]) },
     };
   }
 
   return {
     vectors, directions, motion, acting,
-    forces: (q, contact, along = directions(q)) => call("forces", q, along, contact),
-    stiffness: (q, contact, along = directions(q)) => call("forces_jacobian", q, along, contact),
+    forces: (q, regime, along = directions(q)) => call("forces", q, along, pushing(regime)),
+    stiffness: (q, regime, along = directions(q)) => call("forces_jacobian", q, along, pushing(regime)),
     mass: (q) => algebra.mass_matrix(...q, ...motion),
-    damping: (q, contact) => algebra.damping?.(...q, ...lines(q), ...motion, pushing(contact)) ?? q.map(() => q.map(() => 0)),
+    damping: (q, regime) => algebra.damping?.(...q, ...lines(q), ...motion, ...pushing(regime)) ?? q.map(() => q.map(() => 0)),
     gyroscopic: (q) => algebra.gyroscopic?.(...q, ...motion),
-    gap: (q) => algebra.contact_gap?.(...q, ...statics) ?? -1,
+    /** Of every contact: not positive where it touches. */
+    gaps: (q) => about.contacts.map(({ name }) => algebra[named("contact_gap", name)]?.(...q, ...statics) ?? -1),
     /** Directions that do not turn: cosine and sine of every spring, by angles; so far away no torque has a force. */
     held: (angles) => [...angles.flatMap((angle) => [Math.cos(angle), Math.sin(angle), FAR]), ...Array(about.torsions).fill(0)],
   };

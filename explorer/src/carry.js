@@ -2,6 +2,7 @@
 
 import { belongs, described, newton, search } from "./search.js";
 import { turning } from "./kinds.js";
+import { touchingIn } from "./states.js";
 
 /** A way begins with so many steps over the whole range of a parameter, and a step is halved at most so often. */
 const STEPS = 200;
@@ -20,13 +21,22 @@ export function landing(states, q) {
   return left.sort((a, b) => far(a) - far(b))[0] ?? null;
 }
 
-/** The same state a little further, or null if it is not found there. */
-function next(balance, about, { q, contact, sign }) {
-  const at = newton(balance, about, q, contact);
-  if (!at || !belongs(balance, about, at, contact) || Math.max(...at.map((value, k) => Math.abs(value - q[k]))) > LONGEST) {
+/** The regimes that a state comes to where a contact opens or closes: something touches, and one contact is another. */
+function beside(about, regime) {
+  const { touching } = about.regimes[regime];
+  return touchingIn(about).filter((other) => about.regimes[other].touching.filter((one, k) => one !== touching[k]).length === 1);
+}
+
+/** The same state a little further, behind the border of a contact in the regime that it passes into, or null if it is not found there. */
+function next(balance, about, { q, regime, sign }) {
+  const close = (at) => at && Math.max(...at.map((value, k) => Math.abs(value - q[k]))) <= LONGEST;
+  const own = newton(balance, about, q, regime);
+  if (!close(own)) {
     return null;
   }
-  return turning(balance.stiffness(at, contact)) === sign ? { q: at, contact, sign } : null;
+  const tried = belongs(balance, about, own, regime) ? [regime] : beside(about, regime);
+  const reached = tried.map((other) => ({ q: other === regime ? own : newton(balance, about, q, other), regime: other, sign }));
+  return reached.find((one) => close(one.q) && belongs(balance, about, one.q, one.regime) && turning(balance.stiffness(one.q, one.regime)) === sign) ?? null;
 }
 
 /**
@@ -46,7 +56,7 @@ export function carry(at, about, from, to, state, spans) {
   const shortest = longest * 2 ** -HALVINGS;
   const between = (share) => Object.fromEntries(Object.keys(to).map((name) => [name, share >= 1 ? to[name] : from[name] + share * (to[name] - from[name])]));
   let [share, step, jumps] = [0, longest, 0];
-  let now = { ...state, sign: turning(at(from).stiffness(state.q, state.contact)) };
+  let now = { ...state, sign: turning(at(from).stiffness(state.q, state.regime)) };
   for (let tried = 0; share < 1; tried++) {
     if (tried === PATIENCE || jumps === JUMPS) {
       const reached = landing(search(at(to), about), now.q);
@@ -70,10 +80,10 @@ export function carry(at, about, from, to, state, spans) {
         samples.push({ point, jump: true });
         return done(null);
       }
-      now = { ...reached, sign: turning(balance.stiffness(reached.q, reached.contact)) };
+      now = { ...reached, sign: turning(balance.stiffness(reached.q, reached.regime)) };
     }
     samples.push({ point, q: now.q, jump: !further });
     [share, step] = [end, Math.min(2 * step, longest)];
   }
-  return done(described(at(to), now.q, now.contact));
+  return done(described(at(to), now.q, now.regime));
 }

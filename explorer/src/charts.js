@@ -141,9 +141,9 @@ export function createCharts({ trace, phase, spectrum }, coordinates, [lasting, 
   }
 
   return {
-    add(t, state, { contact, side }) {
+    add(t, state, { touching, sides }) {
       history.q.forEach((column, i) => column.push(coordinates[i].size * state[i]));
-      const row = { t: lasting * t, v: first.rate * state[n], off: !contact, ahead: side < 0 };
+      const row = { t: lasting * t, v: first.rate * state[n], off: !touching.every(Boolean), ahead: sides.some((side) => side < 0) };
       Object.entries(row).forEach(([name, value]) => history[name].push(value));
       if (history.v.length > SAMPLES) {
         [...history.q, history.t, history.v, history.off, history.ahead].forEach((column) => column.shift());

@@ -1,31 +1,56 @@
 // The motion of a model in time, by its exported field: in each smooth regime by the classical Runge-Kutta method, and cut where
-// the regime ends: at the contact's border, where mass and belt have the same speed, where the force of friction that holds the mass
-// comes to a limit, or where a torsion spring's torque jumps.
+// the regime ends: at the border of a contact, where a friction slides no more, where the force of a friction that holds comes to a
+// limit, or where a torsion spring's torque jumps.
+
+import { solved } from "./kinds.js";
 
 const HALVINGS = 40;
-/** Kinks in one step; beyond them the step ends in the regime that it is in, at the error of a kink. */
+/** Kinks of one contact in one step; beyond them the step ends in the regime that it is in, at the error of a kink. */
 const PIECES = 6;
 /** Where a motion that begins at rest on the border goes, by half the square of a short time. */
 const AHEAD = 1e-6;
 /** Sliding speeds up to this are 0 where friction holds. */
 const STILL = 2e-12;
 
-/** What a panel runs: `regime(state)`, `step(state, h)` and `pieces(state, longest)` at one point. A state is coordinates, then rates. */
+/** All choices of a side of so many frictions, those that stick first. */
+function choices(count) {
+  const slips = (sides) => sides.reduce((sum, side) => sum + Math.abs(side), 0);
+  const all = Array.from({ length: count }).reduce((found) => found.flatMap((head) => [0, 1, -1].map((side) => [...head, side])), [[]]);
+  return all.sort((a, b) => slips(a) - slips(b));
+}
+
+/**
+ * What a panel runs: `regime(state)`, `step(state, h)` and `pieces(state, longest)` at one point. A state is coordinates, then rates; a regime
+ * says which contacts are `touching`, on which of its `sides` each friction slides, 0 where it sticks, and the `ways` of the torsion springs.
+ */
 export function fieldOf(algebra, about, balance) {
   const n = about.coordinates.length;
   const near = Array(about.layers).fill(1);
-  const lifts = Boolean(about.apart);
-  const holds = Boolean(algebra.grip);
+  const { contacts, frictions } = about;
+  /** Numbers of the frictions that hold, in the order of what is generated of them. */
+  const holding = frictions.flatMap(({ holds }, j) => (holds ? j : []));
 
-  function called(name, state, { contact, side, ways }) {
+  function called(name, state, { touching, sides, ways }) {
     // A law with a root has no value beyond the border, where it has come down to 0.
-    const pushing = contact && (about.polynomial || balance.gap(state.slice(0, n)) <= 0) ? 1 : 0;
-    return algebra[name](...state, ...balance.motion, pushing, side, ...near, ...ways);
+    const rooted = contacts.some(({ polynomial }) => !polynomial);
+    const gaps = rooted ? balance.gaps(state.slice(0, n)) : [];
+    const pushing = touching.map((touches, k) => (touches && (contacts[k].polynomial || gaps[k] <= 0) ? 1 : 0));
+    return algebra[name](...state, ...balance.motion, ...pushing, ...sides, ...near, ...ways);
   }
 
   const rate = (state, mode) => [...state.slice(n), ...called("regime_rhs", state, mode)];
 
-  const borders = (state) => algebra.borders(...state, ...balance.motion);
+  /** Gaps of all contacts, and sliding speeds of all frictions. */
+  function borders(state) {
+    const levels = algebra.borders(...state, ...balance.motion);
+    return { gaps: levels.slice(0, contacts.length), slips: levels.slice(contacts.length) };
+  }
+
+  /** How these change with given accelerations. */
+  function headed(state, accelerations) {
+    const rates = algebra.border_rates(...state, ...accelerations, ...balance.motion);
+    return { gaps: rates.slice(0, contacts.length), slips: rates.slice(contacts.length) };
+  }
 
   /** Of each torsion spring, on a way: not positive where its turning is counted on the other way. */
   const turned = (state, ways) => (ways.length ? algebra.turning_borders(...state, ...balance.motion, ...ways) : []);
@@ -36,30 +61,59 @@ export function fieldOf(algebra, about, balance) {
     return forward.map((level, i) => (level >= backward[i] ? 1 : -1));
   }
 
-  /** The regime where nothing slides: sticking (side 0), if there is contact and the force of friction is within its limits. */
-  function held(state, mode) {
-    const [ahead, behind] = called("grip", state, mode);
-    const sticks = mode.contact && Math.min(ahead, behind) >= 0 && Math.max(ahead, behind) > 0;
-    return { ...mode, side: sticks ? 0 : ahead < behind ? 1 : -1 };
+  const withSides = (mode, chosen, sides) => ({ ...mode, sides: mode.sides.map((side, j) => (chosen.includes(j) ? sides[chosen.indexOf(j)] : side)) });
+
+  /** Whether each chosen friction that sticks is within its limits, and each that slips can't stick, or is driven the way it slips. */
+  function agrees(state, mode, chosen) {
+    const margins = called("grip", state, mode);
+    return chosen.every((j) => {
+      const [ahead, behind] = margins.slice(2 * holding.indexOf(j));
+      const sticks = Math.min(ahead, behind) >= 0 && Math.max(ahead, behind) > 0; // in lift-off these are −F and F
+      const side = mode.sides[j];
+      return side === (sticks ? 0 : ahead < behind ? 1 : -1)
+        || (sticks && side * headed(state, called("regime_rhs", state, mode)).slips[j] > 0);
+    });
+  }
+
+  /** The regime, over sides of the chosen frictions, that agrees with its own accelerations: of those that do the one in which most stick. */
+  function settled(state, mode, chosen) {
+    const stuckIn = (sides) => chosen.filter((_, i) => !sides[i]);
+    const found = [];
+    for (const sides of choices(chosen.length)) {
+      const stuck = stuckIn(sides);
+      const covered = found.some((other) => stuck.length < stuckIn(other).length && stuck.every((j) => stuckIn(other).includes(j)));
+      if (!covered && agrees(state, withSides(mode, chosen, sides), chosen)) {
+        found.push(sides);
+      }
+    }
+    if (found.length !== 1) {
+      throw new RangeError("Dry friction leaves no way to go on, or several.");
+    }
+    return withSides(mode, chosen, found[0]);
   }
 
   /** By the state, and on a border by where it is headed. */
   function regime(state) {
-    const still = holds && Math.abs(borders(state)[1]) <= STILL;
-    return still ? held(state, sliding(state)) : sliding(state);
+    const { slips } = borders(state);
+    const still = holding.filter((j) => Math.abs(slips[j]) <= STILL);
+    return still.length ? settled(state, sliding(state), still) : sliding(state);
   }
 
   function sliding(state) {
-    const [gap, slip] = borders(state);
-    const ways = waysOf(state);
-    const guess = { contact: !lifts || gap < 0, side: slip >= 0 ? 1 : -1, ways };
-    if (gap !== 0 && slip !== 0) {
+    const { gaps, slips } = borders(state);
+    const closed = (k, level) => contacts[k].border === null || level < 0;
+    const guess = { touching: gaps.map((gap, k) => closed(k, gap)), sides: slips.map((slip) => (slip >= 0 ? 1 : -1)), ways: waysOf(state) };
+    if (![...gaps, ...slips].includes(0)) {
       return guess;
     }
     const accelerations = rate(state, guess).slice(n);
-    const headed = algebra.border_rates(...state, ...accelerations, ...balance.motion);
-    const bent = headed[0] || balance.gap(state.slice(0, n).map((value, i) => value + AHEAD * accelerations[i]));
-    return { contact: !lifts || gap < 0 || (gap === 0 && bent < 0), side: slip > 0 || (slip === 0 && headed[1] >= 0) ? 1 : -1, ways };
+    const rates = headed(state, accelerations);
+    const later = balance.gaps(state.slice(0, n).map((value, i) => value + AHEAD * accelerations[i]));
+    return {
+      ...guess,
+      touching: gaps.map((gap, k) => closed(k, gap === 0 ? rates.gaps[k] || later[k] : gap)),
+      sides: slips.map((slip, j) => (slip > 0 || (slip === 0 && rates.slips[j] >= 0) ? 1 : -1)),
+    };
   }
 
   function rungeKutta(state, h, mode) {
@@ -73,39 +127,51 @@ export function fieldOf(algebra, about, balance) {
 
   /** Which borders lie behind a state that was in a regime. */
   function beyond(state, mode) {
-    const { contact, side, ways } = mode;
-    const [gap, slip] = borders(state);
-    const slips = side ? side * slip < 0 : called("grip", state, mode).some((margin) => margin < 0);
-    return { contact: lifts && (contact ? gap > 0 : gap < 0), side: slips, ways: turned(state, ways).map((level) => level < 0) };
+    const { gaps, slips } = borders(state);
+    const margins = mode.sides.includes(0) ? called("grip", state, mode) : [];
+    const lost = (j) => margins.slice(2 * holding.indexOf(j), 2 * holding.indexOf(j) + 2).some((margin) => margin < 0);
+    return {
+      touching: gaps.map((gap, k) => contacts[k].border !== null && (mode.touching[k] ? gap > 0 : gap < 0)),
+      sides: mode.sides.map((side, j) => (side ? side * slips[j] < 0 : lost(j))),
+      ways: turned(state, mode.ways).map((level) => level < 0),
+    };
   }
 
-  /** The regime behind the borders that lie behind a state. */
+  /** The regime behind the borders that lie behind a state. What sticks and what hardly slides may begin and end to stick with others. */
   function behind(state, mode, past) {
-    const next = { ...mode, contact: mode.contact !== past.contact, ways: mode.ways.map((way, i) => (past.ways[i] ? -way : way)) };
-    if (holds && (past.side || (past.contact && mode.side === 0))) {
-      return held(state, next);
+    const next = {
+      touching: mode.touching.map((touches, k) => touches !== past.touching[k]),
+      sides: mode.sides.map((side, j) => (past.sides[j] ? -side : side)),
+      ways: mode.ways.map((way, i) => (past.ways[i] ? -way : way)),
+    };
+    const come = holding.filter((j) => past.sides[j] || (past.touching[frictions[j].contact] && mode.sides[j] === 0));
+    if (!come.length) {
+      return next;
     }
-    return { ...next, side: past.side ? -mode.side : mode.side };
+    const { slips } = borders(state);
+    return settled(state, next, holding.filter((j) => come.includes(j) || mode.sides[j] === 0 || Math.abs(slips[j]) <= STILL));
   }
 
-  /** The state without the sliding speed that rounding, or a border that is crossed late, leaves where the mass sticks. */
-  function stopped(state) {
-    const slip = borders(state)[1];
+  /** The state without the sliding speeds that rounding, or a border that is crossed late, leaves where frictions stick. */
+  function stopped(state, stuck) {
     const still = Array(n).fill(0);
-    const change = (accelerations) => algebra.border_rates(...state, ...accelerations, ...balance.motion)[1];
-    const along = still.map((_, i) => change(still.map((__, k) => Number(k === i))) - change(still));
-    const size = along.reduce((sum, value) => sum + value * value, 0);
-    return [...state.slice(0, n), ...along.map((value, i) => state[n + i] - (slip * value) / size)];
+    const [from, ...each] = [still, ...still.map((_, i) => still.map((__, k) => Number(k === i)))].map((accelerations) => headed(state, accelerations).slips);
+    const along = stuck.map((j) => each.map((change) => change[j] - from[j]));
+    const products = along.map((one) => along.map((other) => one.reduce((sum, value, i) => sum + value * other[i], 0)));
+    const { slips } = borders(state);
+    const back = stuck.length ? solved(products, stuck.map((j) => slips[j])) : [];
+    return [...state.slice(0, n), ...still.map((_, i) => state[n + i] - back.reduce((sum, share, row) => sum + share * along[row][i], 0))];
   }
 
-  const crossed = (found) => found.contact || found.side || found.ways.some(Boolean);
+  const crossed = (found) => [...found.touching, ...found.sides, ...found.ways].some(Boolean);
 
   function step(state, h) {
     let [at, left, mode] = [state, h, regime(state)];
-    for (let piece = 0; piece < PIECES && left > 0; piece++) {
+    const most = PIECES * contacts.length;
+    for (let piece = 0; piece < most && left > 0; piece++) {
       let next = rungeKutta(at, left, mode);
-      if (!crossed(beyond(next, mode)) || piece === PIECES - 1) {
-        at = mode.side === 0 ? stopped(next) : next;
+      if (!crossed(beyond(next, mode)) || piece === most - 1) {
+        at = stopped(next, holding.filter((j) => mode.sides[j] === 0));
         break;
       }
       let [low, high] = [0, left];
@@ -115,7 +181,7 @@ export function fieldOf(algebra, about, balance) {
       }
       next = rungeKutta(at, high, mode);
       const after = behind(next, mode, beyond(next, mode));
-      [at, left] = [mode.side * after.side === 0 ? stopped(next) : next, left - high];
+      [at, left] = [stopped(next, holding.filter((j) => mode.sides[j] * after.sides[j] === 0)), left - high];
       mode = after;
     }
     if (!at.every(Number.isFinite)) {
@@ -128,7 +194,7 @@ export function fieldOf(algebra, about, balance) {
   function pieces(state, time, longest) {
     const q = state.slice(0, n);
     const size = (rows) => Math.max(...rows.map((row) => row.reduce((sum, entry) => sum + Math.abs(entry), 0)));
-    const fastest = Math.max(1, Math.sqrt(size(balance.stiffness(q, true))) + size(balance.damping(q, true)));
+    const fastest = Math.max(1, Math.sqrt(size(balance.stiffness(q, 0))) + size(balance.damping(q, 0)));
     return Math.min(1000, Math.ceil((time / longest) * (Number.isFinite(fastest) ? fastest : 1)));
   }
 

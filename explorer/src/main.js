@@ -85,7 +85,7 @@ export function start({ algebra, closed = null }) {
     }
     const now = store.get();
     const [x, y] = position(q);
-    const others = now.found.states.filter((one) => one !== current(now) && one.contact).map((one) => ({ x: position(one.q)[0], y: position(one.q)[1], kind: one.undamped }));
+    const others = now.found.states.filter((one) => one !== current(now) && one.regime === 0).map((one) => ({ x: position(one.q)[0], y: position(one.q)[1], kind: one.undamped }));
     mechanism.draw({ to: pinned(now.point, q), x, y, ties: ties(now.point), others, ...more });
   }
 
@@ -94,7 +94,7 @@ export function start({ algebra, closed = null }) {
     const state = current(now);
     draw(q ?? state?.q ?? rest, {
       kind: state?.undamped ?? "", note: state ? "at rest on the sliding belt; pale: the other states" : "no state in contact",
-      forces: state && !q ? at(now.point).acting(state.q, state.contact).vectors : null,
+      forces: state && !q ? at(now.point).acting(state.q, state.regime).vectors : null,
     });
   }
 
@@ -123,7 +123,7 @@ export function start({ algebra, closed = null }) {
 
   // ----------------------------------------------------------------------------------------------- the motion
 
-  const panel = createPanel(coordinates, units.time, {
+  const panel = createPanel(about, coordinates, units.time, {
     field: () => fieldOf(algebra, about, at(store.get().point)),
     state: () => current(store.get())?.q,
     frame: moved,
@@ -131,9 +131,9 @@ export function start({ algebra, closed = null }) {
     begun: () => { flight = null; },
   });
 
-  function moved(t, state, { contact }) {
-    mechanism.roll(t * (store.get().point[about.belt] ?? 0));
-    draw(state.slice(0, names.length), { kind: contact ? "" : "off", note: `in motion, ${units.time[1] ? `at ${typed(units.time[0] * t, 3)} ${units.time[1]}` : `τ = ${t.toFixed(0)}`}; pale: the states` });
+  function moved(t, state, { touching }) {
+    mechanism.roll(t * (store.get().point[about.frictions[0]?.belt] ?? 0));
+    draw(state.slice(0, names.length), { kind: touching.every(Boolean) ? "" : "off", note: `in motion, ${units.time[1] ? `at ${typed(units.time[0] * t, 3)} ${units.time[1]}` : `τ = ${t.toFixed(0)}`}; pale: the states` });
   }
 
   /** The mass as it is dragged, and let go. */
@@ -303,8 +303,9 @@ export function start({ algebra, closed = null }) {
     /** The states that the page finds at a point: `status` is "ok" where they are proved, "searched" where they are not, else why nothing is decided. */
     equilibria: ({ contact = true, ...point }) => {
       const found = source.look({ ...presets[0].point, ...point });
-      const states = found.states.filter((state) => state.contact === contact).map(told);
-      return { status: found.status?.[contact ? 0 : 1] ?? (found.lost ? "uncertain" : "searched"), count: states.length, states };
+      const regime = about.regimes.findIndex((one) => String(one.contact) === String(contact));
+      const states = found.states.filter((state) => state.regime === regime).map(told);
+      return { status: found.status?.[regime] ?? (found.lost ? "uncertain" : "searched"), count: states.length, states };
     },
     /** The motion at a point: `regime(state)` and `step(state, h)`. */
     motion: (point) => fieldOf(algebra, about, at({ ...presets[0].point, ...point })),

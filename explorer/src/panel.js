@@ -1,4 +1,4 @@
-// The panel of the motion: where it starts, its buttons, its charts. It knows no model.
+// The panel of the motion: where it starts, its buttons, its charts. It knows contacts and frictions by their names alone.
 
 import { createCharts } from "./charts.js";
 import { wrong } from "./inputs.js";
@@ -11,14 +11,14 @@ const $ = (id) => document.querySelector(`#${id}:not(#parameters #${id})`);
 const [EVERY, SPECTRUM] = [2, 16];
 /** How the mass moves, by the sign of the sliding speed. */
 const PACE = { 1: "slower than the belt", 0: "held by friction", [-1]: "faster than the belt" };
-const STOPPED = "The motion can't go on from here: a spring has no length, or the numbers leave double precision. Choose another start.";
+const STOPPED = "The motion can't go on from here: a spring has no length, the numbers leave double precision, or dry friction leaves no way to go on, or several (Painlevé's paradox). Choose another start.";
 
 /**
- * `coordinates` and `time` are as of the charts. `on.field()` gives the field at the page's point, `on.state()` the
+ * `about` describes the model, `coordinates` and `time` are as of the charts. `on.field()` gives the field at the page's point, `on.state()` the
  * state that can be pushed, `on.frame(t, state, regime)` draws, `on.rest()` is called when the mass is back at rest, `on.begun()`
  * when a motion begins.
  */
-export function createPanel(coordinates, time, on) {
+export function createPanel({ contacts, frictions }, coordinates, time, on) {
   const charts = createCharts({ trace: $("trace"), phase: $("phase"), spectrum: $("spectrum") }, coordinates, time);
   const starts = [
     ...coordinates.map(({ name, symbol, size, unit }) => ({ id: `${name}0`, symbol, size, unit, meaning: `${name} at the start` })),
@@ -36,9 +36,13 @@ export function createPanel(coordinates, time, on) {
 
   function moved(t, state, regime) {
     frames += 1;
-    const off = !regime.contact;
     on.frame(t, state, regime);
-    $("motion_says").textContent = `${off ? "off the belt" : "on the belt"}, ${PACE[regime.side]}`;
+    $("motion_says").textContent = contacts.flatMap(({ name, border }, k) => {
+      const paces = frictions.flatMap(({ contact }, j) => (contact === k ? PACE[regime.sides[j]] : []));
+      const touches = regime.touching[k] ? ["on the belt", "touches"] : ["off the belt", "is open"];
+      const says = paces.length ? `${touches[0]}, ${paces}` : border === null ? "" : touches[1];
+      return says ? `${name && `${name}: `}${says}` : [];
+    }).join("; ");
     if (frames % EVERY === 0) {
       charts.draw(frames % SPECTRUM === 0);
     }

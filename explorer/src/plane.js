@@ -212,7 +212,7 @@ export function createPlane(box, store, axes) {
     handle.style.left = `${x}px`;
     handle.style.top = `${y}px`;
     const words = axes.map((field, i) => `${field.meaning} ${written(values(point)[i], 5)}${field.unit && ` ${field.unit}`}`);
-    handle.setAttribute("aria-valuetext", `${words.join(", ")}, ${found.states.filter(({ contact }) => contact).length} equilibria in contact`);
+    handle.setAttribute("aria-valuetext", `${words.join(", ")}, ${found.states.length} equilibria`);
     handle.setAttribute("aria-valuenow", values(point)[0].toFixed(2));
     handle.setAttribute("aria-valuemin", String(spans[0][0]));
     handle.setAttribute("aria-valuemax", String(spans[0][1]));

@@ -20,19 +20,19 @@ const MANY = 24;
 const LONGEST = 0.5;
 
 /** A state near `q`, or null. `along` holds the springs' directions fixed. */
-export function newton(balance, about, q, contact, along) {
-  const gap = about.polynomial ? -1 : about.coordinates.findIndex(({ name }) => name === about.gap);
+export function newton(balance, about, q, regime, along) {
+  const rooted = about.contacts.flatMap(({ border, polynomial }, k) => (polynomial || !about.regimes[regime].touching[k] ? [] : about.coordinates.findIndex(({ name }) => name === border))).filter((place) => place >= 0);
   let at = q;
   for (let i = 0; i < STEPS; i++) {
     const held = along ?? balance.directions(at);
-    const step = solved(balance.stiffness(at, contact, held), balance.forces(at, contact, held));
+    const step = solved(balance.stiffness(at, regime, held), balance.forces(at, regime, held));
     const length = step ? Math.max(...step.map(Math.abs)) : NaN;
     if (!Number.isFinite(length)) {
       return null;
     }
     const share = along || length <= LONGEST ? 1 : LONGEST / length;
     const next = at.map((value, k) => value - share * step[k]);
-    if (contact && gap >= 0 && next[gap] >= 0) {
+    for (const gap of rooted.filter((place) => next[place] >= 0)) {
       next[gap] = at[gap] / 2; // the law has no root beyond the border
     }
     const moved = Math.max(...next.map((value, k) => Math.abs(value - at[k])));
@@ -67,8 +67,9 @@ function aroundAnchors(balance, rest) {
  * Where Newton's method begins. With the springs' directions held the balance has one solution; over a grid of directions, those
  * that come closest to the directions at their solution are taken.
  */
-function starts(balance, about, contact) {
-  const rest = about.coordinates.map(({ name }) => (name === about.gap ? (contact ? -0.01 : 0.01) : 0));
+function starts(balance, about, regime) {
+  const gaps = Object.fromEntries(about.contacts.map(({ border }, k) => [border, about.regimes[regime].touching[k] ? -0.01 : 0.01]));
+  const rest = about.coordinates.map(({ name }) => gaps[name] ?? 0);
   const springs = balance.vectors(rest).length;
   // Directions that a rod has, and no mass on a belt, do not make the balance linear.
   const plain = springs && about.drawn ? [] : products(rest.map(() => (rest.length > 2 ? FEW : PLAIN)));
@@ -79,7 +80,7 @@ function starts(balance, about, contact) {
   const each = Math.max(8, Math.round(STARTS ** (1 / springs)));
   const angles = Array.from({ length: each }, (_, k) => (2 * Math.PI * (k + 0.5)) / each - Math.PI);
   const nodes = products(Array.from({ length: springs }, () => angles)).map((held) => {
-    const q = newton(balance, about, rest, contact, balance.held(held));
+    const q = newton(balance, about, rest, regime, balance.held(held));
     return { q, far: q ? mismatch(balance, q, held) : Infinity };
   });
   const neighbours = (at) => Array.from({ length: springs }, (_, i) => each ** i).flatMap((stride) => {
@@ -90,13 +91,10 @@ function starts(balance, about, contact) {
   return [...places, ...chosen, ...aroundAnchors(balance, rest)];
 }
 
-/** Whether a state lies on the side of the contact that it was searched on. */
-export function belongs(balance, about, q, contact) {
-  if (!about.apart) {
-    return true;
-  }
-  const gap = balance.gap(q);
-  return contact ? gap <= 0 : gap > 0;
+/** Whether a state lies on the sides of the contacts that it was searched on. */
+export function belongs(balance, about, q, regime) {
+  const { touching } = about.regimes[regime];
+  return balance.gaps(q).every((gap, k) => about.contacts[k].border === null || (touching[k] ? gap <= 0 : gap > 0));
 }
 
 /** A place less whole turns: each angle that comes around in its first turn, with those that turn with it. */
@@ -112,32 +110,32 @@ function once({ coordinates }, q) {
 }
 
 /** One state with its kind, which a proof may have told. */
-export function described(balance, q, contact, told = null) {
+export function described(balance, q, regime, told = null) {
   const along = balance.directions(q);
-  const [mass, gyroscopic, stiffness] = [balance.mass(q), balance.gyroscopic(q), balance.stiffness(q, contact, along)];
+  const [mass, gyroscopic, stiffness] = [balance.mass(q), balance.gyroscopic(q), balance.stiffness(q, regime, along)];
   const undamped = told ?? kindOf(mass, stiffness, gyroscopic);
-  return { q, contact, undamped, ...stabilityOf(mass, balance.damping(q, contact), stiffness, undamped, gyroscopic), along };
+  return { q, regime, undamped, ...stabilityOf(mass, balance.damping(q, regime), stiffness, undamped, gyroscopic), along };
 }
 
 /**
- * States found at a point, on both sides of the contact or on some, in contact first, by ascending first coordinate. Where they can't be told apart the list is empty and has
+ * States found at a point, in all regimes or in some, with all contacts first, by ascending first coordinate. Where they can't be told apart the list is empty and has
  * `undecided`.
  */
-export function search(balance, about, sides = about.apart ? [true, false] : [true]) {
+export function search(balance, about, regimes = about.regimes.map((_, regime) => regime)) {
   const found = [];
-  for (const contact of sides) {
+  for (const regime of regimes) {
     const mine = [];
-    for (const start of starts(balance, about, contact)) {
-      const q = once(about, newton(balance, about, start, contact));
+    for (const start of starts(balance, about, regime)) {
+      const q = once(about, newton(balance, about, start, regime));
       const far = (other) => Math.max(...q.map((value, k) => Math.abs(value - other[k]) / Math.max(1, Math.abs(value))));
-      if (q && belongs(balance, about, q, contact) && !mine.some((other) => far(other) < SAME)) {
+      if (q && belongs(balance, about, q, regime) && !mine.some((other) => far(other) < SAME)) {
         mine.push(q);
       }
     }
     if (mine.length > MANY) {
       return Object.assign([], { undecided: true });
     }
-    found.push(...mine.sort((a, b) => a[0] - b[0]).map((q) => described(balance, q, contact)));
+    found.push(...mine.sort((a, b) => a[0] - b[0]).map((q) => described(balance, q, regime)));
   }
   return found;
 }

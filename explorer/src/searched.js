@@ -1,8 +1,9 @@
 // States by search: what answers for a model that brings no closed forms to the page. Interface: `look`, `begin`, `carry` of a
-// store, and `count` of the states in contact, null where that is undecided.
+// store, and `count` of the states in which something touches, null where that is undecided.
 
 import { carry, landing } from "./carry.js";
 import { search } from "./search.js";
+import { touchingIn } from "./states.js";
 
 /** `at(point)` gives the balance of a point, `about` describes the model, `spans` says how far each parameter's slider reaches. */
 export function searched(at, about, spans) {
@@ -14,7 +15,7 @@ export function searched(at, about, spans) {
   };
   return {
     look,
-    count: (point) => { const states = search(at(point), about, [true]); return states.undecided ? null : states.length; },
+    count: (point) => { const states = search(at(point), about, touchingIn(about)); return states.undecided ? null : states.length; },
     begin: (point, q) => ({ state: landing(look(point).states, q ?? rest), decided: true }),
     carry: (from, to, state) => carry(at, about, from, to, state, spans),
   };

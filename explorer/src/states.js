@@ -12,8 +12,10 @@ const ABOUT = {
   flutter: "unstable (flutter): pushed a little, the mass swings more and more",
 };
 
-/** What a state of either side of the contact is called. */
-export const regimeOf = (about, contact) => (about.apart ? (contact ? "contact" : about.apart) : "sliding");
+/** The numbers of the regimes in which something touches: all but the one in which every contact that can open is open. */
+export const touchingIn = (about) => about.regimes.flatMap(({ touching }, regime) => (touching.includes(1) ? regime : []));
+/** A title, and behind it the name of a contact that has one. */
+const titled = (title, { name }) => (name ? `${title} ${name}` : title);
 
 /** Columns of the table: each a title and what it says of a state, `of` being what acts on it. */
 function columns(about, units) {
@@ -30,8 +32,8 @@ function columns(about, units) {
     ...(about.proved ? [["error bound", (state) => written(state.error, 2)]] : []),
     ...each.map((i) => [measured(numbered("S", i, springs), force), (_, of) => written(strong * of.tensions[i], 5)]),
     ...(about.drawn ? [[measured("other forces", force), (_, of) => written(strong * Math.hypot(...of.vectors.others), 5)]] : []),
-    [measured("normal n", force), (_, of) => written(strong * of.normal, 5)],
-    [measured("friction μn", force), (_, of) => written(strong * of.friction, 5)],
+    ...about.contacts.map((contact, k) => [measured(titled("normal n", contact), force), (_, of) => written(strong * of.normals[k], 5)]),
+    ...(about.frictions.length ? about.frictions : [{ contact: 0 }]).map(({ contact }, j) => [measured(titled("friction μn", about.contacts[contact]), force), (_, of) => written(strong * of.frictions[j], 5)]),
   ];
 }
 
@@ -42,13 +44,13 @@ export function createStates(table, store, at, about, units) {
   table.innerHTML = `<thead><tr>${titles.map((title) => `<th scope="col">${title}</th>`).join("")}</tr></thead><tbody></tbody>`;
 
   function row(state, balance, chosen) {
-    const acting = balance.acting(state.q, state.contact);
+    const acting = balance.acting(state.q, state.regime);
     const line = document.createElement("tr");
     line.className = `${state.undamped}${chosen ? " chosen" : ""}`;
     if (chosen) {
       line.setAttribute("aria-current", "true");
     }
-    line.innerHTML = `<td>${chosen ? "<b title='the mass is here'>➤<span class='hidden'> the mass is here</span></b>" : ""}</td><td>${regimeOf(about, state.contact)}</td>
+    line.innerHTML = `<td>${chosen ? "<b title='the mass is here'>➤<span class='hidden'> the mass is here</span></b>" : ""}</td><td>${about.regimes[state.regime].says}</td>
       <td>${state.stability}</td>${columned.map(([, say]) => `<td>${say(state, acting)}</td>`).join("")}`;
     return line;
   }
@@ -60,16 +62,13 @@ export function createStates(table, store, at, about, units) {
   };
 }
 
-/** How many states there are on each side of the contact, in words. */
+/** How many states there are in each regime, in words; of many regimes in those that have any. */
 export function counted(about, { states, lost }) {
   if (lost) {
     return "undecided";
   }
-  const sides = about.apart ? [true, false] : [true];
-  return sides.map((contact) => {
-    const side = regimeOf(about, contact);
-    return `${states.filter((state) => state.contact === contact).length} ${side === "sliding" ? side : `in ${side}`}`;
-  }).join(", ");
+  const each = about.regimes.map(({ says }, regime) => ({ says, count: states.filter((state) => state.regime === regime).length }));
+  return each.filter(({ count }) => count || each.length < 3).map(({ says, count }) => `${count} ${says === "sliding" ? says : `in ${says}`}`).join(", ") || "none";
 }
 
 /** What a reader should know now, in a few words; `fields` are the parameters. */
@@ -91,8 +90,9 @@ export function story(now, about, fields, units) {
   const without = state.undamped === state.stability ? "" : state.undamped === "flutter" ? "; it flutters, so the motion below swings up" : `; ${state.undamped} without damping`;
   const grows = state.stability === "unstable" && state.undamped === "stable" ? `, small deviations grow at the rate ${written(state.rate, 2)}` : "";
   const kind = `, ${state.stability}${grows}${without}`;
-  const many = now.found.states.filter(({ contact }) => contact).length;
-  const side = regimeOf(about, true) === "contact" ? " in contact" : "";
+  const many = now.found.states.filter(({ regime }) => touchingIn(about).includes(regime)).length;
+  const side = about.regimes[0].says === "contact" ? " in contact" : "";
+  const among = about.regimes.length > 2 ? `, in ${about.regimes[state.regime].says}` : "";
   const directed = state.along.length === 3 ? `θ = ${written(degrees(Math.atan2(state.along[1], state.along[0])), 4)}°, ` : "";
-  return `${many} ${many === 1 ? "state" : "states"}${now.found.proved ? "" : " found"}${side}. The mass is at ${directed}${where(state.q)}${kind}.${jump}${more}`;
+  return `${many} ${many === 1 ? "state" : "states"}${now.found.proved ? "" : " found"}${side}. The mass is at ${directed}${where(state.q)}${among}${kind}.${jump}${more}`;
 }

@@ -18,7 +18,7 @@ export function createStore({ look, begin, carry }) {
   function become(next, happened) {
     const found = look(next.point);
     const { state } = next;
-    if (state && next.decided && !found.undecided && !found.states.some((one) => one.contact === state.contact && near(one.q, state.q))) {
+    if (state && next.decided && !found.undecided && !found.states.some((one) => one.regime === state.regime && near(one.q, state.q))) {
       found.states.push(state); // carried along, and not found anew
     }
     now = { ...next, found };
@@ -61,5 +61,5 @@ export function createStore({ look, begin, carry }) {
 /** The state of the table that the mass is on, or null: where nothing is decided, the nearest. */
 export function current({ found, state }) {
   const far = (one) => Math.hypot(...one.q.map((value, k) => value - state.q[k]));
-  return state && found.states.filter(({ contact }) => contact === state.contact).sort((a, b) => far(a) - far(b))[0] || null;
+  return state && found.states.filter(({ regime }) => regime === state.regime).sort((a, b) => far(a) - far(b))[0] || null;
 }

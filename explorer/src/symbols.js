@@ -1,7 +1,7 @@
 // Names of parameters and coordinates as they are read.
 
 const GREEK = { alpha: "α", beta: "β", gamma: "γ", delta: "δ", kappa: "κ", lambda: "λ", mu: "μ", nu: "ν", psi: "ψ", phi: "φ", rho: "ρ",
-  sigma: "σ", tau: "τ", theta: "θ", zeta: "ζ", omega: "ω", eta: "η", epsilon: "ε", chi: "χ" };
+  sigma: "σ", tau: "τ", theta: "θ", zeta: "ζ", omega: "ω", iota: "ι", eta: "η", epsilon: "ε", chi: "χ" };
 const DIGITS = "₀₁₂₃₄₅₆₇₈₉";
 
 /** A letter with a small number behind it where there are several: θ₁ of two, θ of one. */

@@ -34,8 +34,6 @@ if TYPE_CHECKING:
 Method: TypeAlias = Literal["auto", "closed", "search"]
 
 
-#: Questions that are not answered of a page with several contacts.
-NOT_OF_SEVERAL = ("explore",)
 #: Questions that are answered of a page with a clock.
 FORCED = (
     "basin",

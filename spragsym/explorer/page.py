@@ -21,7 +21,7 @@ from ..core.errors import MissingExtraError
 from ..core.questions import model_of
 from ..derive.kang_nam.library import exported
 from ..models.load import USUAL, load, mechanism, page_of
-from ..models.model import Model, title_drawing_words
+from ..models.model import Model, Touching, label_of, title_drawing_words
 from ..models.parameters import ParameterSet
 
 _ASSETS = resources.files("spragsym.explorer") / "assets"
@@ -237,8 +237,8 @@ def _derived(model: Model) -> str:
 
 def described(model: Model, points: Sequence[Mapping[str, float]]) -> dict[str, Any]:
     """Names, ranges, sliders that reach some points, and what its functions take."""
-    about, contact, friction = model.about, model.contact, model.friction_law
-    turns = model.whole_turns
+    about, turns = model.about, model.whole_turns
+    contacts = [entry["name"] for entry in model.contacts]
     return {
         "name": model.name,
         "quoted": shlex.quote(model.where),
@@ -266,12 +266,29 @@ def described(model: Model, points: Sequence[Mapping[str, float]]) -> dict[str, 
         ],
         "axes": list(model.plane),
         **{key: about[key] for key in ("angles", "arguments", "layers", "ties", "drawn")},
-        "gap": contact["border"],
-        "apart": model.regimes.get(False),
-        "polynomial": contact["polynomial"],
+        "contacts": [
+            {key: entry[key] for key in ("name", "border", "polynomial")}
+            for entry in model.contacts
+        ],
+        "frictions": [
+            {key: entry[key] for key in ("belt", "holds")}
+            | {"contact": contacts.index(entry["name"])}
+            for entry in model.frictions
+        ],
+        "regimes": [
+            {"contact": contact, "says": says, "touching": _touching(model, contact)}
+            for contact, says in model.regimes.items()
+        ],
         "torsions": len(about["torsions"]),
-        "belt": friction and friction["belt"],
     }
+
+
+def _touching(model: Model, contact: Touching) -> list[int]:
+    """Of every contact 1 where it touches in a regime: one that can't open always does."""
+    return [
+        int(contact is True or not entry["border"] or label_of(entry) in (contact or ()))
+        for entry in model.contacts
+    ]
 
 
 def _slider(entry: Mapping[str, Any], values: Sequence[float]) -> dict[str, float]:

@@ -17,7 +17,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..core.errors import ModelError, ParameterError
-from ..core.questions import FORCED, NOT_OF_SEVERAL
+from ..core.questions import FORCED
 from ..display import Column, aligned
 from ..numerics.vectors import WholeTurns
 from . import forces
@@ -214,13 +214,12 @@ class Model:
                 f"whose page has a clock ({self.clock}): nothing rests there; ask "
                 f"{', '.join(FORCED)}, or hold the clock still with a parameter in its place"
             )
-        unanswered = [*NOT_OF_SEVERAL, *["sticking_states"] * (not self._rests_in_a_region)]
-        if len(self.contacts) == 1 or question not in unanswered:
+        if question != "sticking_states" or len(self.contacts) == 1 or self._rests_in_a_region:
             return ""
         names = ", ".join(entry["name"] for entry in self.contacts)
         return (
-            f"whose page has {len(self.contacts)} contacts ({names}); every question but "
-            f"{' and '.join(unanswered)} is, or say all but one of them by springs and forces"
+            f"whose page has {len(self.contacts)} contacts ({names}), one of which may open beside "
+            "those that hold; every other question is, or say that one by springs and forces"
         )
 
     @property

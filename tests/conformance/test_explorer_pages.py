@@ -13,8 +13,11 @@ import pytest
 
 import spragsym as ss
 from spragsym.cli.pages import page as page_of
+from spragsym.models.forces import named
 from tests.conformance.models import ALIKE, MODELS, answers, load, place, starts
 from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium
+from tests.oracles.contact_pages import PAD
+from tests.oracles.user_pages import model_of
 from tests.support import few
 
 pytest.importorskip("sympy", reason="SymPy is not installed: pages of models are derived")
@@ -111,7 +114,10 @@ def test_every_page_has_the_same_parts_and_the_states_of_python(
         == sum(bool(re.fullmatch(r"L\S*", head)) for head in heads)
         == springs
     )
-    assert [heads[-2][:6], heads[-1][:8]] == ["normal", "friction"]
+    rubbing = [one["name"] for one in model.frictions] or [""]
+    told = [f"normal n {one['name']}".strip() for one in model.contacts]
+    told += [f"friction μn {one}".strip() for one in rubbing]
+    assert heads[-len(told) :] == told
     ids = page.evaluate(
         "[...document.querySelectorAll('#parameters input[type=text]')].map(box => box.id)"
     )
@@ -123,16 +129,18 @@ def test_every_page_has_the_same_parts_and_the_states_of_python(
     eq, p = ss.equilibria(model.cases()[0][1]), model.cases()[0][1]
     read = [
         [float(row[k].replace("\u2212", "-")) for row in rows if row[1] != "lift-off"]
-        for k in (-2, -1)
+        for k in range(-len(told), 0)
     ]
-    if model.about["contacts"][0]["gap"] is not None:
-        normal = sorted(float(value) for value in eq.contact_force[: int(eq.count)])
-        assert sorted(read[0]) == pytest.approx(normal, rel=1e-4)
-    mu = float(model.friction(p, "friction_at_rest")) if model.frictions else 0.0
-    assert read[1] == pytest.approx([mu * value for value in read[0]], rel=1e-4)
+    normals = dict(zip((one["name"] for one in model.contacts), read, strict=False))
+    for one in (entry["name"] for entry in model.contacts if entry["gap"] is not None):
+        by_python = eq[named("contact_force", one)][: int(eq.count)]
+        assert sorted(normals[one]) == pytest.approx(sorted(map(float, by_python)), rel=1e-4)
+    for one, forces in zip(rubbing, read[len(normals) :], strict=True):
+        mu = float(model.friction(p, "friction_at_rest", one or None)) if model.frictions else 0.0
+        assert forces == pytest.approx([mu * value for value in normals[one]], rel=1e-4)
     command = page.inner_text("#proof").split()
     assert command[:4] == ["spragsym", "equilibria", "--model", place(name)]
-    status = "ok" if "equilibria" in model.closed else "searched"
+    status = "ok" if name == "kang_nam" else "searched"
     assert sum(compare_states(explorer, model, point, status) for point in points(model, 3)) >= 3
     assert explorer.errors == []
     page.close()
@@ -163,6 +171,24 @@ def test_every_motion_is_pythons(name: str, browser: Any, tmp_path: Path) -> Non
         )
     assert explorer.errors == []
     explorer.page.close()
+
+
+@pytest.mark.thorough
+def test_a_state_passes_where_a_leg_lifts_or_ends_there(browser: Any, tmp_path: Path) -> None:
+    """The rear of two legs lifts at μ = (2 k_c a² + k_t)/(2 k_c a h), without k_t at a/h, where the
+    state ends.
+    """
+    explorer = opened(browser, model_of(PAD, "pad_explored"), tmp_path)
+    page = explorer.page
+    for k_t, lifts in ((0.3, 2.3 / 1.6), (0.0, 1.0 / 0.8)):
+        for name, value in (("k_t", k_t), ("mu0", lifts - 0.01), ("mu0", lifts + 0.01)):
+            page.fill(f"#{name}", repr(value))
+            explorer.settle()
+        said = explorer.says()
+        assert ("in contact of front alone" in said and "jumped" not in said) == bool(k_t)
+        assert k_t or "No state was found" in said
+    assert explorer.errors == []
+    page.close()
 
 
 @pytest.mark.validate

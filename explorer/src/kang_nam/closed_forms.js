@@ -21,14 +21,14 @@ export function createClosed(solver) {
   const statics = (point) => Object.fromEntries(solver.NAMES.map((name) => [name, point[name]]));
   const solve = (point) => solver.equilibria(statics(point), { contact: true });
   const far = ({ x, y }, q) => Math.hypot(x - q[0], y - q[1]);
-  const told = (balance, { x, y, theta, L, stability }, contact) => ({ ...described(balance, [x, y], contact, stability), along: [Math.cos(theta), Math.sin(theta), L] });
-  const onBelt = (state) => state && { q: [state.x, state.y], contact: true, undamped: state.stability };
+  const told = (balance, { x, y, theta, L, stability }, regime) => ({ ...described(balance, [x, y], regime, stability), along: [Math.cos(theta), Math.sin(theta), L] });
+  const onBelt = (state) => state && { q: [state.x, state.y], regime: 0, undamped: state.stability };
 
   /** What a store asks, see createStore, and the number of states in contact, null where it is undecided. `at(point)` gives the balance. */
   function source(at) {
     function look(point) {
       const found = SIDES.map(([, contact]) => solver.equilibria(statics(point), { contact }));
-      const states = found.flatMap(({ states: list }, i) => list.map((state) => ({ ...told(at(point), state, SIDES[i][1]), error: state.error })));
+      const states = found.flatMap(({ states: list }, i) => list.map((state) => ({ ...told(at(point), state, i), error: state.error })));
       const undecided = found.flatMap(({ status }, i) => (WHY[status] ? [`Undecided ${SIDES[i][0]}: ${WHY[status]}`] : [])).join(" ");
       return { states, undecided, lost: found[0].status !== "ok", proved: true, status: found.map(({ status }) => status) };
     }

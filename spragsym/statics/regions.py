@@ -397,7 +397,7 @@ def _presses(balance: Forces) -> list[int]:
 
 def _by_contact_force(at: Evaluation) -> FloatArray:
     """Smaller boxes with the same states in contact: each coordinate from its row, with cosines and
-    sines left free.
+    sines left free; of no width where no force of a contact balances all rows.
     """
     at = replace(at, xp=FREE)
     shape, pressed = at.shape, _presses(at.balance)
@@ -407,15 +407,17 @@ def _by_contact_force(at: Evaluation) -> FloatArray:
         along[k] = _along_force(at, k, lifted)
         forces[k] = _cut_off(as_intervals(at.contact_force(k, _Pressed()), shape))
     apart = stacked(at.rows("forces", lifted), shape)
+    none = np.zeros(shape, dtype=np.bool_)
     for k in pressed:
         others = sum((along[j] * forces[j] for j in pressed if j != k), apart)
-        forces[k] = _balancing(forces[k], others, along[k])
+        forces[k], impossible = _balancing(forces[k], others, along[k])
+        none |= impossible
     at_near, slopes, near, reach = linear(
         at, at.box.nearest_to_zero, lambda at: at.rows("forces", lifted)
     )
     given = sum((along[k] * forces[k] for k in pressed), at_near), slopes, near, reach
     found: FloatArray = np.fmin(contractors.by_rows(*given), contractors.newton(*given).ends)
-    return np.fmin(found, at.box.ends)
+    return np.where(none, -np.inf, np.fmin(found, at.box.ends))
 
 
 def _along_force(at: Evaluation, contact: int, lifted: Sequence[int]) -> Intervals:
@@ -465,13 +467,14 @@ def _closed(at: Evaluation, contact: int) -> FloatArray:
     return np.where(width_of(found) >= 0, found, ends)
 
 
-def _balancing(force: Intervals, apart: Intervals, along: Intervals) -> Intervals:
+def _balancing(force: Intervals, apart: Intervals, along: Intervals) -> tuple[Intervals, BoolArray]:
     """Bounds of the contact's force by its balance with the others in each row that it has a known
-    direction in.
+    direction in, and where no force balances all of them.
     """
-    ends = force.ends
+    ends, none = force.ends, np.zeros(force.shape, dtype=np.bool_)
     for row in range(apart.shape[0]):
-        other = (-apart[row] / along[row]).ends
-        both = np.fmin(ends, other)
-        ends = np.where(width_of(both) >= 0, both, ends)
-    return Intervals(ends)
+        both = np.fmin(ends, (-apart[row] / along[row]).ends)
+        apart_from = width_of(both) < 0
+        none |= apart_from
+        ends = np.where(apart_from, ends, both)
+    return Intervals(ends), none

@@ -140,3 +140,14 @@ def test_every_question_is_answered_of_two_legs() -> None:
         assert not model.refusal(name)
     with pytest.raises(ss.errors.ParameterTypeError, match="nor some of front, rear"):
         ss.equilibria(p, contact=("left",))
+
+
+def test_a_table_without_a_spring_stands_on_no_single_leg() -> None:
+    """Its weight is on that leg by one row, and nothing by the moments: no force is both."""
+    p = model_of(THREE, "pad_on_3").Parameters(k_t=0.0)
+    eq = ss.equilibria(p)
+    mu0, F, h, k_x, s = p.scalars("mu0", "F", "h", "k_x", "s")
+    assert eq.complete
+    assert eq["touching"].tolist() == ["front, rear, middle"]
+    expected = [mu0 * F / k_x, -(F + 2 * s) / 4, mu0 * h * F / 2]
+    np.testing.assert_allclose([eq[name][0] for name in ("x", "y", "phi")], expected, rtol=1e-13)

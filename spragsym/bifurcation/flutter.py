@@ -30,7 +30,7 @@ from ..numerics.interval_arrays import (
 from ..numerics.vectors import magnitude
 from ..results import Points
 from ..statics import stability
-from ..statics.balance import NOTHING, Balance
+from ..statics.balance import NEGLIGIBLE, Balance
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_contact_side, refined
 from ..statics.search import balances_of, float_candidates, number_of
@@ -150,7 +150,7 @@ def _in_combination(family: Family, damping: bool | None) -> Points:
     only = only_damped(balance, over) if along is None and not balance.gyroscopic else along
     if damping is None:
         damping = (
-            is_damped(balance, over) if slope is None else bool(slope.magnitude.max() > NOTHING)
+            is_damped(balance, over) if slope is None else bool(slope.magnitude.max() > NEGLIGIBLE)
         )
 
     conservative = is_conservative(balance, over)

@@ -50,8 +50,8 @@ from ..numerics.plans import Exclusions
 from ..numerics.tape import Tape
 from ..results.points import Points
 from ..statics import stability
-from ..statics.balance import NOTHING, Balance
-from ..statics.forces import TURN, Evaluation, Values, as_intervals
+from ..statics.balance import NEGLIGIBLE, Balance
+from ..statics.forces import SEARCHED_ANGLE, Evaluation, Values, as_intervals
 from ..statics.namespaces import SCALED, XP, NoChart, Scaled
 from ..statics.precise_balance import on_contact_side, reduced_by_turns
 from ..statics.reference_state import in_order
@@ -283,7 +283,7 @@ def vanishes(system: Augmented, end: float, ends: FloatArray) -> BoolArray:
             values = stacked(system.condition.equations(at), (count,))
     except ZeroDivisionError:  # a law that has no value there
         return np.zeros(count, dtype=np.bool_)
-    return np.logical_and.reduce(values.magnitude <= NOTHING)
+    return np.logical_and.reduce(values.magnitude <= NEGLIGIBLE)
 
 
 def _at_end(system: Augmented, end: float, count: int) -> Intervals:
@@ -377,7 +377,7 @@ def escapes(family: Family) -> Points:
     balance, system, fixed = family.balance, _AtInfinity(family), family.begin
     # A box that holds the unit sphere.
     n, sides = balance.n, np.full((2, balance.n, 1), 1.0 + 2.0**-6)
-    sides[:, list(balance.periodic)] = TURN
+    sides[:, list(balance.periodic)] = SEARCHED_ANGLE
     found, side = Roots.none(system.n), np.empty(0, dtype=np.int64)
     with suppress(NoChart), quiet():
         found = certified_roots.search(

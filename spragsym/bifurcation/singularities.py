@@ -54,7 +54,7 @@ from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import exact_ends, third_derivative
 from ..results import EquilibriumType
 from ..results.points import Ended, Points, nothing_ends, nowhere
-from ..statics.balance import NOTHING, Balance, PreciseBalance
+from ..statics.balance import NEGLIGIBLE, Balance, PreciseBalance
 from ..statics.equilibria import equilibria
 from ..statics.forces import Evaluation, Values
 from ..statics.namespaces import XP, follows
@@ -79,9 +79,6 @@ from .points import Found, arranged, of_ends, search, vanishes
 
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
-
-#: Undecided boxes beyond which they lie around no points.
-MANY = 500
 
 
 def folds_of(
@@ -154,7 +151,9 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
     """
     number, system = 0, Augmented(family, FOLD)
     for mirror in (
-        _mirrors(family) if found.roots.undecided.shape[2] <= MANY and not found.why else ()
+        _mirrors(family)
+        if found.roots.undecided.shape[2] <= system.options.scattered and not found.why
+        else ()
     ):
         left = found.roots.undecided
         if not left.shape[2]:
@@ -277,7 +276,7 @@ def reflected_coordinates(balance: Balance, over: Intervals) -> list[int]:
         name for name, ends in zip(balance.parameters, over, strict=True) if not ends.ends.any()
     }
     coefficients = balance.model.about["by_parameters"][-len(mus) :]
-    zero |= {name for name, mu in zip(coefficients, mus.tolist(), strict=True) if mu <= NOTHING}
+    zero |= {name for name, mu in zip(coefficients, mus.tolist(), strict=True) if mu <= NEGLIGIBLE}
     if not any(zero.issuperset(names) for names in about["zero"]):
         return []
     return [balance.coordinates.index(name) for name in about["turned"]]
@@ -308,7 +307,7 @@ def _of_block(family: Family, block: tuple[int, ...]) -> Found:
         # and regular with another one.
         hulls = (
             clusters(roots.undecided, roots.undecided_point)[0]
-            if roots.undecided_point.size <= MANY
+            if roots.undecided_point.size <= balance.options.scattered
             else roots.undecided[:, :, :0]
         )
         for hull in np.moveaxis(hulls, 2, 0):

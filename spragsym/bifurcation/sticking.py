@@ -33,7 +33,7 @@ from ..numerics.arithmetic import Number, determinant
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, quiet, scale_of
 from ..numerics.vectors import TURN, apart
 from ..results.points import Points, StickingStates
-from ..statics.balance import NOTHING
+from ..statics.balance import NEGLIGIBLE
 from ..statics.forces import Evaluation, as_intervals
 from ..statics.search import columns
 from .defining_systems import Augmented, Condition, Family, slope
@@ -215,7 +215,7 @@ def _turns(own: ParameterSet, share: str, index: int) -> Points:
     # A small box in contact: what is 0 all over it is 0 for all states.
     small = Intervals.between(*(np.full((system.n, 1), end) for end in (-0.5 - 2.0**-20, -0.5)))
     if (
-        system.values(small, system.fixed(1), ()).magnitude[-1, 0] <= NOTHING
+        system.values(small, system.fixed(1), ()).magnitude[-1, 0] <= NEGLIGIBLE
     ):  # the others and h do not move it
         return arranged(family, nothing(family), "turn")
     return isolated(family, system.condition, "turn")
@@ -247,7 +247,7 @@ def _pressed(continuation: QuasiStaticContinuation, q: FloatArray, error: FloatA
         values = continuation.balance.over(Intervals.point(given))
         at = continuation.balance.at(list(Intervals.between(q - room, q + room)), values, shape)
         N = as_intervals(at.contact_force(contact, 1), shape)
-    if (N.holds_zero() & (N.magnitude > NOTHING)).any():
+    if (N.holds_zero() & (N.magnitude > NEGLIGIBLE)).any():
         raise ConvergenceError("whether a normal force presses a state of sticking is not known")
     return np.asarray(N.low > 0)
 

@@ -31,7 +31,7 @@ from ..statics.forces import as_intervals
 from ..statics.search import columns
 
 #: An interval for the one point that is asked for.
-ONE = (1,)
+ONE_POINT = (1,)
 
 
 def region(p: ParameterSet) -> StickingStates:
@@ -44,7 +44,7 @@ def region(p: ParameterSet) -> StickingStates:
     if not _is_pressed(pressed):
         return _result(p, [], ["measure"])
     with quiet():
-        det = as_intervals(determinant(K), ONE)
+        det = as_intervals(determinant(K), ONE_POINT)
         if det.holds_zero().any():
             raise ConvergenceError(
                 "det K is 0, or too near to it: states of sticking form sets without an end; "
@@ -64,7 +64,7 @@ def region(p: ParameterSet) -> StickingStates:
             [sum(a * b for a, b in zip(one, edge, strict=True)) for edge in edges]
             for one in opposed
         ]
-        measure = abs(as_intervals(determinant(products), ONE)) * 2 ** len(edges)
+        measure = abs(as_intervals(determinant(products), ONE_POINT)) * 2 ** len(edges)
     ends = [*((middle[j] - reach[j], middle[j] + reach[j]) for j in range(n)), (measure,)]
     return _result(p, ends, ["measure"])
 
@@ -86,7 +86,7 @@ def line(p: ParameterSet) -> StickingStates | None:
     with quiet():
         others = [j for j in range(n) if j not in free]
         A = [[*(it.K[r][j] for j in others), it.C[r][0] * (whole - none)] for r in range(n)]
-        det = as_intervals(determinant(A), ONE)
+        det = as_intervals(determinant(A), ONE_POINT)
         if det.holds_zero().any():
             return None
         found = _solution(A, det, [-force for force in it.forces])
@@ -133,7 +133,7 @@ def _balanced(p: ParameterSet) -> _Balanced:
     with quiet():
         values = balance.over(Intervals.point(columns(p, balance.parameters)))
         rows = _forces(balance, values)
-        at = balance.at([Intervals(np.zeros((2, *ONE)))] * balance.n, values, ONE)
+        at = balance.at([Intervals(np.zeros((2, *ONE_POINT)))] * balance.n, values, ONE_POINT)
         holding = [one["name"] for one in p.model.frictions if one["holds"]]
         coefficients = [
             (at.call(named("friction_held", one), (), share) for share in (0, 1))
@@ -145,7 +145,7 @@ def _balanced(p: ParameterSet) -> _Balanced:
         normal = [
             abs(force) if presses_either(p.model.contacts[k]) else force
             for k in numbers
-            for force in (as_intervals(at.contact_force(k, 1), ONE),)
+            for force in (as_intervals(at.contact_force(k, 1), ONE_POINT),)
         ]
         slopes = [gradient(row, balance.n + len(balance.rubbing)) for row in rows]
         pairs = [tuple(pair) for pair in coefficients]
@@ -160,7 +160,9 @@ def _balanced(p: ParameterSet) -> _Balanced:
 def _solution(A: list[list[Any]], det: Intervals, right: list[Any]) -> list[Intervals]:
     """The solution of A x = right, by Cramer's rule."""
     rows = range(len(A))
-    return [as_intervals(sum(cofactor(A, r, j) * right[r] for r in rows), ONE) / det for j in rows]
+    return [
+        as_intervals(sum(cofactor(A, r, j) * right[r] for r in rows), ONE_POINT) / det for j in rows
+    ]
 
 
 def _is_pressed(forces: list[Intervals]) -> bool:
@@ -176,11 +178,11 @@ def _forces(balance: Balance, values: Mapping[str, Any]) -> list[Any]:
     """Forces as jets of coordinates and friction coefficients, in which they are linear, about 0 of
     both.
     """
-    zeros = [Intervals(np.zeros((2, *ONE)))] * (balance.n + len(balance.rubbing))
+    zeros = [Intervals(np.zeros((2, *ONE_POINT)))] * (balance.n + len(balance.rubbing))
     moved = variables(zeros, 2)
     rows: list[Any] = []
     if not balance.springs:
-        at = balance.at(moved[: balance.n], values, ONE)
+        at = balance.at(moved[: balance.n], values, ONE_POINT)
         given = (*moved[balance.n :], *balance.pushing)
         rows = list(at.call("forces", at.q, *given, kind="statics"))
     terms = [it for row in rows if isinstance(row, Jet) for it in row.terms.items()]

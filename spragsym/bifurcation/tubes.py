@@ -49,7 +49,7 @@ from ..statics.precise_balance import on_side
 from .options import ContinuationOptions
 
 #: A sum of a few products of floats, rounded up.
-UP = 1 + 2.0**-40
+ROUNDED_UP = 1 + 2.0**-40
 
 
 def halves(
@@ -111,8 +111,8 @@ class Place(ByColumn):
         """
         apart = np.abs(self.z - other.z - shift) + turned
         within = (
-            apart * UP
-            + self.off * UP
+            apart * ROUNDED_UP
+            + self.off * ROUNDED_UP
             + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
         )
         return self.sure & other.sure & (within[:-1] <= other.room[:-1]).all(axis=0)
@@ -236,7 +236,9 @@ class Tubes(ByColumn):
         return self.balance.prepared_beside(self.prepared, self.fixed, moved)
 
     def _span(self) -> Intervals:
-        wide = np.where(self.half > 0, self.half * UP + np.spacing(np.abs(self.centre)), 0.0)
+        wide = np.where(
+            self.half > 0, self.half * ROUNDED_UP + np.spacing(np.abs(self.centre)), 0.0
+        )
         return Intervals(ends_around(self.centre, wide))
 
     def slopes(self, z: Intervals) -> Intervals:
@@ -377,7 +379,7 @@ class Tubes(ByColumn):
         if not self.half.any():
             return self.half
         wide = self._span()
-        return np.maximum(wide.high - self.centre, self.centre - wide.low) * UP
+        return np.maximum(wide.high - self.centre, self.centre - wide.low) * ROUNDED_UP
 
     def corrected(self, z: FloatArray) -> FloatArray:
         """Newton's method in the middle of the boxes with a given pivot, the slopes renewed every
@@ -443,7 +445,7 @@ class Tubes(ByColumn):
         if error is not None:
             # Newton's method may have come to another state, which is proved just as well.
             away = np.abs(z - given)[others] + error * scale_of(given[others])
-            found.sure[:] &= (away * UP <= found.room[others]).all(axis=0)
+            found.sure[:] &= (away * ROUNDED_UP <= found.room[others]).all(axis=0)
         return found
 
     def segment(self, start: Place, z: FloatArray) -> tuple[BoolArray, Place, Place]:
@@ -457,7 +459,9 @@ class Tubes(ByColumn):
         with quiet():
             along = np.where(way != 0, (z - start.z) / way, 0.0)
         # With another pivot than before the states there lie on either side of the middle.
-        wide = np.where(held > 0, held * UP + 2 * np.spacing(np.abs(start.z[pivot]) + held), 0)
+        wide = np.where(
+            held > 0, held * ROUNDED_UP + 2 * np.spacing(np.abs(start.z[pivot]) + held), 0
+        )
         begin = start.z - along * np.sign(way) * wide
         middle, half = 0.5 * (begin + z), 0.5 * np.abs(z - begin)[pivot]
         by_p = self._across(middle)
@@ -477,7 +481,7 @@ class Tubes(ByColumn):
         moved = (
             np.abs(off - along * off[pivot]) + swing + place.off + np.abs(along) * place.off[pivot]
         )
-        out = moved * UP + 4 * np.spacing(size)
+        out = moved * ROUNDED_UP + 4 * np.spacing(size)
         out[pivot] = 0.0
         return np.where(np.isfinite(out), out, np.inf)
 
@@ -497,9 +501,9 @@ class Tubes(ByColumn):
         """
         others = self.others
         moved = np.where(
-            half > 0, half * UP + np.spacing(np.abs(z[self.pivot]) + half), 0.0
+            half > 0, half * ROUNDED_UP + np.spacing(np.abs(z[self.pivot]) + half), 0.0
         )  # the middle is rounded
-        swing = (np.abs(along) * moved + (np.abs(by_p) * self.apart()).sum(axis=1)) * UP
+        swing = (np.abs(along) * moved + (np.abs(by_p) * self.apart()).sum(axis=1)) * ROUNDED_UP
         least = 2 * self.options.half_width * scale_of(z[others])
         more = 1 + self.options.inflation
         reach = np.maximum(least, more * beside[others] * self.half.any(axis=0))
@@ -531,7 +535,7 @@ class Tubes(ByColumn):
                 self.options.inflations,
                 *map(np.ascontiguousarray, given),
             )
-        out.held[others], out.off[others] = (swing[others] + most) * UP, most * UP
+        out.held[others], out.off[others] = (swing[others] + most) * ROUNDED_UP, most * ROUNDED_UP
         return out
 
     @property
@@ -670,7 +674,7 @@ class Tubes(ByColumn):
                 most = np.maximum(*step)
                 off = np.where(contractors.inside(step, reach), np.fmin(off, most), off)
                 reach = (1 + self.options.inflation) * np.maximum(reach, most)
-        return off[-1] * UP < size, off
+        return off[-1] * ROUNDED_UP < size, off
 
     # ---------------------------------------------------------------------------------------------
     # the way

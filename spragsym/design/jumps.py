@@ -15,7 +15,7 @@ from ..bifurcation.borders import BORDER, BORDER_FOLD, PASSES
 from ..bifurcation.crossings import crossed
 from ..bifurcation.defining_systems import Augmented, Family, ranges, touch
 from ..bifurcation.paths import ModelEnd, first_end
-from ..bifurcation.tubes import UP, Place, Tubes
+from ..bifurcation.tubes import ROUNDED_UP, Place, Tubes
 from ..bifurcation.turning_points import limit_points, passed, past
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, UndecidedWarning
@@ -445,7 +445,7 @@ class Followed:
             tubes = Tubes.of_points(self.balance, self.vary, self.fixed[:, rows])
             start = tubes.place(np.vstack([there[:, rows], self.begin[rows]]))
             away = np.abs(start.z[:-1] - there[:, rows]) + start.held[:-1]
-            start.sure[:] &= (away * UP <= room[:, rows]).all(axis=0)
+            start.sure[:] &= (away * ROUNDED_UP <= room[:, rows]).all(axis=0)
             yield rows, tubes, start, self.until[rows]
 
     def _by_tubes(

@@ -31,7 +31,7 @@ from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import ComplexArray, IntArray
 from ..results import Equilibria, EquilibriumType, Named, Path, Points
 from ..statics.search import balances_of
-from ..statics.stability import NEUTRAL, REAL
+from ..statics.stability import NEUTRAL_GROWTH, REAL
 from .style import (
     BLACK,
     GREY,
@@ -612,7 +612,7 @@ def _drawn(
         damped, undamped = (
             _followed(values, every[at]) for every in (eq.damped_eigenvalues, eq.eigenvalues)
         )
-        growing = np.where(damped.real > NEUTRAL * np.abs(damped), damped, nowhere)
+        growing = np.where(damped.real > NEUTRAL_GROWTH * np.abs(damped), damped, nowhere)
         for every, color, width in (
             (undamped, GREY, 0.7),
             (damped, BLACK, 1.1),

@@ -22,7 +22,7 @@ from ..models.parameters import ParameterSet, Ranges, Span
 from ..numerics.interval_arrays import FloatArray
 from ..results import BifurcationSet, Equilibria, EquilibriumType
 from ..results.points import Curve, Points
-from ..statics.stability import NEUTRAL
+from ..statics.stability import NEUTRAL_GROWTH
 from .style import (
     BLACK,
     GREY,
@@ -157,7 +157,11 @@ def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ran
     # Colour of a part of a plane in which states are unstable.
     # Colour of a part in which their oscillations hardly grow.
     ax.contourf(
-        *places, growth, levels=[0.0, NEUTRAL, np.inf], colors=["#fcf1ea", "#f7dfd0"], zorder=0
+        *places,
+        growth,
+        levels=[0.0, NEUTRAL_GROWTH, np.inf],
+        colors=["#fcf1ea", "#f7dfd0"],
+        zorder=0,
     )
     # The name stands where the shade reaches farthest around.
     depth = distance_transform_edt(np.pad(growth > 0, 1))[1:-1, 1:-1]

@@ -34,7 +34,7 @@ from ..report.facts import Facts
 from ..report.states import Oscillation, unit_of
 from ..report.texts import about as about_of
 from ..report.texts import sections, verdict
-from ..statics.stability import NEUTRAL
+from ..statics.stability import NEUTRAL_GROWTH
 from .curves import curves_between, draw_branches, draw_path, mark_folds
 from .motions import draw_harmonics, draw_phase, draw_spectrum
 from .planes import draw_onset_curves, draw_plane, growth_of_oscillations
@@ -191,7 +191,7 @@ def _stability_map(report: Facts) -> Rows:
         here = report.current
         what = (
             "grow: it squeals or judders"
-            if float(growth_of_oscillations(ss.equilibria(p))) > NEUTRAL
+            if float(growth_of_oscillations(ss.equilibria(p))) > NEUTRAL_GROWTH
             else "hardly grow or die out, as next to nothing damps"
             if here is not None and here.stability == "neutral"
             else "die out"

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from ..generated.models.kang_nam import algebra
-from ..models.field import SETTLED
+from ..models.field import SETTLED_SHARE
 from ..models.parameters import FloatArray, Span
 from ..numerics.arithmetic import Number
 from ..numerics.interval_arrays import Int8Array
@@ -161,7 +161,7 @@ def rest_index(p: Parameters, places: FloatArray) -> Int8Array:
             np.isnan(away), np.inf, away
         )  # empty slots: all of them where the equilibria are undecided
         index[rows] = np.where(
-            away.min(axis=-1) <= SETTLED * (1 + np.hypot(x, y)), away.argmin(axis=-1), -1
+            away.min(axis=-1) <= SETTLED_SHARE * (1 + np.hypot(x, y)), away.argmin(axis=-1), -1
         )
     return index
 

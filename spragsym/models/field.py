@@ -55,20 +55,20 @@ FLOATS = SimpleNamespace(**vars(math), sign=np.sign)
 #: How far beyond its border a mode is left, in units of the border's level: it ends chatter by
 #: rounding, and costs an error of the order of its square. Motions are carried in units of their
 #: own (``spragsym.motion.scales``), and so are all tolerances that are numbers beside 1.
-GAP = 1e-12
+OVERSHOOT = 1e-12
 
 #: How far apart an exponential of the friction law is left out and taken in again, in units of its
 #: exponent.
-WIDTH = 5.0
+HYSTERESIS = 5.0
 
 
 #: A motion has settled when what is left to its limit is this share of its reach; for rest, of its
 #: unit of length, which is 1 for motions of a common size.
-SETTLED = 1e-4
+SETTLED_SHARE = 1e-4
 
 #: Minus the exponent beyond which the search for cycles leaves an exponential of the friction law
 #: out: far below rounding.
-REACH = 42.0
+FELT_EXPONENT = 42.0
 
 
 @dataclass(frozen=True)
@@ -410,13 +410,13 @@ class _Motion:
         #: How far before its border a law that is no polynomial is left, for it may have no
         #: continuation beyond; and up to which sliding speeds nothing slides.
         self.shifts = [
-            2 * GAP * size * rooted for size, rooted in zip(sizes, self.rooted, strict=True)
+            2 * OVERSHOOT * size * rooted for size, rooted in zip(sizes, self.rooted, strict=True)
         ]
         self.still = list[float]()
         for holds in self.holds:
             size, *_ = itertools.islice(rows, 3 if holds else 1)
             # Sliding speeds up to this are 0 where friction holds.
-            standstill = 2 * GAP
+            standstill = 2 * OVERSHOOT
             self.still.append(standstill * size)
         #: Places in a mode of the first side, the first exponential of a friction law, the first
         #: turn of a gap, and the first torsion spring.
@@ -589,7 +589,7 @@ class _Motion:
         ):  # exponentials of the sliding speed, where they are about to be felt
 
             def shift(mode: Mode, index: int = self.near + k) -> Number:
-                return -reach - WIDTH * mode[index]
+                return -reach - HYSTERESIS * mode[index]
 
             sides = slice(self.side, self.near)
             levels = self._generated("layers", "layer_rates", k, sides, shift)

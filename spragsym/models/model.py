@@ -21,7 +21,7 @@ from ..core.questions import FORCED
 from ..display import Column, aligned
 from ..numerics.vectors import WholeTurns
 from . import forces
-from .field import REACH, Field, field_of
+from .field import FELT_EXPONENT, Field, field_of
 from .parameters import ANGLE, FINITE, FloatArray, ParameterSet, Range, as_numbers
 
 #: Which contacts touch: all, none of those that can open, or those of these names.
@@ -113,7 +113,7 @@ class Model:
         """The field of its motion, with exponentials of the friction law left out far below
         rounding.
         """
-        return field_of(self, REACH)
+        return field_of(self, FELT_EXPONENT)
 
     @property
     def coordinates(self) -> tuple[str, ...]:

@@ -21,7 +21,7 @@ from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, ComplexArray
 from ..numerics.vectors import in_one_turn, magnitude
 from .holding import held_in_every_phase
-from .measures import KEPT, MotionStatistics
+from .measures import KEPT_EXTREMA, MotionStatistics
 from .problem import Event, Problem
 from .regimes import Outcome, Regime
 from .return_map import Onward, leads, on_cycle
@@ -277,7 +277,11 @@ def _decays(statistics: MotionStatistics, rest: Equilibrium, fewest: int) -> boo
     The squares of the two halves are compared under Hann windows, which hide unfinished beats.
     """
     modes = np.abs(np.linalg.pinv(rest.vectors) @ (statistics.maxima - rest.state).T) ** 2
-    since = statistics.begin if len(statistics.maxima_t) < KEPT else float(statistics.maxima_t[0])
+    since = (
+        statistics.begin
+        if len(statistics.maxima_t) < KEPT_EXTREMA
+        else float(statistics.maxima_t[0])
+    )
     window = statistics.end - since
     share = (statistics.maxima_t - since) / window
     if not fewest // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - fewest // 2 + 1:

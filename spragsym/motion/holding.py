@@ -18,7 +18,7 @@ from ..numerics.interval_arrays import (
     stacked,
 )
 from ..numerics.vectors import TURN, magnitude
-from ..statics.balance import NOTHING
+from ..statics.balance import NEGLIGIBLE
 from ..statics.forces import as_intervals
 from ..statics.namespaces import XP
 from .scales import scales_of
@@ -93,8 +93,8 @@ def _stills(field: Field, mode: Mode, states: Sequence[Any], given: Sequence[Any
         rows = [each.slopes(states, given, mode)[n : 2 * n - 1] for each in stays if each.slopes]
         entries = stacked([entry for row in rows for entry in row], (PHASES,))
         middle = entries.middle[:, 0].reshape(len(rows), n - 1)
-        sizes = np.abs(middle).max(axis=1, keepdims=True, initial=NOTHING)
-        widths = np.abs(middle / sizes).max(axis=0, initial=NOTHING)
+        sizes = np.abs(middle).max(axis=1, keepdims=True, initial=NEGLIGIBLE)
+        widths = np.abs(middle / sizes).max(axis=0, initial=NEGLIGIBLE)
         widths = np.exp2(np.round(np.log2(widths)))  # so that quotients are exact
         inverse, off = np.linalg.pinv(middle / sizes / widths) / sizes.T, np.zeros((n - 1, PHASES))
         for i, j in np.ndindex(n - 1, n - 1):
@@ -114,7 +114,7 @@ def _is_held(field: Field, mode: Mode, states: Sequence[Any], given: Sequence[An
         for border in field.borders:
             level = border.level(states, given, mode)
             if border in stays:
-                if as_intervals(level, (PHASES,)).magnitude.max() > NOTHING:
+                if as_intervals(level, (PHASES,)).magnitude.max() > NEGLIGIBLE:
                     return False
             elif (
                 border.kink

@@ -17,13 +17,13 @@ from .lobatto import PiecewisePolynomial
 
 #: Turning points that are kept of a motion, the latest: what is known of it needs no more memory
 #: the longer it runs.
-KEPT = 5000
+KEPT_EXTREMA = 5000
 
 
 @dataclass(frozen=True)
 class MotionStatistics:
     """Quantities measured on a motion while it runs; its steps are not kept, nor turning points
-    before the latest KEPT of a kind.
+    before the latest KEPT_EXTREMA of a kind.
 
     States ``first`` (2 n,) at ``begin``, ``last`` at ``end``, ``maxima`` (k, 2 n) at ``maxima_t``
     where the leading coordinate x is largest, ``minima`` (l, 2 n), ``passages`` (j, 2 n) at
@@ -70,18 +70,20 @@ def statistics_of(
     lowest, highest = (samples.passages(n + lead, sign) for sign in (1, -1))
     maxima, minima = samples(highest).T, samples(lowest).T
     extrema = np.concatenate([x[[0, -1]], maxima[:, lead], minima[:, lead]])
-    late = highest[-KEPT:]
+    late = highest[-KEPT_EXTREMA:]
     turning = PiecewisePolynomial(t, np.sin(x[None] / 2))
-    passed = np.sort(turning.zeros() if makes_turns(lead, field.periodic) else late[:0])[-KEPT:]
+    passed = np.sort(turning.zeros() if makes_turns(lead, field.periodic) else late[:0])[
+        -KEPT_EXTREMA:
+    ]
     return MotionStatistics(
         float(t[0]),
         float(t[-1]),
         states[:, 0],
         states[:, -1],
         late,
-        maxima[-KEPT:],
+        maxima[-KEPT_EXTREMA:],
         np.array([shift, shift**2, *others]) @ samples.weights(),
-        minima[-KEPT:],
+        minima[-KEPT_EXTREMA:],
         events,
         (float(extrema.min()), float(extrema.max())),
         passed,

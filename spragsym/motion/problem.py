@@ -2,10 +2,10 @@
 field.
 
 The field is continuous, and analytic in each of its modes: contact or not, belt ahead of the mass
-or behind. A mode is left :data:`GAP` beyond its border, so that two crossings are never closer than
-2 GAP: that ends chatter by rounding, lets a motion start exactly on a kink, and costs an error of
-the order of GAP², or GAP^1.5 where the motion only grazes the border, far below rounding. Lengths,
-times and levels are numbers beside 1 (:mod:`~spragsym.motion.scales`).
+or behind. A mode is left :data:`OVERSHOOT` beyond its border, so that two crossings are never
+closer than 2 OVERSHOOT: that ends chatter by rounding, lets a motion start exactly on a kink, and
+costs an error of the order of OVERSHOOT², or OVERSHOOT^1.5 where the motion only grazes the border,
+far below rounding. Lengths, times and levels are numbers beside 1 (:mod:`~spragsym.motion.scales`).
 
 An exponential of the friction law, as in (10), makes a layer where the mass nearly sticks that a
 step from far away cannot see: all its derivatives are below rounding there. So it is left out where
@@ -43,7 +43,7 @@ RELATIVE_TOLERANCE = Range(
 MAX_STEPS = 10_000_000
 
 #: An implicit method takes over where so many steps would follow that stability bounds.
-MOST = 1e6
+MOST_STIFF_STEPS = 1e6
 
 
 class Event(IntEnum):
@@ -146,7 +146,7 @@ def check_stiffness(
     state: Sequence[float] | FloatArray,
     step: float,
     left: float,
-    most: float = MOST,
+    most: float = MOST_STIFF_STEPS,
 ) -> None:
     """Raise where steps of a mean length are bounded by stability, and too many of them would be
     left.

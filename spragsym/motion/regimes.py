@@ -16,7 +16,7 @@ from ..bifurcation.sticking import sticking_states
 from ..bifurcation.sticking_regions import is_convex
 from ..core.errors import ConvergenceError, ModelError, ParameterError
 from ..display import Column, named_fields
-from ..models.field import SETTLED, Field, Values
+from ..models.field import SETTLED_SHARE, Field, Values
 from ..models.parameters import FloatArray, ParameterSet
 from ..numerics.vectors import WholeTurns, apart, in_one_turn, magnitude
 from ..results.result import Named
@@ -25,7 +25,7 @@ from .scales import scales_of
 
 #: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are
 #: one, in units of the motion.
-SAME = 1e-6
+SAME_STATE = 1e-6
 
 
 class Regime(IntEnum):
@@ -253,7 +253,7 @@ def same_limit(
     state, there = (each.cycle or field.at_rest(each.rest, constants) for each in (one, other))
     units = scales_of(field, constants, state).states
     if one.limit == Regime.EQUILIBRIUM:
-        near = SAME * (1 + magnitude(state / units))
+        near = SAME_STATE * (1 + magnitude(state / units))
         if magnitude(apart(state, there, periodic) / units) < near:
             return True
         pair = np.array(one.rest), np.array(other.rest)
@@ -272,10 +272,10 @@ def same_limit(
     )
     reach = max(abs(each.cycle[0] - each.cycle_mean) for each in (one, other)) / units[0]
     # An x that stands still beside what moves has no reach but rounding.
-    far = 10 * SETTLED * (1.0 if turns[0] else reach)
+    far = 10 * SETTLED_SHARE * (1.0 if turns[0] else reach)
     return bool(
-        abs(one.period / other.period - 1) < SETTLED
-        and off < max(far, SAME * magnitude(one.cycle / units))
+        abs(one.period / other.period - 1) < SETTLED_SHARE
+        and off < max(far, SAME_STATE * magnitude(one.cycle / units))
     )
 
 

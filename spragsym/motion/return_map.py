@@ -20,7 +20,7 @@ from functools import partial
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..models.field import REACH, Field
+from ..models.field import FELT_EXPONENT, Field
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
 from ..numerics.vectors import TURN, WholeTurns, apart, in_one_turn, magnitude, makes_turns
@@ -52,7 +52,9 @@ class Onward:
     @property
     def field(self) -> Field:
         """The field of the motion, with its own constants."""
-        return replace(self.problem.field_of(REACH), constants=lambda *_: self.problem.constants)
+        return replace(
+            self.problem.field_of(FELT_EXPONENT), constants=lambda *_: self.problem.constants
+        )
 
     def statistics(self, states: FloatArray, duration: float) -> list[MotionStatistics]:
         """Measures on the way from each of many states; an error where one of them cannot be

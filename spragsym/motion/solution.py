@@ -14,7 +14,7 @@ import numpy as np
 
 from ..core.errors import ConvergenceError, ParameterError, one_of
 from ..display import Column
-from ..models.field import FLOATS, GAP, JUMPED, Border, Field, Mode, Values
+from ..models.field import FLOATS, JUMPED, OVERSHOOT, Border, Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, IndexArray
 from ..numerics.vectors import magnitude
@@ -81,7 +81,7 @@ def _met(problem: Problem, mode: Mode, state: FloatArray, done: set[int]) -> int
         sign = border.sign(mode)
         if not sign or row in done:
             continue
-        if sign * border.level(values, constants, mode) + GAP * border.kink <= GAP / 8:
+        if sign * border.level(values, constants, mode) + OVERSHOOT * border.kink <= OVERSHOOT / 8:
             pulls = field.acceleration(values, constants, mode, FLOATS)
             if sign * border.rate(values, pulls, constants, mode) < 0:
                 return row
@@ -384,7 +384,7 @@ def _met_in_time(t: FloatArray, states: FloatArray, crossing: Crossing) -> Sampl
     apart, late = magnitude(states[row + 1, :, 0] - states[row, :, -1]), t[row, -1] - crossing.t
     # Steps that are farther apart than this where a border was noticed meet so far behind
     # it.
-    behind = 4 * GAP
+    behind = 4 * OVERSHOOT
     if apart <= behind or not late < min(t[row, -1] - t[row, 0], t[row + 1, -1] - t[row, -1]):
         return t, states
     t, states, met = t.copy(), states.copy(), crossing.t + behind / apart * late
@@ -402,7 +402,7 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
     further.
     """
     t, states, chatter = solution.samples.t, solution.samples.states, set[int]()
-    least = max(10 * problem.rtol * float(max(states.max(), -states.min())), 2 * GAP)
+    least = max(10 * problem.rtol * float(max(states.max(), -states.min())), 2 * OVERSHOOT)
     for row, border in enumerate(problem.field.borders):
         own = [crossing for crossing in solution.crossings if crossing.border == row]
         if not own or not border.crossings[0] or border.stays:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..core.errors import ConvergenceError
 from ..generated import C_SOURCE
-from ..models.field import GAP, WIDTH
+from ..models.field import HYSTERESIS, OVERSHOOT
 from ..models.load import fits
 from ..models.parameters import FloatArray
 from .lobatto import unit_points
@@ -103,7 +103,7 @@ def integrate(problem: Problem) -> Solution:
                 most - steps,
             ]
         )
-        given = np.array([*mode, problem.reach, WIDTH, GAP])
+        given = np.array([*mode, problem.reach, HYSTERESIS, OVERSHOOT])
         outcome, border, made, kept = _carried.carry(
             constants, given, limits, _tables(), unit, state, clock, times, states
         )

@@ -16,13 +16,13 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..models.field import GAP, JUMPED, Border, Field, Mode
+from ..models.field import JUMPED, OVERSHOOT, Border, Field, Mode
 from ..models.parameters import FloatArray
 from ..numerics.arithmetic import Number
 from ..numerics.vectors import makes_turns
 from .heyoka_functions import XP, HeyokaFunctions, library
 from .lobatto import sample_times, unit_points
-from .measures import KEPT, MotionStatistics
+from .measures import KEPT_EXTREMA, MotionStatistics
 from .problem import (
     Event,
     Problem,
@@ -55,7 +55,7 @@ TOLERANCE = 1e-17
 
 #: Derivatives are carried in this unit, so that they stay below the state: heyoka's error is
 #: relative to the largest of all.
-UNIT = 1e-4
+DEVIATION_UNIT = 1e-4
 
 
 @dataclass(frozen=True)
@@ -115,9 +115,10 @@ def equations(
 
     Constants, mode and directions are its ``par[]``. The variables are the state; with so many
     ``directions`` of the parameters its derivatives by the start and along those, column by column
-    in :data:`UNIT`, and the integrals of the first coordinate and of its square; with ``measured``
-    the integrals of a :class:`~spragsym.motion.measures.MotionStatistics`, scaled by the last
-    parameter, so that they stay below the states: heyoka's error is relative to the largest of all.
+    in :data:`DEVIATION_UNIT`, and the integrals of the first coordinate and of its square; with
+    ``measured`` the integrals of a :class:`~spragsym.motion.measures.MotionStatistics`, scaled by
+    the last parameter, so that they stay below the states: heyoka's error is relative to the
+    largest of all.
     The parameter before is the leading coordinate at the begin.
     """
     hy = library()
@@ -142,13 +143,15 @@ def equations(
                 begin = end + (column - m) * parameters
                 weights = [hy.par[begin + i] for i in range(parameters)]
                 rates = [
-                    rate + UNIT * _dot(row, weights)
+                    rate + DEVIATION_UNIT * _dot(row, weights)
                     for rate, row in zip(rates, slopes, strict=True)
                 ]
             system += zip(part, [*part[n:], *rates], strict=True)
     if measured or directions is not None:
         lead, others = state[field.lead], [*state[: field.lead], *state[field.lead + 1 : n]]
-        shift, scale = (lead - hy.par[end], hy.par[end + 1]) if measured else (state[0], UNIT)
+        shift, scale = (
+            (lead - hy.par[end], hy.par[end + 1]) if measured else (state[0], DEVIATION_UNIT)
+        )
         sums = [
             scale * shift,
             scale * shift * shift,
@@ -194,7 +197,7 @@ class MotionState:
     crossed: dict[int, list[float]] = field(default_factory=dict)
     extrema: list[Extremum] = field(default_factory=list)
     latest: dict[int, deque[list[float]]] = field(
-        default_factory=partial(defaultdict, partial(deque, maxlen=KEPT))
+        default_factory=partial(defaultdict, partial(deque, maxlen=KEPT_EXTREMA))
     )
     reach: dict[int, float] = field(default_factory=lambda: {1: np.inf, -1: -np.inf})
     resting: bool = False
@@ -294,7 +297,7 @@ class BatchIntegrator:
         crossing the new one may be negative by the error of a step, and its way up is no event.
         """
         hy, sign = library(), border.sign(seen[2])
-        level = sign * border.scale * (border.level(*seen) + GAP * sign * border.kink)
+        level = sign * border.scale * (border.level(*seen) + OVERSHOOT * sign * border.kink)
         if not hy.get_variables(level):
             return None
         return hy.t_event_batch(
@@ -323,7 +326,7 @@ class BatchIntegrator:
             one.error = error
             return False
         if columns is not None:
-            self.state[self.m : -2, lane] = columns.T.ravel() * UNIT
+            self.state[self.m : -2, lane] = columns.T.ravel() * DEVIATION_UNIT
         self.pars[self.constants : self.constants + self.told, lane] = one.mode[: self.told]
         for crossing in crossings:
             if self.lanes == 1:
@@ -364,8 +367,8 @@ class BatchIntegrator:
             one.reach[kind] = bound(one.reach[kind], state[self.field.lead])
 
     def _pass(self, each: Approach, _: object, __: int, lane: int) -> bool:
-        """Passage of the zero of a root's argument: where it is zero to GAP, the state moves on by
-        as much: at its anchor a spring has no direction.
+        """Passage of the zero of a root's argument: where it is zero to OVERSHOOT, the state moves
+        on by as much: at its anchor a spring has no direction.
         """
         one, state, pars = (
             self.some[lane],
@@ -374,10 +377,10 @@ class BatchIntegrator:
         )
         if (
             each.argument is not None
-            and abs(each.value(state, pars=pars[: each.value.nparams])[0]) < GAP**2
+            and abs(each.value(state, pars=pars[: each.value.nparams])[0]) < OVERSHOOT**2
         ):
             rates = state[self.m // 2 :]
-            self.state[: len(rates), lane] += GAP / np.abs(rates).max() * rates
+            self.state[: len(rates), lane] += OVERSHOOT / np.abs(rates).max() * rates
             if self.derivatives:
                 one.error = ConvergenceError(JUMPED)
         return one.error is None
@@ -389,7 +392,9 @@ class BatchIntegrator:
         """The derivatives that are carried, a column for each number of the start and each
         direction.
         """
-        return values[self.m : -2].reshape(-1, self.m).T / UNIT if self.derivatives else None
+        return (
+            values[self.m : -2].reshape(-1, self.m).T / DEVIATION_UNIT if self.derivatives else None
+        )
 
     def _directions(self, one: MotionState) -> FloatArray | None:
         return (
@@ -410,7 +415,7 @@ class BatchIntegrator:
             columns = np.eye(self.m, (len(self.state) - 2) // self.m - 1)
             deviations = Deviations(self._directions(some[0]), columns)
             project(some[0].problem, some[0].mode, self.state[: self.m, 0], deviations)
-            self.state[self.m : -2, 0] = columns.T.ravel() * UNIT
+            self.state[self.m : -2, 0] = columns.T.ravel() * DEVIATION_UNIT
         if self.solver.with_events:  # heyoka has no cooldowns where there are none
             self.solver.reset_cooldowns()
 
@@ -497,7 +502,7 @@ class BatchIntegrator:
             border.sign(one.mode) * border.level(state, problem.constants, one.mode)
             for border in self.field.borders
         )
-        if not t < end and not all(level >= -2 * GAP for level in levels):
+        if not t < end and not all(level >= -2 * OVERSHOOT for level in levels):
             raise missed_event(problem.time(t))
 
     # ------------------------------------------------------------------------------------------ a
@@ -524,7 +529,7 @@ class BatchIntegrator:
         self.propagate(self.some, 0.0, one.problem.t_end)
         found = FlowResult(*self._split(one.carried), tuple(one.crossings), tuple(one.extrema))
         return (
-            replace(found, integrals=tuple((one.carried[-2:] / UNIT).tolist()))
+            replace(found, integrals=tuple((one.carried[-2:] / DEVIATION_UNIT).tolist()))
             if self.derivatives
             else found
         )
@@ -568,7 +573,7 @@ def _tightened(field: Field, tol: float) -> float:
     # of the state has a Taylor series of its own, which agrees with that of the state to the
     # tolerance only: where that is not far below the gap behind a border, the border just crossed
     # would be met again.
-    largest_tolerance = 1e-3 * GAP
+    largest_tolerance = 1e-3 * OVERSHOOT
     return min(tol, largest_tolerance) if field.nonlinear_levels else tol
 
 

@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..models.field import FLOATS, GAP, Mode
+from ..models.field import FLOATS, OVERSHOOT, Mode
 from ..models.parameters import FloatArray
 from ..numerics.vectors import magnitude
 from .lobatto import sample_times
-from .problem import MOST, Problem, check_stiffness, out_of_range, too_many_steps
+from .problem import MOST_STIFF_STEPS, Problem, check_stiffness, out_of_range, too_many_steps
 from .solution import (
     Crossing,
     Deviations,
@@ -184,7 +184,7 @@ class Flight:
                     yield piece
                 if steps % look == 0 and not self.stiff:
                     step, looked, left = (clock + end - looked) / look, clock + end, bound - end
-                    check_stiffness(self.problem, solver.y[:m], step, left, MOST / 10)
+                    check_stiffness(self.problem, solver.y[:m], step, left, MOST_STIFF_STEPS / 10)
             if found is None:
                 return
             at, row = found
@@ -194,7 +194,7 @@ class Flight:
                 4 * self.stiff
             ):  # Radau's interpolant is of low order: Newton's method on steps of its own
                 clear, rate = self._levels(mode, whole[:m], inside=True)[row].tolist()
-                if abs(clear) > GAP / 10 and rate:
+                if abs(clear) > OVERSHOOT / 10 and rate:
                     at = max(at - clear / rate, begin)
                     whole = self._stepped(mode, before, begin, at)
             met, carried = whole.copy(), Deviations(self.directions, whole[m:].reshape(m, -1))
@@ -243,7 +243,9 @@ class Flight:
         found = np.empty((len(field.borders) + 1, 2, *states.shape[1:]))
         for row, border in zip(found, field.borders, strict=False):
             sign = border.sign(mode) if inside else 1
-            row[0] = sign * border.level(states, constants, mode) + GAP * (inside and border.kink)
+            row[0] = sign * border.level(states, constants, mode) + OVERSHOOT * (
+                inside and border.kink
+            )
             row[1] = sign * border.rate(states, accelerations, constants, mode)
         found[-1] = states[field.lead], states[len(field.coordinates) + field.lead]
         return found

@@ -16,7 +16,7 @@ WholeTurns: TypeAlias = Mapping[int, Mapping[int, int]]
 #: A turn of a coordinate that comes around.
 TURN = 2 * np.pi
 #: Where it begins: no angle that models have, so that rounding decides no state's turn.
-BEGIN = -np.pi + 0.012345
+TURN_BEGIN = -np.pi + 0.012345
 
 
 def magnitude(numbers: ArrayLike) -> float:
@@ -39,7 +39,9 @@ def apart(one: ArrayLike, other: ArrayLike, periodic: WholeTurns) -> FloatArray:
     return off
 
 
-def in_one_turn(state: ArrayLike, periodic: WholeTurns, begin: ArrayLike = BEGIN) -> FloatArray:
+def in_one_turn(
+    state: ArrayLike, periodic: WholeTurns, begin: ArrayLike = TURN_BEGIN
+) -> FloatArray:
     """The state less whole turns, each angle that comes around in the one from ``begin`` on."""
     found = np.array(state, dtype=float)
     begins = np.broadcast_to(begin, found.shape)

@@ -14,7 +14,7 @@ from ..core.errors import ConvergenceError
 from ..models.field import Values
 from ..models.parameters import FloatArray
 from ..motion.classify import spectrum_at_rest
-from ..motion.regimes import SAME, Regime
+from ..motion.regimes import SAME_STATE, Regime
 from ..motion.shooting import in_scales, natural
 from ..numerics.vectors import apart, magnitude
 from .arclength import Setting, along, started
@@ -129,7 +129,7 @@ def same(one: Attractor, other: Attractor) -> bool:
     if one.orbit is None or other.orbit is None:
         states = one.system.scales(one.state).states
         off = apart(one.state, other.state, one.system.field.periodic) / states
-        return magnitude(off) < SAME * (1 + magnitude(one.state / states))
+        return magnitude(off) < SAME_STATE * (1 + magnitude(one.state / states))
     return same_cycle(one.orbit, other.orbit)
 
 

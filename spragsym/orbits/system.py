@@ -16,7 +16,7 @@ import numpy as np
 
 from ..core.errors import ConvergenceError
 from ..core.questions import model_of
-from ..models.field import FLOATS, GAP, Field, Mode, Values
+from ..models.field import FLOATS, OVERSHOOT, Field, Mode, Values
 from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
@@ -329,7 +329,8 @@ class FixedPoints:
         state, constants, mode = self.at(point.orbit.state, point.orbit.constants)
         kinks = (border for border in self.field.borders if border.kink and border.jumps is None)
         return all(
-            border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in kinks
+            border.sign(mode) * border.level(state, constants, mode) >= -2 * OVERSHOOT
+            for border in kinks
         )
 
 

@@ -21,7 +21,7 @@ from ..models.parameters import Range, Ranges, Span, as_number, as_range
 from ..models.quantities import Quantities, QuantityValues, Scales, factor, quantities, share
 from .damping import RATIO, modal_dampers
 from .friction_fit import FrictionFit
-from .units import PLAIN_UNITS, Measured, Numbers, read, shown_in
+from .units import Measured, Numbers, plain_unit, read, shown_in
 
 if TYPE_CHECKING:
     from ..design.jumps import Ends
@@ -290,7 +290,7 @@ class Brake:
         0 without friction.
         """
         # The solvers are heavy, and a refusal does not need them.
-        from ..statics.balance import NOTHING
+        from ..statics.balance import NEGLIGIBLE
         from .friction_law import friction_bounds, friction_depends_on
 
         p = self.dimensionless
@@ -303,7 +303,7 @@ class Brake:
         return (
             low,
             here,
-            high if high > here + NOTHING else here,
+            high if high > here + NEGLIGIBLE else here,
         )  # bounds of a friction that is 0 are a little above it
 
     @property
@@ -464,7 +464,7 @@ class Brake:
         """
         alike = (other for other in self.quantities if self.kind.units[other] == si)
         here = name if name in self.quantities else next(alike, "")
-        unit = self.quantities[here].unit if here else PLAIN_UNITS.get(si, si)
+        unit = self.quantities[here].unit if here else plain_unit(si)
         return unit, self.scale(si) / factor(unit, si)
 
     def pairs(self, names: Sequence[str]) -> dict[tuple[str, str], float]:
@@ -504,7 +504,7 @@ def _given(parameters: object, kind: Quantities, damping_ratio: float | None) ->
 
 def _measured(name: str, value: float, off: ArrayLike | None, si: str, allowed: Range) -> Measured:
     """A value with its tolerance as Python is told it: numbers become the text of a file."""
-    title, unit, in_si = f"tolerance of {name}", PLAIN_UNITS.get(si, si), "" if si == "1" else si
+    title, unit, in_si = f"tolerance of {name}", plain_unit(si), "" if si == "1" else si
     if off is None:
         return Measured(value, value, value, unit)
     if isinstance(off, tuple):

@@ -25,7 +25,16 @@ from .example import OWN_EXAMPLES, example_of
 from .friction_curve import read_friction
 from .friction_fit import FrictionFit, fit_friction
 from .trust import trusted_model
-from .units import ENDS, WITHIN, Measured, Numbers, check_words, read, remedy, shown_in
+from .units import (
+    SIGMAS_AT_ENDS,
+    SIGMAS_IN_ALL,
+    Measured,
+    Numbers,
+    check_words,
+    read,
+    remedy,
+    shown_in,
+)
 
 
 def read_brake(path: FilePath, trust: bool | str = False) -> Brake:
@@ -313,7 +322,12 @@ def _fitted(value: float, error: float, unit: str) -> Measured:
     """A normal distribution; cut off at three standard errors, and above 0, where it would reach 0
     else.
     """
-    cut = error == 0 or value <= WITHIN * error
+    cut = error == 0 or value <= SIGMAS_IN_ALL * error
     return Measured(
-        value, max(value - ENDS * error, value / 100), value + ENDS * error, unit, error, cut
+        value,
+        max(value - SIGMAS_AT_ENDS * error, value / 100),
+        value + SIGMAS_AT_ENDS * error,
+        unit,
+        error,
+        cut,
     )

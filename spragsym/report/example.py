@@ -10,7 +10,7 @@ from ..files.text import shipped_text
 from ..models import Model
 from ..models.load import USUAL
 from ..models.quantities import factor, quantities
-from .units import EXAMPLES, PLAIN_UNITS
+from .units import EXAMPLES, plain_unit
 
 #: Quantities that are not of the size that others of the same unit have.
 OWN_EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
@@ -46,7 +46,7 @@ def example(model: Model) -> str:
 
     def written(name: str, value: float) -> str:
         si = kind.units[name]
-        unit = PLAIN_UNITS.get(si, si)
+        unit = plain_unit(si)
         return (
             example_of(name, si)
             if si in given

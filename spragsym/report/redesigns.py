@@ -37,10 +37,10 @@ from .tolerances import (
 from .units import Numbers
 
 #: Tolerance of an inclination that has none, radians.
-_ANGLE = math.radians(1.0)
+_INCLINATION_TOLERANCE = math.radians(1.0)
 #: A quantity is changed by up to this factor either way, where the data do not say how far it may
 #: change.
-FACTOR = 3.0
+LARGEST_FACTOR = 3.0
 
 
 @dataclass(frozen=True)
@@ -137,15 +137,15 @@ class _RedesignSearch:
         self.within = replace(design(study), ranges=self.allowed | within)
 
     def _span(self, name: str) -> Span:
-        """Between which values it may change: as the data say, else by :data:`FACTOR`, an
+        """Between which values it may change: as the data say, else by :data:`LARGEST_FACTOR`, an
         inclination from 1° to 179°.
         """
         start = self.study.values[name]
         if self.study.may_change:
             return self.study.may_change.get(name, (start, start))
-        low, high = sorted((start / FACTOR, start * FACTOR))
+        low, high = sorted((start / LARGEST_FACTOR, start * LARGEST_FACTOR))
         return (
-            (max(low, _ANGLE), min(high, math.pi - _ANGLE))
+            (max(low, _INCLINATION_TOLERANCE), min(high, math.pi - _INCLINATION_TOLERANCE))
             if self.study.kind.units[name] == "rad"
             else (low, high)
         )
@@ -155,7 +155,7 @@ class _RedesignSearch:
         if name in study.tolerances:
             return study.tolerances[name]
         if si[name] == "rad":
-            return _ANGLE
+            return _INCLINATION_TOLERANCE
         alike = [
             value for other, value in study.values.items() if value > 0 and si[other] == si[name]
         ]

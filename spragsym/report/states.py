@@ -36,9 +36,9 @@ if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
 
 #: Share of the way from the fold to the state that is left, at which the motion is let go.
-AWAY = 1e-2
+SHARE_BEYOND_FOLD = 1e-2
 #: Largest time over which a motion from rest is followed.
-T_END = 3000.0
+LONGEST_TIME = 3000.0
 #: What a motion comes to.
 _COMES_TO = {
     Regime.EQUILIBRIUM: "rest",
@@ -373,7 +373,7 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
     balances = balances_of(p.model, None)
     balance = balances[number_of(balances, turn.touching)]
     on_fold = p.replace(**{load.name: value})
-    start = _balanced(balance, on_fold, begin + AWAY * (end - begin), held)
+    start = _balanced(balance, on_fold, begin + SHARE_BEYOND_FOLD * (end - begin), held)
     # Times, in the model's unit, over which it is followed until it is half way.
     for t_end in (1500.0, 24_000.0):
         try:
@@ -475,9 +475,10 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
     if stability == "unstable" and not motion.state.any():  # where it rests it is unstable
         word = "far out"
         motion, outcome = followed.get(word) or _followed(p, far)
-    late, regime = motion.after(0.75 * T_END), outcome.regime
+    late, regime = motion.after(0.75 * LONGEST_TIME), outcome.regime
     quarters = (
-        (motion.t >= share * T_END) & (motion.t <= (share + 0.25) * T_END) for share in (0.5, 0.75)
+        (motion.t >= share * LONGEST_TIME) & (motion.t <= (share + 0.25) * LONGEST_TIME)
+        for share in (0.5, 0.75)
     )
     before, now = (float(np.ptp(motion.state[0, quarter])) for quarter in quarters)
     # A motion whose swings are less than this share of those a quarter of the time before is on its
@@ -506,9 +507,9 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
 
 def _followed(p: ParameterSet, start: FloatArray) -> tuple[Trajectory, Outcome]:
     """The motion from a state, and what it comes to."""
-    motion, outcome = simulate(p, start=start, t_end=T_END), Outcome()
+    motion, outcome = simulate(p, start=start, t_end=LONGEST_TIME), Outcome()
     with suppress(ConvergenceError):
-        outcome = motion.outcome(0.75 * T_END)
+        outcome = motion.outcome(0.75 * LONGEST_TIME)
     return motion, outcome
 
 

@@ -12,13 +12,13 @@ from .._version import __version__
 from ..design.jumps import verb_of
 from ..design.probability import JumpProbability
 from ..models.load import USUAL, WITH_DAMPERS
-from ..statics.stability import NEUTRAL
+from ..statics.stability import NEUTRAL_GROWTH
 from .advice import Rows, next_steps, warnings
 from .brake import Brake
 from .facts import Facts, percent_beyond
-from .redesigns import FACTOR
-from .states import AWAY, State, in_units
-from .units import ENDS, Numbers, hertz
+from .redesigns import LARGEST_FACTOR
+from .states import SHARE_BEYOND_FOLD, State, in_units
+from .units import SIGMAS_AT_ENDS, Numbers, hertz
 
 #: An object in JSON.
 Json: TypeAlias = dict[str, Any]
@@ -198,7 +198,11 @@ def box(unbounded: Sequence[str]) -> str:
     """Box that a certificate is about, if a part of the distribution of some quantities lies beyond
     it.
     """
-    beyond = f", and {ENDS:g} standard deviations of {' and '.join(unbounded)}" if unbounded else ""
+    beyond = (
+        f", and {SIGMAS_AT_ENDS:g} standard deviations of {' and '.join(unbounded)}"
+        if unbounded
+        else ""
+    )
     return f"the tolerances{beyond}"
 
 
@@ -417,7 +421,7 @@ def _state(report: Facts) -> Rows:
 
 def _ratio(ratio: float) -> str:
     """A damping ratio; one that decides nothing has no number."""
-    return "next to no damping" if abs(ratio) < NEUTRAL else f"damping ratio {ratio:.2g}"
+    return "next to no damping" if abs(ratio) < NEUTRAL_GROWTH else f"damping ratio {ratio:.2g}"
 
 
 def _described(state: State) -> str:
@@ -450,7 +454,7 @@ def _peak(report: Facts) -> Rows:
         "the states before and after",
         f"at {study.loading.word} {study.load_text(found.at)}{faster}, {places}",
     )
-    yield "let go at rest", f"{100 * AWAY:g} % of the way beyond the fold"
+    yield "let go at rest", f"{100 * SHARE_BEYOND_FOLD:g} % of the way beyond the fold"
     for key, (least, most) in found.ranges.items():
         name, _, unit = key.rpartition("_")
         yield f"range of {name}", f"{least:.4g} {unit} to {most:.4g} {unit}"
@@ -603,7 +607,7 @@ def _changes(report: Facts) -> Rows:
         limits = (
             "as far as may_change allows"
             if study.may_change
-            else f"by up to a factor of {FACTOR:g}"
+            else f"by up to a factor of {LARGEST_FACTOR:g}"
         )
         slip = " at full slip" if report.reach == "faster" else ""
         kept = f"the jump at {study.load_text(report.target)}{factor}{slip}"

@@ -36,18 +36,10 @@ EXAMPLES: Mapping[str, tuple[str, str]] = {
     "N m s": ("0.01 N m s", "[0.005, 0.02] N m s"),
     "1": ("0.45 ± 10 %", "[0.3, 0.6]"),
 }
-#: Units of the report where the data came as plain numbers in SI.
-PLAIN_UNITS: Mapping[str, str] = {
-    "N/m": "N/mm",
-    "N/m^3": "N/mm^3",
-    "m": "mm",
-    "rad": "deg",
-    "1": "",
-}
 #: Standard deviations on either side of a normal distribution's mean that its ends are.
-ENDS = 3.0
+SIGMAS_AT_ENDS = 3.0
 #: Standard deviations that lie within its range.
-WITHIN = 6.0
+SIGMAS_IN_ALL = 6.0
 
 
 @dataclass(frozen=True)
@@ -76,7 +68,7 @@ class Measured:
         """Distribution of the quantity; a normal one that is not cut off is taken to six standard
         deviations, beyond which lie 2e-9 of it.
         """
-        low, high = (self.value + sign * WITHIN * self.sd for sign in (-1, 1))
+        low, high = (self.value + sign * SIGMAS_IN_ALL * self.sd for sign in (-1, 1))
         return self if self.cut else replace(self, low=low, high=high)
 
     def cdf(self, value: ArrayLike) -> Any:
@@ -277,7 +269,14 @@ def _about(found: re.Match[str], si: str, ends: Measured | None) -> Measured:
                 "above 0 and finite"
             )
         return Measured(value, ends.low, ends.high, unit, width)
-    return Measured(value, value - ENDS * width, value + ENDS * width, unit, width, width == 0)
+    return Measured(
+        value,
+        value - SIGMAS_AT_ENDS * width,
+        value + SIGMAS_AT_ENDS * width,
+        unit,
+        width,
+        width == 0,
+    )
 
 
 def _in_si(number: str, unit: str, si: str) -> float:
@@ -287,6 +286,18 @@ def _in_si(number: str, unit: str, si: str) -> float:
     if not math.isfinite(value):
         raise ParameterError("this is too large for a number")
     return value
+
+
+def plain_unit(si: str) -> str:
+    """The unit of the report where the data came as plain numbers in SI."""
+    units = {
+        "N/m": "N/mm",
+        "N/m^3": "N/mm^3",
+        "m": "mm",
+        "rad": "deg",
+        "1": "",
+    }
+    return units.get(si, si)
 
 
 def shown_in(value: float, unit: str, si: str, digits: int = 4) -> str:

@@ -29,7 +29,7 @@ from .namespaces import FREE
 from .systems import Boxes, Entries, Linear, StateSystem, as_linear, at_anchors
 
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
-NOTHING = 1e-290
+NEGLIGIBLE = 1e-290
 #: Lengths of which nothing is left in K.
 ENDLESS = Intervals.between([1e290], [1e308])
 

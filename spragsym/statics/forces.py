@@ -37,7 +37,7 @@ Values: TypeAlias = Mapping[str, Any]
 Pushing: TypeAlias = Sequence[Any]
 #: Where an angle is searched that comes around after a turn: beyond π to either side, so that no
 #: state is near the border.
-TURN = np.pi + 0.02
+SEARCHED_ANGLE = np.pi + 0.02
 
 
 class Forces:
@@ -114,7 +114,7 @@ class Forces:
         #: Turns of angles after which all is as before: one turn of each that makes one is
         #: searched.
         self.periodic = model.whole_turns
-        self.border[:, list(self.periodic)] = TURN
+        self.border[:, list(self.periodic)] = SEARCHED_ANGLE
         #: Beyond them the forces are not asked for.
         self.limits = (
             np.full((2, self.n), np.inf)

@@ -39,6 +39,11 @@ class SearchOptions(BoxOptions, DigitOptions):
         Rounds in which rows of the forces bound one another's coordinates, in the whole plane and
         in cells of one coordinate; times that each is cut into cells; and times that ranges of
         parameters are halved.
+    stalled : float
+        Share of all widths that a round may leave, where all are bounded, after which there are no
+        more: the search contracts on its own.
+    scattered : int
+        Undecided boxes beyond which they are not taken to lie around points.
     stiff : float
         Stiffness of a spring, over that of the contact, from which on states are looked for around
         its anchor first.
@@ -70,5 +75,7 @@ class SearchOptions(BoxOptions, DigitOptions):
     cell_rounds: int = limit(8)
     sweeps: int = limit(4)
     halvings: int = limit(7)
+    stalled: float = option(0.8, 0.01, 0.999)
+    scattered: int = limit(500, 0)
     stiff: float = option(3e3, 0.0)
     samples: int = limit(61, 2)

@@ -29,7 +29,7 @@ from ..numerics.precise_roots import (
     outward,
     reduced_roots,
 )
-from ..numerics.vectors import BEGIN, TURN
+from ..numerics.vectors import TURN, TURN_BEGIN
 from .balance import PreciseBalance
 from .systems import GAPS, Boxes, StateSystem
 
@@ -230,7 +230,9 @@ def _parted(ends: FloatArray, periodic: Sequence[int]) -> tuple[BoolArray, BoolA
     """
     low, high = -ends[0, periodic], ends[1, periodic]
     # Where the turn ends; the search goes beyond it at both ends.
-    end = BEGIN + TURN
-    beyond = np.logical_or.reduce((low > end) | (high < BEGIN))
-    across = np.logical_or.reduce((low <= end) & (high >= end) | (low <= BEGIN) & (high >= BEGIN))
+    end = TURN_BEGIN + TURN
+    beyond = np.logical_or.reduce((low > end) | (high < TURN_BEGIN))
+    across = np.logical_or.reduce(
+        (low <= end) & (high >= end) | (low <= TURN_BEGIN) & (high >= TURN_BEGIN)
+    )
     return np.asarray(beyond), np.asarray(across)

@@ -42,9 +42,9 @@ from .namespaces import XP
 
 #: Least eigenvalue of the stiffness at the origin over the largest, from which on a strain energy
 #: is convex there.
-CONVEX = 1e-6
+LEAST_CONVEXITY = 1e-6
 #: Difference of strain energies that are alike, over the largest.
-ALIKE = 1e-9
+SAME_ENERGY = 1e-9
 
 
 def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> IndexArray:
@@ -141,13 +141,13 @@ def chosen_state(
         )
     convex = np.asarray(np.isfinite(stiffness).all(axis=(0, 1)) & _has_stiffness(model))
     low, most = _stiffest(stiffness, convex)
-    convex &= low > CONVEX * most
+    convex &= low > LEAST_CONVEXITY * most
     strain = np.where(convex, second, strain)
     strain = np.where(among & np.isfinite(strain), strain, np.inf)
     sizes = np.abs(strain).max(axis=-1, keepdims=True, initial=0.0, where=np.isfinite(strain))
     largest = np.maximum(sizes, at_origin)  # two states may both be relaxed, but for rounding
     # Strain energies of mirror images differ by rounding.
-    least = strain <= strain.min(axis=-1, keepdims=True, initial=np.inf) + ALIKE * largest
+    least = strain <= strain.min(axis=-1, keepdims=True, initial=np.inf) + SAME_ENERGY * largest
     return least_slot(np.where(least & among, np.abs(q[0]), np.inf), np.array(q), error)
 
 
@@ -235,14 +235,14 @@ def _little_strained(
 
     off = 0.5 * n * stiffness.width.max(axis=(0, 1))
     low, most = _stiffest(stiffness.middle, np.asarray(np.isfinite(off)))
-    convex = np.asarray(low - off > CONVEX * (most + off))
+    convex = np.asarray(low - off > LEAST_CONVEXITY * (most + off))
     S = np.where(convex, stiffness.middle - off * np.eye(n)[:, :, None], np.eye(n)[:, :, None])
     along = np.sqrt(np.diagonal(np.linalg.inv(np.moveaxis(S, 2, 0)), axis1=1, axis2=2)).T
     # What counts as alike is a share of the largest energy of all states.
     largest = np.maximum(strain(Intervals(box)), value.magnitude)
     least = (slope.magnitude * along).sum(axis=0)
-    t = least + np.sqrt(least**2 + 2 * (strain(Intervals(ends)) + 2 * ALIKE * largest))
-    # S is no worse conditioned than 1/CONVEX, so that a thousandth covers all roundings.
+    t = least + np.sqrt(least**2 + 2 * (strain(Intervals(ends)) + 2 * SAME_ENERGY * largest))
+    # S is no worse conditioned than 1/LEAST_CONVEXITY, so that a thousandth covers all roundings.
     return np.minimum(1.001 * t * along, balance.border[:, :, None]), convex
 
 
@@ -262,7 +262,7 @@ def _less_strained(
     own = _strain_energy(balance, parameters)(list(Intervals(ends))).high
     largest = np.zeros(own.shape)
     np.maximum.at(largest, part, strain.magnitude)
-    more = strain.low > (own + 2 * ALIKE * largest)[part]
+    more = strain.low > (own + 2 * SAME_ENERGY * largest)[part]
     left = np.flatnonzero(~(more | (proved & (codes != EquilibriumType.STABLE))))
     hull = np.moveaxis(ends, 2, 0).copy()
     np.maximum.at(hull, part[left], np.moveaxis(every, 2, 0)[left])

@@ -6,8 +6,8 @@ its stiffness times its undeformed length along a unit vector, which is bounded.
 vectors left free in [−1, 1]² the balance bounds the coordinates.
 
 A torsion spring pulls across its line with k_t φ/l, |φ| ≤ π. Either l is less than 1
-(:data:`LENGTH`), and the mass is that near to the anchor, or the force is at most k_t π, and the
-coordinates are bounded as without it. The hull of both holds all equilibria.
+(:data:`LEVER_LENGTH`), and the mass is that near to the anchor, or the force is at most k_t π, and
+the coordinates are bounded as without it. The hull of both holds all equilibria.
 
 Where the gap of a contact is an expression, it has both signs over a wide box, and a law that
 hardens makes a large negative force of depths that no state in contact has. There the depth is cut
@@ -46,13 +46,10 @@ from .forces import Evaluation, Forces, as_intervals
 from .namespaces import FREE
 
 #: The plane, as far as it is looked at.
-FAR = 1e60
+FARTHEST = 1e60
 #: Length of the line of a torsion spring from which on its force is bounded, in units of the scale
 #: of length.
-LENGTH = 1.0
-#: No more rounds where one leaves so much of all widths, and all are bounded: the search contracts
-#: on its own.
-BOUNDED = 0.8
+LEVER_LENGTH = 1.0
 
 
 def region(
@@ -106,7 +103,7 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArr
         # A force that nothing can balance, wherever the mass is: the sum of a row that is NaN holds
         # everything.
         ends, nowhere = _squeezed(
-            balance, parameters, np.minimum(FAR, border), balance.options.rounds
+            balance, parameters, np.minimum(FARTHEST, border), balance.options.rounds
         )
         ends = _with_anchors(balance, parameters, ends, nowhere)
     return ends, _bounded(ends)
@@ -160,7 +157,7 @@ def _cut_in_cells(balance: Balance, bounds: Intervals, ends: FloatArray) -> Floa
     count = bounds.shape[1]
     # Ends of the cells of a coordinate, on either side of 0.
     cells = (*(10.0**k for k in range(-6, 5)), 1e8, 1e15, 1e30)
-    edges = np.array([-FAR, *(-edge for edge in cells[::-1]), *cells, FAR])
+    edges = np.array([-FARTHEST, *(-edge for edge in cells[::-1]), *cells, FARTHEST])
     low, high = edges[:-1], edges[1:]
     with quiet():
         parameters = balance.prepared(bounds)
@@ -182,7 +179,7 @@ def _cut_in_cells(balance: Balance, bounds: Intervals, ends: FloatArray) -> Floa
                 none = np.isneginf(hull).any(axis=(0, 1))
                 nowhere |= none
                 ends = np.where(none, ends, np.fmin(ends, hull))
-            if (width_of(ends) >= BOUNDED * width_of(before)).all():
+            if (width_of(ends) >= balance.options.stalled * width_of(before)).all():
                 break
         return _with_anchors(balance, parameters, ends, nowhere)
 
@@ -213,7 +210,9 @@ def _squeezed(
             empty |= gone
             ends = np.where(gone, ends, less)
         widths, widths_before = width_of(ends), width_of(before)
-        if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else 0.999) * widths_before).all():
+        # Where some are not bounded yet, less counts as well.
+        stalled = balance.options.stalled if (ends < FARTHEST * 1e-6).all() else 0.999
+        if (widths >= stalled * widths_before).all():
             break
     return ends, empty
 
@@ -235,7 +234,7 @@ def _with_anchors(
 
 
 def _bounded(ends: FloatArray) -> BoolArray:
-    return np.asarray(np.logical_and.reduce(ends < FAR * 1e-6, axis=(0, 1)))
+    return np.asarray(np.logical_and.reduce(ends < FARTHEST * 1e-6, axis=(0, 1)))
 
 
 def _in_pieces(
@@ -246,7 +245,7 @@ def _in_pieces(
     """
     count = bounds.shape[1]
     by_scales = np.where(
-        outer < FAR * 1e-6,
+        outer < FARTHEST * 1e-6,
         outer,
         np.minimum(balance.options.near * _scales(balance, bounds), balance.border[:, :, None]),
     )
@@ -316,14 +315,14 @@ def _any_direction(balance: Balance, count: int) -> list[Intervals]:
     """
     directions = [Intervals(np.ones((2, count))) for _ in range(3 * balance.springs)]
     for index in range(balance.springs):
-        shortest = LENGTH if index in balance.torsions else 0.0
-        directions[3 * index + 2] = Intervals.between(np.full(count, shortest), FAR)
+        shortest = LEVER_LENGTH if index in balance.torsions else 0.0
+        directions[3 * index + 2] = Intervals.between(np.full(count, shortest), FARTHEST)
     return directions + [Intervals(np.full((2, count), HALF_TURN)) for _ in balance.torsions]
 
 
 def _near_anchors(at: Evaluation, ends: FloatArray) -> FloatArray:
-    """Hull of the places where a torsion spring's line is shorter than :data:`LENGTH`; without
-    bounds where that is not known.
+    """Hull of the places where a torsion spring's line is shorter than :data:`LEVER_LENGTH`;
+    without bounds where that is not known.
     """
     balance = at.balance
     hull = np.full(ends.shape, -np.inf)
@@ -336,7 +335,7 @@ def _near_anchors(at: Evaluation, ends: FloatArray) -> FloatArray:
         q: list[Any] = [0] * balance.n
         anchor = replace(at, q=q).anchors[spring]
         for index, end in zip(places, anchor, strict=True):
-            hull[:, index] = np.maximum(hull[:, index], rounded_outward(end.ends + LENGTH))
+            hull[:, index] = np.maximum(hull[:, index], rounded_outward(end.ends + LEVER_LENGTH))
     return np.minimum(hull, balance.border[:, :, None])
 
 

@@ -14,7 +14,7 @@ from ..core.questions import question
 from ..core.remarks import At, Remark
 from ..display import own_name
 from ..models import Model
-from ..models.field import SETTLED
+from ..models.field import SETTLED_SHARE
 from ..models.model import Touching, label_of
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
@@ -34,7 +34,7 @@ from ..numerics.interval_arrays import (
 from ..numerics.vectors import apart
 from ..results import Equilibria, Undecided
 from . import stability
-from .balance import NOTHING, Balance
+from .balance import NEGLIGIBLE, Balance
 from .forces import as_intervals
 from .namespaces import XP
 from .options import SearchOptions
@@ -163,7 +163,7 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     away = np.linalg.norm(off, axis=1) / (1 + np.linalg.norm(states[:, point], axis=0))
     index = np.full(states.shape[1], -1)
     nearest_last = np.argsort(-away, kind="stable")
-    near = nearest_last[away[nearest_last] <= SETTLED]
+    near = nearest_last[away[nearest_last] <= SETTLED_SHARE]
     index[point[near]] = slot[near]
     out[rows] = index
     return out
@@ -353,7 +353,7 @@ def kinds_of(
         free: BoolArray = np.zeros(count, dtype=np.bool_)
         if varied is None:
             forces = balance.residuals(Intervals(left), balance.prepared_at(given))
-            free = np.logical_or.reduce(forces.magnitude <= NOTHING)
+            free = np.logical_or.reduce(forces.magnitude <= NEGLIGIBLE)
     small = width <= 1e-3
     *kinds, wide = KINDS.values()
     return np.select(

@@ -42,13 +42,13 @@ from ..numerics.interval_arrays import (
 from ..numerics.polynomials import derivative
 from ..numerics.precise_roots import as_balls, narrowed
 from ..results import Equilibria, EquilibriumType
-from .balance import NOTHING, Balance, PreciseBalance
+from .balance import NEGLIGIBLE, Balance, PreciseBalance
 from .forces import Evaluation, Pushing, as_intervals, filled
 
 #: Imaginary part of a λ that is real to floats, over its size.
 REAL = 1e-9
 #: Growth rate over the frequency below which a state is practically neutral.
-NEUTRAL = 1e-4
+NEUTRAL_GROWTH = 1e-4
 #: A matrix with all entries of one number type, intervals or balls.
 Taken: TypeAlias = Callable[[Matrix], Matrix]
 #: Numbers whose signs are asked for at a state.
@@ -66,8 +66,8 @@ class Linearized:
 
     @property
     def stability(self) -> NDArray[np.str_]:
-        """``"stable"``, ``"unstable"``, or ``"neutral"`` where the rate is below :data:`NEUTRAL` of
-        the frequency.
+        """``"stable"``, ``"unstable"``, or ``"neutral"`` where the rate is below
+        :data:`NEUTRAL_GROWTH` of the frequency.
 
         That is the one of the λ of the largest real part, or the lowest one where that λ does not
         oscillate. Empty where no float holds the rate.
@@ -80,7 +80,7 @@ def verdicts(growth: FloatArray, eigenvalues: ComplexArray) -> NDArray[np.str_]:
     frequency = np.abs(eigenvalues.imag)
     frequency = np.where(frequency > REAL * np.abs(eigenvalues), frequency, np.inf)
     own = np.where(np.isfinite(frequency[:, 0]), frequency[:, 0], frequency.min(axis=1))
-    neutral = np.abs(growth) <= NEUTRAL * np.where(np.isfinite(own), own, 0.0)
+    neutral = np.abs(growth) <= NEUTRAL_GROWTH * np.where(np.isfinite(own), own, 0.0)
     return np.select([neutral, growth < 0, growth > 0], ["neutral", "stable", "unstable"], "")
 
 
@@ -271,7 +271,7 @@ def _over(
     if not balance.gyroscopic:
         return _signs_over(at, _types), symmetric, np.ones_like(symmetric)
     still, same = (
-        matrix(part, at.shape).magnitude.max(axis=(0, 1)) <= NOTHING
+        matrix(part, at.shape).magnitude.max(axis=(0, 1)) <= NEGLIGIBLE
         for part in (at.gyroscopic(), at.circulatory())
     )
     symmetric |= same
@@ -289,7 +289,7 @@ def _symmetric(balance: Balance, parameters: Intervals) -> BoolArray:
     """Parameters, of shape (…, N), for which K is symmetric whatever the state is."""
     shape = parameters.shape[1:]
     mus = balance.at((), balance.arguments(parameters), shape).circulatory_frictions
-    none = [as_intervals(mu, shape).magnitude <= NOTHING for mu in mus]
+    none = [as_intervals(mu, shape).magnitude <= NEGLIGIBLE for mu in mus]
     return _without_friction(
         balance, np.logical_and.reduce(none or [np.ones(shape, dtype=np.bool_)])
     )
@@ -321,7 +321,7 @@ def decay(
 
     with quiet():
         at = balance.state(Intervals(ends), balance.prepared_at(given))
-        without = matrix(at.damping(), at.shape).magnitude.max(axis=(0, 1)) <= NOTHING
+        without = matrix(at.damping(), at.shape).magnitude.max(axis=(0, 1)) <= NEGLIGIBLE
         half = np.where(growth > 0, 0.5 * growth, 0.0)
         by_signs = _decay_by_signs(_signs_over(at, asked(Intervals.point(half))))
         found = np.where(without & (undamped != 0), undamped, by_signs).astype(np.int8)
@@ -548,7 +548,7 @@ def damped_by_friction_alone(balance: Balance, over: Intervals) -> int | None:
     if balance.model.about["dampers"]:
         C = matrix(_damping(balance, over, [0] * len(balance.pushing)), (1,))
         # They are known on their own in lift-off.
-        if not balance.opens or not C.magnitude.max() <= NOTHING:
+        if not balance.opens or not C.magnitude.max() <= NEGLIGIBLE:
             return None
     return balance.coordinates.index(frictions[0]["along"])
 

@@ -304,17 +304,6 @@ class Mechanics:
     scaled: Callable[[sp.Expr], sp.Expr]  #: makes an expression of the page dimensionless
 
     @property
-    def contact(self) -> NormalForce:
-        """The only contact, of a model that has one."""
-        (contact,) = self.contacts
-        return contact
-
-    @property
-    def friction(self) -> FrictionForce:
-        """The friction of the only contact."""
-        return next(it for it in self.frictions if it.normal is self.contact)
-
-    @property
     def holds(self) -> bool:
         """Whether friction holds the mass where nothing slides."""
         return any(friction.holds is not None for friction in self.frictions)

@@ -31,11 +31,6 @@ class Motion:
     model: Mechanics
 
     @cached_property
-    def friction(self) -> sp.Expr:
-        """μ of the only friction, on either side."""
-        return laws.smooth_friction(self.model.friction)
-
-    @cached_property
     def coefficients(self) -> Names:
         """μ of every friction, on either side."""
         return {it.mu: laws.smooth_friction(it) for it in self.model.frictions}

@@ -169,7 +169,7 @@ def contact_law() -> sp.Expr:
     """n(y), (11), below the gap and above it: the belt pushes when the mass dips below it and never
     pulls. Less its slope is n̄, (29).
     """
-    contact = of_page().contact
+    contact = of_page().contacts[0]
     assert contact.gap is not None
     pushing, gap = (
         in_article(of_page(), part) for part in (contact.law.subs(DEPTH, -contact.gap), contact.gap)
@@ -197,6 +197,6 @@ def smooth_friction(side: sp.Expr) -> sp.Expr:
     """(10) where sgn(V − x') = ``side``, without the absolute value and the sign that kink it at V
     = x'.
     """
-    return in_article(of_page(), laws.smooth_friction(of_page().friction, felt=True)).subs(
+    return in_article(of_page(), laws.smooth_friction(of_page().frictions[0], felt=True)).subs(
         nm.side, side
     )

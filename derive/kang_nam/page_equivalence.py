@@ -62,7 +62,7 @@ def _equal(model: Mechanics, general: Row, special: Row) -> bool:
 
 def _linearization(model: Mechanics) -> bool:
     K = tuple(
-        entry.subs(MU, laws.friction_at_rest(model.friction))
+        entry.subs(MU, laws.friction_at_rest(model.frictions[0]))
         for entry in flat(statics.jacobian(model))
     )
     damped = tuple(linearization.damping(model))
@@ -99,7 +99,7 @@ def _reduces(name: str, added: tuple[str, ...]) -> bool:
         *zip(flat(statics.jacobian(model)), flat(statics.jacobian(article)), strict=True),
         *zip(linearization.damping(model), linearization.damping(article), strict=True),
         *zip(Motion(model).accelerations, Motion(article).accelerations, strict=True),
-        (Motion(model).friction, Motion(article).friction),
+        *zip(*(Motion(one).coefficients.values() for one in (model, article)), strict=True),
         (Motion(model).stored, Motion(article).stored),
     ]
     unit = tuple((line.c, line.s) for line in article.lines)

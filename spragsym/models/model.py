@@ -171,17 +171,6 @@ class Model:
         """
         return tuple(entry["name"] for entry in self.frictions or self.contacts[:1])
 
-    @property
-    def contact(self) -> Mapping[str, Any]:
-        """The only contact; an error of a model with several."""
-        (contact,) = self.contacts
-        return contact
-
-    @property
-    def friction_law(self) -> Mapping[str, Any] | None:
-        """The only friction, None without any; an error of a model with several contacts."""
-        return self.frictions[0] if self.contact and self.frictions else None
-
     @cached_property
     def clock(self) -> str:
         """The coordinate that is the phase of a clock, the last; empty where the page has none."""

@@ -258,7 +258,7 @@ REFUSED |= {
 
 def test_a_decimal_is_the_fraction_that_is_written(tmp_path: Path) -> None:
     path = changed(tmp_path, (LAW, "lambda depth: 0.1 * k_c * L_0 * (depth / L_0) ** 1.5"))
-    law = pages.read(path).mechanics.contact.law
+    law = pages.read(path).mechanics.contacts[0].law
     (depth,) = law.free_symbols
     assert law == depth ** sp.Rational(3, 2) / 10
 

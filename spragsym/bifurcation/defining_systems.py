@@ -191,14 +191,17 @@ class Condition:
 
     ``equations`` are the values that must vanish, one for each unknown parameter; jets carry
     ``order`` more derivatives. ``singular`` and ``touching``: one of them is det K = 0, or that the
-    gap of the contact of that number is 0. ``excluded`` are boxes in which an inequality that is
-    asked for can't hold, ``abandoned`` those that halving would never decide.
+    gap of the contact of that number is 0. ``pairs``: a pair of eigenvalues crosses, of a ``block``
+    of coordinates. ``excluded`` are boxes in which an inequality that is asked for can't hold,
+    ``abandoned`` those that halving would never decide.
     """
 
     equations: Callable[[Evaluation], Sequence[Any]]
     order: int = 0
     singular: bool = False
     touching: int | None = None
+    pairs: bool = False
+    block: Block = None
     excluded: Callable[[Evaluation], BoolArray] | None = None
     abandoned: Callable[[Evaluation], BoolArray] | None = None
 
@@ -260,21 +263,55 @@ def turn(line: int, block: Block = None) -> Condition:
     return Condition(equations, order=1, singular=True)
 
 
-def blocks_of(family: Family) -> list[tuple[int, ...]]:
+def blocks_of(family: Family, *, moving: bool = False) -> list[tuple[int, ...]]:
     """Blocks of coordinates each of which acts in the balances of all others of its block, directly
-    or through others: det K is the product of their determinants.
+    or through others: det K is the product of their determinants; of those that are ``moving``,
+    det(λ² M + λ (C + G) + K) is.
 
     Where one of these is 0, the directions v and w of K v = 0 and w K = 0 need not have a part
     along a coordinate of another block.
     """
     from scipy.sparse.csgraph import connected_components  # heavy, and few questions need it
 
-    system = Augmented(family, FOLD)
+    at = _of_structure(family)
     with quiet():
-        K = system.state(list(Intervals(np.zeros((2, system.n, 1)))), system.fixed(1)).slopes
-    pattern = np.array([[not is_zero(entry) for entry in row] for row in K])
+        matrices = [at.slopes, *([at.mass(), at.by_rates()] if moving else [])]
+    pattern = np.any([_entries(one) for one in matrices], axis=0)
     _, labels = connected_components(pattern, connection="strong")
     return sorted(tuple(np.flatnonzero(labels == label).tolist()) for label in set(labels.tolist()))
+
+
+def damped_coordinates(family: Family) -> frozenset[int]:
+    """The coordinates in whose balance a rate damps, by structure."""
+    with quiet():
+        C = _of_structure(family).damping()
+    return frozenset(np.flatnonzero(_entries(C).any(axis=1)).tolist())
+
+
+def _of_structure(family: Family) -> Evaluation:
+    """A state of no meaning: of it the entries of matrices that are 0 by structure are looked
+    up.
+    """
+    system = Augmented(family, FOLD)
+    with quiet():
+        return system.state(list(Intervals(np.zeros((2, system.n, 1)))), system.fixed(1))
+
+
+def _entries(A: Matrix) -> BoolArray:
+    """The entries of a matrix that are not 0 by structure."""
+    return np.array([[not is_zero(entry) for entry in row] for row in A])
+
+
+@cache
+def within_block(condition: Condition, block: Block) -> Condition:
+    """A condition on M, C + G and K, on the parts of these that belong to a block of
+    :func:`blocks_of`.
+    """
+    if block is None:
+        return condition
+    return replace(
+        condition, equations=lambda at: condition.equations(replace(at, part=block)), block=block
+    )
 
 
 def _determinant_of(K: Matrix, block: Block) -> Number:
@@ -313,7 +350,7 @@ def _discriminant(at: Evaluation) -> Sequence[Any]:
 FLUTTER = Condition(_discriminant)
 #: Two roots λ of det(λ² M + λ (C + G) + K) have the sum 0: the last but one of Hurwitz's
 #: determinants is 0.
-HOPF = Condition(lambda at: (hurwitz(_characteristic(None, at)),))
+HOPF = Condition(lambda at: (hurwitz(_characteristic(None, at)),), pairs=True)
 
 
 def _characteristic(along: int | None, at: Evaluation) -> list[Any]:

@@ -48,9 +48,14 @@ from .defining_systems import (
     HOPF,
     NO_SLOPE,
     Augmented,
+    Block,
+    Condition,
     Family,
+    blocks_of,
+    damped_coordinates,
     no_damping,
     undamped_mode,
+    within_block,
 )
 from .points import Found, arranged, matrices, nothing, of_ends, search
 
@@ -153,47 +158,70 @@ def _in_combination(family: Family, damping: bool | None) -> Points:
             is_damped(balance, over) if slope is None else bool(slope.magnitude.max() > NEGLIGIBLE)
         )
 
+    if not damping and not comes_in_pairs(balance, over):
+        unknown = replace(nothing(family), whole=np.zeros(1, dtype=np.bool_))
+        return _joined(family, [(unknown, [], [])], flat=False, said=(NEVER_STABLE,))
+    blocks = blocks_of(family, moving=True)
+    damped = damped_coordinates(family) if damping else frozenset[int]()
     conservative = is_conservative(balance, over)
-    sought: list[tuple[Any, Frequencies]]
-    if not damping:
-        if not comes_in_pairs(balance, over):
-            unknown = replace(nothing(family), whole=np.zeros(1, dtype=np.bool_))
-            return _joined(family, [(unknown, [], [])], flat=False, said=(NEVER_STABLE,))
-        # Where K is symmetric all κ are real and stay so as K changes: where two meet they pass
-        # each other.
-        sought = [(None if conservative else FLUTTER, meeting)]
-    elif only is None or balance.n == 1:
-        sought = [(HOPF, crossing)]
-    else:
-        # Where K is symmetric damping takes energy from all modes, or gives to all: no pair
-        # crosses.
-        sought = [] if conservative else [(undamped_mode(only), partial(_without, only))]
-        if slope is None:
-            sought.append((no_damping(only), every))
-        elif conservative or slope.holds_zero().any():
-            sought.append((NO_SLOPE, every))
+    sought = list[tuple[Condition, Frequencies, str]]()
+    for block in blocks:
+        own = None if len(blocks) == 1 else block
+        if not damped & {*block}:
+            # Where K is symmetric all κ are real and stay so as K changes: where two meet they
+            # pass each other.
+            if not conservative and len(block) > 1:
+                sought.append((within_block(FLUTTER, own), _of_block(own, meeting), "flutter"))
+        elif only is None or balance.n == 1:
+            sought.append((within_block(HOPF, own), _of_block(own, crossing), "hopf"))
+        else:
+            # Where K is symmetric damping takes energy from all modes, or gives to all: no pair
+            # crosses.
+            if not conservative and len(block) > 1:
+                along = block.index(only)
+                mode = within_block(undamped_mode(along), own)
+                sought.append((mode, _of_block(own, partial(_without, along)), "hopf"))
+            if slope is None:
+                sought.append((no_damping(only), _of_block(own, every), "hopf"))
+            elif conservative or slope.holds_zero().any():
+                sought.append((NO_SLOPE, _of_block(own, every), "hopf"))
+    # What has no slope comes last, as its undecided boxes have remarks of their own.
+    sought.sort(key=lambda one: one[0] is NO_SLOPE)
     parts = list[_Part]()
-    for condition, frequencies in sought:
-        out = nothing(family) if condition is None else search(family, condition)
+    for condition, frequencies, kind in sought:
+        out = search(family, condition)
         if out.roots.undecided.shape[2]:
             out, more, omega = with_seen(Augmented(family, condition), out)
             alone = replace(out, roots=more)
             followed = (alone, ["detected"] * omega.size, omega.tolist())
             parts.append(
-                followed if condition is HOPF else _part(family, alone, "detected", frequencies)
+                followed
+                if condition.pairs
+                else _part(family, alone, "detected", frequencies, damping)
             )
-        parts.append(_part(family, out, "hopf" if damping else "flutter", frequencies))
-    return _joined(family, parts, flat=sought[-1][0] is NO_SLOPE)
+        parts.append(_part(family, out, kind, frequencies, damping))
+    parts = parts or [(nothing(family), [], [])]
+    return _joined(family, parts, flat=bool(sought) and sought[-1][0] is NO_SLOPE)
 
 
 # ------------------------------------------------------------------------------------------------
 # frequencies
 
 
-def _part(family: Family, found: Found, kind: str, frequencies: Frequencies) -> _Part:
+def _of_block(block: Block, frequencies: Frequencies) -> Frequencies:
+    """Frequencies of the parts of M, C and K that belong to a block of coordinates."""
+    if block is None:
+        return frequencies
+    part = np.ix_(block, block)
+    return lambda M, C, K: frequencies(M[part], C[part], K[part])
+
+
+def _part(
+    family: Family, found: Found, kind: str, frequencies: Frequencies, damping: bool
+) -> _Part:
     """A row for each frequency that a root has; none for roots whose λ are real."""
     rows, omega = list[int](), list[float]()
-    every = matrices(family, found.roots.middle, damping=frequencies is not meeting)
+    every = matrices(family, found.roots.middle, damping)
     for row, each in enumerate(zip(*every, strict=True)):
         some = frequencies(*each)
         omega += some
@@ -358,7 +386,7 @@ def _sightings(system: Augmented) -> list[FloatArray]:
         other = int(following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()])
         if _crossing_pairs(every[one], every[other]).size:
             out += _bisected(system, (z[:, one], every[one]), (z[:, other], every[other]), 40)
-    if system.condition is HOPF:
+    if system.condition.pairs:
         return out
     # Not where the condition changes its sign at a pole.
     most = 1e-6 * max((magnitude(row) for row in every if row.size), default=0.0)
@@ -419,7 +447,7 @@ def _bisected(
         ]
     # Else the ends do not lie on one branch.
     crossing = _crossing_pairs(low[1], high[1])
-    if system.condition is not HOPF:
+    if not system.condition.pairs:
         return [np.append(state, np.nan) for _ in crossing]
     # Growth over the size of a λ on the imaginary axis.
     neutral = 1e-6
@@ -445,8 +473,10 @@ def _signals(system: Augmented, z: FloatArray) -> list[ComplexArray]:
     The λ above the real axis; where friction alone damps, or nothing, the condition's own value,
     0 where its sign is open beside a state that is known but for rounding.
     """
-    if system.condition is HOPF:
-        every = stability.roots(*matrices(system.family, z))
+    if system.condition.pairs:
+        block = system.condition.block or range(system.balance.n)
+        part = np.ix_(range(z.shape[1]), block, block)
+        every = stability.roots(*(each[part] for each in matrices(system.family, z)))
         return [row[np.isfinite(row) & (row.imag > 1e-6 * np.abs(row))] for row in every]
     # Error of a state that Newton's method has found, over its size.
     error = 2.0**-50
@@ -553,7 +583,7 @@ class Onsets(Points):
             return (
                 "without damping two frequencies meet there, and all eigenvalues stay on the "
                 "imaginary axis up to it: no generic Hopf point; ask for the onsets of the "
-                "damped model, damping=True"
+                "damped model, damping=True, or give what oscillates a damper"
             )
         state, vary = self.state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.

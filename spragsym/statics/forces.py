@@ -255,6 +255,8 @@ class Evaluation:
     #: Directions and turnings, or turnings alone, where these do not follow from the coordinates.
     fixed: Sequence[Any] | None = None
     turnings: Sequence[Any] | None = None
+    #: Coordinates whose rows and columns M, C + G, G and K have; None of all.
+    part: Sequence[int] | None = None
 
     @cached_property
     def box(self) -> Intervals:
@@ -371,7 +373,10 @@ class Evaluation:
 
     def stiffness(self) -> Matrix:
         """The stiffness matrix K."""
-        return self.rows("forces_jacobian") if self.balance.sums else self.slopes
+        return self._parted(self.rows("forces_jacobian") if self.balance.sums else self.slopes)
+
+    def _parted(self, A: Matrix) -> Matrix:
+        return A if self.part is None else [[A[i][j] for j in self.part] for i in self.part]
 
     def contact_force(self, contact: int, pushing: Any) -> Number:
         """The normal force of a contact, by its number."""
@@ -400,7 +405,7 @@ class Evaluation:
 
     def mass(self) -> Matrix:
         """M of the kinetic energy."""
-        return self.call("mass_matrix", self.q)
+        return self._parted(self.call("mass_matrix", self.q))
 
     def damping(self, pushing: Pushing | None = None) -> Matrix:
         """C of dampers and of the slopes of the friction laws."""
@@ -412,7 +417,7 @@ class Evaluation:
     def gyroscopic(self) -> Matrix:
         """G of a kinetic energy with terms linear in the rates; 0 of a model without."""
         if self.balance.gyroscopic:
-            return self.call("gyroscopic", self.q)
+            return self._parted(self.call("gyroscopic", self.q))
         return [[0] * len(self.q) for _ in self.q]
 
     def circulatory(self) -> Matrix:
@@ -423,7 +428,7 @@ class Evaluation:
 
     def by_rates(self) -> Matrix:
         """C + G: what the rates bring."""
-        C = self.damping()
+        C = self._parted(self.damping())
         if not self.balance.gyroscopic:
             return C
         rows = zip(C, self.gyroscopic(), strict=True)

@@ -493,7 +493,8 @@ class _Motion:
         part of one.
         """
         found: list[tuple[set[int], Mode]] = []
-        for sides in sorted(itertools.product((0, 1, -1), repeat=len(chosen)), key=_count_slips):
+        every = itertools.product((0, 1, -1), repeat=len(chosen))
+        for sides in sorted(every, key=lambda sides: sum(map(abs, sides))):
             own = dict(zip(chosen, sides, strict=True))
             stuck = {index for index in chosen if not own[index]}
             after = tuple(
@@ -740,10 +741,6 @@ class _Motion:
 def _said(entry: Mapping[str, Any]) -> str:
     """The contact before what is said of it, of several."""
     return f"{entry['name']}: " if entry["name"] else ""
-
-
-def _count_slips(sides: Sequence[int]) -> int:
-    return sum(map(abs, sides))
 
 
 def always(*_: Any) -> bool:

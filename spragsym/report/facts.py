@@ -341,15 +341,12 @@ def facts(study: Brake, options: ReportOptions) -> Facts:
     )
 
 
-def _rubs(study: Brake) -> bool:
-    """Whether the friction coefficient is not 0 alone."""
-    return study.quantities[str(study.kind.friction)].high > 0
-
-
 def _slides(study: Brake) -> None:
     """An error for a belt that stands still, against which nothing slides."""
-    if study.friction[2] == 0 and study.kind.has_friction and _rubs(study):
-        law = " and ".join(study.kind.of_the_law)
+    kind = study.kind
+    rubs = kind.has_friction and study.quantities[str(kind.friction)].high > 0
+    if study.friction[2] == 0 and rubs:
+        law = " and ".join(kind.of_the_law)
         without = f", or leave {law} out for friction at full slip" if law else ""
         speed = study.shown_speed(study.values[study.belt or "V"])
         raise ParameterError(

@@ -275,15 +275,16 @@ def _halved(bounds: Intervals, row: int) -> Intervals:
 
 
 def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
-    """The largest length of the model at each point: of springs, to anchors, to equilibria; >= 1.
+    """The largest length of the model at each point: of springs, to anchors, to equilibria; and >=
+    1, unless all that is known is far smaller, as in another unit.
 
     Forces balance where Newton's method has come to rest, from 0 and from steps of the lengths
     along each coordinate; where it has not, it tells nothing.
     """
-    scale = np.ones(bounds.shape[1])
+    scale = np.zeros(bounds.shape[1])
     with quiet():
-        # Bound on lengths of the model.
-        farthest = 1e6
+        # Bound on lengths of the model: a machine's, told in nanometres.
+        farthest = 1e12
         for given in (bounds.low, bounds.middle, bounds.high):
             parameters = balance.prepared_at(given)
             origin = np.zeros((balance.n, bounds.shape[1]))
@@ -293,15 +294,17 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
                 for part in line
             ]
             sizes = stacked(lengths, scale.shape).magnitude
-            reach = np.where(sizes < farthest, sizes, 1.0).max(axis=0, initial=1.0)
-            scale = np.maximum(scale, reach)
+            lines = np.where(sizes < farthest, sizes, 0.0).max(axis=0, initial=0.0)
+            scale = np.maximum(scale, lines)
+            reach = np.maximum(lines, 1.0)
             for start in (origin, *(way * reach for way in _ways(balance.n))):
                 near = balance.guessed(start, parameters)
                 guess = balance.guessed(near, parameters)
                 rests = np.abs(guess - near).max(axis=0) <= 1e-9 * np.abs(guess).max(axis=0)
                 size = np.abs(guess).max(axis=0)
                 scale = np.where(rests & (size < farthest), np.maximum(scale, size), scale)
-    return scale
+    # A page in SI units may have states of nanometres.
+    return np.where(scale > 0, np.maximum(scale, np.minimum(1.0, 10 * scale)), 1.0)
 
 
 def _ways(n: int) -> FloatArray:

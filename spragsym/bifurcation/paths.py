@@ -674,12 +674,12 @@ class QuasiStaticContinuation:
                 )
         behind = {name: float(eq.coordinates[name][slot]) for name in before}
         at_end = self._equilibria(end.value)
-        there, place = (
+        there, nearest = (
             (at_end, int(nearest_state(at_end, behind)))
             if at_end.decided and at_end.count
             else (eq, slot)
         )
-        after = {name: float(there[name][place]) for name in there.state_columns}
+        after = {name: float(there[name][nearest]) for name in there.state_columns}
         whole = self._place(number, there.state_columns)
         kind = EquilibriumType(int(eq.undamped[slot]))
         # Another search may list the states at the node in another order.

@@ -215,7 +215,7 @@ class MotionState:
 
 
 @dataclass(frozen=True)
-class Carried:
+class Propagation:
     """What is carried in how many lanes.
 
     ``turning`` is that turns are told, of the leading coordinate and of levels. With ``measured``
@@ -235,7 +235,7 @@ class BatchIntegrator:
     where it passes a border.
     """
 
-    def __init__(self, field: Field, tol: float, carried: Carried) -> None:
+    def __init__(self, field: Field, tol: float, carried: Propagation) -> None:
         hy = library()
         self.field, self.m, self.lanes = field, field.size, carried.lanes
         self.derivatives = carried.directions is not None
@@ -543,7 +543,7 @@ def missed_event(t: float) -> ConvergenceError:
 _CACHE = threading.local()
 
 
-def compiled(field: Field, tol: float, carried: Carried = Carried()) -> BatchIntegrator:
+def compiled(field: Field, tol: float, carried: Propagation = Propagation()) -> BatchIntegrator:
     """An integrator that is compiled once per field, tolerance and thread."""
     integrators: dict[Any, BatchIntegrator] = _CACHE.__dict__.setdefault("compiled", {})
     key = field.name, field.lead, tol, carried
@@ -558,7 +558,7 @@ def flow_integrator(problem: Problem, directions: FloatArray | None) -> BatchInt
     """
     # Tolerance of plain ones, whose other steps make them a witness of the first.
     tol, count = (1e-16, None) if directions is None else (TOLERANCE, len(directions))
-    return compiled(problem.field, tol, Carried(directions=count, turning=True)).begun(
+    return compiled(problem.field, tol, Propagation(directions=count, turning=True)).begun(
         problem, () if directions is None else directions
     )
 
@@ -592,11 +592,11 @@ def measured(problems: Sequence[Problem]) -> tuple[list[MotionStatistics | Excep
     begin, end, size = one.t_record, one.t_end, one.field.size
     scale, motions = 1e-3 / (end - begin), [MotionState(each) for each in problems]
     if begin > 0:
-        compiled(one.field, one.rtol, Carried(LANES)).propagate(motions, 0.0, begin)
+        compiled(one.field, one.rtol, Propagation(LANES)).propagate(motions, 0.0, begin)
     first = [each.carried[:size] for each in motions]
     for each in motions:
         each.further = each.carried[one.field.lead], scale
-    compiled(one.field, one.rtol, Carried(LANES, measured=True)).propagate(motions, begin, end)
+    compiled(one.field, one.rtol, Propagation(LANES, measured=True)).propagate(motions, begin, end)
 
     def statistics(motion: MotionState, first: FloatArray) -> MotionStatistics:
         last, reach, lead = motion.carried, motion.reach, motion.problem.field.lead

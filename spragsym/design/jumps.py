@@ -76,7 +76,7 @@ def jump_value(
         be left out.
     vary : str, optional
         What moves, ``mu0`` unless told otherwise: ``mu0`` and ``theta0`` from the lower end of
-        their range, others from the value in ``p``.
+        their range, where it has one, others from the value in ``p``.
     direction : {"up", "down"}
         Which way; ``mu0`` and ``theta0`` rise.
     begin, until : float, optional
@@ -284,7 +284,8 @@ class Followed:
         self.model, self.vary, self.forward = model, vary, 1 if direction == "up" else -1
         self.near = p.followed
         allowed = model.Parameters.ranges[vary]
-        if begin is None and vary in (model.inclination, model.coefficient):
+        rises = vary in (model.inclination, model.coefficient) and np.isfinite(allowed.low)
+        if begin is None and rises:
             if self.forward < 0:
                 raise ParameterError(
                     f"direction = 'down': {vary} rises from its lower end; give begin, or "

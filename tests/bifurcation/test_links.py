@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from scipy.optimize import fsolve
+from scipy.optimize import brentq, fsolve
 
 import spragsym as ss
 from tests.oracles.user_pages import derived
@@ -20,35 +20,37 @@ H = page.parameter("H", "m", "height of the shoulder", "(0, 2)", 1.4)
 n = page.parameter("n", "m", "second link", "> 0", 0.8)
 k_1 = page.parameter("k_1", "N m", "spring of the shoulder", "> 0", 0.1)
 k_2 = page.parameter("k_2", "N m", "spring of the joint", "> 0", 0.05)
+a_0 = page.parameter("a_0", "rad", "rest of the shoulder", "real", 0.5)
 V, d = page.parameter("V", "m/s", "speed", ">= 0", 0.3), page.parameter("d", "s/m", "steepness", "> 0", 10.0)
 a = page.coordinate("a", "rad", "first link from the vertical")
 b = page.coordinate("b", "rad", "second link from the vertical")
 va, vb = page.rate(a), page.rate(b)
 page.kinetic(m * (1.5 * l**2 * va**2 + n**2 * vb**2 + 2 * l * n * cos(a - b) * va * vb) / 2)
-page.potential(k_1 * (a - 1 / 2) ** 2 / 2 + k_2 * (b - a + 3 / 5) ** 2 / 2)
+page.potential(k_1 * (a - a_0) ** 2 / 2 + k_2 * (b - a + 3 / 5) ** 2 / 2)
 page.contact(H - l * cos(a) - n * cos(b), lambda depth: k_c * depth)
 page.friction(l * sin(a) + n * sin(b), V, lambda v: mu * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu)
 '''
 
 
-def forces(a: float, b: float, mu: float) -> list[float]:
+def forces(a: float, b: float, mu: float, a_0: float = 0.5) -> list[float]:
     """By hand, of n = 0.8, H = 1.4."""
     N = np.cos(a) + 0.8 * np.cos(b) - 1.4
     joint = 0.05 * (b - a + 0.6)
     return [
-        0.1 * (a - 0.5) - joint - N * (np.sin(a) + mu * np.cos(a)),
+        0.1 * (a - a_0) - joint - N * (np.sin(a) + mu * np.cos(a)),
         joint - 0.8 * N * (np.sin(b) + mu * np.cos(b)),
     ]
 
 
-def at_fold(z: np.ndarray) -> list[float]:
-    """The balance, and det K by differences."""
-    a, b, mu = z
-    steps = np.eye(2) * 1e-6
+def at_fold(z: np.ndarray, *given: float) -> list[float]:
+    """The balance, and det K by differences; of a, b, mu, or with mu given of a, b, a_0."""
+    a, b, load = z
+    steps, rest = np.eye(2) * 1e-6, (*given, load)
     rows = [
-        (np.array(forces(a + i, b + j, mu)) - forces(a - i, b - j, mu)) / 2e-6 for i, j in steps
+        (np.array(forces(a + i, b + j, *rest)) - forces(a - i, b - j, *rest)) / 2e-6
+        for i, j in steps
     ]
-    return [*forces(a, b, mu), float(np.linalg.det(np.array(rows)))]
+    return [*forces(a, b, *rest), float(np.linalg.det(np.array(rows)))]
 
 
 def test_folds_over_a_wide_range_are_all_found() -> None:
@@ -67,6 +69,15 @@ def test_a_wide_range_of_parameters_has_one_state() -> None:
     p = ss.load(derived(FINGER, "finger")).Parameters()
     for claim in ("one equilibrium", "no flutter"):
         assert ss.certify(p, claim, between={"mu": (0.2, 0.3)}).outcome == "proved"  # type: ignore[arg-type]
+
+
+def test_an_inclination_without_a_least_value_rises_from_where_it_is() -> None:
+    """Up the tip leaves the table, where no spring is bent; down there is a fold."""
+    p = ss.load(derived(FINGER, "finger")).Parameters(mu=0.0)
+    left = brentq(lambda a: np.cos(a) + 0.8 * np.cos(a - 0.6) - 1.4, 0.7, 1.2)
+    assert ss.jump_value(p, "a_0") == pytest.approx(left, rel=1e-12)
+    ends = ss.jump_value(p, "a_0", direction="down")
+    assert fsolve(at_fold, [-0.1, 0.8, -0.7], args=(0.0,))[2] == pytest.approx(ends, abs=1e-7)
 
 
 STIFF = r'''r"""Two links with a stiff joint."""

@@ -15,6 +15,7 @@ from ..core.error_states import in_usual_state
 from ..core.questions import model_of
 from ..core.remarks import Remark
 from ..display import own_name
+from ..models.model import Model
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
@@ -109,6 +110,10 @@ class OnsetCurves(Result):
     complete: bool
     undecided: FloatArray
     remarks: tuple[str, ...]
+
+    @property
+    def _of_model(self) -> Model | None:
+        return self.points.parameters.model
 
     def __len__(self) -> int:
         return len(self.curves)

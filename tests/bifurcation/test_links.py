@@ -80,6 +80,16 @@ def test_an_inclination_without_a_least_value_rises_from_where_it_is() -> None:
     assert fsolve(at_fold, [-0.1, 0.8, -0.7], args=(0.0,))[2] == pytest.approx(ends, abs=1e-7)
 
 
+def test_curves_of_onsets_show_angles_in_degrees_as_their_points_do() -> None:
+    p = ss.load(derived(FINGER, "finger")).Parameters(mu=0.0)
+    near = {"H": (1.39, 1.41), "mu": (0.4, 0.6)}
+    found = ss.onset_curves(p, ("H", "mu"), between=near, damping=False)
+    (curve,) = found.curves
+    shown = str(found).split("curves", 1)[1]
+    assert f"{np.degrees(curve['a'][0]):.10g}" in shown.split()
+    assert "a_deg from" in shown
+
+
 STIFF = r'''r"""Two links with a stiff joint."""
 from spragsym.derive.model import Page, cos, sin
 

@@ -359,3 +359,11 @@ def test_what_has_two_meanings_is_refused(text: str, words: str, tmp_path: Path)
     (tmp_path / "mu.csv").write_text(text, encoding="utf-8")
     with pytest.raises(ss.errors.ParameterError, match=words):
         read_friction(tmp_path / "mu.csv")
+
+
+def test_a_line_without_end_is_refused(tmp_path: Path) -> None:
+    """Of as many characters as csv takes for one cell, and more."""
+    file = tmp_path / "friction.csv"
+    file.write_text("sep=;\nv [m/s];mu\n" + "1" * 200_000, encoding="utf-8")
+    with pytest.raises(ss.errors.ParameterError, match=r"csv: a line of 200000 characters is too"):
+        read_friction(file)

@@ -708,3 +708,15 @@ def test_a_jump_at_the_friction_itself_is_neither_below_nor_beyond() -> None:
 def test_how_far_the_friction_reaches(jump: float | None, speed: float, reach: str) -> None:
     study: Any = SimpleNamespace(in_use=(0.25, 0.3, 0.35), full_slip=(0.35, 0.38, 0.4))
     assert facts.reach_of(study, jump, speed) == reach
+
+
+@pytest.mark.thorough
+def test_the_nearest_jump_is_told_in_tolerances(tmp_path: Path) -> None:
+    """Of friction alone that is what is left to the jump, over its tolerance."""
+    rows = BRAKE | EXACT | {"mu0": "0.30 ± 0.02"}
+    study = ss.Study.from_file(written_brake(tmp_path, rows))
+    report = study.report(oscillation=False, redesign=False)
+    at_speed = 0.3 * (1 - math.exp(-10 * 1.2))
+    assert report.distance == pytest.approx((report.jump_at - at_speed) / 0.02, rel=1e-6)
+    exact = ss.Study.from_file(written_brake(tmp_path, rows | {"mu0": "0.30"}))
+    assert math.isnan(exact.report(oscillation=False, redesign=False).distance)

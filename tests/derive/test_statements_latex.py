@@ -13,7 +13,10 @@ from spragsym.derive.statements.tree import Unread, Vocabulary, printed, to_symp
 
 NAMES = "m k k_c l g a V mu0 theta0 theta vtheta atheta x vx ax y vy ay mu N d"
 WORDS = Vocabulary(
-    frozenset(NAMES.split()), ("theta", "x", "y"), {r"\phi": "theta", r"v_r": "V - vx"}
+    frozenset(NAMES.split()),
+    ("theta", "x", "y"),
+    {r"\phi": "theta", r"v_r": "V - vx"},
+    laws=frozenset({"mu", "N"}),
 )
 SYMBOLS = {name: sp.Symbol(name, real=True) for name in NAMES.split()}
 

@@ -266,3 +266,11 @@ def test_measures_of_a_known_wave(omega: float, centre: float) -> None:
     assert statistics.moments() == pytest.approx((mean, np.sqrt(square - mean**2)), abs=1e-13)
     times = np.linspace(0, end, 501)
     np.testing.assert_allclose(tr(times)[0], centre + np.cos(omega * times), atol=1e-13)
+
+
+@pytest.mark.parametrize("times", [[-1.0, 5.0], [5.0, 11.0], [float("nan")]])
+def test_times_outside_a_trajectory_are_refused(times: list[float]) -> None:
+    tr = ss.simulate(ss.load("coulomb_stick_slip").Parameters(), t_end=10.0)
+    assert tr([0.0, 10.0]).shape == (2, 2)
+    with pytest.raises(ss.errors.ParameterError, match=r"\[0, 10\]|not in"):
+        tr(times)

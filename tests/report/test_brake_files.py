@@ -367,3 +367,10 @@ def test_a_line_without_end_is_refused(tmp_path: Path) -> None:
     file.write_text("sep=;\nv [m/s];mu\n" + "1" * 200_000, encoding="utf-8")
     with pytest.raises(ss.errors.ParameterError, match=r"csv: a line of 200000 characters is too"):
         read_friction(file)
+
+
+def test_decimal_commas_in_quotes_behind_blanks_are_read(tmp_path: Path) -> None:
+    file = tmp_path / "friction.csv"
+    file.write_text('v [m/s], mu\n"0,5", "0,41"\n"1,5", "0,40"\n', encoding="utf-8")
+    speed, friction = read_friction(file)
+    assert (speed.tolist(), friction.tolist()) == ([0.5, 1.5], [0.41, 0.4])

@@ -226,6 +226,21 @@ def test_changes_hold_for_all_brakes_within_the_tolerances(
 
 
 @pytest.mark.thorough
+def test_how_far_a_change_is_is_told_in_tolerances(
+    study: ss.Study, redesigned: ss.results.Report
+) -> None:
+    sizes = {name: 0.15 * study.values[name] for name in ("k", "k_x", "k_c")}
+    sizes["theta0"] = math.radians(1.0)
+    told = 0
+    for change in redesigned.redesign:
+        if change.after.keys() <= sizes.keys():
+            steps = [(new - study.values[name]) / sizes[name] for name, new in change.after.items()]
+            assert change.distance == pytest.approx(math.hypot(*steps), rel=1e-9)
+            told += 1
+    assert told
+
+
+@pytest.mark.thorough
 def test_proposals_stay_within_what_may_change(tmp_path: Path) -> None:
     ends = {"k": (100e3, 250e3), "theta0": (math.radians(30.0), math.radians(60.0))}
     text = 'may_change = { k = "[100, 250] N/mm", theta0 = "[30, 60] deg" }'

@@ -124,3 +124,12 @@ def test_a_cycle_on_which_both_pads_part_is_proved() -> None:
     options = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-13, "max_step": 0.01}
     end = solve_ivp(field, (0.0, float(proof.period)), state, **options).y[:, -1]
     np.testing.assert_allclose(end, state, atol=1e-9)
+
+
+def test_what_was_searched_is_told_of_all_combinations_together() -> None:
+    """On one pad alone it is beyond the other one, on either side: y > κ, or y < −κ."""
+    p = MODEL.Parameters(mu0=None)
+    found = ss.folds(p, "mu0", between={"mu0": (0.0, 4.0)})
+    low, high = found.region[0]
+    assert low < -float(p.kappa) < float(p.kappa) < high
+    assert low == -high

@@ -46,17 +46,19 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     }
     sizes = 10 ** rng.uniform(-MOST, MOST, 3)
     of_parameters, of_state = units(own, sizes)
-    start, t_end, rtol = 0.3 * rng.standard_normal(len(of_state)), 20.0, 1e-11
+    # A clock has its rate by itself.
+    begun = of_state[: -1 if own.clock else None]
+    start, t_end, rtol = 0.3 * rng.standard_normal(len(begun)), 20.0, 1e-11
     kind = f"{name}, {backend}"
 
-    def moved(values: dict[str, float], begun: Any, time: float) -> Any:
+    def moved(values: dict[str, float], at: Any, time: float) -> Any:
         p = own.Parameters(**values)
-        return ss.simulate(p, start=begun, t_end=t_end * time, rtol=rtol, backend=backend)
+        return ss.simulate(p, start=at, t_end=t_end * time, rtol=rtol, backend=backend)
 
     one = moved(base, start, 1.0)
     beside = moved(base, start * (1 + 1e-12), 1.0)
     scaled = {key: value * of_parameters[key] for key, value in base.items()}
-    other = moved(scaled, start * of_state, sizes[2])
+    other = moved(scaled, start * begun, sizes[2])
     times = np.linspace(0.0, t_end, 101)[1:-1]
     seen = other(times * sizes[2]) / of_state[:, None]
     off = np.abs(seen - one(times)).max()
@@ -76,17 +78,17 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         wrong += [
             f"{kind}, {sizes}: {fault}"
             for fault in _fate_and_exponents(
-                own.Parameters(**base), own.Parameters(**scaled), start, of_state, sizes[2]
+                own.Parameters(**base), own.Parameters(**scaled), start, begun, sizes[2]
             )
         ]
     return {"kind": kind, "wrong": wrong, "off": float(off)}
 
 
-def _fate_and_exponents(one: Any, other: Any, start: Any, of_state: Any, time: float) -> list[str]:
+def _fate_and_exponents(one: Any, other: Any, start: Any, sizes: Any, time: float) -> list[str]:
     """What differs, of motions that come to an attractor, whose exponents are told with errors."""
     found, there = (
-        ss.fate(p, start=begun, t_end=FOLLOWED * unit)
-        for p, begun, unit in ((one, start, 1.0), (other, start * of_state, time))
+        ss.fate(p, start=at, t_end=FOLLOWED * duration)
+        for p, at, duration in ((one, start, 1.0), (other, start * sizes, time))
     )
     wrong = []
     if {found.kind, there.kind} == {"undecided", "chaotic"}:

@@ -150,3 +150,16 @@ def test_signs_stand_for_tubes_only_where_they_are_sure(monkeypatch: pytest.Monk
         _by_tubes(way, [step], known, ss.ContinuationOptions())
     assert all(one.sure.all() for one in states.values())
     assert asked == [True, False, False]
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", ["trolley", "pad_on_disc"])
+def test_the_cusp_of_three_coordinates_is_found_in_the_whole_plane(name: str) -> None:
+    """At smaller inclinations two folds lie beside each other over friction, at larger ones none."""
+    p = ss.load(name).Parameters()
+    (cusp,) = ss.cusps(p, ("theta0", "mu0"))
+    friction = float(cusp["mu0"])
+    for off, count in ((-1e-2, 2), (1e-2, 0)):
+        beside = p.replace(theta0=float(cusp["theta0"]) + off, mu0=None)
+        found = ss.folds(beside, "mu0", between={"mu0": (0.8 * friction, 1.2 * friction)})
+        assert (len(found), found.complete) == (count, True)

@@ -36,9 +36,9 @@ def arguments(names: Sequence[str], rng: np.random.Generator) -> list[float]:
     angles: dict[str, float] = {}
     spread, values = rng.choice([0.3, 1.5]), []
     for name in (one.lstrip("_") for one in names):
-        if name == "pushing" or name.startswith("near"):
+        if name.startswith(("pushing", "near")):
             values.append(float(rng.integers(2)))
-        elif name == "side" or name.startswith("way"):
+        elif name.startswith(("side", "way")):
             values.append(float(rng.choice([-1.0, 1.0])))
         elif name.startswith(("cos", "sin")) or (name[0] in "cs" and name[1:].isdigit()):
             angle = angles.setdefault(name.lstrip("cosin"), rng.uniform(-3.1, 3.1))

@@ -127,7 +127,8 @@ def critical_friction(
         )
         found = _Candidate(open_from, math.nan, "undecided", math.nan)
     cut = [name for name in search_of.endless if name == over or not math.isfinite(found.value)]
-    remarks += of_ranges(cut, (over, vary), search_of.spans)
+    # Combinations of contacts may have remarks in common.
+    remarks = list(dict.fromkeys([*remarks, *of_ranges(cut, (over, vary), search_of.spans)]))
     complete = not remarks and found.kind != "undecided"
     return CriticalLoad(
         vary, over, found.value, found.where, found.kind, found.error, complete, tuple(remarks)

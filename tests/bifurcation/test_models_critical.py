@@ -163,3 +163,11 @@ def test_the_cusp_of_three_coordinates_is_found_in_the_whole_plane(name: str) ->
         beside = p.replace(theta0=float(cusp["theta0"]) + off, mu0=None)
         found = ss.folds(beside, "mu0", between={"mu0": (0.8 * friction, 1.2 * friction)})
         assert (len(found), found.complete) == (count, True)
+
+
+@pytest.mark.thorough
+def test_what_combinations_of_contacts_have_in_common_is_told_once() -> None:
+    """A pad on two legs without a spring of tilting: on one leg its states are not bounded."""
+    p = ss.load("pad_on_legs").Parameters(tau=0.0, mu0=None)
+    found = ss.critical_friction(p, "mu0", "eta", between={"eta": (0.5, 1.5)})
+    assert len(found.remarks) == len({*found.remarks}) > 1

@@ -95,8 +95,8 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
         searched, whole = _region(family, balance.across(condition.touching))
     system, fixed = Augmented(family, condition), family.begin
     if budget is None and system.options.budget is None:
-        # What is not decided by then takes a second or two.
-        budget = 200_000 if system.n <= 3 else 1_000_000
+        # What is not decided by then has taken a second or so: of more unknowns a box costs more.
+        budget = 200_000 if system.n <= 3 else 1_000_000 if system.n == 4 else 500_000
     from_least = alone and begins_at_zero(system, searched)
     wide = _between(searched, Logarithmic.low, searched[1, -1, 0]) if from_least else searched
     roots = certified_roots.search(system, wide, fixed, fixed, budget=budget)

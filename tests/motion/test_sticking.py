@@ -79,16 +79,17 @@ def test_a_branch_goes_past_where_a_stretch_begins_as_sticking_does() -> None:
     fold, and no branch.
     """
     pytest.importorskip("heyoka")
-    # Within a family, where no border is an edge of it, a multiplier alone says so.
-    inside = f"a second multiplier comes to 1: {FAMILIES}, or hardly attracts"
+    # Within a family, where no border is an edge of it, a multiplier alone says so, or that no step
+    # can be told from another: last digits decide.
+    inside = {FAMILIES, f"a second multiplier comes to 1: {FAMILIES}, or hardly attracts"}
     for mu_k, vary, to, hows in (
         (
             0.4,
             "mu_k",
             (0.05, 0.9),
-            ("the range ends", "x' = V", FAMILIES),
+            ({"the range ends"}, {"x' = V"}, {FAMILIES}),
         ),  # it sticks no more where both coefficients are one
-        (0.4, "V", (0.05, 0.9), ("the range ends", "the range ends")),
+        (0.4, "V", (0.05, 0.9), ({"the range ends"}, {"the range ends"})),
         (0.7, "mu_k", (0.5, 0.8), (inside, inside)),
     ):
         given = {"mu_s": 0.6, "mu_k": mu_k, "V": 0.3}
@@ -97,7 +98,8 @@ def test_a_branch_goes_past_where_a_stretch_begins_as_sticking_does() -> None:
         )
         periods = [exact(**(given | {vary: value}))[0] for value in branch.values.tolist()]
         assert branch.periods == pytest.approx(periods, abs=1e-11)
-        assert tuple(event.how for event in branch.events) == hows
+        for event, how in zip(branch.events, hows, strict=True):
+            assert event.how in how
         assert not branch.of("grazing-sliding") or branch.values[-1] == pytest.approx(0.6, abs=1e-5)
         assert len(branch.values) < 55
 

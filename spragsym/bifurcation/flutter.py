@@ -158,16 +158,19 @@ def _in_combination(family: Family, damping: bool | None) -> Points:
             is_damped(balance, over) if slope is None else bool(slope.magnitude.max() > NEGLIGIBLE)
         )
 
-    if not damping and not comes_in_pairs(balance, over):
+    in_pairs = comes_in_pairs(balance, over)
+    if not damping and not in_pairs:
         unknown = replace(nothing(family), whole=np.zeros(1, dtype=np.bool_))
         return _joined(family, [(unknown, [], [])], flat=False, said=(NEVER_STABLE,))
     blocks = blocks_of(family, moving=True)
-    damped = damped_coordinates(family) if damping else frozenset[int]()
+    damped = frozenset[int]()
+    if damping:  # dampers as good as 0 do not count beside what damps one coordinate alone
+        damped = damped_coordinates(family) if only is None else frozenset({only})
     conservative = is_conservative(balance, over)
     sought = list[tuple[Condition, Frequencies, str]]()
     for block in blocks:
         own = None if len(blocks) == 1 else block
-        if not damped & {*block}:
+        if in_pairs and not damped & {*block}:
             # Where K is symmetric all κ are real and stay so as K changes: where two meet they
             # pass each other.
             if not conservative and len(block) > 1:

@@ -73,3 +73,48 @@ def test_two_parts_of_one_frequency_do_not_flutter() -> None:
     found = ss.flutter_onsets(p, "tau", between={"tau": (0.1, 2.0)}, damping=False)
     assert found.complete
     assert len(found) == 0
+
+
+def test_a_damper_as_good_as_none_on_another_part() -> None:
+    """Friction alone damps the pad; the mass hangs on what moves across, hardly damped."""
+    pytest.importorskip("sympy")
+    page = PAGE.replace("page.spring(k, along=x - z)", "page.spring(k, along=x)")
+    page = page.replace("page.spring(k, along=z)", "page.spring(k, along=y - z)")
+    page = page.replace("page.damper(c, along=x - z)\n", "").replace("0.1)\nV", "1e-295)\nV")
+    p = model_of(page, "part_hardly_damped").Parameters()
+    # The friction coefficient falls where tanh(20 v) has come near to 1.
+    found = ss.flutter_onsets(p, "V", between={"V": (0.5, 2.0)})
+    assert len(found) == 0
+
+
+WHIRL = '''r"""A rotor that a follower force drives, beside a slider with a damper."""
+from spragsym.derive.model import Page, tanh
+page = Page("A rotor with a follower force, and a slider.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+a = page.unit("a", "m", "length")
+mu0 = page.parameter("mu0", "1", "friction coefficient", ">= 0", 0.3)
+W = page.parameter("W", "1/s", "speed of turning", ">= 0", 0.4)
+s = page.parameter("s", "N/m", "follower stiffness", ">= 0", 0.2)
+c = page.parameter("c", "N s/m", "damper", ">= 0", 0.1)
+V = page.parameter("V", "m/s", "belt speed", "> 0", 0.5)
+x = page.coordinate("x", "m", "across")
+y = page.coordinate("y", "m", "across, too")
+z = page.coordinate("z", "m", "slider")
+page.kinetic(m * ((page.rate(x) - W * y)**2 + (page.rate(y) + W * x)**2 + page.rate(z)**2) / 2)
+for one in (x, y, z):
+    page.spring(k, along=one)
+page.force(-s * y, along=x)
+page.force(s * x, along=y)
+page.damper(c, along=z)
+page.normal_force(k * a)
+page.friction(z, V, lambda v: mu0 * tanh(10 * v / V), at_rest=mu0)
+'''
+
+
+def test_a_rotor_that_a_follower_force_drives_never_loses_a_stability() -> None:
+    """x + i y grows in one direction for every s > 0; that squares of λ meet says nothing then."""
+    pytest.importorskip("sympy")
+    p = model_of(WHIRL, "driven_rotor").Parameters()
+    found = ss.flutter_onsets(p, "s", between={"s": (0.05, 2.0)})
+    assert (len(found), found.complete) == (0, True)

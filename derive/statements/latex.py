@@ -24,22 +24,25 @@ from .tree import ONE, ZERO, Equation, Node, Unread, Vocabulary, printed, read_s
 FUNCTIONS = {name: name for name in tree.FUNCTIONS.keys() - {"log", "sqrt", "Abs"}}
 FUNCTIONS |= {f"arc{name[1:]}": name for name in FUNCTIONS if name.startswith("a")}
 FUNCTIONS |= {"ln": "log", "sgn": "sign", "abs": "Abs"}
-_LONGEST = sorted(FUNCTIONS, key=len, reverse=True)
+
 _FRACTIONS = (r"\frac", r"\dfrac", r"\tfrac")
 _ROMAN = (r"\mathrm", r"\text", r"\mathit", r"\mathsf", r"\operatorname", r"\textrm", r"\rm")
 _BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
 _ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
 _TIMES = (r"\cdot", r"\times", "*", r"\ast")
 _EQUAL = ("=", ":=", r"\equiv", r"\triangleq", r"\coloneqq")
-_PRINTED = {
-    "Lt": r"< \lt",
-    "Le": r"\le \leq \leqslant",
-    "Gt": r"> \gt",
-    "Ge": r"\ge \geq \geqslant",
-    "Ne": r"\ne \neq",
-    "Eq": "=",
+_RELATIONS = {
+    sign: name
+    for name, signs in {
+        "Lt": r"< \lt",
+        "Le": r"\le \leq \leqslant",
+        "Gt": r"> \gt",
+        "Ge": r"\ge \geq \geqslant",
+        "Ne": r"\ne \neq",
+        "Eq": "=",
+    }.items()
+    for sign in signs.split()
 }
-_RELATIONS = {sign: name for name, signs in _PRINTED.items() for sign in signs.split()}
 
 
 @dataclass(frozen=True)
@@ -437,7 +440,7 @@ class _LatexReader:
             letters = "".join(
                 it.text if re.fullmatch("[a-z]", it.text) else " " for it in following
             )
-            word = next((it for it in _LONGEST if letters.startswith(it)), "")
+            word = max((it for it in FUNCTIONS if letters.startswith(it)), key=len, default="")
             if word and {*word} <= self.names.symbols:
                 raise Unread(f"{word} or a product", here.at, (word, "*".join(word)))
             count = len(word)

@@ -72,7 +72,6 @@ class Cursor:
         return self.items[self.place - 1]
 
 
-_SIZE = r"\\(?:left|right|middle|(?:big|Big|bigg|Bigg)[lrm]?)(?![A-Za-z])\s*"
 #: Operators that stand between two operands.
 BINARY = ("+", "/", r"\cdot", r"\times", "*", "=", ":=", ",", ";", "<", ">", "^", "_")
 
@@ -93,7 +92,7 @@ def nested(text: str) -> tuple[Token, ...]:
             if not opened or token != closing.get(opened, rf"\end{{{opened}}}"):
                 raise Unread(f"{token} closes nothing that is open", start)
             stack.pop()
-            _one_way(inner, start)
+            _one_way(inner)
             kind = "|bare" if bar and not sized else opened
             stack[-1][2].append(Token(kind, (begin, stop), tuple(inner)))
         else:
@@ -101,7 +100,7 @@ def nested(text: str) -> tuple[Token, ...]:
     opened, begin, inner, _ = stack[-1]
     if opened:
         raise Unread(f"{opened} is not closed", begin)
-    _one_way(inner, 0)
+    _one_way(inner)
     return tuple(inner)
 
 
@@ -122,8 +121,8 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
     place, single = 0, 0
     bars = {r"\vert": "|", r"\mid": "|", r"\lvert": "|", r"\rvert": "|"}
     a_token = re.compile(
-        rf"(?P<size>{_SIZE})?(?P<text>\\(?:begin|end)\{{\w+\*?\}}|\\[A-Za-z]+|\\.|:="
-        r"|\d+(?:\.\d+)?|\.\d+|\S)"
+        r"(?P<size>\\(?:left|right|middle|(?:big|Big|bigg|Bigg)[lrm]?)(?![A-Za-z])\s*)?"
+        r"(?P<text>\\(?:begin|end)\{\w+\*?\}|\\[A-Za-z]+|\\.|:=|\d+(?:\.\d+)?|\.\d+|\S)"
     )
     while found := a_token.search(shown, place):
         token, (start, place) = found["text"], found.span()
@@ -153,7 +152,7 @@ def _awaits(inner: Tokens) -> bool:
     return inner[-1].items is None and inner[-1].text in (*BINARY, "-")
 
 
-def _one_way(inner: Tokens, place: int) -> None:
+def _one_way(inner: Tokens) -> None:
     """Refuse bars that can be paired in two ways: |a| b |c|."""
     bars = [number for number, it in enumerate(inner) if it.text == "|bare"]
     for one, other in itertools.pairwise(bars):

@@ -19,8 +19,7 @@ from ..units import Dimension
 
 #: Normal force, frequency parameter of the characteristic polynomial, time.
 NORMAL, LAMBDA, TIME = sp.Symbol("N", real=True), sp.Symbol("lam"), sp.Symbol("t", real=True)
-#: The gap of a contact, negative where it is pressed together.
-GAP = sp.Symbol("gap", real=True)
+
 #: Sides on which a statement is meant: all contacts touch, none of those that can open, or either.
 CONTACT, LIFT_OFF, BOTH = "contact", "lift-off", "both"
 
@@ -478,7 +477,7 @@ def _gap(it: Derivation, name: str, side: str) -> Object:
     contact = it.contact(name)
     if contact.gap is None:
         raise NoObject("the normal force is given, and the contact has no gap")
-    own = frozenset({str(of_contact(GAP, name))})
+    own = frozenset({str(of_contact(sp.Symbol("gap", real=True), name))})
     value = it.spelled(contact.gap)
     return Object((value,), "mechanics.NormalForce.gap", names=own, side=side, unit=units.LENGTH)
 

@@ -20,6 +20,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 import sympy as sp
+from sympy.abc import x
 
 from .tree import (
     FUNCTIONS,
@@ -116,7 +117,9 @@ def same(one: Values, other: Values) -> bool:
 # ---------------------------------------------------------------------------------------- values
 
 
-_RELATIONS = {
+#: NumPy's functions and relations by the names of SymPy's.
+_NUMERIC = {
+    **{name: sp.lambdify(x, of(x), "numpy") for name, of in FUNCTIONS.items()},
     "Lt": np.less,
     "Le": np.less_equal,
     "Gt": np.greater,
@@ -125,8 +128,6 @@ _RELATIONS = {
     "Eq": np.equal,
     "And": np.multiply,
 }
-_X = sp.Symbol("x")
-_NUMERIC = {name: sp.lambdify(_X, of(_X), "numpy") for name, of in FUNCTIONS.items()}
 
 
 def _applied(tree: Node, parts: Sequence[Values]) -> Values:
@@ -146,10 +147,8 @@ def _applied(tree: Node, parts: Sequence[Values]) -> Values:
             return np.array(np.broadcast_arrays(*parts))
         case _ if tree.value == "Piecewise":
             return np.select([it[1] != 0 for it in parts], [it[0] for it in parts], np.nan)
-        case _ if tree.value in _RELATIONS:
-            return 1.0 * _RELATIONS[tree.value](*parts)
-        case _:
-            return _NUMERIC[tree.value](parts[0])
+        case _:  # of a relation 1 or 0
+            return 1.0 * _NUMERIC[tree.value](*parts)
 
 
 class Numbers:

@@ -24,8 +24,6 @@ from .samples import numeric
 from .tree import Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols
 from .tree import to_latex, to_sympy
 
-_SMALL, _LINEAR = sp.Dummy("small", positive=True), "linear in "
-
 
 @dataclass(frozen=True)
 class Row:
@@ -368,10 +366,10 @@ def _in_limit(it: Comparison, part: Component, limit: str) -> bool:
     """Whether the difference goes to 0 in a limit: as ``d*V -> oo``, each factor by itself, or
     ``linear in x, y``, faster than these, which are small together.
     """
-    what, arrow, end = limit.removeprefix(_LINEAR).partition("->")
+    what, arrow, end = limit.removeprefix("linear in ").partition("->")
     is_linear = what != limit and not arrow
     page = it.item.it
-    laws = page.normals | page.friction
+    laws, size = page.normals | page.friction, sp.Dummy("small", positive=True)
     value = it.exactly(part.tree).subs(laws)
     said = what.split("," if is_linear else "*")
     factors = [it.names.get(name.strip(), sp.nan) for name in said]
@@ -383,8 +381,8 @@ def _in_limit(it: Comparison, part: Component, limit: str) -> bool:
         gap = value - exact.subs(laws)
         whole = page.expanded(gap)
         if is_linear:
-            small = whole.subs({one: _SMALL * one for one in factors}, simultaneous=True)
-            if all(is_zero(one.subs(_SMALL, 0)) for one in (small, sp.diff(small, _SMALL))):
+            small = whole.subs({one: size * one for one in factors}, simultaneous=True)
+            if all(is_zero(one.subs(size, 0)) for one in (small, sp.diff(small, size))):
                 return True
             continue
         for form in map(normal_form, (gap, whole)):

@@ -518,7 +518,7 @@ class Augmented(OfFamily):
     def lines_at(self, made: Callable[..., Tape]) -> list[LineTapes]:
         """Tapes of forces by direction, and of det K for directions on an arc."""
         lines = self.balance.springs
-        forces = [made(direction_entries(self.balance, line)) for line in range(lines)]
+        forces = [made(direction_entries(line)) for line in range(lines)]
         if not self.singular:
             return [LineTapes(tape) for tape in forces]
         directions = [made(_known_direction(line)) for line in range(lines)]

@@ -164,7 +164,7 @@ def figure_9() -> Sheet:
         ss.flutter_onsets(Parameters.article(alpha=values[-1]), damping=False).theta0
     ).tolist()
     _flutter(ax, low, high, -0.14, 8)
-    inset = _magnified(ax, "alpha", values)
+    inset = _magnified(ax, values)
     _flutter(inset, low, high, -0.002, 7)
     for value, position, color in zip(
         values, ((134, 0.055), (47, 0.06), (40, 0.012)), _FAMILY_COLORS, strict=True
@@ -228,14 +228,14 @@ def _point_at(
     ax.annotate(text, target, position, color=color, fontsize=8, va="center", arrowprops=leader)
 
 
-def _magnified(ax: Axes, name: str, values: tuple[float, ...]) -> Axes:
+def _magnified(ax: Axes, values: tuple[float, ...]) -> Axes:
     """Axes within others that show small deformation only, where the curves of the outer ones
     coincide.
     """
     inset = ax.inset_axes((0.2, 0.13, 0.5, 0.26))
     for value, color in zip(values, _FAMILY_COLORS, strict=True):
         draw_branches(
-            branches(Parameters.article(**{name: value})), ax=inset, color=color, linewidth=1.0
+            branches(Parameters.article(alpha=value)), ax=inset, color=color, linewidth=1.0
         )
     angle_axis(inset, step=60, ylabel=LABELS["x"], ylim=(-0.02, 0.068), yticks=(0.0, 0.03, 0.06))
     inset.tick_params(labelsize=7)

@@ -128,7 +128,7 @@ class Balance(Forces, StateSystem):
 
     def lines_at(self, made: Callable[..., Tape]) -> list[LineTapes]:
         """Tapes of forces by the direction of each spring."""
-        return [LineTapes(made(direction_entries(self, spring))) for spring in range(self.springs)]
+        return [LineTapes(made(direction_entries(spring))) for spring in range(self.springs)]
 
     def abandoned(
         self, unknowns: Intervals, parameters: Intervals, times: float = 1.0
@@ -223,7 +223,7 @@ def _rows(at: Evaluation, near: Sequence[Any], forces: Rows, slopes: Matrix) -> 
     return [*forces(there), *(entry for row in slopes for entry in row)]
 
 
-def direction_entries(balance: Balance, spring: int) -> Entries:
+def direction_entries(spring: int) -> Entries:
     """G and M of F = G + M (c, s) with the direction (c, s) of a spring."""
     first = 3 * spring
 
@@ -244,7 +244,7 @@ def no_direction(boxes: Boxes, spring: int) -> BoolArray:
     anchor is.
     """
     n = boxes.system.balance.n
-    found = boxes.taped(*direction_entries(boxes.system.balance, spring))
+    found = boxes.taped(*direction_entries(spring))
     M = Intervals(found.ends[:, n:].reshape(2, n, 2, *boxes.shape))
     return contractors.no_unit_vector(found[:n], M)
 

@@ -267,5 +267,4 @@ def _page(chosen: Path) -> Page:
         except PageError as error:
             raise ParameterError(str(error)) from error
     loaded = load(chosen if chosen.exists() else chosen.name)
-    loaded.require_answered("check")
     return pages.read(page_of(loaded, pages.SHIPPED), loaded.name)

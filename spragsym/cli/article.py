@@ -250,7 +250,6 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     from ..derive.kang_nam import ledger
 
     model = load(name)
-    model.require_answered("check")
     with show_progress(f"deriving the equations of {model.name}"):
         every = ledger.judge(pages.read(page_of(model, pages.SHIPPED), model.name))
     rows = _chosen(only, {row.id: row for row in every}, "the equations")

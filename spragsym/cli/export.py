@@ -100,7 +100,6 @@ def _of_page(
     inputs: tuple[str, ...],
 ) -> dict[str, str]:
     """The files of a page's library: derived once from the same page by the same derivation."""
-    model.require_answered("export" if language != "fmu" else "export to fmu")
     derivation = Path(derive_package.__file__).parent
     page = page_of(model, derivation / "models")
 

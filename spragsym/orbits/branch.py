@@ -666,8 +666,6 @@ def cycle_events(
             "period_doubling, torus or grazing"
         )
     model = event.cycle.field
-    if model.clock:
-        model.model.require_answered("cycle_events")
     free = tuple(model.parameters.index(one_of("vary", name, model.parameters)) for name in vary)
     if len(vary) != 2 or vary[0] == vary[1]:
         raise ParameterError(f"vary = {vary!r} is not two parameters")

@@ -19,7 +19,6 @@ from numpy.typing import ArrayLike
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
-from ..core.questions import model_of
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion.options import MotionOptions
 from ..motion.scales import MotionScales
@@ -138,7 +137,6 @@ def lyapunov(
     >>> bool(abs(found.exponents.sum() - found.trace) < 1e-9)
     True
     """
-    model_of(p).require_answered("lyapunov")
     system = System.of(p, backend, options, **values)
     state = state_of(p.model, start, p=p)
     if t_end is None:

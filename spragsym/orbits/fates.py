@@ -147,7 +147,6 @@ def fate(
     >>> round(ss.fate(p.replace(theta0=np.radians(30.0)), V=0.5, d=10.0).time_scale, -3)
     227000.0
     """
-    model_of(p).require_answered("fate")
     system = System.of(p, backend, options, **values)
     state = state_of(p.model, start, p=p)
     if t_end is not None:
@@ -438,7 +437,6 @@ def fate_map(
     (array([1, 2], dtype=int8), array([   nan, 34.267]))
     """
     model = model_of(p)
-    model.require_answered("fate_map")
     p.require(*p.ranges)
     p = p.given(**values)
     inputs = {name: p[name] for name in p.ranges}

@@ -102,8 +102,8 @@ def basin(
     >>> found.attractor[:, 0]
     array([0, 0, 1])
     """
-    model_of(p).require_answered("basin")
-    names = model_of(p).components
+    model = model_of(p)
+    names = model.components
     p = p.given(**{name: starts.pop(name) for name in [*starts] if name in p.ranges})
     p.scalars(*p.ranges)
     plane = tuple(name for name in starts if name in names)
@@ -113,7 +113,7 @@ def basin(
             f"starts are two axes of {', '.join(names)}, as {names[0]}=[0.0, 1.0]; given: {given}"
         )
     axes = {
-        name: np.atleast_1d(as_numbers(name, starts.pop(name), model_of(p).any_of(name)))
+        name: np.atleast_1d(as_numbers(name, starts.pop(name), model.any_of(name)))
         for name in plane
     }
     for name, values in axes.items():

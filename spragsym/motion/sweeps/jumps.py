@@ -99,7 +99,6 @@ def sensitivity(
     array([41.25,  0.25])
     """
     model = model_of(p)
-    model.require_answered("sensitivity")
     missing = [name for name in ("theta0", "V", "d") if name not in model.parameters]
     if missing:
         raise ModelError(

@@ -17,7 +17,7 @@ from .advice import Rows, next_steps, warnings
 from .brake import Brake
 from .facts import Facts, percent_beyond
 from .redesigns import LARGEST_FACTOR
-from .states import SHARE_BEYOND_FOLD, State, in_units
+from .states import SHARE_BEYOND_FOLD, JumpPeak, Oscillation, State, in_units
 from .units import SIGMAS_AT_ENDS, Numbers, hertz
 
 #: An object in JSON.
@@ -361,29 +361,19 @@ def _or_unknown(value: float | None, shown: Callable[[float], str], never: str) 
     return "unknown" if value is None else shown(value) if math.isfinite(value) else never
 
 
-def _springs(forces: object, shown: Callable[[Any], str], of: str = "force of ") -> Rows:
-    """Rows of a number of the spring, or of several by their names; none where there is no
-    spring.
-    """
-    for name, value in (forces if isinstance(forces, Mapping) else {"the spring": forces}).items():
+def _of_each(numbers: object, shown: Callable[[Any], str], of: str, alone: str = "") -> Rows:
+    """A row of a number, or of several by their names; none of what there is not."""
+    for name, value in (numbers if isinstance(numbers, Mapping) else {alone: numbers}).items():
         if value is not None:
-            yield f"{of}{name}", shown(value)
+            yield f"{of} {name}".strip(), shown(value)
 
 
-def _contacts(forces: object, shown: Callable[[Any], str]) -> Rows:
-    """Rows of the force of the contact, or of several by their names; none without any."""
-    named = forces if isinstance(forces, Mapping) else {"": forces}
-    for name, value in named.items():
-        if value is not None:
-            yield f"force of the contact{name and ' '}{name}", shown(value)
-
-
-def _forces(found: Any) -> Rows:
+def _forces(found: JumpPeak | Oscillation) -> Rows:
     def ends(force: tuple[float, float]) -> str:
         return f"{force[0]:.5g} N to {force[1]:.5g} N"
 
-    yield from _springs(found.spring_force_N, ends)
-    yield from _contacts(found.contact_force_N, ends)
+    yield from _of_each(found.spring_force_N, ends, "force of", "the spring")
+    yield from _of_each(found.contact_force_N, ends, "force of the contact")
 
 
 def _pulling(force: float) -> str:
@@ -404,10 +394,10 @@ def _state(report: Facts) -> Rows:
     if here is None:
         return
     yield "place of the mass", _places(here.places)
-    yield from _springs(here.spring_force_N, _pulling)
+    yield from _of_each(here.spring_force_N, _pulling, "force of", "the spring")
     if here.touching:
         yield "touching", here.touching
-    yield from _contacts(here.contact_force_N, lambda force: f"{force:.5g} N")
+    yield from _of_each(here.contact_force_N, "{:.5g} N".format, "force of the contact")
     roots = zip(here.frequencies_hz, here.damping_ratio, strict=True)
     damped, study = report.study.moves, report.study
     yield (
@@ -432,7 +422,7 @@ def _described(state: State) -> str:
         word += f" ({state.undamped} without damping)"
     springs = [
         f"; {name.removeprefix('the ')} at {at}"
-        for name, at in _springs(state.direction_deg, "{:.4g} deg".format, "")
+        for name, at in _of_each(state.direction_deg, "{:.4g} deg".format, "", "the spring")
     ]
     return (
         f"{word}{''.join(springs)}{',' if springs else ';'} "

@@ -23,7 +23,6 @@ import numpy as np
 from ..core.progress import doing
 from ..core.questions import Method, question
 from ..core.remarks import Remark
-from ..display import own_name
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.chains import link, walked
@@ -126,7 +125,7 @@ def bifurcation_set(
     as_count("n", n, 2)
     options = options or ContinuationOptions()
     family_of = partial(Family.of, p, vary, between, within)
-    balances = balances_of(p.model, None, within, options.asked)
+    balances = balances_of(p.model, within, options.asked)
     special = list(extrema(p, vary, between or {}, within, options.asked))
     curves, parts, borders = list[Curve](), list[OnLines](), list[tuple[str, Points]]()
     for balance in balances:
@@ -165,11 +164,9 @@ def _of_folds(kind: str, points: Points, balance: Balance) -> BoolArray:
     """Points on curves of folds of one combination of contacts that touch, from those of all."""
     if not balance.model.has_regimes:
         return np.ones(len(points), dtype=np.bool_)
-    touching, at_border = (
-        points[own_name(balance.model, name)] for name in ("touching", "at_border")
-    )
     # At the ends of a range there are border points, too.
-    return np.asarray((touching == balance.touching) & ((kind != "end") | (at_border == "")))
+    inside = (kind != "end") | (points.at_border == "")
+    return np.asarray((points.touching == balance.touching) & inside)
 
 
 def _curve(family: Family, states: FloatArray) -> Curve:
@@ -214,7 +211,7 @@ def extrema(
     """
     over, along = vary
     family_of = partial(Family.of, p, vary, between, within)
-    balances = balances_of(p.model, None, within, options)
+    balances = balances_of(p.model, within, options)
     families = [family_of(one) for one in balances]
     family, rest = (
         families[0],

@@ -21,7 +21,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import ConvergenceError
-from ..display import own_name
 from ..models.model import Touching, label_of
 from ..models.parameters import Ranges
 from ..numerics.arithmetic import determinant
@@ -87,7 +86,7 @@ def combination(points: Points, row: int) -> Touching:
     model = points.parameters.model
     if not model.has_regimes:
         return True
-    return tuple(str(points[own_name(model, "touching")][row]).split(", "))
+    return tuple(str(points.touching[row]).split(", "))
 
 
 def met_by(points: Points, balance: Balance) -> BoolArray:
@@ -96,8 +95,7 @@ def met_by(points: Points, balance: Balance) -> BoolArray:
     """
     if not balance.model.has_regimes:
         return np.ones(len(points), dtype=np.bool_)
-    at_border = points[own_name(balance.model, "at_border")]
-    every = zip(points[own_name(balance.model, "touching")], at_border, strict=True)
+    every = zip(points.touching, points.at_border, strict=True)
     labels = {label_of(entry) for entry in balance.model.contacts}
     own = {*balance.touching.split(", ")} & labels
     names = [({*touching.split(", ")} & labels, {at}) for touching, at in every]
@@ -208,7 +206,7 @@ def _at_border(points: Points, row: int) -> tuple[str, str]:
     family = Family.of(p, points.vary, balance=Balance(p.model, contact))
     closed = family.balance
     labels = [label_of(entry) for entry in model.contacts]
-    number = labels.index(points[own_name(model, "at_border")][row])
+    number = labels.index(points.at_border[row])
     z = np.array([float(points[name][row]) for name in (*closed.coordinates, *points.vary)])
     ends = ends_around(z, points.error[row] * scale_of(z))[:, :, None]
     with quiet():

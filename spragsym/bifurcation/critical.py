@@ -347,7 +347,7 @@ class _CandidateSearch:
 
     def __init__(self, p: ParameterSet, vary: str, over: str, between: Ranges | None) -> None:
         family = Family.of(p, (over, vary), between)
-        self.p, self.vary, self.over, self.balances = p, vary, over, balances_of(p.model, None)
+        self.p, self.vary, self.over, self.balances = p, vary, over, balances_of(p.model)
         self.spans, self.endless = family.spans, family.endless
         for span, name in zip(self.spans, family.vary, strict=True):
             span[:] = [p.ranges[name].reached(float(end), span[1] - span[0]) for end in span]

@@ -58,7 +58,7 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
     proved that they pass it or end there.
     """
     balance, left = tubes.balance, np.flatnonzero(here.sure & (here.v != goal))
-    combinations = [one.pushing for one in balances_of(balance.model, None)]
+    combinations = [one.pushing for one in balances_of(balance.model)]
     # How far the tubes about the border go, over the way that is left: the wider of them first.
     tries = itertools.product((2.0**-10, 2.0**-16), balance.opens)
     away = set[int]()

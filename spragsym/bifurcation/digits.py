@@ -51,7 +51,7 @@ def precise_equilibria(
     ``p`` is any set of the model, ``exact`` has every parameter: a rational number, or what gives
     an interval in an arithmetic; ``contact`` as for :func:`spragsym.equilibria`.
     """
-    balances = balances_of(p.model, contact)
+    balances = balances_of(p.model, contact=contact)
     parts = [_in_combination(balance, exact, digits) for balance in balances]
     first = balances[0].coordinates[0]
     states = sorted(chain(*(part.states for part in parts)), key=lambda one: one.numbers[first])
@@ -194,7 +194,7 @@ def precise_cusps(
     )
     parts = [
         _cusps_of(replace(Family.of(p, vary, between, None, balance), given=given), exact, digits)
-        for balance in balances_of(p.model, None)
+        for balance in balances_of(p.model)
     ]
     ordered = sorted(
         chain(*(part.cusps for part in parts)),

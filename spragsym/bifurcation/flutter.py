@@ -57,7 +57,7 @@ from .defining_systems import (
     undamped_mode,
     within_block,
 )
-from .points import Found, arranged, matrices, nothing, of_ends, search
+from .points import Found, all_of, arranged, matrices, nothing, of_ends, search
 
 if TYPE_CHECKING:
     from .normal_forms import Coefficient, NormalForm
@@ -141,7 +141,7 @@ def flutter_onsets(
     name = p.model.one(vary)
     families = (
         Family.of(p, (name,), between, within, balance)
-        for balance in balances_of(p.model, None, within, options)
+        for balance in balances_of(p.model, within, options)
     )
     return Onsets(**vars(together([_in_combination(family, damping) for family in families])))
 
@@ -296,13 +296,7 @@ def _joined(family: Family, parts: list[_Part], flat: bool, said: tuple[str, ...
     """All parts in one result; ``flat`` where the last is of places without slope."""
     each, kinds, frequencies = zip(*parts, strict=True)
     kind, omega = np.array([*chain(*kinds)], dtype=np.str_), np.array([*chain(*frequencies)])
-    first, *others = (one.roots for one in each)
-    roots = first.concatenated(*others)
-    region, whole = (
-        np.minimum.reduce([one.region for one in each]),
-        np.logical_and.reduce([one.whole for one in each]),
-    )
-    found = Found(roots, region, whole)
+    found = all_of(each)
 
     def symmetric(end: float, left: FloatArray) -> str:
         if not is_conservative(family.balance, Intervals.point(family.at(np.array([[end]])))):
@@ -323,7 +317,7 @@ def _joined(family: Family, parts: list[_Part], flat: bool, said: tuple[str, ...
             f"{detected} onsets are numerically detected between two of {samples} values, and "
             "not proved",
         )
-    elif roots.undecided.shape[2] and not flat:
+    elif found.roots.undecided.shape[2] and not flat:
         remarks += (
             f"floats see no other onset between two of {samples} values of {family.vary[0]}",
         )
@@ -615,7 +609,7 @@ class Onsets(Points):
         ['x']
         """
         model = self.parameters.model
-        balances, own = balances_of(model, None, law=law), own_name(model, "touching")
+        balances, own = balances_of(model, law=law), own_name(model, "touching")
         touching = str(self[own][row]) if own in self._values else ""
         return balances[number_of(balances, touching)]
 

@@ -54,7 +54,7 @@ from .flutter import (
 )
 from .normal_forms import Coefficient, NormalForm, coefficients
 from .options import ContinuationOptions
-from .points import arranged, matrices, nothing, search, which
+from .points import Found, all_of, arranged, matrices, nothing, search, which
 
 #: Why a point has no normal form that is not proved to be a generic Hopf point.
 UNPROVED = "no generic Hopf point is proved there"
@@ -182,7 +182,7 @@ def onset_curves(
     vary = model_of(p).two(vary)
     as_count("n", n, 2)
     options = options or ContinuationOptions()
-    balances = balances_of(p.model, None, None, options.asked)
+    balances = balances_of(p.model, options=options.asked)
     planes = [_Plane.of(p, vary, between, None, balance) for balance in balances]
     damped = [
         is_damped(plane.balance, plane.over) if damping is None else damping for plane in planes
@@ -325,7 +325,7 @@ class _Plane(Family):
 
     def points(self, only: int | None) -> Points:
         """All points of all kinds; ``only`` one coordinate is damped, if it is given."""
-        kinds, parts = list[str](), []
+        kinds, parts = list[str](), list[Found]()
         sought = [(kind, of_kind(kind, only)) for kind in KINDS]
         if only is not None and self.balance.model.about["dampers"]:
             sought.insert(1, ("BT", no_damping(only, on_fold=True)))
@@ -342,9 +342,7 @@ class _Plane(Family):
             kept = (imaginary >= (4 if kind == "HH" else 2)) | (kind == "BT")
             parts.append(replace(found, roots=found.roots.select(kept)))
             kinds += [kind] * int(kept.sum())
-        first, *others = (part.roots for part in parts)
-        found = replace(parts[0], roots=first.concatenated(*others))
-        return arranged(self, found, np.array(kinds, dtype=np.str_))
+        return arranged(self, all_of(parts), np.array(kinds, dtype=np.str_))
 
     def roots(self, states: FloatArray) -> ComplexArray:
         """All λ, shape (N, 2 n)."""

@@ -212,7 +212,7 @@ def border_ends(
     """Values at which states leave the contact or come into it, and at which they run to infinity,
     if they do, beside the folds ``turns``.
     """
-    balances, found = balances_of(p.model, None, options=options), list[Points]()
+    balances, found = balances_of(p.model, options=options), list[Points]()
     family_of = functools.partial(Family.of, p, (vary,), {vary: span}, None)
     combinations = {tuple(balance.pushing) for balance in balances}
     for balance in balances:
@@ -252,9 +252,7 @@ class QuasiStaticContinuation:
         self.options = options or ContinuationOptions()
         self.search = self.options.asked
         #: Of every combination of contacts that touch, by the names of these, its balance.
-        self.balances = {
-            one.touching: one for one in balances_of(p.model, None, options=self.search)
-        }
+        self.balances = {one.touching: one for one in balances_of(p.model, options=self.search)}
         self.p, self.vary, self.balance = p, vary, next(iter(self.balances.values()))
         p.model.require_parameter(vary)
         try:
@@ -637,8 +635,8 @@ class QuasiStaticContinuation:
         if not self.contact_columns:
             return ""
         if slot < 0:
-            return str(self.turns[own_name(self.p.model, "touching")][~slot])
-        return str(self.eq["touching"][node, slot])
+            return str(self.turns.touching[~slot])
+        return str(self.eq.touching[node, slot])
 
     def jump(self, node: int, number: int, choose: Choice | None) -> tuple[int, Jump]:
         """The slot behind the fold that ends the branch."""
@@ -699,11 +697,10 @@ class QuasiStaticContinuation:
             float(self.at[number]),
             INFINITY if self.far[number] else str(self.kinds[number]),
         )
-        touching, at_border = (
-            str(self.turns[own_name(self.p.model, name)][number])
-            if self.p.model.has_regimes
-            else alone
-            for name, alone in (("touching", ""), ("at_border", label_of(self.p.model.contacts[0])))
-        )
+        touching, at_border = "", label_of(self.p.model.contacts[0])
+        if self.p.model.has_regimes:
+            touching, at_border = (
+                str(column[number]) for column in (self.turns.touching, self.turns.at_border)
+            )
         error = float(self.error[number])
         return ModelEnd(value, kind, self._place(number), error, touching, at_border)

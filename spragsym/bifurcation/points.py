@@ -111,6 +111,14 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     return Found(roots, searched, whole)
 
 
+def all_of(parts: Sequence[Found]) -> Found:
+    """What several searches along the same parameters have found."""
+    roots, *others = (one.roots for one in parts)
+    region = np.minimum.reduce([one.region for one in parts])
+    whole = np.logical_and.reduce([one.whole for one in parts])
+    return Found(roots.concatenated(*others), region, whole, parts[0].why)
+
+
 def nothing(family: Family) -> Found:
     """The result of a search where it is known beforehand that there are no points."""
     return Found(Roots.none(family.balance.n + len(family.vary)), *_region(family, family.balance))
@@ -322,9 +330,8 @@ def begins_at_zero(system: Augmented, region: FloatArray) -> bool:
         or not allowed.open_low
         or region[0, -1, 0] != 0
         or region[1, -1, 0] <= Logarithmic.high
+        or vary in system.balance.angles
     ):
-        return False
-    if vary in system.balance.angles:
         return False
     with quiet():  # whether the condition has bounds in the whole region but for large values
         below = system.residuals(

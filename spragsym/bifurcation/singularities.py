@@ -75,7 +75,7 @@ from .defining_systems import (
     change,
     cusp,
 )
-from .points import Found, arranged, of_ends, search, vanishes
+from .points import Found, all_of, arranged, of_ends, search, vanishes
 
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
@@ -91,7 +91,7 @@ def folds_of(
     """All folds and pitchforks along one parameter, and border points between combinations of
     contacts that touch; arguments as of :func:`spragsym.folds`.
     """
-    balances = balances_of(p.model, None, within, options)
+    balances = balances_of(p.model, within, options)
     parts = [_folds_in(balance, p, vary, between, within) for balance in balances]
     parts += borders(balances, p, vary, between, within)
     return replace(joined(parts), _ended=ended)
@@ -126,8 +126,7 @@ def cusps_of(
 ) -> Points:
     """All cusps in the plane of two parameters; arguments as of :func:`spragsym.cusps`."""
     families = (
-        Family.of(p, vary, between, within, one)
-        for one in balances_of(p.model, None, within, options)
+        Family.of(p, vary, between, within, one) for one in balances_of(p.model, within, options)
     )
     return joined([arranged(family, isolated(family), "cusp") for family in families])
 
@@ -288,13 +287,7 @@ def _with_signs(odd: Sequence[int], q: Sequence[Any], _: Values) -> list[Any]:
 
 def isolated(family: Family) -> Found:
     """A box for each cusp, and what is left."""
-    parts = [_of_block(family, block) for block in blocks_of(family)]
-    if len(parts) == 1:
-        return parts[0]
-    roots, *others = (one.roots for one in parts)
-    region = np.maximum.reduce([one.region for one in parts])
-    whole = np.logical_and.reduce([one.whole for one in parts])
-    return Found(roots.concatenated(*others), region, whole)
+    return all_of([_of_block(family, block) for block in blocks_of(family)])
 
 
 def _of_block(family: Family, block: tuple[int, ...]) -> Found:

@@ -339,7 +339,7 @@ class ClaimOfStates(Claim):
 
     def __init__(self, low: ParameterSet, high: ParameterSet, claim: str) -> None:
         self.model = low.model
-        self.balances = balances_of(self.model, None)
+        self.balances = balances_of(self.model)
         self.sides = tuple(self.balances[0].parameters)
         self.true, self.false = STATES[claim]
         nowhere = np.full((2, len(self.balances), self.balances[0].n, 1), np.inf)

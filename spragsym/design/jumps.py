@@ -20,7 +20,7 @@ from ..bifurcation.turning_points import limit_points, passed, past
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..core.questions import Method, model_of, question
-from ..display import Table, own_name
+from ..display import Table
 from ..models.model import label_of
 from ..models.parameters import ParameterSet, as_numbers, set_of
 from ..numerics.columns import ByColumn
@@ -204,7 +204,7 @@ def limit_point_passed(
 
 def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     """dv/dp by name at the folds and borders at which the states of points end."""
-    balances, shape, size = balances_of(p.model, None), found.value.shape, found.value.size
+    balances, shape, size = balances_of(p.model), found.value.shape, found.value.size
     names, contact = list(balances[0].parameters), np.full(size, -1)
     states = found.state.reshape(balances[0].n, -1).copy()
     columns = (found.value if name == vary else p[name] for name in names)
@@ -297,7 +297,7 @@ class Followed:
         # Where the parameter that moves is the only one of several values, its ends alone say of
         # how many points it is.
         self.shape = np.broadcast_shapes(p.shape, () if until is None else np.shape(until))
-        self.balances = balances_of(model, None)
+        self.balances = balances_of(model)
         self.balance = self.balances[0]
         columns = p.broadcast(*self.balance.parameters)
         self.fixed = np.stack(
@@ -425,7 +425,7 @@ class Followed:
             z[:, ~decided] = 0.0
             number = np.zeros(rows.size, dtype=np.int64)
             if self.model.has_regimes:
-                touching = eq[own_name(self.model, "touching")][np.arange(rows.size), slot]
+                touching = eq.touching[np.arange(rows.size), slot]
                 number[decided] = [
                     number_of(self.balances, one) for one in touching[decided].tolist()
                 ]

@@ -15,7 +15,6 @@ from typing import Any
 
 import numpy as np
 
-from ..display import own_name
 from ..models.parameters import ParameterSet
 from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, scale_of
@@ -101,7 +100,7 @@ class ProvedJumps:
         states = np.array([column[rows, slot] for column in eq.coordinates.values()])
         decided = eq.decided & np.isfinite(states).all(axis=0)
         if p.model.has_regimes:
-            decided &= eq[own_name(p.model, "touching")][rows, slot] == self.touching
+            decided &= eq.touching[rows, slot] == self.touching
         error = np.where(decided, eq.error[rows, slot] * scale_of(states).max(axis=0), np.inf)
         return np.where(decided, states, 0.0), np.broadcast_to(error, states.shape)
 
@@ -127,7 +126,7 @@ def proved_jumps(box: Splitting, share: Callable[[Any], FloatArray], most: int) 
 def _known(box: Splitting, pieces: Pieces) -> BoolArray:
     """Parts at all points of which the reference state is proved to be that of their tubes."""
     # Of several combinations of contacts it is to be the reference state of the states of all.
-    if box.near is not None or len(balances_of(box.model, None)) > 1:
+    if box.near is not None or len(balances_of(box.model)) > 1:
         return np.zeros(len(pieces), dtype=np.bool_)
     balance, low = Balance(box.model), np.repeat(box.tubes.fixed, len(pieces), axis=1)
     high = low.copy()

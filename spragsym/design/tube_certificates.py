@@ -114,7 +114,7 @@ class Splitting(Claim):
         self.rows = self.tubes.moving
         one, other = (end[self.rows] for end in ends)
         middle = 0.5 * (one + other)[:-1]
-        balances = balances_of(model, None)
+        balances = balances_of(model)
         touching = self._reference(np.append(middle[:, 0], begin))[1]
         contact = balances[number_of(balances, touching)].contact
         # Tubes are of one combination of contacts: where a state comes to a border they end.

@@ -179,7 +179,7 @@ def _by_combination(p: ParameterSet, turns: Points | None) -> list[_Combination]
     """Every combination of contacts that touch, with what states of it may come to."""
     if turns is None:
         return [_Combination(False, None)]
-    balances = balances_of(p.model, None, None)
+    balances = balances_of(p.model)
     return [_Combination(one.contact, turns.select(met_by(turns, one))) for one in balances]
 
 

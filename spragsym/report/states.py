@@ -15,7 +15,6 @@ import numpy as np
 from ..bifurcation.paths import quasi_static_path
 from ..core.errors import ConvergenceError, SpragsymError
 from ..design.jumps import jump_value
-from ..display import own_name
 from ..models import forces
 from ..models.parameters import FloatArray, Ranges
 from ..models.quantities import factor
@@ -298,7 +297,7 @@ def _state(study: Brake, eq: Equilibria, slot: int, position: Numbers, is_here: 
     names = forces.forces_of(model)
     springs = [name for name in names if not name.startswith("contact_force")]
     contacts = {name: scales.force * float(eq[name][slot]) for name in names if name not in springs}
-    touching = str(eq[own_name(model, "touching")][slot]) if model.has_regimes else ""
+    touching = str(eq.touching[slot]) if model.has_regimes else ""
     rate = _roots(study, list(position.values()), touching) / scales.time
     size = np.abs(rate).max()
     # Where nothing damps, as without friction, the sign of the real part is the rounding's.
@@ -339,7 +338,7 @@ def _roots(study: Brake, q: list[float], touching: str) -> ComplexArray:
         # A speed of the belt at which no friction law has a slope.
         p = p.replace(**{belt: 1e9})
     given = np.array(p.scalars(*p.model.parameters))
-    balances = balances_of(p.model, None, law=study.law)
+    balances = balances_of(p.model, law=study.law)
     balance = balances[number_of(balances, touching)]
     return roots(*linearization(balance, np.array(q)[:, None], given[:, None]))[0]
 
@@ -370,7 +369,7 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
         for where in (turn.before, turn.after)
     )
     held = int(np.abs(end - begin).argmax())
-    balances = balances_of(p.model, None)
+    balances = balances_of(p.model)
     balance = balances[number_of(balances, turn.touching)]
     on_fold = p.replace(**{load.name: value})
     start = _balanced(balance, on_fold, begin + SHARE_BEYOND_FOLD * (end - begin), held)

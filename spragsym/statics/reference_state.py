@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..display import own_name
 from ..models.field import undecorated
 from ..models.forces import named
 from ..models.model import Model
@@ -75,7 +74,7 @@ def reference_place(
     if not eq.decided or not (eq.undamped == EquilibriumType.STABLE).any():
         raise ConvergenceError(f"no state {where}")
     slot = reference_state(eq, near)
-    touching = str(eq[own_name(p.model, "touching")][slot]) if p.model.has_regimes else ""
+    touching = str(eq.touching[slot]) if p.model.has_regimes else ""
     state = np.array([eq.coordinates[name][slot] for name in p.model.coordinates])
     return state, touching, float(eq.error[slot])
 

@@ -56,7 +56,7 @@ def equilibria_by_search(
     that touch.
     """
     balances, asked = (
-        balances_of(p.model, contact, within, options),
+        balances_of(p.model, within, options, contact=contact),
         requested_region(p.model, within),
     )
     given = columns(p, balances[0].parameters)
@@ -66,9 +66,10 @@ def equilibria_by_search(
 
 def balances_of(
     model: Model,
-    contact: Asked,
     within: Ranges | None = None,
     options: SearchOptions | None = None,
+    *,
+    contact: Asked = None,
     law: str = "friction_at_rest",
 ) -> list[Balance]:
     """The balances of the combinations of contacts that touch that are asked for, without those
@@ -101,7 +102,7 @@ def balance_of(model: Model, contact: Asked) -> Balance:
     """The balance of one combination; of a model with one contact that where it touches, if nothing
     is said.
     """
-    balance, *others = balances_of(model, contact)
+    balance, *others = balances_of(model, contact=contact)
     if others:
         raise ParameterError(
             f"contact is left out: say {', '.join(map(repr, model.regimes))}, for states in "
@@ -150,7 +151,7 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     rows = np.isfinite(places).all(axis=0)
     if not rows.any():
         return out
-    balances = balances_of(p.model, None, law="friction_at_speed")
+    balances = balances_of(p.model, law="friction_at_speed")
     balance, states = balances[0], places[:, rows]
     given = np.array([np.broadcast_to(p[name], rows.shape)[rows] for name in balance.parameters])
     given = given.reshape(len(balance.parameters), states.shape[1])

@@ -91,7 +91,7 @@ def combination_of(
     if eq.contact is not None:
         return eq, [list(range(count)) for count in eq.count.tolist()]
     model = eq.parameters.model
-    mine = eq[own_name(model, "touching")] == touching
+    mine = eq.touching == touching
     count = mine.sum(axis=-1)
     there = np.arange(max(1, int(count.max(initial=0)))) < count[:, None]
 

@@ -183,7 +183,7 @@ def test_a_tube_is_of_the_state_that_was_given() -> None:
     which is not the one that was given.
     """
     p = model_of(JAMMING, "jamming_shoe").Parameters(**JAMMED, mu0=1.3, P=PULLED)
-    balance = {one.touching: one for one in balances_of(p.model, None)}["leading, trailing, stop"]
+    balance = {one.touching: one for one in balances_of(p.model)}["leading, trailing, stop"]
     fixed = np.array([[float(p[name])] for name in balance.parameters])
     tubes = Tubes.of_points(balance, "P", fixed)
     psi = p.F * p.l / (p.b**2 + p.mu0 * p.b * p.c)

@@ -292,7 +292,7 @@ def on_lines(
     Between any two of the values ``apart`` of the second parameter there is a line of the first
     one.
     """
-    rows, left, lines, decided, whole = [], [], {}, {}, True
+    rows, left, lines, decided, whole, error = [], [], {}, {}, True, 0.0
     balance, vary, spans = family.balance, family.vary, family.spans
     families = list[Family]()
     for along, across in ((0, 1), (1, 0)):
@@ -314,6 +314,7 @@ def on_lines(
             found = _on_each(each, condition, *effort)
         whole &= bool(found.whole.all())
         decided[across] = ~np.isin(np.arange(values.size), found.roots.undecided_point)
+        error = max(error, found.roots.error.max(initial=0.0))
         rows.append(
             np.insert(found.roots.middle, balance.n + across, values[found.roots.point], axis=0)
         )
@@ -324,7 +325,9 @@ def on_lines(
     states = np.concatenate([*rows, more], axis=1)
     undecided, remarks = listed(family, np.concatenate(left, axis=2))
     curves = FoldCurves(
-        Augmented(family, condition), _scales(states, spans), options or ContinuationOptions()
+        Augmented(family, condition),
+        _scales(states, spans, error),
+        options or ContinuationOptions(),
     )
     over_lines = [lines[name] for name in vary], [decided[k] for k in (0, 1)]
     with doing("curves through {} points", states.shape[1]):
@@ -347,18 +350,19 @@ def on_lines(
     )
 
 
-def _scales(states: FloatArray, spans: FloatArray) -> FloatArray:
-    """Of coordinates, how far apart they are in states, shape (n + 2, number), and of both
-    parameters their ranges.
+def _scales(states: FloatArray, spans: FloatArray, error: float) -> FloatArray:
+    """Of coordinates, how far apart they are in states, shape (n + 2, number), known but for an
+    ``error``, and of both parameters their ranges.
 
     A coordinate that is small beside others of its unit counts as much as they do: branches that
     differ in nothing else are told apart by it.
     """
     rows = states[: len(states) - 2]
     reach = np.ptp(rows, axis=1) if states.size else np.ones(len(rows))
+    size = np.abs(rows).max(axis=1, initial=0.0)
     # Coordinates that do not change, but for rounding.
-    still = reach <= 1e-9 * np.maximum(1.0, np.abs(rows).max(initial=0.0))
-    usual = np.where(still, 0.0, reach).max(initial=0.0) or 1e-9
+    still = reach <= np.maximum(1e-9 * size, 1e3 * error * scale_of(size))
+    usual = np.where(still, 0.0, reach).max(initial=0.0) or size.max(initial=1e-9)
     return np.append(np.where(still, usual, reach), np.ptp(spans, axis=1))
 
 

@@ -263,9 +263,11 @@ def turn(line: int, block: Block = None) -> Condition:
     return Condition(equations, order=1, singular=True)
 
 
-def blocks_of(family: Family, *, moving: bool = False) -> list[tuple[int, ...]]:
+def blocks_of(
+    family: Family, by_rates: Callable[[Evaluation], Matrix] | None = None
+) -> list[tuple[int, ...]]:
     """Blocks of coordinates each of which acts in the balances of all others of its block, directly
-    or through others: det K is the product of their determinants; of those that are ``moving``,
+    or through others: det K is the product of their determinants; with ``by_rates``, C + G or G,
     det(λ² M + λ (C + G) + K) is.
 
     Where one of these is 0, the directions v and w of K v = 0 and w K = 0 need not have a part
@@ -275,7 +277,7 @@ def blocks_of(family: Family, *, moving: bool = False) -> list[tuple[int, ...]]:
 
     at = _of_structure(family)
     with quiet():
-        matrices = [at.slopes, *([at.mass(), at.by_rates()] if moving else [])]
+        matrices = [at.slopes, *([at.mass(), by_rates(at)] if by_rates else [])]
     pattern = np.any([_entries(one) for one in matrices], axis=0)
     _, labels = connected_components(pattern, connection="strong")
     return sorted(tuple(np.flatnonzero(labels == label).tolist()) for label in set(labels.tolist()))
@@ -312,6 +314,18 @@ def within_block(condition: Condition, block: Block) -> Condition:
     return replace(
         condition, equations=lambda at: condition.equations(replace(at, part=block)), block=block
     )
+
+
+@cache
+def fold_of(block: Block) -> Condition:
+    """The determinant of a block of K is 0."""
+    return Condition(lambda at: (_determinant_of(at.slopes, block),))
+
+
+@cache
+def both(one: Condition, other: Condition) -> Condition:
+    """Two conditions on one state."""
+    return Condition(lambda at: (*one.equations(at), *other.equations(at)))
 
 
 def _determinant_of(K: Matrix, block: Block) -> Number:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import chain, pairwise
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +31,7 @@ from ..numerics.vectors import magnitude
 from ..results import Points
 from ..statics import stability
 from ..statics.balance import NEGLIGIBLE, Balance
+from ..statics.forces import Evaluation
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_contact_side, refined
 from ..statics.search import balances_of, float_candidates, number_of
@@ -146,92 +147,126 @@ def flutter_onsets(
     return Onsets(**vars(together([_in_combination(family, damping) for family in families])))
 
 
+@dataclass(frozen=True)
+class Sought:
+    """Onsets of one kind in a block of coordinates, of all for None: what holds there, and ω of
+    what oscillates, from M, C + G and K of the block.
+    """
+
+    condition: Condition
+    frequencies: Frequencies
+    kind: str
+    block: Block
+
+    def omega(self, *linearization: FloatArray) -> list[float]:
+        """Frequencies at a state, by M, C + G and K of all coordinates."""
+        if self.block is None:
+            return self.frequencies(*linearization)
+        part = np.ix_(self.block, self.block)
+        return self.frequencies(*(one[part] for one in linearization))
+
+
+@dataclass(frozen=True)
+class OnsetSystems:
+    """What is searched for onsets of a family: with damping or without, the only coordinate that is
+    damped, if there is but one, and the blocks of coordinates.
+    """
+
+    damping: bool
+    only: int | None
+    blocks: list[tuple[int, ...]]
+    sought: list[Sought]
+    said: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, family: Family, damping: bool | None) -> Self:
+        """Of one combination of contacts that touch; with damping unless there is none, if it is
+        not said.
+        """
+        balance, over = family.balance, family.over
+        # With G the pair that crosses is none of a mode that nothing damps.
+        along = None if balance.gyroscopic else damped_by_friction_alone(balance, over)
+        slope = None if along is None else slope_over(balance, over)
+        only = only_damped(balance, over) if along is None and not balance.gyroscopic else along
+        if damping is None:
+            damping = (
+                is_damped(balance, over)
+                if slope is None
+                else bool(slope.magnitude.max() > NEGLIGIBLE)
+            )
+        in_pairs = comes_in_pairs(balance, over)
+        if not damping and not in_pairs:
+            return cls(damping, only, [], [], (NEVER_STABLE,))
+        blocks = blocks_of(family, Evaluation.by_rates if damping else Evaluation.gyroscopic)
+        damped = frozenset[int]()
+        if damping:  # dampers as good as 0 do not count beside what damps one coordinate alone
+            damped = damped_coordinates(family) if only is None else frozenset({only})
+        conservative = is_conservative(balance, over)
+        sought = list[Sought]()
+        for block in blocks:
+            own = None if len(blocks) == 1 else block
+            if in_pairs and not damped & {*block}:
+                # Where K is symmetric all κ are real and stay so as K changes: where two meet they
+                # pass each other.
+                if not conservative and len(block) > 1:
+                    sought.append(Sought(within_block(FLUTTER, own), meeting, "flutter", own))
+            elif only is None or balance.n == 1:
+                sought.append(Sought(within_block(HOPF, own), crossing, "hopf", own))
+            else:
+                # Where K is symmetric damping takes energy from all modes, or gives to all: no pair
+                # crosses.
+                if not conservative and len(block) > 1:
+                    along = block.index(only)
+                    mode = within_block(undamped_mode(along), own)
+                    sought.append(Sought(mode, partial(_without, along), "hopf", own))
+                if slope is None:
+                    sought.append(Sought(no_damping(only), every, "hopf", own))
+                elif conservative or slope.holds_zero().any():
+                    sought.append(Sought(NO_SLOPE, every, "hopf", own))
+        # What has no slope comes last, as its undecided boxes have remarks of their own.
+        sought.sort(key=lambda one: one.condition is NO_SLOPE)
+        return cls(damping, only, blocks, sought)
+
+
 def _in_combination(family: Family, damping: bool | None) -> Points:
     """Onsets of one combination of contacts that touch."""
-    balance, over = family.balance, family.over
-    # With G the pair that crosses is none of a mode that nothing damps.
-    along = None if balance.gyroscopic else damped_by_friction_alone(balance, over)
-    slope = None if along is None else slope_over(balance, over)
-    only = only_damped(balance, over) if along is None and not balance.gyroscopic else along
-    if damping is None:
-        damping = (
-            is_damped(balance, over) if slope is None else bool(slope.magnitude.max() > NEGLIGIBLE)
-        )
-
-    in_pairs = comes_in_pairs(balance, over)
-    if not damping and not in_pairs:
+    systems = OnsetSystems.of(family, damping)
+    if systems.said:
         unknown = replace(nothing(family), whole=np.zeros(1, dtype=np.bool_))
-        return _joined(family, [(unknown, [], [])], flat=False, said=(NEVER_STABLE,))
-    blocks = blocks_of(family, moving=True)
-    damped = frozenset[int]()
-    if damping:  # dampers as good as 0 do not count beside what damps one coordinate alone
-        damped = damped_coordinates(family) if only is None else frozenset({only})
-    conservative = is_conservative(balance, over)
-    sought = list[tuple[Condition, Frequencies, str]]()
-    for block in blocks:
-        own = None if len(blocks) == 1 else block
-        if in_pairs and not damped & {*block}:
-            # Where K is symmetric all κ are real and stay so as K changes: where two meet they
-            # pass each other.
-            if not conservative and len(block) > 1:
-                sought.append((within_block(FLUTTER, own), _of_block(own, meeting), "flutter"))
-        elif only is None or balance.n == 1:
-            sought.append((within_block(HOPF, own), _of_block(own, crossing), "hopf"))
-        else:
-            # Where K is symmetric damping takes energy from all modes, or gives to all: no pair
-            # crosses.
-            if not conservative and len(block) > 1:
-                along = block.index(only)
-                mode = within_block(undamped_mode(along), own)
-                sought.append((mode, _of_block(own, partial(_without, along)), "hopf"))
-            if slope is None:
-                sought.append((no_damping(only), _of_block(own, every), "hopf"))
-            elif conservative or slope.holds_zero().any():
-                sought.append((NO_SLOPE, _of_block(own, every), "hopf"))
-    # What has no slope comes last, as its undecided boxes have remarks of their own.
-    sought.sort(key=lambda one: one[0] is NO_SLOPE)
+        return _joined(family, [(unknown, [], [])], flat=False, said=systems.said)
     parts = list[_Part]()
-    for condition, frequencies, kind in sought:
-        out = search(family, condition)
+    for one in systems.sought:
+        out = search(family, one.condition)
         if out.roots.undecided.shape[2]:
-            out, more, omega = with_seen(Augmented(family, condition), out)
+            out, more, omega = with_seen(Augmented(family, one.condition), out)
             alone = replace(out, roots=more)
             followed = (alone, ["detected"] * omega.size, omega.tolist())
             parts.append(
                 followed
-                if condition.pairs
-                else _part(family, alone, "detected", frequencies, damping)
+                if one.condition.pairs
+                else _part(family, alone, replace(one, kind="detected"), systems.damping)
             )
-        parts.append(_part(family, out, kind, frequencies, damping))
+        parts.append(_part(family, out, one, systems.damping))
     parts = parts or [(nothing(family), [], [])]
-    return _joined(family, parts, flat=bool(sought) and sought[-1][0] is NO_SLOPE)
+    flat = bool(systems.sought) and systems.sought[-1].condition is NO_SLOPE
+    return _joined(family, parts, flat=flat)
 
 
 # ------------------------------------------------------------------------------------------------
 # frequencies
 
 
-def _of_block(block: Block, frequencies: Frequencies) -> Frequencies:
-    """Frequencies of the parts of M, C and K that belong to a block of coordinates."""
-    if block is None:
-        return frequencies
-    part = np.ix_(block, block)
-    return lambda M, C, K: frequencies(M[part], C[part], K[part])
-
-
-def _part(
-    family: Family, found: Found, kind: str, frequencies: Frequencies, damping: bool
-) -> _Part:
+def _part(family: Family, found: Found, sought: Sought, damping: bool) -> _Part:
     """A row for each frequency that a root has; none for roots whose λ are real."""
     rows, omega = list[int](), list[float]()
     every = matrices(family, found.roots.middle, damping)
     for row, each in enumerate(zip(*every, strict=True)):
-        some = frequencies(*each)
+        some = sought.omega(*each)
         omega += some
         rows += [row] * len(some)
     return (
         replace(found, roots=found.roots.select(np.array(rows, dtype=np.int64))),
-        [kind] * len(rows),
+        [sought.kind] * len(rows),
         omega,
     )
 

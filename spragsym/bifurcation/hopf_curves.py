@@ -22,34 +22,26 @@ from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Inte
 from ..results import Curve, Points, Result
 from ..statics import stability
 from ..statics.search import balances_of
-from ..statics.stability import (
-    comes_in_pairs,
-    is_conservative,
-    is_damped,
-    only_damped,
-    slope_over,
-)
-from .bifurcation_sets import FoldCurves, on_lines, rows_of
+from ..statics.stability import slope_over
+from .bifurcation_sets import FoldCurves, on_lines
 from .borders import joined
 from .defining_systems import (
-    FLUTTER,
-    HOPF,
-    KINDS,
+    NO_SLOPE,
     Condition,
     Family,
+    both,
+    fold_of,
     no_damping,
     of_kind,
-    undamped_mode,
+    within_block,
 )
 from .flutter import (
-    NEVER_STABLE,
-    Frequencies,
+    OnsetSystems,
+    Sought,
     criticality_of,
-    crossing,
     every,
     form_or_why,
     frequencies,
-    meeting,
     of_forms,
 )
 from .normal_forms import Coefficient, NormalForm, coefficients
@@ -84,7 +76,7 @@ class OnsetCurves(Result):
     points : Points
         All points of the kinds ``"BT"`` (Bogdanov–Takens: a curve ends on a fold), ``"ZH"``
         (zero–Hopf: it meets a fold) and ``"HH"`` (double Hopf: two curves meet; sought with two
-        coordinates), proved.
+        coordinates, and of parts of a model that do not act on each other), proved.
     changes : mapping
         Generalized Hopf points (GH), where l₁ changes its sign along a curve: columns of the two
         parameters, of the coordinates, and ``error``, the distance of the two proved points with
@@ -183,13 +175,8 @@ def onset_curves(
     as_count("n", n, 2)
     options = options or ContinuationOptions()
     balances = balances_of(p.model, options=options.asked)
-    planes = [_Plane.of(p, vary, between, None, balance) for balance in balances]
-    damped = [
-        is_damped(plane.balance, plane.over) if damping is None else damping for plane in planes
-    ]
-    first, *others = (
-        plane.curves(n, own, options) for plane, own in zip(planes, damped, strict=True)
-    )
+    planes = (_Plane.of(p, vary, between, None, balance) for balance in balances)
+    first, *others = (plane.curves(n, damping, options) for plane in planes)
     return _joined(first, others) if others else first
 
 
@@ -217,30 +204,32 @@ class _Plane(Family):
     coordinates, then both parameters.
     """
 
-    def curves(self, n: int, damping: bool, options: ContinuationOptions) -> OnsetCurves:
+    def curves(self, n: int, damping: bool | None, options: ContinuationOptions) -> OnsetCurves:
         """Curves of Hopf points, or without damping those on which two modes meet."""
-        points, sought, said = self.sought(damping)
-        whole, lines, undecided = (
-            not said,
-            dict[str, FloatArray](),
-            np.empty((0, self.balance.n + 2, 2)),
-        )
+        systems = OnsetSystems.of(self, damping)
+        damping, said = systems.damping, systems.said
+        points, ends = self.points(systems)
+        whole, lines = not said, dict[str, FloatArray]()
+        undecided = np.empty((0, self.balance.n + 2, 2))
         curves, changes = list[Curve](), list[list[float]]()
-        for condition, modes, ends in sought:
-            found = on_lines(self, condition, n, ends, options=options)
+        for sought, own_ends in zip(systems.sought, ends, strict=True):
+            if sought.condition is NO_SLOPE:
+                said, whole = (*said, *self.of_slope()), False
+                continue
+            found = on_lines(self, sought.condition, n, own_ends, options=options)
             for chain in found.chains:
                 linearizations = zip(
-                    _at_ends(found.curves, chain, ends).tolist(),
-                    *matrices(self, chain, damping=modes is not meeting),
+                    _at_ends(found.curves, chain, own_ends).tolist(),
+                    *matrices(self, chain, damping=sought.kind == "hopf"),
                     strict=True,
                 )
                 for states, omega in _pieces(
-                    chain, [_modes(modes, *each) for each in linearizations]
+                    chain, [_modes(sought, *each) for each in linearizations]
                 ):
                     forms = (
-                        self.forms(found.curves, states)
-                        if modes is crossing
-                        else [UNPROVED] * len(omega)
+                        [UNPROVED] * len(omega)
+                        if sought.kind == "flutter" or sought.frequencies is every
+                        else self.forms(found.curves, states)
                     )
                     curve = self.curve(states, omega, forms)
                     curves.append(curve)
@@ -285,56 +274,24 @@ class _Plane(Family):
             said,
         )
 
-    def sought(
-        self, damping: bool
-    ) -> tuple[Points, list[tuple[Condition, Frequencies, FloatArray]], tuple[str, ...]]:
-        """Points at which curves end or change; conditions on curves, what oscillates there, and
-        ends; what is not searched.
-        """
-        balance = self.balance
-        if not damping:
-            points = arranged(self, nothing(self), "")
-            ends = np.empty((balance.n + 2, 0))
-            if not comes_in_pairs(balance, self.over):
-                return points, [], (NEVER_STABLE,)
-            return (
-                points,
-                [] if is_conservative(balance, self.over) else [(FLUTTER, meeting, ends)],
-                (),
-            )
-        alone = balance.n > 1 and not balance.gyroscopic
-        only = only_damped(balance, self.over) if alone else None
-        points = self.points(only)
-        ends = rows_of(self, points)[:, points.kind == "BT"]
-        if only is None:
-            return points, [(HOPF, crossing, ends)], ()
-        free = self.hardly_damped(ends)
-        sought: list[tuple[Condition, Frequencies, FloatArray]] = [
-            (undamped_mode(only), crossing, ends[:, ~free])
-        ]
-        if balance.model.about["dampers"]:
-            return points, [*sought, (no_damping(only), every, ends[:, free])], ()
-        slope = slope_over(balance, self.over)
+    def of_slope(self) -> tuple[str, ...]:
+        """What is not searched where friction alone damps, unless its slope keeps a sign."""
+        slope = slope_over(self.balance, self.over)
         low, high = float(slope.low[0]), float(slope.high[0])
         # An end of the range at which friction vanishes is none.
-        said = (
+        return (
             "where the slope of the friction law is 0 nothing damps and every pair crosses: "
-            f"flutter_onsets lists these onsets; the slope is between {low:.3g} and {high:.3g} here"
-        )
-        return points, sought, (said,) if low < 0 < high else ()
+            "flutter_onsets lists these onsets; the slope is between "
+            f"{low:.3g} and {high:.3g} here",
+        ) * (low < 0 < high)
 
-    def points(self, only: int | None) -> Points:
-        """All points of all kinds; ``only`` one coordinate is damped, if it is given."""
+    def points(self, systems: OnsetSystems) -> tuple[Points, list[FloatArray]]:
+        """All points of all kinds at which curves end or change, and those at which the curves of
+        each of the systems end.
+        """
         kinds, parts = list[str](), list[Found]()
-        sought = [(kind, of_kind(kind, only)) for kind in KINDS]
-        if only is not None and self.balance.model.about["dampers"]:
-            sought.insert(1, ("BT", no_damping(only, on_fold=True)))
-        for kind, condition in sought:
-            # With one coordinate damped the coefficient of λ³ is that damping times a mass.
-            if (kind == "HH" and (self.balance.n != 2 or only is not None)) or (
-                kind == "ZH" and self.balance.n < 2
-            ):
-                continue
+        ends = [np.empty((self.balance.n + 2, 0))] * len(systems.sought)
+        for kind, condition, row in _of_points(systems):
             found = search(self, condition)
             roots = self.roots(found.roots.middle)
             # The pair with the sum 0 is imaginary, both of them at a double Hopf point.
@@ -342,7 +299,11 @@ class _Plane(Family):
             kept = (imaginary >= (4 if kind == "HH" else 2)) | (kind == "BT")
             parts.append(replace(found, roots=found.roots.select(kept)))
             kinds += [kind] * int(kept.sum())
-        return arranged(self, all_of(parts), np.array(kinds, dtype=np.str_))
+            if kind == "BT":
+                middle = parts[-1].roots.middle
+                ends[row] = np.concatenate([ends[row], middle], axis=1)
+        found = all_of(parts or [nothing(self)])
+        return arranged(self, found, np.array(kinds, dtype=np.str_)), ends
 
     def roots(self, states: FloatArray) -> ComplexArray:
         """All λ, shape (N, 2 n)."""
@@ -430,16 +391,49 @@ class _Plane(Family):
             one[:, rows[same]], two[:, rows[~same]] = found[:, same], found[:, ~same]
 
 
-def _modes(modes: Frequencies, end: bool, *state: FloatArray) -> list[float]:
+def _of_points(systems: OnsetSystems) -> Iterator[tuple[str, Condition, int]]:
+    """Kinds of points, conditions on them, and the number of the system whose curves they are on.
+
+    Of blocks of coordinates the pair and the root 0 of a zero–Hopf point, or both pairs of a double
+    one, may be those of two blocks.
+    """
+    only, blocks = systems.only, systems.blocks
+    crossed = [
+        (row, one)
+        for row, one in enumerate(systems.sought)
+        if one.kind == "hopf" and one.condition is not NO_SLOPE
+    ]
+    for row, one in crossed:
+        if only is not None and one.frequencies is every:
+            yield "BT", no_damping(only, on_fold=True), row
+            continue
+        block = one.block or blocks[0]
+        along = None if only is None else block.index(only)
+        kinds = ["BT", *(["ZH"] if len(block) > 1 else [])]
+        # With one coordinate damped the coefficient of λ³ is that damping times a mass.
+        kinds += ["HH"] if len(block) == 2 and only is None else []
+        for kind in kinds:
+            yield kind, within_block(of_kind(kind, along), one.block), row
+        for other in blocks:
+            if other != block:
+                yield "ZH", both(one.condition, fold_of(other)), row
+        for later, another in crossed:
+            if later > row and only is None:
+                yield "HH", both(one.condition, another.condition), row
+
+
+def _modes(sought: Sought, end: bool, *state: FloatArray) -> list[float]:
     """ω of what oscillates at a state, 0 first at a Bogdanov–Takens point, which belongs to the
     curve.
 
     There two λ are 0, and rounding would say what they are.
     """
     if not end:
-        return modes(*state)
+        return sought.omega(*state)
+    if sought.frequencies is not every:
+        return [0.0]
     roots = stability.roots(*state)
-    return [0.0, *(frequencies(roots[np.argsort(np.abs(roots))[2:]]) if modes is every else ())]
+    return [0.0, *frequencies(roots[np.argsort(np.abs(roots))[2:]])]
 
 
 def _pieces(

@@ -118,3 +118,101 @@ def test_a_rotor_that_a_follower_force_drives_never_loses_a_stability() -> None:
     p = model_of(WHIRL, "driven_rotor").Parameters()
     found = ss.flutter_onsets(p, "s", between={"s": (0.05, 2.0)})
     assert (len(found), found.complete) == (0, True)
+
+
+@pytest.mark.thorough
+def test_curves_of_onsets_pass_a_part_that_nothing_damps() -> None:
+    pytest.importorskip("sympy")
+    p = model_of(PAGE, "part_without_damping").Parameters()
+    found = ss.onset_curves(p, ("V", "c"), 4, between={"V": (0.5, 4.0), "c": (0.05, 0.25)})
+    assert (len(found), found.complete) == (1, True)
+    (curve,) = found.curves
+    assert len(curve["V"]) > 4
+    for V, c in zip(curve["V"], curve["c"], strict=True):
+        here = p.replace(c=c)
+        assert growth(V * (1 - 1e-9), here) * growth(V * (1 + 1e-9), here) < 0
+
+
+PAIR = '''r"""Two blocks on one belt that do not act on each other."""
+from spragsym.derive.model import Abs, Page, exp, tanh
+page = Page("Two blocks on one belt.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+v_s = page.unit("v_s", "m/s", "speed over which friction falls")
+mu = page.parameter("mu", "1", "friction of the first", ">= 0", 0.5)
+nu = page.parameter("nu", "1", "friction of the second", ">= 0", 0.4)
+N = page.parameter("N", "N", "normal force", "> 0", 1.0)
+c = page.parameter("c", "N s/m", "damper of each", ">= 0", 0.1)
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 1.0)
+x = page.coordinate("x", "m", "first block")
+y = page.coordinate("y", "m", "second block")
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2) / 2)
+page.spring(k, along=x)
+page.spring(4 * k, along=y)
+page.damper(c, along=x)
+page.damper(c, along=y)
+first = page.normal_force(N, name="first")
+second = page.normal_force(N, name="second")
+page.friction(x, V, lambda v: mu * exp(-Abs(v) / v_s) * tanh(20 * v / v_s), on=first)
+page.friction(y, V, lambda v: nu * exp(-Abs(v) / v_s / 2) * tanh(20 * v / v_s), on=second)
+'''
+
+
+@pytest.mark.thorough
+def test_two_parts_each_have_their_curve_and_meet_in_a_double_hopf_point() -> None:
+    """Each block grows where its friction falls by more than c: at one speed for ν, and at μ(V)."""
+    pytest.importorskip("sympy")
+    p = model_of(PAIR, "two_parts").Parameters()
+    found = ss.onset_curves(p, ("V", "mu"), 3, between={"V": (0.5, 2.0), "mu": (0.2, 0.8)})
+
+    def fall(V: float, share: float) -> float:
+        """Of e^(−s V) tanh(20 V), with the sign turned round."""
+        own = share * math.tanh(20 * V) - 20 / math.cosh(20 * V) ** 2
+        return own * math.exp(-share * V)
+
+    speed = brentq(lambda V: p["nu"] * fall(V, 0.5) - p["c"], 0.5, 2.0, xtol=1e-14)
+    assert found.complete
+    assert found.points.kind.tolist() == ["HH"]
+    np.testing.assert_allclose(found.points["V"], speed, rtol=1e-12)
+    np.testing.assert_allclose(found.points["mu"], p["c"] / fall(speed, 1.0), rtol=1e-12)
+    first, second = sorted(found.curves, key=lambda curve: float(np.ptp(curve["V"])))
+    np.testing.assert_allclose(first["V"], speed, rtol=1e-12)
+    np.testing.assert_allclose(second["mu"], [p["c"] / fall(V, 1.0) for V in second["V"]])
+
+
+BAND = '''r"""A differential band brake: both ends of the band hang on the lever."""
+from spragsym.derive.model import Page, exp, tanh
+page = Page("A band around a drum whose two ends hang on one lever.")
+m = page.unit("m", "kg", "mass of the lever")
+b = page.unit("b", "m", "arm of the slack end")
+k_b = page.unit("k_b", "N/m", "stiffness of the band")
+nu = page.parameter("nu", "1", "friction of the band", ">= 0", 0.2)
+W = page.parameter("W", "rad", "angle of the wrap", "(0, 6)", 3.5)
+P = page.parameter("P", "N", "force at the lever", "> 0", 0.05)
+c = page.parameter("c", "N s/m", "damping", ">= 0", 0.03)
+x = page.coordinate("x", "m", "housing, along the band")
+y = page.coordinate("y", "m", "lever, positive opens the band")
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2) / 2)
+page.spring(0.3 * k_b, along=y)
+page.spring(0.6 * k_b, along=x)
+page.damper(c, along=x)
+page.damper(c, along=y)
+page.force(-P, along=y)
+page.contact(y, lambda depth: k_b * depth)
+law = lambda v: (exp(nu * W) - 1) * tanh(8 * v / (b * (k_b / m)**(1/2)))
+page.friction(x - 2 * y / 5, 0.5 * b * (k_b / m)**(1/2), law, at_rest=exp(nu * W) - 1)
+'''
+
+
+@pytest.mark.thorough
+def test_a_curve_along_which_no_coordinate_moves_is_one() -> None:
+    """States and what is about them depend on ν W alone."""
+    pytest.importorskip("sympy")
+    p = model_of(BAND, "band_brake").Parameters()
+    between = {"W": (3.0, 6.0), "nu": (0.0, 0.4)}
+    (curve,) = ss.onset_curves(p, ("W", "nu"), between=between).curves
+    assert np.ptp(curve["nu"] * curve["W"]) < 1e-9
+    assert np.ptp(curve["nu"]) > 0.12
+    # Of the two coordinates apart no frequencies meet: friction acts on one from the other alone.
+    undamped = ss.flutter_onsets(p, "nu", between={"nu": (0.0, 0.4)}, damping=False)
+    assert (len(undamped), undamped.complete) == (0, True)

@@ -32,9 +32,11 @@ from ..numerics.arithmetic import (
     Polynomial,
     characteristic,
     cofactor,
+    coupled,
     determinant,
     hurwitz,
     is_zero,
+    part_of,
     pencil,
     resultant,
     trimmed,
@@ -273,21 +275,16 @@ def blocks_of(
     Where one of these is 0, the directions v and w of K v = 0 and w K = 0 need not have a part
     along a coordinate of another block.
     """
-    from scipy.sparse.csgraph import connected_components  # heavy, and few questions need it
-
     at = _of_structure(family)
     with quiet():
-        matrices = [at.slopes, *([at.mass(), by_rates(at)] if by_rates else [])]
-    pattern = np.any([_entries(one) for one in matrices], axis=0)
-    _, labels = connected_components(pattern, connection="strong")
-    return sorted(tuple(np.flatnonzero(labels == label).tolist()) for label in set(labels.tolist()))
+        return coupled(at.slopes, *([at.mass(), by_rates(at)] if by_rates else []))
 
 
 def damped_coordinates(family: Family) -> frozenset[int]:
     """The coordinates in whose balance a rate damps, by structure."""
     with quiet():
         C = _of_structure(family).damping()
-    return frozenset(np.flatnonzero(_entries(C).any(axis=1)).tolist())
+    return frozenset(i for i, row in enumerate(C) if not all(map(is_zero, row)))
 
 
 def _of_structure(family: Family) -> Evaluation:
@@ -297,11 +294,6 @@ def _of_structure(family: Family) -> Evaluation:
     system = Augmented(family, FOLD)
     with quiet():
         return system.state(list(Intervals(np.zeros((2, system.n, 1)))), system.fixed(1))
-
-
-def _entries(A: Matrix) -> BoolArray:
-    """The entries of a matrix that are not 0 by structure."""
-    return np.array([[not is_zero(entry) for entry in row] for row in A])
 
 
 @cache
@@ -329,7 +321,7 @@ def both(one: Condition, other: Condition) -> Condition:
 
 
 def _determinant_of(K: Matrix, block: Block) -> Number:
-    return determinant(K if block is None else [[K[i][j] for j in block] for i in block])
+    return determinant(K if block is None else part_of(K, block))
 
 
 @cache

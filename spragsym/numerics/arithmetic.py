@@ -178,6 +178,23 @@ def is_zero(value: Number) -> bool:
     return isinstance(value, int) and value == 0
 
 
+def coupled(*matrices: Matrix) -> list[tuple[int, ...]]:
+    """Blocks of places each of which acts on all others of its block, directly or through others,
+    by entries that are not 0 by structure: a determinant is the product of those of its blocks.
+    """
+    places = range(len(matrices[0]))
+    acting = [{i} | {j for A in matrices for j in places if not is_zero(A[i][j])} for i in places]
+    for k in places:
+        for each in acting:
+            each |= acting[k] if k in each else set()
+    return sorted({tuple(j for j in sorted(acting[i]) if i in acting[j]) for i in places})
+
+
+def part_of(A: Matrix, places: Sequence[int]) -> list[list[Any]]:
+    """The rows and columns of a matrix that belong to these places."""
+    return [[A[i][j] for j in places] for i in places]
+
+
 def linear_solution(
     matrix: Matrix, values: Sequence[Any], choose: Choice | None = None
 ) -> list[Any]:

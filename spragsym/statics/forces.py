@@ -15,7 +15,7 @@ from ..models.field import undecorated
 from ..models.forces import named
 from ..models.model import Model, Touching, label_of
 from ..numerics import jets
-from ..numerics.arithmetic import Matrix, Number, is_zero
+from ..numerics.arithmetic import Matrix, Number, is_zero, part_of
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
@@ -376,7 +376,7 @@ class Evaluation:
         return self._parted(self.rows("forces_jacobian") if self.balance.sums else self.slopes)
 
     def _parted(self, A: Matrix) -> Matrix:
-        return A if self.part is None else [[A[i][j] for j in self.part] for i in self.part]
+        return A if self.part is None else part_of(A, self.part)
 
     def contact_force(self, contact: int, pushing: Any) -> Number:
         """The normal force of a contact, by its number."""

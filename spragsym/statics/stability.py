@@ -17,6 +17,8 @@ digits.
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
+from itertools import chain
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -24,7 +26,16 @@ from numpy.typing import NDArray
 
 from ..models.model import Touching
 from ..numerics import balls
-from ..numerics.arithmetic import Matrix, Number, characteristic, determinant, hurwitz, is_zero
+from ..numerics.arithmetic import (
+    Matrix,
+    Number,
+    characteristic,
+    coupled,
+    determinant,
+    hurwitz,
+    is_zero,
+    part_of,
+)
 from ..numerics.balls import UndecidedSign, ball
 from ..numerics.interval_arrays import (
     BoolArray,
@@ -168,8 +179,10 @@ def classified(
     with quiet():
         signs, real, even = _over(balance, balance.prepared_at(given), ends)
     codes, proved = _types_by_signs(signs, real, even)
-    for row, signs in _with_digits(balance, given, ends, ~proved, lambda _: _types):
-        codes[row], proved[row] = _types_by_signs(signs, real[row], even[row])
+    for row, signs in _with_digits(
+        balance, given, ends, ~proved, lambda row: partial(_types, even[:, row])
+    ):
+        codes[row], proved[row] = _types_by_signs(signs, real[:, row], even[:, row])
     M, G, K = linearization(balance, states, given, damping=False)
     if balance.gyroscopic:
         every = roots(M, G, K)
@@ -247,8 +260,10 @@ def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray
     """Boxes of coordinates and prepared parameters all over which all κ are proved to be real,
     those that meet included.
     """
-    (_, minors, *_), real, even = _over(balance, parameters, ends)
-    return np.asarray(real | (even & (minors > 0).all(axis=0)))
+    signs, real, even = _over(balance, parameters, ends)
+    minors = [part[1] for part in _by_blocks(signs, len(real))]
+    parts = zip(real, even, minors, strict=True)
+    return np.logical_and.reduce([one | (two & (part > 0).all(axis=0)) for one, two, part in parts])
 
 
 def types_over(
@@ -263,19 +278,42 @@ def types_over(
 def _over(
     balance: Balance, parameters: Intervals, ends: FloatArray
 ) -> tuple[list[Int8Array], BoolArray, BoolArray]:
-    """Signs of :func:`_types` over boxes; where all κ are real in any case, K being symmetric and
-    G 0; and where either holds, so that λ come in pairs ± λ.
-    """
+    """Signs of :func:`_types` over boxes, and :func:`_in_pairs`."""
     at = balance.state(Intervals(ends), parameters)
-    symmetric = _symmetric(balance, parameters)
-    if not balance.gyroscopic:
-        return _signs_over(at, _types), symmetric, np.ones_like(symmetric)
-    still, same = (
-        matrix(part, at.shape).magnitude.max(axis=(0, 1)) <= NEGLIGIBLE
-        for part in (at.gyroscopic(), at.circulatory())
+    real, even = _in_pairs(
+        at,
+        _symmetric(balance, parameters),
+        lambda part: matrix(part, at.shape).magnitude.max(axis=(0, 1)) <= NEGLIGIBLE,
     )
-    symmetric |= same
-    return _signs_over(at, _types), symmetric & still, symmetric | still
+    return _signs_over(at, partial(_types, even)), real, even
+
+
+def _in_pairs(
+    at: Evaluation, symmetric: BoolArray, vanishes: Callable[[Matrix], BoolArray | bool]
+) -> tuple[BoolArray, BoolArray]:
+    """By blocks of :func:`_blocks`, shape (blocks, …): where all κ are real in any case, K being
+    symmetric and G 0; and where either holds, so that λ come in pairs ± λ.
+
+    Of a model without G it is not asked whether K is symmetric at this state.
+    """
+    real, even = list[BoolArray](), list[BoolArray]()
+    for block in _blocks(at):
+        still, same = (vanishes(part_of(A, block)) for A in (at.gyroscopic(), at.circulatory()))
+        alike = symmetric | (len(block) == 1) | (same & at.balance.gyroscopic)
+        real.append(alike & still)
+        even.append(alike | still)
+    return np.array(real), np.array(even)
+
+
+def _blocks(at: Evaluation) -> list[tuple[int, ...]]:
+    """Blocks of coordinates that swing by themselves without damping, but for what others drive."""
+    return coupled(at.mass(), at.gyroscopic(), at.stiffness())
+
+
+def _by_blocks(signs: Sequence[Int8Array], blocks: int) -> list[Sequence[Int8Array]]:
+    """Signs of :func:`_types` block by block."""
+    size = len(signs) // blocks
+    return [signs[k * size : (k + 1) * size] for k in range(blocks)]
 
 
 def without_flutter(balance: Balance, parameters: Intervals) -> BoolArray:
@@ -315,9 +353,15 @@ def decay(
     """
 
     def asked(shift: Number) -> Ask:
-        return lambda at, taken: _routh_twice(
-            shift, *map(taken, (at.mass(), at.by_rates(), at.stiffness()))
-        )
+        def ask(at: Evaluation, taken: Taken) -> Matrix:
+            every = at.mass(), at.by_rates(), at.stiffness()
+            parts = [
+                _routh_twice(shift, *(taken(part_of(A, block)) for A in every))
+                for block in coupled(*every)
+            ]
+            return [[*chain.from_iterable(part)] for part in zip(*parts, strict=True)]
+
+        return ask
 
     with quiet():
         at = balance.state(Intervals(ends), balance.prepared_at(given))
@@ -336,13 +380,21 @@ def decay(
     return found
 
 
-def _types(at: Evaluation, taken: Taken) -> Matrix:
-    """Types of states; with G by Routh's array and Sturm's chain too."""
-    K, M = taken(at.stiffness()), taken(at.mass())
-    if not at.balance.gyroscopic:
-        return invariants(characteristic(K, M))
-    a = characteristic(K, taken(at.gyroscopic()), M)
-    return [*invariants(a[::2]), *_growing(a)]
+def _types(even: BoolArray, at: Evaluation, taken: Taken) -> Matrix:
+    """Types of states, block by block; with G, unless λ come in pairs, by Routh's array and Sturm's
+    chain too.
+
+    A block that swings by itself has λ on the axis, where the array of all together would end.
+    """
+    numbers = list[Any]()
+    for block, in_pairs in zip(_blocks(at), even, strict=True):
+        M, G, K = (taken(part_of(A, block)) for A in (at.mass(), at.gyroscopic(), at.stiffness()))
+        if not at.balance.gyroscopic:
+            numbers += invariants(characteristic(K, M))
+            continue
+        a = characteristic(K, G, M)
+        numbers += [*invariants(a[::2]), *([[1]] * 3 if in_pairs.all() else _growing(a))]
+    return numbers
 
 
 def _growing(a: list[Any]) -> Matrix:
@@ -356,13 +408,13 @@ def _growing(a: list[Any]) -> Matrix:
     rows = [b[::2], b[1::2]]
     while rows[-1]:
         rows.append(_reduced(*rows[-2:]))
-    chain = [a[::-1], [*derivative(a)][::-1]]
-    while len(chain[-1]) > 1:
-        chain.append([-entry for entry in _reduced(_reduced(*chain[-2:]), chain[-1])])
+    sturm = [a[::-1], [*derivative(a)][::-1]]
+    while len(sturm[-1]) > 1:
+        sturm.append([-entry for entry in _reduced(_reduced(*sturm[-2:]), sturm[-1])])
     return [
         [row[0] for row in rows[:-1]],
-        [part[-1] for part in chain],
-        [part[0] for part in chain],
+        [part[-1] for part in sturm],
+        [part[0] for part in sturm],
     ]
 
 
@@ -433,8 +485,18 @@ def _types_by_signs(
     signs: Sequence[Int8Array], real: BoolArray, even: BoolArray
 ) -> tuple[Int8Array, BoolArray]:
     """Codes, and whether the signs that are known decide them, 0 for one that is not; ``real`` and
-    ``even`` as :func:`_over` has them.
+    ``even`` as :func:`_in_pairs` has them. A state has the worst type of its blocks.
     """
+    parts = zip(_by_blocks(signs, len(real)), real, even, strict=True)
+    codes, proved = map(np.array, zip(*(_type_of_block(*part) for part in parts), strict=True))
+    flutter = (codes == EquilibriumType.FLUTTER) & proved
+    return codes.max(axis=0), proved.all(axis=0) | flutter.any(axis=0)
+
+
+def _type_of_block(
+    signs: Sequence[Int8Array], real: BoolArray, even: BoolArray
+) -> tuple[Int8Array, BoolArray]:
+    """:func:`_types_by_signs` of one block."""
     elementary, minors, *counted = signs
     flutter = (minors < 0).any(axis=0) & ~real
     real = real | (minors > 0).all(axis=0)
@@ -479,18 +541,14 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> EquilibriumType:
     decided.
     """
     balance, at = precise.balance, precise.state(q)
-    mus, still, same = (
-        all(
-            low == 0 == high
-            for row in as_balls(part, precise.bits)
-            for low, high in map(balls.ends, row)
-        )
-        for part in ([[*at.circulatory_frictions]], at.gyroscopic(), at.circulatory())
-    )
-    # Of a model without G it is not asked whether K is symmetric at this state.
-    symmetric = _without_friction(balance, np.array([mus])) | (same and balance.gyroscopic)
-    signs = _signs_at(precise, q, _types)
-    code, proved = _types_by_signs(signs, symmetric & still, symmetric | still)
+
+    def vanishes(part: Matrix) -> bool:
+        rows = as_balls(part, precise.bits)
+        return all(low == 0 == high for row in rows for low, high in map(balls.ends, row))
+
+    frictionless = np.array([vanishes([[*at.circulatory_frictions]])])
+    real, even = _in_pairs(at, _without_friction(balance, frictionless), vanishes)
+    code, proved = _types_by_signs(_signs_at(precise, q, partial(_types, even)), real, even)
     if not proved[0]:
         raise UndecidedSign("a state on the border of its type")
     return EquilibriumType(int(code[0]))

@@ -10,6 +10,7 @@ import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
+from spragsym.results import EquilibriumType
 from tests.oracles.user_pages import model_of
 
 PAGE = '''r"""A pad that slides, a mass behind it, and a coordinate across that nothing damps."""
@@ -216,3 +217,13 @@ def test_a_curve_along_which_no_coordinate_moves_is_one() -> None:
     # Of the two coordinates apart no frequencies meet: friction acts on one from the other alone.
     undamped = ss.flutter_onsets(p, "nu", between={"nu": (0.0, 0.4)}, damping=False)
     assert (len(undamped), undamped.complete) == (0, True)
+
+
+@pytest.mark.thorough
+def test_a_part_on_the_axis_hides_no_growth_of_another() -> None:
+    """The rotor grows by s/(2 √k) at W = 0, and for every W; the slider swings beside it."""
+    pytest.importorskip("sympy")
+    eq = ss.equilibria(model_of(WHIRL, "driven_rotor").Parameters(W=[0.0, 0.4]))
+    assert eq.undamped.ravel().tolist() == [EquilibriumType.FLUTTER] * 2
+    assert not eq.marginal.any()
+    assert eq.growth_sign.ravel().tolist() == [1, 1]

@@ -53,3 +53,10 @@ def test_eigenvalues_and_verdicts_are_those_of_the_quadratic_pencil(
         if np.abs(damped.real.max()) > 1e-3 * size:
             assert eq.growth_sign[row, 0] == np.sign(damped.real.max())
     assert seen == kinds
+
+
+def test_many_digits_tell_the_type_where_all_roots_come_in_pairs() -> None:
+    """Without friction K is symmetric: positive definite here, so that nothing grows."""
+    p = ss.load("wobbling_disc").Parameters(mu0=0.0)
+    (state,) = ss.precise.equilibria(p, dps=20).states
+    assert state.undamped == EquilibriumType.STABLE

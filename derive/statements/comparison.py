@@ -221,12 +221,16 @@ class Comparison:
         )
 
     def _on_side(self, value: sp.Expr, side: str) -> sp.Expr:
-        """A value with sizes and signs of the gaps, and relations to 0, as they are on a side."""
+        """A value with sizes and signs of the gaps, and relations to 0, as they are on a side; of
+        sliding speeds where every belt is ahead.
+        """
         it = self.item.it
         for contact in it.model.contacts:
             if contact.unilateral:
                 gap = it.expanded(it.spelled(contact.gap))
                 value = _with_sign(value, gap, -1 if contact.name in it.sides[side] else 1)
+        for speed in it.speeds if self.item.held.ahead else ():
+            value = _with_sign(value, it.expanded(speed), 1)
         return value
 
 

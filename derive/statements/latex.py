@@ -21,7 +21,7 @@ from .names import Name, Names, moved
 from .tree import ONE, ZERO, Equation, Node, Unread, Vocabulary, printed, read_sympy
 
 #: Functions by their print, and what SymPy calls them.
-FUNCTIONS = {name: name for name in tree.FUNCTIONS.keys() - {"log", "sqrt", "Abs"}}
+FUNCTIONS = {name: name for name in tree.FUNCTIONS.keys() - {"log", "sqrt", "Abs", "Heaviside"}}
 FUNCTIONS |= {f"arc{name[1:]}": name for name in FUNCTIONS if name.startswith("a")}
 FUNCTIONS |= {"ln": "log", "sgn": "sign", "abs": "Abs"}
 
@@ -30,6 +30,7 @@ _ROMAN = (r"\mathrm", r"\text", r"\mathit", r"\mathsf", r"\operatorname", r"\tex
 _BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
 _ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
 _TIMES = (r"\cdot", r"\times", "*", r"\ast")
+_MATRICES = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array")
 _EQUAL = ("=", ":=", r"\equiv", r"\triangleq", r"\coloneqq")
 _RELATIONS = {
     sign: name
@@ -130,7 +131,10 @@ class _LatexReader:
             name = self.only_name(nested(text))
             if name is None:
                 raise Unread(f"{text} under [symbols] is not one name", 0)
-            self.names.renamed[name,] = self.page(page)
+            if page in tree.FUNCTIONS and page not in self.names.symbols:
+                self.names.functions[name] = page
+            else:
+                self.names.renamed[name,] = self.page(page)
 
     def page(self, text: str) -> Node:
         """A name or an expression in the page's names; a prime is a rate."""
@@ -168,16 +172,24 @@ class _LatexReader:
             at = (items[0].at[0], items[-1].at[1])
             argument = here.text == "(" and here.place + 1 == len(items)
             known = self.names.known(name, at)
-            law = argument and (known is None or known.value in self.names.laws)
+            is_law = known is None or known.value in self.names.laws
+            law = argument and is_law and name != Name("diag")
             if here.item is None or law:
                 return self.matrix(known or Node("symbol", value=name.spelled, at=at))
         value = self.expression(items)
         return node_of(value) if {*shape_of(value)} == {1} else value
 
     def matrix(self, node: Node) -> Value:
-        """Matrix that a name stands for: entries, where it is one of a matrix."""
+        """Matrix that a name stands for: entries, where it is one of a matrix or a column."""
+        if node.kind == "symbol" and node.value in self.names.columns:
+            return np.array([[replace(node, value=it)] for it in self.names.columns[node.value]])
         shape = self.matrices.get(node.value) if node.kind == "symbol" else None
         return node if shape is None else named(node, shape)
+
+    def is_matrix(self, name: Name) -> bool:
+        """Whether a name stands for a matrix or a column."""
+        known = self.names.known(name, (0, 0))
+        return known is not None and not isinstance(self.matrix(known), Node)
 
     def number(self, items: Tokens) -> Node:
         """An expression that is no matrix."""
@@ -270,6 +282,8 @@ class _LatexReader:
             return found
         if function := self.function(here):
             return self.call(function, here, start)
+        if diagonal := self.diagonal(here):
+            return diagonal
         if text == r"\det":
             here.take()
             inner = _bracket(here.item, ("(", "["))
@@ -332,7 +346,11 @@ class _LatexReader:
             here.take()
             value = self.names.rate(node_of(value))
         if here.text == "_":
-            raise Unread("an index behind what has no name", here.at)
+            place = here.at
+            here.take()
+            if [it.text for it in _argument(here)] != ["+"]:
+                raise Unread("an index behind what has no name", place)
+            value = Node("call", (node_of(value), ZERO), "max", (start, here.end))
         if here.text == "^":
             here.take()
             exponent = _argument(here)
@@ -365,12 +383,16 @@ class _LatexReader:
         if it.text[0].isdigit() or it.text[0] == ".":
             return Node("number", value=it.text, at=it.at)
         inside = it.items or ()
-        if it.text in ("|", "|bare"):
+        if it.text in ("|", "|bare") and [one.text in _MATRICES for one in inside] != [True]:
             return Node("call", (self.number(inside),), "Abs", it.at)
+        if it.text in ("|", "|bare", "vmatrix"):
+            whole = self.environment(it if it.text == "vmatrix" else inside[0])
+            return replace(determinant(whole), at=it.at)
+        if it.text == r"\langle":  # the positive part, in Macaulay's brackets
+            return Node("call", (self.number(inside), ZERO), "max", it.at)
         if it.text == r"\{" and [one.text for one in inside] in (["array"], ["matrix"]):
             it = inside[0]
-        matrices = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array", "cases")
-        if it.text in matrices:
+        if it.text in (*_MATRICES, "cases"):
             return self.environment(it)
         if it.text not in ("(", "[", "{", r"\{"):
             raise Unread(f"{it.text} is not read", it.at[0])
@@ -398,6 +420,18 @@ class _LatexReader:
         if len({*map(len, rows)}) != 1:
             raise Unread("rows of different length", item.at[0])
         return np.array([[self.number(cell) for cell in row] for row in rows])
+
+    def diagonal(self, here: Cursor) -> Factor | None:
+        """A diagonal matrix by its entries, as \\mathrm{diag}(m, m); nothing is taken for none."""
+        count = 2 if here.text in _ROMAN else 1
+        following = here.items[here.place :][: count + 1]
+        word = "".join(it.text for it in _flat(following[:count])).removeprefix("\\")
+        inside = _bracket(following[-1], ("(", "[", r"\{")) if following[count:] else None
+        if word != "diag" or inside is None:
+            return None
+        here.place += count + 1
+        entries = [self.number(it) for it in split(inside, ",")]
+        return Factor(np.where(np.eye(len(entries), dtype=bool), np.array(entries), ZERO))
 
     def choice(self, rows: list[list[list[Token]]], item: Token) -> Node:
         """Values with the conditions under which they hold."""
@@ -430,6 +464,11 @@ class _LatexReader:
 
     def function(self, here: Cursor) -> str:
         """A function that stands here, by SymPy's name; empty, and nothing is taken, for none."""
+        if self.names.functions:
+            name, power = self.name(ahead := replace(here))
+            if name in self.names.functions and power is None:
+                here.place = ahead.place
+                return self.names.functions[name]
         text, following = here.text, here.items[here.place :][:6]
         if text == r"\log":
             raise Unread(r"\log is natural or decadic; print \ln", here.at, ("log", "log10"))
@@ -440,7 +479,8 @@ class _LatexReader:
             letters = "".join(
                 it.text if re.fullmatch("[a-z]", it.text) else " " for it in following
             )
-            word = max((it for it in FUNCTIONS if letters.startswith(it)), key=len, default="")
+            spelled = (it for it in FUNCTIONS if it not in tree.OF_SEVERAL)
+            word = max((it for it in spelled if letters.startswith(it)), key=len, default="")
             if word and {*word} <= self.names.symbols:
                 raise Unread(f"{word} or a product", here.at, (word, "*".join(word)))
             count = len(word)
@@ -464,7 +504,7 @@ class _LatexReader:
         if bracket is not None or here.text == "{":
             whole = here.take().items or ()
             arguments = tuple(map(self.number, split(whole if bracket is None else bracket, ",")))
-            if len(arguments) > 1:
+            if (len(arguments) > 1) is not (name in tree.OF_SEVERAL):
                 raise Unread(f"{name} of {len(arguments)} arguments", begin)
         else:
             argument, is_open = self.bare_argument(name, here)
@@ -565,9 +605,14 @@ class _LatexReader:
                 raise Unread("dots on what is no name", it.at[0])
             name = replace(name, order=name.order + it.text.count("d"))
         elif it.text in (*_ROMAN, *_BOLD, *_ACCENTS):
-            word = "".join(one.text.removeprefix("\\") for one in _flat(_argument(here)))
+            argument = _argument(here)
             style = "" if it.text in _ROMAN else _ACCENTS.get(it.text, it.text) + " "
-            name = Name(f"{style}{word}")
+            if [one.text for one in argument[:1]] in ([r"\dot"], [r"\ddot"]):
+                inner = self.only_name(argument)
+                name = inner and replace(inner, base=f"{style}{inner.base}")
+            else:
+                word = "".join(one.text.removeprefix("\\") for one in _flat(argument))
+                name = Name(f"{style}{word}")
         elif count := self.names.word(here.items, begin):
             here.place = begin + count
             name = Name("".join(one.text for one in here.items[begin : here.place]))
@@ -596,7 +641,9 @@ class _LatexReader:
                 name = replace(name, order=name.order + primes)
                 exponent = argument[primes:] or exponent
             elif label in ("*", "+", "-", "ast", "star") or (
-                argument and argument[0].text in _ROMAN
+                argument
+                and argument[0].text in _ROMAN
+                and not (label == "T" and self.is_matrix(name))
             ):
                 name = replace(name, sup=label)
             elif exponent is not None:

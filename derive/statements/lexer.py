@@ -80,6 +80,7 @@ def nested(text: str) -> tuple[Token, ...]:
     """Tokens of a print in LaTeX."""
     stack: list[tuple[str, int, list[Token], bool]] = [("", 0, [], False)]
     closing = {"(": ")", "[": "]", r"\{": r"\}", "{": "}", "|": "|"}
+    closing[r"\langle"] = r"\rangle"
     for token, start, stop, side in _tokens(text):
         opened, begin, inner, sized = stack[-1]
         bar = token == "|"

@@ -30,6 +30,18 @@ def named(node: Node, shape: Shape) -> Matrix:
     return found
 
 
+def matrix_of(entries: Sequence[str]) -> tuple[str, Shape] | None:
+    """The matrix of which these are the names of all entries, with its shape; None of none."""
+    base, count = entries[0].rpartition("_")[0], len(entries)
+    for rows in range(1, count + 1) if base and count > 1 else ():
+        shape = (rows, count // rows)
+        if count % rows == 0 and [*entries] == [
+            entry_name(base, shape, i, j) for i, j in np.ndindex(shape)
+        ]:
+            return base, shape
+    return None
+
+
 def identity(size: int) -> Matrix:
     """The identity matrix."""
     return np.array([ZERO, ONE])[np.eye(size, dtype=int)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -9,6 +10,12 @@ from dataclasses import dataclass, replace
 from ..model import acceleration_of
 from .lexer import Tokens
 from .tree import Node, Unread, Vocabulary, printed
+
+
+#: Words for the columns of all coordinates, of their rates and of their accelerations.
+COLUMNS = ("coordinates", "rates", "accelerations")
+#: Words for the objects that are matrices.
+MATRICES = ("mass", "damping", "gyroscopic", "stiffness")
 
 
 @dataclass(frozen=True)
@@ -26,6 +33,20 @@ class Name:
         parts = [re.sub(r"\W+", "", part) for part in (self.base, self.sub, self.sup)]
         return "_".join(part for part in parts if part) + "'" * self.order
 
+    def __str__(self) -> str:
+        """The name as it is printed, and what a bold one may stand for."""
+        style, _, letter = self.base.rpartition(" ")
+        if not style:
+            return self.spelled
+        marks = "".join(f"{sign}{it}" for sign, it in (("_", self.sub), ("^", self.sup)) if it)
+        return f"{style}{{{letter}}}{marks}"
+
+    @property
+    def remedy(self) -> str:
+        """What may stand under [symbols], of a bold name too."""
+        words = ", ".join((*COLUMNS, *MATRICES))
+        return f" by a name of the page, or as {words}" if " " in self.base else ""
+
 
 class Names:
     """Names of the page by their print."""
@@ -41,6 +62,16 @@ class Names:
             it for it in self.symbols - {*self.next.values()} if len(it) > 1 and it.isalnum()
         }
         self.renamed: dict[tuple[Name, ...], Node] = {}
+        #: functions by their printed names, as SymPy calls them
+        self.functions: dict[Name, str] = {}
+        #: columns of coordinates, rates and accelerations, by the words for them
+        self.columns: dict[str, tuple[str, ...]] = {}
+        row = vocabulary.coordinates
+        for word in COLUMNS:
+            if word not in self.symbols:
+                self.columns[word] = row
+            row = tuple(self.next.get(it, "") for it in row)
+        self.next |= dict(itertools.pairwise(self.columns))
 
     def times(self) -> set[str]:
         """Names of time, which the page gives to nothing else."""
@@ -50,9 +81,8 @@ class Names:
         """Meaning of a name on the page."""
         found = self.known(name, at)
         if found is None:
-            raise Unread(
-                f"{name.spelled} is no name of the page; say what it is under [symbols]", at[0]
-            )
+            remedy = f"say what it is under [symbols]{name.remedy}"
+            raise Unread(f"{name} is no name of the page; {remedy}", at[0])
         return found
 
     def known(self, name: Name, at: tuple[int, int]) -> Node | None:

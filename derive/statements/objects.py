@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TypeAlias, TypeVar, cast
 
 import sympy as sp
+from sympy.solvers.solveset import NonlinearError
 
 from .. import laws, linearization, mechanics, physical_checks, statics, units
 from ..algebra import Names, Row
@@ -22,6 +23,8 @@ NORMAL, LAMBDA, TIME = sp.Symbol("N", real=True), sp.Symbol("lam"), sp.Symbol("t
 
 #: Sides on which a statement is meant: all contacts touch, none of those that can open, or either.
 CONTACT, LIFT_OFF, BOTH = "contact", "lift-off", "both"
+#: Behind a side, of these words: every belt is ahead, so that a friction has one sign.
+AHEAD, MOVING = "belt ahead", ("motion", "acceleration")
 
 T = TypeVar("T")
 
@@ -58,6 +61,7 @@ class Object:
     names: frozenset[str] = frozenset()
     steady: bool = False  #: friction is that at steady sliding
     side: str = CONTACT
+    ahead: bool = False  #: every belt is ahead of what slides on it
     unit: Dimension | None = None
     readings: tuple[Reading, ...] = ()
     shape: tuple[int, int] | None = None
@@ -223,6 +227,12 @@ class Derivation:
             speed = sliding.belt - self.page.rate(sliding.along)
             values.append(self.spelled(self.model.scaled(expression_of(sliding.law(speed)))))
         return dict(zip(self.coefficients, values or [sp.S.Zero], strict=True))
+
+    @cached_property
+    def speeds(self) -> list[sp.Expr]:
+        """The sliding speed of every friction: that of the belt less that of what slides on it."""
+        slides = ((it.belt, self.page.rate(it.along)) for it in self.page.frictions)
+        return [self.spelled(self.model.scaled(expression_of(a - b))) for a, b in slides]
 
     @cached_property
     def at_rest(self) -> dict[sp.Symbol, sp.Expr]:
@@ -399,6 +409,22 @@ def _equilibrium(it: Derivation, name: str, side: str) -> Object:
     )
 
 
+def _state(it: Derivation, name: str, side: str) -> Object:
+    """The coordinates at steady sliding where all forces are linear, which is one state."""
+    rows = [it.expanded(it.steady(row, side)) for row in it.model.residuals]
+    try:
+        stiffness, loads = sp.linear_eq_to_matrix(rows, it.model.coordinates)
+    except NonlinearError as error:
+        raise NoObject("forces are not linear; print the equations as equilibrium") from error
+    if stiffness.has(*it.model.coordinates) or stiffness.det().equals(0):
+        raise NoObject("there is not one state; print the equations as equilibrium")
+    place = it.places(name)
+    names = frozenset(f"{it.model.coordinates[one]}{mark}" for one in place for mark in ("", "_0"))
+    by, solved = "mechanics.Mechanics.residuals", stiffness.LUsolve(loads)
+    entries = tuple(map(sp.factor, solved))
+    return Object(entries, by, "vector", place, names=names, steady=True, side=side)
+
+
 def _entries(
     of: Callable[[Derivation], sp.Matrix], letter: str, by: str
 ) -> Callable[[Derivation, str, str], Object]:
@@ -569,6 +595,7 @@ OBJECTS: Mapping[str, Deriver] = {
     "energy": _energy,
     "balance": _balance,
     "equilibrium": _equilibrium,
+    "state": _state,
     "mass": _entries(lambda it: it.model.mass, "M", "mechanics.Mechanics.mass"),
     "damping": _entries(lambda it: linearization.damping(it.model), "C", "linearization.damping"),
     "gyroscopic": _entries(lambda it: it.model.gyroscopic, "G", "mechanics.Mechanics.gyroscopic"),
@@ -602,7 +629,8 @@ def derived(it: Derivation, about: str) -> Object:
     """
     said, _, where = (part.strip() for part in about.partition(","))
     word, _, rest = said.partition(" ")
-    side = where or CONTACT
+    ahead = where.endswith(AHEAD)
+    side = where.removesuffix(AHEAD).rstrip(", ") or CONTACT
     if word not in OBJECTS:
         raise NoObject(f"{about!r} is no object; there are {', '.join(OBJECTS)}")
     resting = ("balance", "equilibrium", "characteristic", "threshold", "direction")
@@ -610,4 +638,7 @@ def derived(it: Derivation, about: str) -> Object:
         raise NoObject(f"nothing rests on a page with a clock, and there is no {word}")
     if side not in (*it.sides, BOTH):
         raise NoObject(f"{side!r} is no side of the contacts; there are {'; '.join(it.sides)}")
-    return it.kept(word, f"{rest.strip()}, {side}", lambda: OBJECTS[word](it, rest.strip(), side))
+    if ahead and not (word in MOVING and it.speeds):
+        raise NoObject(f"{AHEAD} is of {' and '.join(MOVING)} on a page with friction")
+    found = it.kept(word, f"{rest.strip()}, {side}", lambda: OBJECTS[word](it, rest.strip(), side))
+    return replace(found, ahead=ahead)

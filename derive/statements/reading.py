@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -11,7 +12,8 @@ import sympy as sp
 
 from ..pages import PageModel
 from . import samples
-from .matrices import entry_name
+from .matrices import entry_name, matrix_of
+from .names import MATRICES
 from .objects import TIME, Derivation, NoObject, Object, derivation, derived
 from .papers import Paper, Statement
 from .repair import Values, stem
@@ -33,6 +35,8 @@ class Book:
     #: names by the statements that give them
     bound: dict[str, Statement] = field(default_factory=dict)
     defined: dict[str, Node] = field(default_factory=dict)
+    #: rows and columns of defined matrices
+    shapes: dict[str, tuple[int, ...]] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)  #: LaTeX of names, as printed
 
     def objects(self, it: Derivation) -> Iterator[tuple[str, Object]]:
@@ -102,10 +106,7 @@ def forms_of(model: PageModel) -> dict[str, Derivation]:
 
 def opened(paper: Paper, model: PageModel) -> tuple[Book, list[Item | Verdict]]:
     """A paper's names, and its statements in order; definitions may stand behind their use."""
-    book = Book(forms_of(model), paper.renamed)
-    for text, name in paper.renamed.items():
-        if name.isidentifier():
-            book.letters[name] = text
+    book = _begun(paper, forms_of(model))
     for statement in paper.statements:
         _bind(statement, book)
     found: dict[str, Item | Verdict] = {}
@@ -114,6 +115,21 @@ def opened(paper: Paper, model: PageModel) -> tuple[Book, list[Item | Verdict]]:
             if (statement.word == "definition") is first:
                 found[statement.id] = prepared(statement, book)
     return book, [found[statement.id] for statement in paper.statements]
+
+
+def _begun(paper: Paper, forms: Mapping[str, Derivation]) -> Book:
+    """The names that a paper lists; of an object by the words for it, as "damping", they are bound
+    to it.
+    """
+    renamed, letters, bound = dict(paper.renamed), dict[str, str](), dict[str, Statement]()
+    for text, meaning in paper.renamed.items():
+        is_own = any(meaning in it.names for it in forms.values())
+        if meaning.split(" ")[0] in MATRICES and not is_own:
+            renamed[text] = re.sub(r"\W+", "_", meaning)
+            bound[renamed[text]] = Statement(meaning, meaning, "", is_latex=False)
+        if renamed[text].isidentifier():
+            letters[renamed[text]] = text
+    return Book(forms, renamed, bound, letters=letters)
 
 
 def _bind(statement: Statement, book: Book) -> None:
@@ -148,6 +164,7 @@ def equations_of(
     """Equations of a text in the language of a statement, with the names of its paper."""
     objects = book.objects(it) if matrices else ()
     shapes = {name: held.shape for name, held in objects if held.shape is not None}
+    shapes |= book.shapes
     is_scale = statement.word == "scale"
     names = {*it.names} - ({str(TIME)} if not is_scale else set())
     known = frozenset(names | book.defined.keys() | book.bound.keys() | book.values(it).keys())
@@ -182,6 +199,36 @@ def prepared(statement: Statement, book: Book) -> Item | Verdict:
     return Verdict(statement, "unread", problem)
 
 
+def _new_names(equations: list[Equation], it: Derivation, book: Book) -> dict[str, Node]:
+    """What the names on the left stand for, where all are new: one or several, as a = b = c + d."""
+    values: dict[str, Node] = {}
+    others: list[tuple[str, str]] = []
+
+    def is_new(node: Node) -> bool:
+        return node.kind == "symbol" and node.value not in it.names | book.bound
+
+    for left, right in ((one.left, one.right) for one in equations):
+        if not is_new(left) or left.value in symbols(right):
+            return {}
+        if is_new(right) and right.value not in book.defined:
+            others.append((right.value, left.value))
+        else:
+            values[left.value] = right
+    return values | {other: values[name] for other, name in others if name in values}
+
+
+def _defined(statement: Statement, new: Mapping[str, Node], book: Book) -> Verdict:
+    """The verdict on a definition, whose names are kept."""
+    book.defined.update(new)
+    first = next(iter(new))
+    if (matrix := matrix_of([*new])) is not None:
+        book.shapes[matrix[0]] = matrix[1]
+    elif statement.is_latex:
+        book.letters[first] = statement.text.partition("=")[0].strip()
+    read = "; ".join(f"{name} = {printed(value)}" for name, value in new.items())
+    return Verdict(statement, "definition", read=read)
+
+
 def _item(
     statement: Statement,
     it: Derivation,
@@ -190,17 +237,12 @@ def _item(
     book: Book,
 ) -> Item | Verdict:
     if held is None:
+        if new := _new_names(equations, it, book):
+            return _defined(statement, new, book)
         left = equations[0].left
         normals = dict(zip(map(str, it.normals), it.model.contacts, strict=True))
         known = it.geometry | {str(symbol): value for symbol, value in it.friction.items()}
         name = left.value if left.kind == "symbol" else ""
-        is_new = name not in it.names and name not in book.bound
-        if name and is_new and name not in symbols(equations[0].right):
-            book.defined[name] = equations[0].right
-            if statement.is_latex:
-                book.letters[name] = statement.text.partition("=")[0].strip()
-            read = f"{name} = {printed(equations[0].right)}"
-            return Verdict(statement, "definition", read=read)
         if not symbols(left) <= it.names.keys():
             raise Unread(f"{printed(left)} is not in names of the page; say them under [symbols]")
         value = known[name] if name in known else to_sympy(left, it.names)

@@ -10,6 +10,7 @@ elsewhere.
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -120,6 +121,8 @@ def same(one: Values, other: Values) -> bool:
 #: NumPy's functions and relations by the names of SymPy's.
 _NUMERIC = {
     **{name: sp.lambdify(x, of(x), "numpy") for name, of in FUNCTIONS.items()},
+    "max": lambda *values: functools.reduce(np.maximum, values),
+    "min": lambda *values: functools.reduce(np.minimum, values),
     "Lt": np.less,
     "Le": np.less_equal,
     "Gt": np.greater,

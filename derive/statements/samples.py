@@ -18,7 +18,7 @@ def drawn(it: Derivation, held: Object, is_base: bool = False) -> dict[str, Valu
 
     Parameters are random, or those that the page gives as its base values.
     """
-    key = f"{held.side}, steady {held.steady}, base {is_base}"
+    key = f"{held.side}, steady {held.steady}, ahead {held.ahead}, base {is_base}"
     return {**it.kept("samples", key, lambda: _drawn(it, held, is_base))}
 
 
@@ -63,6 +63,7 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
         found[str(symbol)] = 1.0 * touches
     for symbol in (*it.model.rates, *it.accelerations):
         found[str(symbol)] = _state(rng, size)
+    _put_ahead(it, held, found, rng)
     for name in ("lam", str(TIME)):
         found.setdefault(name, _state(rng, size))
     for name, value in it.geometry.items():
@@ -72,6 +73,22 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
     for (symbol, law), touches in zip(it.normals.items(), pushing.values(), strict=True):
         found.setdefault(str(symbol), touches * numeric(law, found))
     return found
+
+
+def _put_ahead(
+    it: Derivation, held: Object, found: dict[str, Values], rng: np.random.Generator
+) -> None:
+    """Draw rates anew until every belt is ahead, where the object says so."""
+    if not held.ahead:
+        return
+    most_tries = 200
+    for _ in range(most_tries):
+        behind = np.any([numeric(speed, found) <= 0 for speed in it.speeds], axis=0)
+        if not behind.any():
+            return
+        for name in map(str, it.model.rates):
+            found[name] = np.where(behind, _state(rng, behind.size), found[name])
+    raise NoObject("no motion was found in which every belt is ahead")
 
 
 def _state(rng: np.random.Generator, size: int) -> Values:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping
@@ -84,7 +85,13 @@ FUNCTIONS: dict[str, Callable[..., sp.Expr]] = {
     **{it.__name__: it for it in (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.exp, sp.log)},
     **{it.__name__: it for it in (sp.sinh, sp.cosh, sp.tanh, sp.asinh, sp.acosh, sp.atanh)},
     **{it.__name__: it for it in (sp.sqrt, sp.asin, sp.acos, sp.atan, sp.Abs, sp.sign)},
+    # In sizes and signs, of which it is known what they are on a side of a contact.
+    "Heaviside": lambda u: (1 + sp.sign(u)) / 2,
+    "max": lambda *values: functools.reduce(lambda a, b: (a + b + sp.Abs(a - b)) / 2, values),
+    "min": lambda *values: functools.reduce(lambda a, b: (a + b - sp.Abs(a - b)) / 2, values),
 }
+#: Functions of two arguments or more.
+OF_SEVERAL = ("max", "min")
 #: Relations in the conditions of a choice.
 RELATIONS = {name: getattr(sp, name) for name in ("Lt", "Le", "Gt", "Ge", "Ne", "Eq")}
 ZERO, ONE = Node("number", value="0"), Node("number", value="1")
@@ -220,11 +227,18 @@ def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
             if isinstance(op, ast.Sub):
                 other = Node("neg", (other,), at=other.at)
             return _joined(kind, one, other, at)
-        case ast.Call(func=ast.Name(id=name), args=[argument], keywords=[]) if name in FUNCTIONS:
-            return Node("call", (_tree(argument, begin, vocabulary),), name, at)
+        case ast.Call(func=ast.Name(id=name), args=[_, *more] as arguments, keywords=[]) if (
+            name in FUNCTIONS and bool(more) is (name in OF_SEVERAL)
+        ):
+            return Node("call", tuple(_tree(it, begin, vocabulary) for it in arguments), name, at)
         case _:
-            known = ", ".join(FUNCTIONS)
-            raise Unread(f"only + - * / ** and one of {known} of one argument are read", at[0])
+            known = ", ".join(it for it in FUNCTIONS if it not in OF_SEVERAL)
+            several = " and ".join(OF_SEVERAL)
+            raise Unread(
+                f"only + - * / **, one of {known} of one argument, and {several} of several are "
+                "read",
+                at[0],
+            )
 
 
 def _joined(kind: str, one: Node, other: Node, at: tuple[int, int]) -> Node:

@@ -163,6 +163,12 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
     if len(parts) < len(item.equations):
         said = f"left of = no name of this object stands alone: {', '.join(sorted(held.names))}"
         return replace(row, status="unread", evidence=said)
+    limit = _limit_of(item) if statement.limit else None
+    if statement.limit and limit is None:
+        said = "'d*V -> oo', 'c_x, c_y -> 0' or 'linear in x, y', of names of the page"
+        return replace(
+            row, status="unread", evidence=f"limit = {statement.limit!r} is none; write as {said}"
+        )
     wrong = "" if item.it.scaled else _units_problem(item, parts)
     found: list[Right] = []
     counted = ""
@@ -175,7 +181,7 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
             row, counted = _as_meant(row, item, exact)
             continue
         own = it.exactly(part.tree)
-        if statement.limit and _in_limit(it, part, statement.limit):
+        if limit is not None and _in_limit(it, part, limit):
             row = _with_difference(row, item, own - part.targets[0][1])
             return replace(row, status="approximation", evidence=statement.limit)
         best = _repaired(it, part) if repair else None
@@ -362,31 +368,53 @@ def _with_lost_term(it: Comparison, part: Component, exact: sp.Expr) -> Repair |
     return Repair(new, (Edit("missing term", part.tree.at, part.tree, new, COST["missing term"]),))
 
 
-def _in_limit(it: Comparison, part: Component, limit: str) -> bool:
-    """Whether the difference goes to 0 in a limit: as ``d*V -> oo``, each factor by itself, or
-    ``linear in x, y``, faster than these, which are small together.
+@dataclass(frozen=True)
+class Limit:
+    """A limit that a statement names: quantities, and where they go, each by itself or together;
+    ``linear`` to first order in what is small together.
     """
-    what, arrow, end = limit.removeprefix("linear in ").partition("->")
-    is_linear = what != limit and not arrow
+
+    symbols: tuple[sp.Symbol, ...]
+    end: str = "0"
+    together: bool = True
+    linear: bool = False
+
+
+def _limit_of(item: Item) -> Limit | None:
+    """The limit of a statement, as ``d*V -> oo``, ``c_x, c_y -> 0`` or ``linear in x, y``; None
+    where what stands there is none.
+    """
+    what, arrow, end = item.statement.limit.removeprefix("linear in ").partition("->")
+    is_linear = what != item.statement.limit and not arrow
+    end, together = end.strip() or "0", "*" not in what
+    names = item.it.names
+    symbols = [names.get(it.strip(), sp.nan) for it in what.split("," if together else "*")]
+    if not all(it.is_Symbol for it in symbols) or is_linear is bool(arrow):
+        return None
+    if end not in ("oo", "0") or (together and end == "oo" and len(symbols) > 1):
+        return None
+    return Limit(tuple(symbols), end, together, is_linear)
+
+
+def _in_limit(it: Comparison, part: Component, limit: Limit) -> bool:
+    """Whether the difference goes to 0 in a limit."""
     page = it.item.it
     laws, size = page.normals | page.friction, sp.Dummy("small", positive=True)
     value = it.exactly(part.tree).subs(laws)
-    said = what.split("," if is_linear else "*")
-    factors = [it.names.get(name.strip(), sp.nan) for name in said]
-    if not all(one.is_Symbol for one in factors) or (
-        not is_linear and end.strip() not in ("oo", "0")
-    ):
-        return False
+    small = {one: size * one for one in limit.symbols} if limit.together else {}
+    going = (size,) if limit.end == "0" and limit.together else limit.symbols
     for _, exact in part.targets:
         gap = value - exact.subs(laws)
         whole = page.expanded(gap)
-        if is_linear:
-            small = whole.subs({one: size * one for one in factors}, simultaneous=True)
-            if all(is_zero(one.subs(size, 0)) for one in (small, sp.diff(small, size))):
+        if limit.linear:
+            scaled = whole.subs(small, simultaneous=True)
+            if all(is_zero(one.subs(size, 0)) for one in (scaled, sp.diff(scaled, size))):
                 return True
             continue
         for form in map(normal_form, (gap, whole)):
-            if all(_has_limit_zero(form, str(one), end.strip()) for one in factors):
+            if going == (size,):
+                form = form.subs(small, simultaneous=True)
+            if all(_has_limit_zero(form, one.name, limit.end) for one in going):
                 return True
     return False
 

@@ -168,12 +168,12 @@ class _LatexReader:
             raise Unread("a side of the equation is empty", place)
         here = Cursor(items)
         name, power = self.name(here)
-        if name is not None and named and power is None:
+        if name not in (None, Name("diag"), Name(r"\mathbf 0")) and named and power is None:
             at = (items[0].at[0], items[-1].at[1])
             argument = here.text == "(" and here.place + 1 == len(items)
             known = self.names.known(name, at)
             is_law = known is None or known.value in self.names.laws
-            law = argument and is_law and name != Name("diag")
+            law = argument and is_law
             if here.item is None or law:
                 return self.matrix(known or Node("symbol", value=name.spelled, at=at))
         value = self.expression(items)
@@ -310,7 +310,9 @@ class _LatexReader:
                 readings = (f"exp({printed(exponent)})", f"e**({printed(exponent)})")
                 raise Unread("e is Euler's number or a name of the page", at[0], readings)
             return Factor(Node("call", (exponent,), "exp", at))
-        # The matrix I, where it is not a name of the page.
+        # The matrices 0 and I, where they are no names of the page.
+        if name == Name(r"\mathbf 0") and known is None and power is None:
+            return Factor(replace(ZERO, at=at))
         if name == Name(r"\mathbf I") and known is None and power is None:
             return Factor(identity(self.size))
         node = self.names.of(name, at)
@@ -386,8 +388,8 @@ class _LatexReader:
         if it.text in ("|", "|bare") and [one.text in _MATRICES for one in inside] != [True]:
             return Node("call", (self.number(inside),), "Abs", it.at)
         if it.text in ("|", "|bare", "vmatrix"):
-            whole = self.environment(it if it.text == "vmatrix" else inside[0])
-            return replace(determinant(whole), at=it.at)
+            table = self.table(it if it.text == "vmatrix" else inside[0])
+            return replace(determinant(table), at=it.at)
         if it.text == r"\langle":  # the positive part, in Macaulay's brackets
             return Node("call", (self.number(inside), ZERO), "max", it.at)
         if it.text == r"\{" and [one.text for one in inside] in (["array"], ["matrix"]):
@@ -413,10 +415,13 @@ class _LatexReader:
 
     def environment(self, item: Token) -> Value:
         """A matrix, or a choice by conditions."""
-        inner = (item.items or ())[item.text == "array" :]
-        rows = [split(row, "&") for row in split(inner, "\\\\") if row]
-        if item.text == "cases" and all(len(row) == 2 for row in rows):
-            return self.choice(rows, item)
+        rows = _rows(item)
+        is_choice = item.text == "cases" and all(len(row) == 2 for row in rows)
+        return self.choice(rows, item) if is_choice else self.table(item)
+
+    def table(self, item: Token) -> Matrix:
+        """A matrix of the rows of an environment."""
+        rows = _rows(item)
         if len({*map(len, rows)}) != 1:
             raise Unread("rows of different length", item.at[0])
         return np.array([[self.number(cell) for cell in row] for row in rows])
@@ -431,7 +436,9 @@ class _LatexReader:
             return None
         here.place += count + 1
         entries = [self.number(it) for it in split(inside, ",")]
-        return Factor(np.where(np.eye(len(entries), dtype=bool), np.array(entries), ZERO))
+        found = np.full((len(entries), len(entries)), ZERO)
+        np.fill_diagonal(found, entries)
+        return Factor(found)
 
     def choice(self, rows: list[list[list[Token]]], item: Token) -> Node:
         """Values with the conditions under which they hold."""
@@ -504,11 +511,11 @@ class _LatexReader:
         if bracket is not None or here.text == "{":
             whole = here.take().items or ()
             arguments = tuple(map(self.number, split(whole if bracket is None else bracket, ",")))
-            if (len(arguments) > 1) is not (name in tree.OF_SEVERAL):
-                raise Unread(f"{name} of {len(arguments)} arguments", begin)
         else:
             argument, is_open = self.bare_argument(name, here)
             arguments = (argument,)
+        if (len(arguments) > 1) is not (name in tree.OF_SEVERAL):
+            raise Unread(f"{name} with {len(arguments)} in brackets", begin)
         value = Node("call", arguments, name, (begin, here.end))
         if here.text in ("^", "'"):
             if bracket is None or here.text == "'" or power is not None:
@@ -651,6 +658,12 @@ class _LatexReader:
             else:
                 exponent = argument
         return name, exponent
+
+
+def _rows(item: Token) -> list[list[list[Token]]]:
+    """Cells of the rows of an environment; an array begins with its columns."""
+    inner = (item.items or ())[item.text == "array" :]
+    return [split(row, "&") for row in split(inner, "\\\\") if row]
 
 
 def _argument(here: Cursor) -> Tokens:

@@ -30,7 +30,7 @@ def named(node: Node, shape: Shape) -> Matrix:
     return found
 
 
-def matrix_of(entries: Sequence[str]) -> tuple[str, Shape] | None:
+def matrix_of(entries: Sequence[str]) -> tuple[str, tuple[int, int]] | None:
     """The matrix of which these are the names of all entries, with its shape; None of none."""
     base, count = entries[0].rpartition("_")[0], len(entries)
     for rows in range(1, count + 1) if base and count > 1 else ():

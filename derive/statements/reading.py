@@ -36,7 +36,7 @@ class Book:
     bound: dict[str, Statement] = field(default_factory=dict)
     defined: dict[str, Node] = field(default_factory=dict)
     #: rows and columns of defined matrices
-    shapes: dict[str, tuple[int, ...]] = field(default_factory=dict)
+    shapes: dict[str, tuple[int, int]] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)  #: LaTeX of names, as printed
 
     def objects(self, it: Derivation) -> Iterator[tuple[str, Object]]:

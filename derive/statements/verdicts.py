@@ -438,6 +438,8 @@ def _units_problem(item: Item, parts: Iterable[Component]) -> str:
     """Problem of units in a print that has them."""
     names: dict[str, sp.Expr] = {name: sp.Symbol(name) for name in item.values}
     known = {symbol: item.it.kinds.get(name, units.NONE) for name, symbol in names.items()}
+    for name, value in item.bound.items():
+        names[name] = value.xreplace({it: sp.Symbol(it.name) for it in value.free_symbols})
     for name, tree in item.defined.items():
         names[name] = to_sympy(tree, names, evaluate=False)
     for part in parts:

@@ -14,6 +14,7 @@ from spragsym.derive import pages
 from spragsym.derive.statements import papers, verdicts
 from spragsym.derive.statements.tree import (
     FUNCTIONS,
+    OF_SEVERAL,
     Unread,
     Vocabulary,
     printed,
@@ -130,7 +131,8 @@ def test_an_energy_is_repaired_in_the_reading_that_it_is_nearest_to() -> None:
         ("-", "linear in x, y", "failed"),
         ("+", "linear in x", "failed"),
         ("+", "", "failed"),
-        ("+", "linear in w", "failed"),
+        ("+", "linear in w", "unread"),
+        ("+", "x, y -> 1", "unread"),
     ],
 )
 def test_a_print_may_be_meant_to_first_order(sign: str, limit: str, status: str) -> None:
@@ -234,10 +236,14 @@ def test_every_function_is_evaluated_in_numbers_and_exactly() -> None:
 
     vocabulary = Vocabulary(frozenset({"x"}), (), {})
     for name, function in FUNCTIONS.items():
-        (equation,) = read_sympy(f"{name}(x)", vocabulary)
+        of_several = name in OF_SEVERAL
+        (equation,) = read_sympy(f"{name}(x, 1/2, 2/5)" if of_several else f"{name}(x)", vocabulary)
         inside = np.array([0.3, 0.7]) + (name == "acosh")
         value = evaluated(equation.left, {"x": inside})
-        assert np.allclose(value, [float(function(it)) for it in inside]), name
+        more = (sp.Rational(1, 2), sp.Rational(2, 5)) if of_several else ()
+        assert np.allclose(value, [float(function(it, *more)) for it in inside]), name
+    assert [FUNCTIONS[name](3, 1, 2) for name in OF_SEVERAL] == [3, 1]
+    assert [FUNCTIONS["Heaviside"](it) for it in (-2, 2)] == [0, 1]
 
 
 def test_an_entry_that_is_not_judged_leaves_its_statement_unread() -> None:

@@ -15,7 +15,12 @@ NAMES = "m k k_c l g a V mu0 theta0 theta vtheta atheta x vx ax y vy ay mu N d"
 WORDS = Vocabulary(
     frozenset(NAMES.split()),
     ("theta", "x", "y"),
-    {r"\phi": "theta", r"v_r": "V - vx"},
+    {
+        r"\phi": "theta",
+        r"v_r": "V - vx",
+        r"\mathbf{q}": "coordinates",
+        "H": "Heaviside",
+    },
     laws=frozenset({"mu", "N"}),
 )
 SYMBOLS = {name: sp.Symbol(name, real=True) for name in NAMES.split()}
@@ -57,6 +62,20 @@ READ = {
         "N = Piecewise(Tuple(-k*y, Lt(y, 0)), Tuple(0, Ge(y, 0)))"
     ],
     r"x(t) = \theta(t)": ["x = theta"],
+    r"\mathbf{\ddot{q}} + k \mathbf{q}' = \mathbf{0}": [
+        "atheta + k*vtheta = 0",
+        "ax + k*vx = 0",
+        "ay + k*vy = 0",
+    ],
+    r"a = \mathbf{q}^\mathrm{T} \operatorname{diag}(m, k, 2) \mathbf{q}": [
+        "a = theta*m*theta + x*k*x + y*2*y",
+    ],
+    r"\begin{vmatrix} a & x \\ k & m \end{vmatrix} = \left|\begin{array}{cc} x & 0 \\ 0 & y"
+    r"\end{array}\right|": ["a*m - x*k = x*y - 0*0"],
+    r"\max(x, -y, 0) + \left\langle -y \right\rangle^{3/2} - (x - y)_+": [
+        "max(x, -y, 0) + max(-y, 0)**(3/2) - max(x - y, 0) = 0"
+    ],
+    r"k H(-y) x": ["k*Heaviside(-y)*x = 0"],
     r"\sqrt[3]{x} + \sqrt{y}": ["x**(1/3) + sqrt(y) = 0"],
     r"\sec\theta + \operatorname{arccosh} x + arcsin y": ["sec(theta) + acosh(x) + asin(y) = 0"],
 }
@@ -99,7 +118,10 @@ def test_a_print_is_read(text: str, expected: list[str]) -> None:
         r"a = x + ",
         r"x^23",
         r"a + \sin(x, y)",
-        r"\max(x, y)",
+        r"\max(x)",
+        r"\max x",
+        r"x_{-}^{+}_2",
+        r"\left| a \begin{bmatrix} k & 0 \\ 0 & k\end{bmatrix} \right|",
         r"\det x",
         r"\ddot{} + a",
         r"\frac{}{dt} x",

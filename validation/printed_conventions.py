@@ -12,7 +12,7 @@ import numpy as np
 
 from spragsym.derive.statements import papers, verdicts
 from spragsym.derive.statements.reading import Item
-from spragsym.derive.statements.tree import Node, printed, renamed
+from spragsym.derive.statements.tree import Equation, Node, printed, renamed, symbols
 
 from .printed_faults import Case, sources
 
@@ -45,6 +45,9 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         return {"kind": "not possible", "wrong": []}
     entry = entries[int(rng.integers(len(entries)))]
     name, sign = str(entry.symbol), -1 if kind == "reversed" else 1
+    held = [{name for one in case.item.equations for name in names_in(one)} for case in cases]
+    if kind in ("turned", "moved") and sum(name in names for names in held) < 2:
+        return {"kind": "not possible", "wrong": []}  # of one row it is an edit
     shift: Node | None = None
     if kind == "turned":
         half = Node("div", (Node("number", value="pi"), Node("number", value="2")))
@@ -63,6 +66,11 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         if row.status not in ("confirmed", "definition")
     ]
     return {"kind": kind, "wrong": wrong}
+
+
+def names_in(equation: Equation) -> frozenset[str]:
+    """Names of the quantities of both sides."""
+    return symbols(equation.left) | symbols(equation.right)
 
 
 def _names(name: str, sign: int, shift: Node | None) -> Mapping[str, Node]:

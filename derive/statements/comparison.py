@@ -119,7 +119,7 @@ class Comparison:
             own = evaluated(tree, self.values)
             plain = any(same(own, sign * target) for sign in (1, -1))
             if factors and not plain and held.factor in ("parameters", "monomial"):
-                tried += self._factors(tree, held.entries[place])
+                tried += self._factors(tree, entry)
             targets = ((numeric(it, item.values) * target, it * entry) for it in tried)
             found.append(Component(tree, tuple(targets)))
         return found

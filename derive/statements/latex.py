@@ -125,7 +125,7 @@ class _LatexReader:
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.names = Names(vocabulary)
-        self.matrices = vocabulary.matrices
+        self.matrices, self.is_argument = vocabulary.matrices, vocabulary.is_argument
         self.size = len(vocabulary.coordinates)
         for text, page in vocabulary.renamed.items():
             name = self.only_name(nested(text))
@@ -138,14 +138,20 @@ class _LatexReader:
 
     def page(self, text: str) -> Node:
         """A name or an expression in the page's names; a prime is a rate."""
-        found = re.fullmatch(r"(\w+?)('*)", text.strip())
-        if found is None:
-            empty = Vocabulary(self.names.symbols, (), {})
-            return read_sympy(text, empty)[0].left
-        node = Node("symbol", value=found[1])
-        for _ in found[2]:
-            node = self.names.rate(node)
-        return node
+
+        def unprimed(found: re.Match[str]) -> str:
+            node = Node("symbol", value=found[1])
+            for _ in found[2]:
+                node = self.names.rate(node)
+            return node.value
+
+        plain = re.sub(r"(\w+?)('+)", unprimed, text.strip())
+        if re.fullmatch(r"\w+", plain):
+            return Node("symbol", value=plain)
+        try:
+            return read_sympy(plain, Vocabulary(self.names.symbols, (), {}))[0].left
+        except Unread as error:
+            raise Unread(f"{text!r} under [symbols]: {error.reason}") from error
 
     def equations(self, items: Tokens) -> list[Equation]:
         """Equations of one piece: each side with the first one."""
@@ -319,7 +325,9 @@ class _LatexReader:
         if not isinstance(matrix := self.matrix(node), Node):
             return Factor(self.matrix_power(matrix, power or (), at[0]))
         bracket = _bracket(here.item)
-        if bracket is not None and self.is_time(bracket):
+        if bracket is not None and (
+            self.is_time(bracket) or self.is_argument(node.value, self.number(bracket))
+        ):
             here.take()
         elif bracket is not None and power is None:
             self.product_only(node, bracket, here.at)

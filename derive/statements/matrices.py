@@ -83,7 +83,9 @@ def negative(value: Value) -> Value:
 
 
 def total(terms: Sequence[Value], place: int) -> Value:
-    """A sum of numbers, or of matrices of one shape."""
+    """A sum of numbers, or of matrices of one shape; one entry beside a number is a number."""
+    if any(isinstance(it, Node) for it in terms):
+        terms = [node_of(it) if shape_of(it) == (1, 1) else it for it in terms]
     shape, *others = set(map(shape_of, terms))
     if others:
         raise Unread("terms of different shapes", place)

@@ -14,7 +14,7 @@ from ..pages import PageModel
 from . import samples
 from .matrices import entry_name, matrix_of
 from .names import MATRICES
-from .objects import TIME, Derivation, NoObject, Object, derivation, derived
+from .objects import MOVING, TIME, Derivation, NoObject, Object, derivation, derived
 from .papers import Paper, Statement
 from .repair import Values, stem
 from .samples import numeric
@@ -37,6 +37,8 @@ class Book:
     defined: dict[str, Node] = field(default_factory=dict)
     #: rows and columns of defined matrices
     shapes: dict[str, tuple[int, int]] = field(default_factory=dict)
+    #: what defined names are printed as functions of
+    arguments: dict[str, Node] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)  #: LaTeX of names, as printed
 
     def objects(self, it: Derivation) -> Iterator[tuple[str, Object]]:
@@ -167,10 +169,24 @@ def equations_of(
     shapes |= book.shapes
     is_scale = statement.word == "scale"
     names = {*it.names} - ({str(TIME)} if not is_scale else set())
-    known = frozenset(names | book.defined.keys() | book.bound.keys() | book.values(it).keys())
+    given = book.defined.keys() | book.shapes.keys() | book.bound.keys()
+    known = frozenset(names | given | book.values(it).keys())
     coordinates = tuple(map(str, it.model.coordinates))
     laws = frozenset(map(str, (*it.normals, *it.coefficients)))
-    vocabulary = Vocabulary(known, coordinates, book.renamed, shapes, laws)
+
+    def is_argument(name: str, inside: Node) -> bool:
+        """Whether it is what a definition is printed with, or the speed of a friction."""
+        if name in book.arguments:
+            return printed(inside) == printed(book.arguments[name])
+        speed = speeds.get(name)
+        if speed is None or not symbols(inside) <= it.names.keys():
+            return False
+        return sp.expand(to_sympy(inside, it.names) - speed) == 0
+
+    still = {} if statement.word in (*MOVING, "friction") else dict.fromkeys(it.model.rates, 0)
+    rubbed = zip(map(str, it.coefficients), it.speeds, strict=False)
+    speeds = {name: speed.subs(still) for name, speed in rubbed}
+    vocabulary = Vocabulary(known, coordinates, book.renamed, shapes, laws, is_argument)
     if statement.is_latex and not statement.transcribed:
         from .latex import read_latex
 
@@ -217,14 +233,18 @@ def _new_names(equations: list[Equation], it: Derivation, book: Book) -> dict[st
     return values | {other: values[name] for other, name in others if name in values}
 
 
-def _defined(statement: Statement, new: Mapping[str, Node], book: Book) -> Verdict:
+def _defined(statement: Statement, new: Mapping[str, Node], it: Derivation, book: Book) -> Verdict:
     """The verdict on a definition, whose names are kept."""
     book.defined.update(new)
     first = next(iter(new))
     if (matrix := matrix_of([*new])) is not None:
         book.shapes[matrix[0]] = matrix[1]
     elif statement.is_latex:
-        book.letters[first] = statement.text.partition("=")[0].strip()
+        left = statement.text.partition("=")[0].strip()
+        book.letters[first] = left
+        if with_argument := re.fullmatch(r"([^()]*)\((.*)\)", left):
+            book.letters[first] = with_argument[1]
+            book.arguments[first] = equations_of(with_argument[2], statement, it, book)[0].left
     read = "; ".join(f"{name} = {printed(value)}" for name, value in new.items())
     return Verdict(statement, "definition", read=read)
 
@@ -238,7 +258,7 @@ def _item(
 ) -> Item | Verdict:
     if held is None:
         if new := _new_names(equations, it, book):
-            return _defined(statement, new, book)
+            return _defined(statement, new, it, book)
         left = equations[0].left
         normals = dict(zip(map(str, it.normals), it.model.contacts, strict=True))
         known = it.geometry | {str(symbol): value for symbol, value in it.friction.items()}

@@ -1,0 +1,26 @@
+"""A mass on a belt, held by two inclined linear springs: mode coupling."""
+
+from spragsym.derive.model import Page, cos, sgn, sin
+
+page = Page("A mass on a belt, held by two linear springs at angles.")
+m = page.unit("m", "kg", "mass")
+k_3 = page.unit("k_3", "N/m", "contact stiffness")
+F = page.unit("F", "N", "normal load")
+k_1 = page.parameter("k_1", "N/m", "first spring", "> 0", 0.6, becomes="kappa_1")
+k_2 = page.parameter("k_2", "N/m", "second spring", "> 0", 0.3, becomes="kappa_2")
+c_x = page.parameter("c_x", "N s/m", "damper along the belt", ">= 0", 0.0, becomes="zeta_x")
+c_y = page.parameter("c_y", "N s/m", "damper across the belt", ">= 0", 0.0, becomes="zeta_y")
+alpha_1 = page.parameter("alpha_1", "rad", "first angle", "real", 2.6)
+alpha_2 = page.parameter("alpha_2", "rad", "second angle", "real", 0.5)
+mu_0 = page.parameter("mu_0", "1", "friction coefficient", ">= 0", 0.3)
+v_B = page.parameter("v_B", "m/s", "belt speed", ">= 0", 1.0)
+x = page.coordinate("x", "m", "along the belt")
+y = page.coordinate("y", "m", "across it")
+page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)
+page.potential(k_1 * (x * cos(alpha_1) + y * sin(alpha_1)) ** 2 / 2)
+page.potential(k_2 * (x * cos(alpha_2) + y * sin(alpha_2)) ** 2 / 2)
+page.force(-F, along=y)
+page.damper(c_x, along=x)
+page.damper(c_y, along=y)
+page.contact(y, lambda depth: k_3 * depth)
+page.friction(x, v_B, slip=lambda v: mu_0 * sgn(v), holds=mu_0)

@@ -382,3 +382,18 @@ def test_a_paper_is_repaired_and_held_against_another_page() -> None:
     (row,) = verdicts.check(paper, COUPLING, repair=False).rows
     assert (row.status, row.repaired) == ("failed", "")
     assert row.difference
+
+
+def test_a_reversed_equation_may_be_divided_by_a_parameter() -> None:
+    """x is counted the other way in two rows, of which one is over the mass: none is a misprint."""
+    texts = {
+        "motion x": "-ax - k_x/m*x - k/(2*m)*(x + y) - mu*N/m = 0",
+        "motion y": "m*ay + k_y*y + k_c*y + k/2*(y + x) + F_L = 0",
+    }
+    statements = tuple(
+        papers.Statement(about, about, text, is_latex=False, form="units")
+        for about, text in texts.items()
+    )
+    found = verdicts.check(papers.Paper("", "", {}, statements), COUPLING)
+    assert [row.status for row in found.rows] == ["confirmed", "confirmed"]
+    assert found.conventions == ("x of the print is -x of the page",)

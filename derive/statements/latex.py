@@ -83,6 +83,31 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     >>> printed(equation.left)
     'm*ax + 1/2*k*x'
     """
+    signs = re.compile(r"\\(pm|mp)(?![A-Za-z])")
+    found = [*signs.finditer(text)]
+    if not (found and vocabulary.has_roots):
+        return _equations(text, vocabulary)
+    if [it[1] for it in found].count("pm") > 1:
+        raise Unread("several signs at once; print the square", found[1].start())
+    # A root with either sign: the product of both is 0.
+    plus, minus = text, text
+    for it in found:
+        own, opposite = ("+", "-") if it[1] == "pm" else ("-", "+")
+        begin, end = it.span()
+        plus = f"{plus[:begin]}{own}  {plus[end:]}"
+        minus = f"{minus[:begin]}{opposite}  {minus[end:]}"
+    one, other = _equations(plus, vocabulary), _equations(minus, vocabulary)
+    gaps = ((_gap(a), _gap(b)) for a, b in zip(one, other, strict=True))
+    return [Equation(Node("mul", pair, at=(0, len(text))), ZERO) for pair in gaps]
+
+
+def _gap(equation: Equation) -> Node:
+    """What is 0 where an equation holds."""
+    minus = Node("neg", (equation.right,), at=equation.right.at)
+    return Node("add", (equation.left, minus), at=equation.left.at)
+
+
+def _equations(text: str, vocabulary: Vocabulary) -> list[Equation]:
     reader = _LatexReader(vocabulary)
     items = nested(text)
     while len(items) == 1 and items[0].items is not None and items[0].text == "{":

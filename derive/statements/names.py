@@ -14,6 +14,8 @@ from .tree import Node, Unread, Vocabulary, printed
 
 #: Words for the columns of all coordinates, of their rates and of their accelerations.
 COLUMNS = ("coordinates", "rates", "accelerations")
+#: The word for the frequency ω of λ = iω.
+FREQUENCY = "frequency"
 #: Words for the objects that are matrices.
 MATRICES = ("mass", "damping", "gyroscopic", "stiffness")
 

@@ -13,8 +13,8 @@ import sympy as sp
 from ..pages import PageModel
 from . import samples
 from .matrices import entry_name, matrix_of
-from .names import MATRICES
-from .objects import MOVING, TIME, Derivation, NoObject, Object, derivation, derived
+from .names import FREQUENCY, MATRICES
+from .objects import LAMBDA, MOVING, TIME, Derivation, NoObject, Object, derivation, derived
 from .papers import Paper, Statement
 from .repair import Values, stem
 from .samples import numeric
@@ -186,12 +186,27 @@ def equations_of(
     still = {} if statement.word in (*MOVING, "friction") else dict.fromkeys(it.model.rates, 0)
     rubbed = zip(map(str, it.coefficients), it.speeds, strict=False)
     speeds = {name: speed.subs(still) for name, speed in rubbed}
-    vocabulary = Vocabulary(known, coordinates, book.renamed, shapes, laws, is_argument)
+    has_roots = statement.word == "characteristic"
+    known |= {FREQUENCY} if has_roots else set()
+    vocabulary = Vocabulary(known, coordinates, book.renamed, shapes, laws, has_roots, is_argument)
     if statement.is_latex and not statement.transcribed:
         from .latex import read_latex
 
-        return read_latex(text.replace(r"\to", " = ") if is_scale else text, vocabulary)
-    return read_sympy(text, vocabulary)
+        found = read_latex(text.replace(r"\to", " = ") if is_scale else text, vocabulary)
+    else:
+        found = read_sympy(text, vocabulary)
+    return [Equation(_in_lambda(one.left), _in_lambda(one.right)) for one in found]
+
+
+def _in_lambda(tree: Node) -> Node:
+    """Even powers of a frequency ω in those of λ = iω."""
+    base, power = tree.args if tree.kind == "pow" else (tree, Node("number", value="1"))
+    if base.kind == "symbol" and base.value == FREQUENCY:
+        if not (power.value.isdigit() and int(power.value) % 2 == 0):
+            raise Unread("of a frequency only even powers are read", tree.at[0])
+        same = replace(tree, args=(replace(base, value=str(LAMBDA)), power))
+        return Node("neg", (same,), at=tree.at) if int(power.value) % 4 else same
+    return replace(tree, args=tuple(map(_in_lambda, tree.args)))
 
 
 def prepared(statement: Statement, book: Book) -> Item | Verdict:

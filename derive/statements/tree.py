@@ -41,6 +41,8 @@ class Vocabulary:
     matrices: Mapping[str, tuple[int, int]] = field(default_factory=dict)
     #: names of laws: what stands in brackets behind them may be their argument
     laws: frozenset[str] = frozenset()
+    #: whether an equation is about all roots of a polynomial, so that ± stands for two of them
+    has_roots: bool = False
     #: whether an expression in brackets behind a name is what the name is a function of
     is_argument: Callable[[str, Node], bool] = lambda name, inside: False
 

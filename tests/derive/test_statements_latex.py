@@ -135,6 +135,17 @@ def test_what_can_be_read_in_two_ways_or_not_at_all_is_refused(text: str) -> Non
     assert 0 <= refusal.value.place <= len(text)
 
 
+def test_two_signs_are_both_roots() -> None:
+    """Where an equation is about all roots of a polynomial ± and ∓ are one of them each time."""
+    words = Vocabulary(frozenset({"a", "x"}), (), {}, has_roots=True)
+    (both,) = read_latex(r"x = a \pm 2", words)
+    assert printed(both.left) == "(x - (a + 2))*(x - (a - 2))"
+    (both,) = read_latex(r"x = \mp a \pm 2", words)
+    assert printed(both.left) == "(x - (-a + 2))*(x - (a - 2))"
+    with pytest.raises(Unread, match="print the square"):
+        read_latex(r"x = \pm a \pm 2", words)
+
+
 def test_what_a_print_calls_a_function_can_be_evaluated() -> None:
     """A function that is read has a meaning: another one would end a check with an error."""
     assert {*latex.FUNCTIONS.values()} <= tree.FUNCTIONS.keys()

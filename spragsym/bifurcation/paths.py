@@ -273,11 +273,6 @@ class QuasiStaticContinuation:
         self.far = np.char.startswith(self.kinds.astype(str), INFINITY)
         self.mesh = self._mesh(along)
         self.eq = self._with_meetings(self._equilibria(self.mesh))
-        if not self.eq.decided.all():
-            first = self.mesh[np.flatnonzero(~self.eq.decided)[0]]
-            raise ConvergenceError(
-                f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out"
-            )
         #: All pairs of slots of a step on one branch, not only those that tubes join at once.
         self._links = functools.cache(self._linked)
         self.joined = self._in_combinations()
@@ -430,8 +425,17 @@ class QuasiStaticContinuation:
         mesh = np.sort(np.concatenate([along, beside[new]]))
         return mesh if along[-1] > along[0] else mesh[::-1]
 
+    def _require_decided(self, node: int) -> None:
+        """Of nodes behind the end of a state nothing is asked."""
+        if not self.eq.decided[node]:
+            raise ConvergenceError(
+                f"equilibria at {self.vary} = {self.mesh[node]:.17g} are not all decided; leave "
+                "that value out, or end before it"
+            )
+
     def begin(self, start: int | str) -> int:
         """The slot at the first value."""
+        self._require_decided(0)
         count = int(self.eq.count[0])
         if not isinstance(start, str):
             if (
@@ -494,6 +498,7 @@ class QuasiStaticContinuation:
 
     def followed(self, node: int, location: int) -> int:
         """The place at a node of the state that was in one at the node before."""
+        self._require_decided(node)
         if location in self.joined[node - 1]:
             return self.joined[node - 1][location]
         if location < 0:

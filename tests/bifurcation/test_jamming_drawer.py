@@ -67,6 +67,16 @@ def test_the_state_runs_to_infinity_at_the_friction_that_jams(drawer: Any) -> No
 
 
 @pytest.mark.thorough
+def test_of_what_lies_beyond_the_jam_nothing_is_asked() -> None:
+    """Without springs across the drawer is loose where one guide does not touch."""
+    lines = [line for line in DRAWER.splitlines() if "k_y" not in line]
+    page = "\n".join(line for line in lines if "2 * e / L" not in line)
+    page = page.replace("page.spring(k, along=x)", "page.spring(k, along=x - 2 * e * r / L)")
+    p = model_of(page, "loose_drawer").Parameters(mu=0.0)
+    assert ss.jump_value(p, vary="mu") == pytest.approx(1 / (2 * 0.8), rel=1e-12)
+
+
+@pytest.mark.thorough
 def test_the_nearest_jam_in_two_tolerances(drawer: Any) -> None:
     """The nearest point of μ e = (2 + k_y)/4 to (0.3, 0.8), in tenths."""
     margin = ss.jump_margin(drawer, {"mu": 0.1, "epsilon": 0.1})

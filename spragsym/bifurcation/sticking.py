@@ -60,7 +60,7 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
         A row for each connected set of states, with the least and the largest value of each
         coordinate in it. Where several frictions hold, of forces that are linear, the set is a
         parallelepiped: ``measure`` is its length, area or volume in the displacements that friction
-        opposes.
+        opposes. Beside contacts that open it is put together of polytopes, without ``measure``.
 
     Raises
     ------
@@ -99,12 +99,14 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
                 f"the belt moves at {belt} = {speed}, and what sticks rides with it; take "
                 f"parameters with {belt} = 0"
             )
-    if len(holding) > 1:
+    names = [entry["name"] for entry in holding]
+    beside = any(entry["border"] and entry["name"] not in names for entry in model.contacts)
+    if len(holding) > 1 or beside:
         return region(p)
     if (found := line(p)) is not None:
         return found
-    own = held(p, [holding[0]["name"]])
-    share = named("held", holding[0]["name"])
+    own = held(p, names)
+    share = named("held", names[0])
     turns = [_turns(own, share, index) for index in range(len(model.coordinates))]
     try:
         continuation = QuasiStaticContinuation(

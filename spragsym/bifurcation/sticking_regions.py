@@ -1,10 +1,15 @@
 """Regions of states in which several frictions hold where nothing moves, of forces that are linear
-in the coordinates.
+in the coordinates, with the contacts that touch.
 
 With the coefficients μ_i = h_i μ_s,i and given normal forces N_i, the balance K q + b = Σ μ_i N_i
 s_i makes of the box of shares h_i in [−1, 1] a parallelepiped of states: each coordinate is least
 and largest at its middle less and plus the sizes of all edges along it. In the displacements that
 friction opposes its measure is 2ᵐ |det(Sᵀ K⁻¹ S)| Π μ_s,i N_i, with the columns s_i of S.
+
+Beside contacts that open, shares at which the gaps of a combination of these have the right signs
+form a polytope in that box: a coordinate is least and largest at its corners. Those of combinations
+that differ in one contact are one connected set where a corner of both has its gap at 0, at which
+its force begins.
 
 Where no force depends on a coordinate, as on a ramp, a column of K is 0 and one friction has one
 share at all states: these form a line along that coordinate, which has no end.
@@ -12,8 +17,9 @@ share at all states: these form a line along that coordinate, which has no end.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -22,7 +28,7 @@ from ..core.errors import ConvergenceError, ModelError
 from ..models.forces import named, presses_either
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import cofactor, determinant, is_zero
-from ..numerics.interval_arrays import Intervals, quiet
+from ..numerics.interval_arrays import FloatArray, Intervals, quiet
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..numerics.vectors import TURN
 from ..results.points import StickingStates
@@ -36,37 +42,54 @@ ONE_POINT = (1,)
 
 def region(p: ParameterSet) -> StickingStates:
     """All states in which every friction that can hold does, of scalar parameters; a
-    :class:`ModelError` where the forces are not linear in coordinates and friction coefficients.
+    :class:`ModelError` where forces and gaps are not linear in coordinates and friction
+    coefficients.
     """
-    it = _balanced(p)
-    balance, K, C, pressed = it.balance, it.K, it.C, it.pressed
-    n, holding = balance.n, [one["name"] for one in p.model.frictions if one["holds"]]
-    if not _is_pressed(pressed):
-        return _result(p, [], ["measure"])
+    parts = [_balanced(p, Balance(p.model, key)) for key in p.model.regimes]
+    further = [] if parts[0].balance.opens else ["measure"]
+    if not _is_pressed(parts[0].pressed):
+        return _result(p, [], further)
     with quiet():
-        det = as_intervals(determinant(K), ONE_POINT)
-        if det.holds_zero().any():
-            raise ConvergenceError(
-                "det K is 0, or too near to it: states of sticking form sets without an end; "
-                "change a parameter"
-            )
-        middle = [-part for part in _solution(K, det, it.forces)]
-        edges, opposed = list[list[Intervals]](), list[list[Any]]()
-        for i, ((none, whole), name) in enumerate(
-            zip(it.coefficients, balance.rubbing, strict=True)
-        ):
-            if name in holding:
-                column = [C[r][i] for r in range(n)]
-                edges.append([part * (whole - none) for part in _solution(K, det, column)])
-                opposed.append([-part / pressed[holding.index(name)] for part in column])
-        reach = [sum((abs(edge[j]) for edge in edges), middle[j] * 0) for j in range(n)]
-        products = [
-            [sum(a * b for a, b in zip(one, edge, strict=True)) for edge in edges]
-            for one in opposed
-        ]
-        measure = abs(as_intervals(determinant(products), ONE_POINT)) * 2 ** len(edges)
-    ends = [*((middle[j] - reach[j], middle[j] + reach[j]) for j in range(n)), (measure,)]
-    return _result(p, ends, ["measure"])
+        sets = _connected({one.closed: one.corners() for one in parts})
+        measures = [(abs(parts[0].measure()),)] if further else []
+    if not sets:
+        return _result(p, [], further)
+    hulls = sorted(map(_hull, sets), key=lambda ends: float(ends[0, 0, 1, 0]))
+    every = np.concatenate(hulls, axis=-1)
+    return _result(
+        p, [*((Intervals(low), Intervals(high)) for low, high in every), *measures], further
+    )
+
+
+@dataclass(frozen=True)
+class _Corner:
+    """A state at a corner of a polytope of shares, and the contacts whose gaps are 0 there."""
+
+    q: list[Intervals]
+    just_touching: frozenset[int]
+
+
+def _hull(corners: Sequence[_Corner]) -> FloatArray:
+    """Ends of the least and the largest of each coordinate, shape (n, 2, 2, 1)."""
+    every = np.array([[part.ends for part in corner.q] for corner in corners])
+    below, above = every[:, :, 0], every[:, :, 1]
+    least, most = (below.max(0), above.min(0)), (below.min(0), above.max(0))
+    return np.stack([np.stack(least, axis=1), np.stack(most, axis=1)], axis=1)
+
+
+def _connected(corners: Mapping[frozenset[int], Sequence[_Corner]]) -> list[list[_Corner]]:
+    """Corners of connected sets, from those of every combination of contacts that touch."""
+    left, sets = {key for key, found in corners.items() if found}, list[list[_Corner]]()
+    while left:
+        open_, found = [left.pop()], list[_Corner]()
+        while open_:
+            key = open_.pop()
+            found += corners[key]
+            near = {key ^ {k} for corner in corners[key] for k in corner.just_touching} & left
+            left -= near
+            open_ += near
+        sets.append(found)
+    return sets
 
 
 def line(p: ParameterSet) -> StickingStates | None:
@@ -74,7 +97,7 @@ def line(p: ParameterSet) -> StickingStates | None:
     one of the coordinates; None where each has a force that does, or forces are not linear.
     """
     try:
-        it = _balanced(p)
+        it = _balanced(p, Balance(p.model))
     except ModelError:
         return None
     n, ((none, whole),) = it.balance.n, it.coefficients
@@ -108,7 +131,8 @@ def is_convex(p: ParameterSet) -> bool:
     are linear: that in which the balance and |h_i| ≤ 1 hold, both linear in coordinates and shares.
     """
     try:
-        return _is_pressed(_balanced(p).pressed)
+        it = _balanced(p, Balance(p.model))
+        return not it.balance.opens and _is_pressed(it.pressed)
     except (ModelError, ConvergenceError):
         return False
 
@@ -116,7 +140,8 @@ def is_convex(p: ParameterSet) -> bool:
 @dataclass(frozen=True)
 class _Balanced:
     """Forces K q + b + Σ (μ_i − μ_0,i) C_i of coordinates and friction coefficients, of which
-    ``coefficients`` are, for each, that of no share used, μ_0, and that of all.
+    ``coefficients`` are, for each, that of no share used, μ_0, and that of all; gaps g + s q of
+    contacts that open.
     """
 
     balance: Balance
@@ -125,14 +150,98 @@ class _Balanced:
     forces: list[Any]  #: b, with μ_0
     coefficients: list[tuple[Any, ...]]
     pressed: list[Intervals]  #: normal forces of the frictions that hold
+    holding: list[int]  #: numbers of these frictions
+    gaps: list[tuple[Any, list[Any]]]
+
+    @property
+    def closed(self) -> frozenset[int]:
+        """Numbers of the contacts that open and touch."""
+        return frozenset(k for k in self.balance.opens if self.balance.pushing[k])
+
+    def _columns(self) -> list[list[Any]]:
+        """C of the frictions that hold."""
+        return [[row[i] for row in self.C] for i in self.holding]
+
+    def _solutions(self) -> tuple[list[Intervals], list[list[Intervals]]]:
+        """The state at which no share is used, and by how much each share moves it."""
+        det = as_intervals(determinant(self.K), ONE_POINT)
+        if det.holds_zero().any():
+            raise ConvergenceError(
+                "det K is 0, or too near to it: states of sticking form sets without an end; "
+                "change a parameter"
+            )
+        middle = [-part for part in _solution(self.K, det, self.forces)]
+        spans = [whole - none for none, whole in (self.coefficients[i] for i in self.holding)]
+        edges = [
+            _solution(self.K, det, [-part * span for part in column])
+            for column, span in zip(self._columns(), spans, strict=True)
+        ]
+        return middle, edges
+
+    def measure(self) -> Intervals:
+        """Length, area or volume, with a sign, in the displacements that friction opposes."""
+        _, edges = self._solutions()
+        opposed = [
+            [part / force for part in column]
+            for column, force in zip(self._columns(), self.pressed, strict=True)
+        ]
+        products = [
+            [sum(a * b for a, b in zip(one, edge, strict=True)) for edge in edges]
+            for one in opposed
+        ]
+        return as_intervals(determinant(products), ONE_POINT) * 2 ** len(edges)
+
+    def corners(self) -> list[_Corner]:
+        """States at the corners of the polytope of shares at which this combination touches."""
+        middle, edges = self._solutions()
+        count = len(edges)
+        # Sides a · h <= b, with the contact whose gap is 0 there.
+        sides: list[tuple[list[Any], Any, int | None]] = [
+            ([side * int(i == j) for j in range(count)], 1, None)
+            for i in range(count)
+            for side in (1, -1)
+        ]
+        for k, (value, slopes) in zip(self.balance.opens, self.gaps, strict=True):
+            way = 1 if k in self.closed else -1
+            row = [way * _product(slopes, edge) for edge in edges]
+            sides.append((row, -way * (value + _product(slopes, middle)), k))
+        found = list[_Corner]()
+        for chosen in combinations(range(len(sides)), count):
+            rows = [sides[c][0] for c in chosen]
+            det = as_intervals(determinant(rows), ONE_POINT)
+            if not det.magnitude.any():  # of parallel sides
+                continue
+            shares = _solution(rows, det, [sides[c][1] for c in chosen])
+            slack = [
+                as_intervals(most - _product(row, shares), ONE_POINT)
+                for c, (row, most, _) in enumerate(sides)
+                if c not in chosen
+            ]
+            if any((room.high < 0).all() for room in slack):
+                continue
+            if det.holds_zero().any() or any((room.low < 0).any() for room in slack):
+                raise ConvergenceError(
+                    "whether a contact touches where friction is at its limit is not known; change "
+                    "a parameter"
+                )
+            q = [
+                as_intervals(middle[j] + _product([edge[j] for edge in edges], shares), ONE_POINT)
+                for j in range(self.balance.n)
+            ]
+            touching = (sides[c][2] for c in chosen)
+            found.append(_Corner(q, frozenset(k for k in touching if k is not None)))
+        return found
 
 
-def _balanced(p: ParameterSet) -> _Balanced:
+def _product(one: Sequence[Any], other: Sequence[Any]) -> Any:
+    return sum(a * b for a, b in zip(one, other, strict=True))
+
+
+def _balanced(p: ParameterSet, balance: Balance) -> _Balanced:
     p.model.require_answered("sticking_states")
-    balance = Balance(p.model)
     with quiet():
         values = balance.over(Intervals.point(columns(p, balance.parameters)))
-        rows = _forces(balance, values)
+        rows, gaps = _forces(balance, values)
         at = balance.at([Intervals(np.zeros((2, *ONE_POINT)))] * balance.n, values, ONE_POINT)
         holding = [one["name"] for one in p.model.frictions if one["holds"]]
         coefficients = [
@@ -154,7 +263,9 @@ def _balanced(p: ParameterSet) -> _Balanced:
             constant(row) + sum(mid * C[r][i] for i, (mid, _) in enumerate(pairs))
             for r, row in enumerate(rows)
         ]
-    return _Balanced(balance, K, C, balanced, pairs, normal)
+        distances = [(constant(gap), gradient(gap, balance.n)) for gap in gaps]
+    numbers = [balance.rubbing.index(one) for one in holding]
+    return _Balanced(balance, K, C, balanced, pairs, normal, numbers, distances)
 
 
 def _solution(A: list[list[Any]], det: Intervals, right: list[Any]) -> list[Intervals]:
@@ -174,25 +285,27 @@ def _is_pressed(forces: list[Intervals]) -> bool:
     return True
 
 
-def _forces(balance: Balance, values: Mapping[str, Any]) -> list[Any]:
-    """Forces as jets of coordinates and friction coefficients, in which they are linear, about 0 of
-    both.
+def _forces(balance: Balance, values: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
+    """Forces, and gaps of contacts that open, as jets of coordinates and friction coefficients, in
+    which they are linear, about 0 of both.
     """
     zeros = [Intervals(np.zeros((2, *ONE_POINT)))] * (balance.n + len(balance.rubbing))
     moved = variables(zeros, 2)
-    rows: list[Any] = []
+    rows, gaps = list[Any](), list[Any]()
     if not balance.springs:
         at = balance.at(moved[: balance.n], values, ONE_POINT)
         given = (*moved[balance.n :], *balance.pushing)
         rows = list(at.call("forces", at.q, *given, kind="statics"))
-    terms = [it for row in rows if isinstance(row, Jet) for it in row.terms.items()]
+        gaps = [at.gap(k) for k in balance.opens]
+    terms = [it for row in [*rows, *gaps] if isinstance(row, Jet) for it in row.terms.items()]
     if not rows or not all(len(term) < 2 or is_zero(part) for term, part in terms):
         raise ModelError(
-            f"states of sticking of {balance.model.name}, where several frictions hold, are not "
-            "answered yet: its forces are not linear in coordinates and friction coefficients; "
-            "they are with given normal forces and springs along coordinates"
+            f"states of sticking of {balance.model.name}, where several frictions hold, or one "
+            "beside a contact that opens, are not answered yet: its forces are not linear in "
+            "coordinates and friction coefficients; they are with given normal forces and springs "
+            "along coordinates"
         )
-    return rows
+    return rows, gaps
 
 
 def _result(

@@ -195,31 +195,13 @@ class Model:
             raise ModelError(f"{question} is not answered yet of {self.name}, {why}")
 
     def refusal(self, question: str) -> str:
-        """Why a question is not answered of a page with a clock, or with several contacts, and what
-        is instead; empty where it is answered.
-        """
+        """Why a question is not answered of a page with a clock, and what is; empty where it is."""
         if self.clock and question not in FORCED:
             return (
                 f"whose page has a clock ({self.clock}): nothing rests there; ask "
                 f"{', '.join(FORCED)}, or hold the clock still with a parameter in its place"
             )
-        if question != "sticking_states" or len(self.contacts) == 1 or self._rests_in_a_region:
-            return ""
-        names = ", ".join(entry["name"] for entry in self.contacts)
-        return (
-            f"whose page has {len(self.contacts)} contacts ({names}), one of which may open beside "
-            "those that hold; every other question is, or say that one by springs and forces"
-        )
-
-    @property
-    def _rests_in_a_region(self) -> bool:
-        """Whether sets of rest of several contacts are told: all contacts but those on which
-        friction holds touch at every state.
-        """
-        holding = [entry["name"] for entry in self.frictions if entry["holds"]]
-        return not any(
-            entry["border"] and entry["name"] not in holding for entry in self.contacts if holding
-        )
+        return ""
 
     @cached_property
     def regimes(self) -> dict[Touching, str]:

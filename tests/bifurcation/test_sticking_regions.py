@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.oracles.contact_pages import BLOCKS, PAD
+from tests.oracles.contact_pages import BLOCKS, PAD, SNAP
 from tests.oracles.user_pages import model_of, replaced
 
 pytest.importorskip("sympy")
@@ -76,3 +76,23 @@ def test_one_block_of_two_sticks_where_the_other_slides_without_friction() -> No
         x, y = (ss.sticking_states(bent.Parameters(**values))[f"x_{i}_high"][0] for i in (1, 2))
         assert beta * y + 0.5 * y**3 - kappa * (x - y) == pytest.approx(0.0, abs=1e-9)
         assert x + kappa * (x - y) == pytest.approx(mu_s * N_1, abs=1e-9)
+
+
+@pytest.mark.thorough
+def test_a_repelled_mass_sticks_in_the_middle_and_at_each_stop() -> None:
+    """|x| ≤ f about the middle, k_c (x − a) − x within f of 0 beyond a stop; one set for f > a."""
+    rubs = """pad = page.normal_force(k * a, name="pad")
+page.friction(x, V, slip=lambda v: mu_s * sgn(v) / 2, holds=mu_s, on=pad)
+"""
+    quantities = """V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.0)
+mu_s = page.parameter("mu_s", "1", "friction", ">= 0", 0.5)
+x = page"""
+    page = replaced(SNAP, ("import Page", "import Page, sgn"), ("x = page", quantities)) + rubs
+    model = model_of(page, "snap_that_sticks")
+    for f, k_c in ((0.3, 4.0), (0.8, 1.7), (1.2, 3.0)):
+        found = ss.sticking_states(model.Parameters(mu_s=f, k_c=k_c, F=0.0))
+        near, far = (k_c - f) / (k_c - 1), (k_c + f) / (k_c - 1)
+        low, high = ([-far], [far]) if f > 1 else ([-far, -f, near], [-near, f, far])
+        assert found.complete
+        np.testing.assert_allclose(found["x_low"], low, rtol=1e-12)
+        np.testing.assert_allclose(found["x_high"], high, rtol=1e-12)

@@ -2,17 +2,16 @@
 refused by its name.
 """
 
-import re
 from collections.abc import Callable
 from functools import partial
 from typing import Any
 
+import numpy as np
 import pytest
 
 import spragsym as ss
 from spragsym import precise
 from spragsym.bifurcation.sticking_regions import is_convex
-from tests.conformance.models import answers
 from tests.conformance.test_questions import TABLE, Asked, questions
 from tests.oracles.contact_pages import ROW, STOPPED_ROW
 from tests.oracles.user_pages import model_of
@@ -121,10 +120,7 @@ def test_what_is_not_answered_is_refused_by_its_name(page: str) -> None:
     asked = asked_of(model.Parameters())
     of_article = TABLE[Asked.article].split()
     assert {*questions()} - {*of_article} == {*asked} - {"precise_equilibria"}
-    refused = [name for name in asked if model.refusal(name)]
-    assert refused == {"row": [], "stopped_row": ["sticking_states"]}[page]
-    for name in refused:
-        assert not answers(model, name, asked[name])
+    assert not any(map(model.refusal, asked))
     for name in of_article:
         with pytest.raises(ss.errors.ModelError, match=f"{name} is not there yet for the model"):
             getattr(ss.kang_nam, name)(model.Parameters(), *[0.5] * (name == "surface") * 2)
@@ -135,20 +131,22 @@ def test_what_is_not_answered_is_refused_by_its_name(page: str) -> None:
 @pytest.mark.parametrize("page", ["row", "stopped_row"])
 def test_every_other_question_is_answered(page: str) -> None:
     model = load(page)
-    for name, ask in asked_of(model.Parameters()).items():
-        if not model.refusal(name):
-            ask()
+    for ask in asked_of(model.Parameters()).values():
+        ask()
 
 
-def test_a_stop_that_opens_has_no_region_of_rest() -> None:
-    """Beside the stop the states of rest are those of the row, in front of it others: no one
-    parallelepiped has both.
-    """
+def test_a_stop_cuts_the_region_of_rest_of_a_row() -> None:
+    """What holds all blocks forwards holds the third against the stop, too."""
     row = ss.sticking_states(model_of(ROW, "row").Parameters(V=0.0))
     assert row["x_3_high"][0] > 0.4  # where the stop stands
-    stopped = model_of(STOPPED_ROW, "stopped_row")
-    said = re.escape("sticking_states is not answered yet of stopped_row, whose page has 4 ")
-    assert not any(map(stopped.refusal, ("check", "explore")))
-    with pytest.raises(ss.errors.ModelError, match=said):
-        ss.sticking_states(stopped.Parameters(V=0.0))
-    assert not is_convex(stopped.Parameters(V=0.0))
+    p = model_of(STOPPED_ROW, "stopped_row").Parameters(V=0.0)
+    found = ss.sticking_states(p)
+    assert found.complete
+    ties = p.kappa * np.array([[1, -1, 0], [-1, 2, -1], [0, -1, 1]])
+    K = np.diag([1, p.beta, 1]) + ties + np.diag([0, 0, 1])
+    held = p.mu_s * np.array([p.N_1, p.N_2, 1.0])
+    highest = np.linalg.solve(K, held + np.array([0, 0, 0.4]))
+    for name, most in zip(p.model.coordinates, highest, strict=True):
+        np.testing.assert_allclose(found[f"{name}_high"], most, rtol=1e-12)
+        np.testing.assert_allclose(found[f"{name}_low"], row[f"{name}_low"], rtol=1e-12)
+    assert not is_convex(p)

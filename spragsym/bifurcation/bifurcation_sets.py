@@ -163,7 +163,7 @@ def bifurcation_set(
 def _of_folds(kind: str, points: Points, balance: Balance) -> BoolArray:
     """Points on curves of folds of one combination of contacts that touch, from those of all."""
     if not balance.model.has_regimes:
-        return np.ones(len(points), dtype=np.bool_)
+        return np.ones(len(points), dtype=bool)
     # At the ends of a range there are border points, too.
     inside = (kind != "end") | (points.at_border == "")
     return np.asarray((points.touching == balance.touching) & inside)
@@ -426,7 +426,7 @@ def _pairs(
     bounds = [_strips(*each) for each in zip(places, lines, spans, strict=True)]
     below = [np.concatenate([[0], np.cumsum(sure)]) for sure in decided]
     for one, other in _close(np.array([first for first, _ in bounds])):
-        near = np.ones(one.size, dtype=np.bool_)
+        near = np.ones(one.size, dtype=bool)
         for (first, last), count in zip(bounds, below, strict=True):
             begin = np.minimum(last[one], last[other])
             end = np.maximum(begin, np.maximum(first[one], first[other]))
@@ -437,8 +437,8 @@ def _pairs(
 def _strips(places: FloatArray, lines: FloatArray, span: FloatArray) -> tuple[IntArray, IntArray]:
     """First and last strip between lines in which a point is: on both sides of a line if on it."""
     room = ON_LINE * np.ptp(span)
-    first = np.searchsorted(lines, places - room, "left").astype(np.int64)
-    return first, np.searchsorted(lines, places + room, "right").astype(np.int64)
+    first = np.searchsorted(lines, places - room, "left").astype(int)
+    return first, np.searchsorted(lines, places + room, "right").astype(int)
 
 
 def _close(cells: IntArray) -> Iterator[IntArray]:
@@ -491,7 +491,7 @@ def _chains(folds: FoldCurves, states: FloatArray, pairs: Iterable[IntArray]) ->
     # nearest pairs first.
     cost, one, other, *sides = np.concatenate(joints, axis=1)
     links: list[set[int]] = [set() for _ in range(count)]
-    free = np.ones((count, 2), dtype=np.bool_)
+    free = np.ones((count, 2), dtype=bool)
     order = np.lexsort((other, one, cost))
     for ends in np.array([one, sides[0], other, sides[1]])[:, order].T.astype(int).tolist():
         ports = (ends[0], ends[1]), (ends[2], ends[3])
@@ -728,7 +728,7 @@ class FoldCurves:
         """
         count, columns = len(self.scale), np.arange(states.shape[1])
         free = (
-            np.array([np.delete(np.arange(count), index) for index in fixed], dtype=np.int64)
+            np.array([np.delete(np.arange(count), index) for index in fixed], dtype=int)
             .reshape(-1, count - 1)
             .T
         )

@@ -94,12 +94,12 @@ def met_by(points: Points, balance: Balance) -> BoolArray:
     at which one more contact is regained.
     """
     if not balance.model.has_regimes:
-        return np.ones(len(points), dtype=np.bool_)
+        return np.ones(len(points), dtype=bool)
     every = zip(points.touching, points.at_border, strict=True)
     labels = {label_of(entry) for entry in balance.model.contacts}
     own = {*balance.touching.split(", ")} & labels
     names = [({*touching.split(", ")} & labels, {at}) for touching, at in every]
-    return np.array([own in (names, names - at) for names, at in names], dtype=np.bool_)
+    return np.array([own in (names, names - at) for names, at in names], dtype=bool)
 
 
 def joined(parts: Sequence[Points]) -> Points:
@@ -115,7 +115,7 @@ def joined(parts: Sequence[Points]) -> Points:
     }
     error = np.concatenate([part.error for part in parts])
     order = in_order(
-        np.array([values[name] for name in names]), error, np.zeros(error.size, dtype=np.int64)
+        np.array([values[name] for name in names]), error, np.zeros(error.size, dtype=int)
     )
     region = np.stack([part.region for part in parts])
     return replace(

@@ -236,7 +236,7 @@ def _by_tubes(
             or by_tubes[one, two] == min(states[end].signs.size for end in (one, two))
         }
         complete = {step for step in complete if "pitchfork" not in _kinds_within(along, step)}
-        return np.array([(one, two) in complete for one, two, _ in begun], dtype=np.bool_)
+        return np.array([(one, two) in complete for one, two, _ in begun], dtype=bool)
 
     links = joined(tubes.followed(start, goal, needless=needless))
     return links, completed(links)

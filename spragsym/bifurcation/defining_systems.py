@@ -547,7 +547,7 @@ class Augmented(OfFamily):
         self, unknowns: Intervals, parameters: Intervals, times: float = 1.0
     ) -> BoolArray:
         """Boxes that the balance gives up, and those that the condition gives up."""
-        out, also = np.zeros(parameters.shape[1:], dtype=np.bool_), self.condition.abandoned
+        out, also = np.zeros(parameters.shape[1:], dtype=bool), self.condition.abandoned
         if self.balance.torsions:
             boxes = Boxes(self, unknowns, parameters)
             out |= self.balance.at_poles(boxes, times * self.options.pole)
@@ -580,7 +580,7 @@ def _regular(boxes: Boxes, spring: int) -> BoolArray:
     Most of those in which it may be 0 show it in a direction along an axis already, a fourth of a
     turn apart.
     """
-    out = np.ones(boxes.shape, dtype=np.bool_)
+    out = np.ones(boxes.shape, dtype=bool)
     # Boxes that are looked at in one go, as NumPy takes hardly longer for them than for one.
     for arcs in (ARCS,) if out.size < 64 else (ARCS[::8], ARCS):
         rows = np.flatnonzero(out)

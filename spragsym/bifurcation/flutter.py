@@ -232,7 +232,7 @@ def _in_combination(family: Family, damping: bool | None) -> Points:
     """Onsets of one combination of contacts that touch."""
     systems = OnsetSystems.of(family, damping)
     if systems.said:
-        unknown = replace(nothing(family), whole=np.zeros(1, dtype=np.bool_))
+        unknown = replace(nothing(family), whole=np.zeros(1, dtype=bool))
         return _joined(family, [(unknown, [], [])], flat=False, said=systems.said)
     parts = list[_Part]()
     for one in systems.sought:
@@ -265,7 +265,7 @@ def _part(family: Family, found: Found, sought: Sought, damping: bool) -> _Part:
         omega += some
         rows += [row] * len(some)
     return (
-        replace(found, roots=found.roots.select(np.array(rows, dtype=np.int64))),
+        replace(found, roots=found.roots.select(np.array(rows, dtype=int))),
         [sought.kind] * len(rows),
         omega,
     )
@@ -330,7 +330,7 @@ def frequencies(roots: ComplexArray) -> list[float]:
 def _joined(family: Family, parts: list[_Part], flat: bool, said: tuple[str, ...] = ()) -> Points:
     """All parts in one result; ``flat`` where the last is of places without slope."""
     each, kinds, frequencies = zip(*parts, strict=True)
-    kind, omega = np.array([*chain(*kinds)], dtype=np.str_), np.array([*chain(*frequencies)])
+    kind, omega = np.array([*chain(*kinds)], dtype=str), np.array([*chain(*frequencies)])
     found = all_of(each)
 
     def symmetric(end: float, left: FloatArray) -> str:
@@ -603,7 +603,7 @@ class Onsets(Points):
     @cached_property
     def criticality(self) -> NDArray[np.str_]:
         """supercritical, subcritical or undecided."""
-        return np.array([criticality_of(form)[0] for form in self.normal_forms], dtype=np.str_)
+        return np.array([criticality_of(form)[0] for form in self.normal_forms], dtype=str)
 
     @cached_property
     def why(self) -> tuple[str, ...]:

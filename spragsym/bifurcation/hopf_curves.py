@@ -303,7 +303,7 @@ class _Plane(Family):
                 middle = parts[-1].roots.middle
                 ends[row] = np.concatenate([ends[row], middle], axis=1)
         found = all_of(parts or [nothing(self)])
-        return arranged(self, found, np.array(kinds, dtype=np.str_)), ends
+        return arranged(self, found, np.array(kinds, dtype=str)), ends
 
     def roots(self, states: FloatArray) -> ComplexArray:
         """All λ, shape (N, 2 n)."""
@@ -341,7 +341,7 @@ class _Plane(Family):
             "omega": omega,
             "lyapunov": of_forms(forms, "lyapunov", np.nan),
             "lyapunov_error": of_forms(forms, "lyapunov_error", np.inf),
-            "criticality": np.array([criticality_of(form)[0] for form in forms], dtype=np.str_),
+            "criticality": np.array([criticality_of(form)[0] for form in forms], dtype=str),
         }
         own = {own_name(self.balance.model, name): column for name, column in ours.items()}
         return Curve({**self.named(states), **own, **which(self.balance, omega.size)})

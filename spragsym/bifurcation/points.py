@@ -147,7 +147,7 @@ def _of_affine_forces(family: Family) -> Found:
     """No two states meet; parameters at which they may form a line are left."""
     n, count = family.balance.n, family.given.shape[1]
     values, point = lines_of_states(family)
-    roots, whole = Roots.none(n + len(family.vary)), np.ones(count, dtype=np.bool_)
+    roots, whole = Roots.none(n + len(family.vary)), np.ones(count, dtype=bool)
     if not point.size:
         return Found(roots, with_sides(np.full((2, n, count), np.inf), family.spans), whole)
     searched, whole = _region(family, family.balance)
@@ -261,7 +261,7 @@ def shared(system: Augmented, left: FloatArray) -> BoolArray:
     ``system`` is along one parameter, with a condition of order 0; ``left`` has the shape (2, n +
     1, N).
     """
-    out = np.zeros(left.shape[2], dtype=np.bool_)
+    out = np.zeros(left.shape[2], dtype=bool)
     if system.condition.order or not out.size:
         return out
     wide = left + (0.25 * width_of(left) + 1e-11 * scale_of(left).max(axis=0))
@@ -290,7 +290,7 @@ def vanishes(system: Augmented, end: float, ends: FloatArray) -> BoolArray:
             at = system.state([*Intervals(ends[:, :-1]), value], _at_end(system, end, count))
             values = stacked(system.condition.equations(at), (count,))
     except ZeroDivisionError:  # a law that has no value there
-        return np.zeros(count, dtype=np.bool_)
+        return np.zeros(count, dtype=bool)
     return np.logical_and.reduce(values.magnitude <= NEGLIGIBLE)
 
 
@@ -385,7 +385,7 @@ def escapes(family: Family) -> Points:
     # A box that holds the unit sphere.
     n, sides = balance.n, np.full((2, balance.n, 1), 1.0 + 2.0**-6)
     sides[:, list(balance.periodic)] = SEARCHED_ANGLE
-    found, side = Roots.none(system.n), np.empty(0, dtype=np.int64)
+    found, side = Roots.none(system.n), np.empty(0, dtype=int)
     with suppress(NoChart), quiet():
         found = certified_roots.search(
             system, with_sides(sides, family.spans), fixed, fixed, budget=16_000
@@ -466,7 +466,7 @@ class _AtInfinity(OfFamily):
         known, and of two parameters.
         """
         if self.order:
-            return np.zeros(unknowns.shape[1], dtype=np.int64)
+            return np.zeros(unknowns.shape[1], dtype=int)
         slopes = [
             gradient(row, self.n + 1)
             for row in self.equations(variables(list(unknowns), 1), parameters)

@@ -161,7 +161,7 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
             _OnMirror(family, mirror), found.region, family.begin, family.begin
         )
         inside, beyond = on_side(system, system.fixed(on_mirror.point.size), on_mirror.ends)
-        open_boxes, decided = np.ones(left.shape[2], dtype=np.bool_), []
+        open_boxes, decided = np.ones(left.shape[2], dtype=bool), []
         for hull in np.moveaxis(clusters(left, found.roots.undecided_point)[0], 2, 0):
             here = np.flatnonzero(contractors.within(on_mirror.ends, hull[:, :, None]))
             alone = contractors.apart(on_mirror.undecided, hull[:, :, None]).all()

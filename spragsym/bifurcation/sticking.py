@@ -236,7 +236,7 @@ def _pressed(continuation: QuasiStaticContinuation, q: FloatArray, error: FloatA
     shape, model = error.shape, continuation.balance.model
     contact = _pressing(model)
     if model.contacts[contact]["gap"] is not None or not error.size:
-        return np.ones(shape, dtype=np.bool_)
+        return np.ones(shape, dtype=bool)
     room = error * scale_of(q)
     given = np.repeat(
         columns(
@@ -268,7 +268,7 @@ def _sets(
         [np.array([column[eq.states] for column in eq.coordinates.values()]), continuation.q],
         axis=1,
     )
-    labels, comes_around = np.arange(q.shape[1]), np.zeros(q.shape, dtype=np.bool_)
+    labels, comes_around = np.arange(q.shape[1]), np.zeros(q.shape, dtype=bool)
 
     def link(node: int, slot: int, goal: int, target: int) -> None:
         """Join the sets of a state and of another one on its curve, or of the point at which it
@@ -300,7 +300,7 @@ def _sets(
             link(node, slot, node - 1, ~continuation.vanishing(node, slot, node - 1))
     error = np.concatenate([eq.error[eq.states], continuation.turns.error])
     either = presses_either(p.model.contacts[_pressing(p.model)])
-    pressed = np.ones(error.shape, dtype=np.bool_) if either else _pressed(continuation, q, error)
+    pressed = np.ones(error.shape, dtype=bool) if either else _pressed(continuation, q, error)
     sets = [labels == label for label in np.unique(labels[pressed])]
     if any(not pressed[one].all() for one in sets):
         raise ConvergenceError("the normal force is 0 in some of connected states of sticking")

@@ -516,7 +516,7 @@ class Tubes(ByColumn):
                 swing.copy(),
                 np.zeros_like(z),
                 np.zeros_like(z),
-                np.zeros(half.size, dtype=np.bool_),
+                np.zeros(half.size, dtype=bool),
             ),
             np.zeros_like(reach),
         )

@@ -34,7 +34,7 @@ def limit_points(tubes: Tubes, start: Place, forward: int) -> LimitPoints:
     in that one, and its ends bound v.
     """
     low, high = np.full((2, start.sure.size), np.nan)
-    out = LimitPoints(start.z.copy(), low, high, np.zeros(low.size, dtype=np.bool_))
+    out = LimitPoints(start.z.copy(), low, high, np.zeros(low.size, dtype=bool))
     for some, here, rows, by_v in pivots(tubes, start):
         moving = np.sign(by_v)
         towards = forward * moving
@@ -122,7 +122,7 @@ def _passed(
             break
         at, some = here[rows], tubes[rows]
         good, end, tube = some.segment(at, at.z + by_s[:, rows] * (towards * step)[rows])
-        up = np.zeros(rows.size, dtype=np.bool_)
+        up = np.zeros(rows.size, dtype=bool)
         up[good] = some[good].rises(tube[good], by_s[:, rows[good]]) == towards[rows[good]]
         good &= np.where(rising[rows], up, tube.box().high[-1] < goal[rows])
         # Near its fold v is as wide as the parts make it: there is no nearer.

@@ -218,7 +218,7 @@ class Claim(ABC):
             if not last.all():
                 pending = pending.concatenated(some[~last].divided(weight[:, ~last], most - seen))
         if len(pending):
-            yield pending, np.ones(len(pending), dtype=np.bool_), 0
+            yield pending, np.ones(len(pending), dtype=bool), 0
 
     def at_corners(self) -> FloatArray:
         """Points at which a counterexample is looked for first: the middle and corners of the box,

@@ -446,9 +446,7 @@ class _RaySearch:
                 )
             edges = np.concatenate([low[None], marks, high[None]])
             first = (
-                np.argmax(
-                    np.concatenate([inside, np.ones((1, radius.size), dtype=np.bool_)]), axis=0
-                )
+                np.argmax(np.concatenate([inside, np.ones((1, radius.size), dtype=bool)]), axis=0)
                 + 1
             )
             low, high = (

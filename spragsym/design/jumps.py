@@ -357,7 +357,7 @@ class Followed:
         """End of the state of each point."""
         n, size, others = self.balance.n, self.begin.size, dict[int, ModelEnd]()
         z, error, reasons = np.empty((n + 1, size)), np.empty(size), dict[int, str]()
-        combination = np.zeros(size, dtype=np.int64)
+        combination = np.zeros(size, dtype=int)
         for rows, tubes, start, goal in self._parts():
             proved = self._by_tubes(tubes, start, goal)
             z[:, rows], error[rows], combination[rows] = proved.z, proved.error, proved.combination
@@ -423,7 +423,7 @@ class Followed:
             z = np.array([*states, self.begin[rows]])
             decided = eq.decided & np.isfinite(z).all(axis=0)
             z[:, ~decided] = 0.0
-            number = np.zeros(rows.size, dtype=np.int64)
+            number = np.zeros(rows.size, dtype=int)
             if self.model.has_regimes:
                 touching = eq.touching[np.arange(rows.size), slot]
                 number[decided] = [
@@ -462,7 +462,7 @@ class Followed:
             tubes = replace(tubes, options=replace(tubes.options, segments=60))
         left, at = np.arange(size), start
         out = _TubeVerdict(
-            np.zeros(size, dtype=np.bool_),
+            np.zeros(size, dtype=bool),
             np.full(start.z.shape, np.nan),
             np.zeros(size),
             np.full(size, number_of(self.balances, tubes.balance.touching)),
@@ -476,7 +476,7 @@ class Followed:
             left, at = left[at.sure & ~arrived], at[at.sure & ~arrived]
             if not left.size:
                 break
-            beyond = np.zeros(left.size, dtype=np.bool_)
+            beyond = np.zeros(left.size, dtype=bool)
             for part in crossed(tubes[left], at, goal[left]):
                 rows, beyond[part.rows] = left[part.rows], True
                 if part.kind == PASSES:

@@ -48,7 +48,7 @@ class ProvedJumps:
         """
         pieces, (count,) = self.pieces, p.shape
         loading, *free = (np.broadcast_to(p[name], count) for name in (self.vary, *self.free))
-        part = self._parts(free) if free else np.zeros(count, dtype=np.int64)
+        part = self._parts(free) if free else np.zeros(count, dtype=int)
         proved = (part >= 0) & self.known[part] & (p.followed is None)
         given = {name: np.broadcast_to(p[name], count) for name in p.ranges if p[name] is not None}
         asked = np.flatnonzero((part >= 0) & ~proved)
@@ -112,7 +112,7 @@ def proved_jumps(box: Splitting, share: Callable[[Any], FloatArray], most: int) 
         ends = bool(np.isfinite(found.value))
         box.whole.safe[:] = found.value - found.error if ends else found.until
         box.whole.top[:] = found.value + found.error if ends else np.inf
-        return ProvedJumps(box.vary, box.begin, (), box.whole, np.ones(1, dtype=np.bool_), "")
+        return ProvedJumps(box.vary, box.begin, (), box.whole, np.ones(1, dtype=bool), "")
     # Of the whole box hardly anything is proved.
     box.whole = box.whole.divided(box.whole.weight(box.whole.base), most)
     box.sharp = True
@@ -127,7 +127,7 @@ def _known(box: Splitting, pieces: Pieces) -> BoolArray:
     """Parts at all points of which the reference state is proved to be that of their tubes."""
     # Of several combinations of contacts it is to be the reference state of the states of all.
     if box.near is not None or len(balances_of(box.model)) > 1:
-        return np.zeros(len(pieces), dtype=np.bool_)
+        return np.zeros(len(pieces), dtype=bool)
     balance, low = Balance(box.model), np.repeat(box.tubes.fixed, len(pieces), axis=1)
     high = low.copy()
     low[box.rows[:-1]], high[box.rows[:-1]] = pieces.low[:-1], pieces.high[:-1]

@@ -130,7 +130,7 @@ class Splitting(Claim):
         """Tubes for parts of the box."""
         centre = 0.5 * (low[:-1] + high[:-1])
         half = np.maximum(high[:-1] - centre, centre - low[:-1])
-        return replace(self.tubes[np.zeros(low.shape[1], dtype=np.int64)], centre=centre, half=half)
+        return replace(self.tubes[np.zeros(low.shape[1], dtype=int)], centre=centre, half=half)
 
     def _reference(self, at: FloatArray) -> tuple[FloatArray, str, float]:
         """The reference state at one point of the free parameters and of what moves, the contacts
@@ -167,9 +167,7 @@ class Splitting(Claim):
 
     def points(self, values: FloatArray) -> Pieces:
         """Points of the box, shape (free + 1, N), as pieces of it."""
-        return replace(
-            self.whole[np.zeros(values.shape[1], dtype=np.int64)], low=values, high=values
-        )
+        return replace(self.whole[np.zeros(values.shape[1], dtype=int)], low=values, high=values)
 
     # ---------------------------------------------------------------------------------------------
     # decisions
@@ -220,7 +218,7 @@ class Splitting(Claim):
         """
         last, at = before, np.repeat(self.tubes.fixed, one.shape[1], axis=1)
         at[self.rows[:-1]], at[self.rows[-1]] = one, self.begin
-        out = np.ones(one.shape[1], dtype=np.bool_)
+        out = np.ones(one.shape[1], dtype=bool)
         for k, name in enumerate(self.free):
             tubes = Tubes.of_points(self.balance, name, at)
             start = tubes.place(np.concatenate([last.z[:-1], one[k : k + 1]]))

@@ -354,7 +354,7 @@ def _divided(
         ends = (180.0, step_deg / 2**level), (MU0_RANGE[1], step_mu0 / 2**level)
         # Middles of equal cells from 0 on; the last cell may reach beyond the end.
         angles, frictions = (
-            step * np.arange(0.5, round(top / step), dtype=np.float64) for top, step in ends
+            step * np.arange(0.5, round(top / step), dtype=float) for top, step in ends
         )
         if level == 0:
             rms, asked = (

@@ -116,7 +116,7 @@ def _on_borders(p: Parameters, between: Ranges) -> Iterator[FloatArray]:
 
 
 def _within(between: Ranges, found: Curve | Points) -> BoolArray:
-    inside = np.ones(len(found), dtype=np.bool_)
+    inside = np.ones(len(found), dtype=bool)
     # What a fold on the end of a range may lie beyond it by rounding.
     on_border = 1e-11
     for name, (low, high) in between.items():

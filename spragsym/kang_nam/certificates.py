@@ -82,7 +82,7 @@ class ClosedClaim(Claim):
         ends = corner_values(NAMES, low, high, matter)
         if claim == "no jump":  # what goes on to the largest friction goes on to every other
             ends[0][NAMES.index("mu0")] = ends[1][NAMES.index("mu0")]
-        self.whole = ParameterBoxes(ends[0], ends[1], np.zeros(1, dtype=np.bool_), matter)
+        self.whole = ParameterBoxes(ends[0], ends[1], np.zeros(1, dtype=bool), matter)
 
     def settled(self, parts: ParameterBoxes) -> tuple[ParameterBoxes, FloatArray]:
         holds, weight = self.prove(parts)
@@ -140,7 +140,7 @@ def _no_jump(boxes: ParameterBoxes) -> Proved:
     Candidates for the two directions come from the middle of a box, and the proof does not depend
     on how.
     """
-    result, weight = np.zeros(len(boxes), dtype=np.bool_), np.zeros_like(boxes.low)
+    result, weight = np.zeros(len(boxes), dtype=bool), np.zeros_like(boxes.low)
     # How far a trial direction lies from the state it stands for, in units of how far that
     # state moves within the box: the wide one leaves room for terms of second order, the
     # narrow one is for boxes near a fold.
@@ -218,7 +218,7 @@ def _ends_hold(
     """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest;
     both in contact.
     """
-    result, weight = np.ones(len(boxes), dtype=np.bool_), np.zeros_like(boxes.low)
+    result, weight = np.ones(len(boxes), dtype=bool), np.zeros_like(boxes.low)
     for line, friction, wanted in ((lowest, 0.0, -1), (highest, boxes.high[_MU0], 1)):
         ground = at(boxes, line).with_friction(friction)
         value, inside = ground.balance()[0], ground.pressed()
@@ -283,7 +283,7 @@ def _alone(boxes: ParameterBoxes, low: LinearDirection, high: LinearDirection) -
 
 def _jumps(p: Parameters) -> BoolArray:
     """The first of some points whose state jumps below its friction, by its path too."""
-    out = np.zeros(p.shape, dtype=np.bool_)
+    out = np.zeros(p.shape, dtype=bool)
     for i in np.flatnonzero(first_jumps(p, "mu0", sides=True).value < p.mu0 * (1 - 1e-11))[:1]:
         point = Parameters(**point_at({name: p[name] for name in NAMES}, i))
         out[i] = first_end(point, "mu0", (0.0, float(point.mu0))) is not None
@@ -424,7 +424,7 @@ def covered(
     box = np.tile(np.arange(size), cells)
     begin = np.repeat(np.arange(cells) / cells, size)
     end = begin + 1.0 / cells
-    result = np.ones(size, dtype=np.bool_)
+    result = np.ones(size, dtype=bool)
     # How often one is halved, at most.
     halvings = 40
     for halving in range(halvings + 1):

@@ -77,7 +77,7 @@ def flutter_onsets(
     found = with_enough_bits(20, attempt, "flutter_onsets") if exact.values[0] else []
     rows = [row for row, _ in found]
     branch, count, side = (
-        np.array([(one.branch, one.count, one.side) for _, one in found], dtype=np.int64)
+        np.array([(one.branch, one.count, one.side) for _, one in found], dtype=int)
         .reshape(-1, 3)
         .T
     )

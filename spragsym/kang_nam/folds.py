@@ -89,7 +89,7 @@ def folds(
 
     found = with_enough_bits(20, attempt, "folds")
     _, _, every, rows, after = zip(*found, strict=True) if found else [()] * 5
-    kind, ends, when = np.array(list(map(_words, every)), dtype=np.str_).reshape(-1, 3).T.copy()
+    kind, ends, when = np.array(list(map(_words, every)), dtype=str).reshape(-1, 3).T.copy()
     ended = Ended(
         ends,
         when,

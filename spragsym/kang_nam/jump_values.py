@@ -191,7 +191,7 @@ def _walk(
         value.error[1:] + value.error[:-1]
     )
     undecided[row[1:][same & ~apart]] = True
-    rank, jumped = rank.astype(np.int64), np.full(start.size, -1)
+    rank, jumped = rank.astype(int), np.full(start.size, -1)
     number = np.arange(row.size) - np.searchsorted(row, row)  # which fold of its point
     for k in range(int(number.max(initial=-1)) + 1):
         now = np.flatnonzero(number == k)

@@ -126,7 +126,7 @@ def as_numbers(
             f"{name} = {_short(value)} is {kinds.get(array.dtype.kind, array.dtype)}; it must be "
             "real numbers"
         )
-    array = array.astype(np.float64)
+    array = array.astype(float)
     inside = allowed.inside(array)
     if not inside.all():
         index = tuple(int(i) for i in np.argwhere(~inside)[0]) if array.ndim else ()

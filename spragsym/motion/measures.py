@@ -127,5 +127,5 @@ def spectrum_of(samples: PiecewisePolynomial, row: int, points: int) -> Spectrum
     amplitude = (
         2 * np.abs(np.fft.rfft((values - (window @ values) / window.sum()) * window)) / window.sum()
     )
-    frequency = np.asarray(np.fft.rfftfreq(points, float(t[1] - t[0])), dtype=np.float64)
-    return Spectrum(frequency, np.asarray(amplitude, dtype=np.float64))
+    frequency = np.asarray(np.fft.rfftfreq(points, float(t[1] - t[0])), dtype=float)
+    return Spectrum(frequency, np.asarray(amplitude, dtype=float))

@@ -60,7 +60,7 @@ def _tables() -> FloatArray:
         method.C_EXTRA,
         method.D,
     )
-    return np.concatenate([np.ravel(part) for part in parts]).astype(np.float64)
+    return np.concatenate([np.ravel(part) for part in parts]).astype(float)
 
 
 def tolerance(problem: Problem) -> float:

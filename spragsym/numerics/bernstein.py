@@ -106,7 +106,7 @@ def signs_between(
     largest = np.abs(whole.value).max(axis=0)
     noise = whole.error.max(axis=0) + (len(value) - 1) * (16 * UNIT + 2 * off) * largest
     at_low = Rounded(value[0], noise).sign()
-    negative, positive = np.isfinite(noise), np.zeros(size, dtype=np.bool_)
+    negative, positive = np.isfinite(noise), np.zeros(size, dtype=bool)
     row = np.flatnonzero(negative)
     value = value[:, row]
     # Halvings of a part after which its signs are left open.

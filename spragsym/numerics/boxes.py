@@ -115,7 +115,7 @@ class EquationSystem:
 
     def excluded(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes that hold nothing wanted for another reason than F, shape (N,)."""
-        return np.zeros(unknowns.shape[1:], dtype=np.bool_)
+        return np.zeros(unknowns.shape[1:], dtype=bool)
 
     def excluded_without_plan(self, unknowns: Intervals, parameters: Intervals) -> BoolArray | None:
         """Of what is excluded that which no plan tells; None where it tells all."""
@@ -148,7 +148,7 @@ class EquationSystem:
         """Boxes, up to so many times the width of the options, that halving would never decide, as
         around a pole of F, shape (N,).
         """
-        return np.zeros(unknowns.shape[1:], dtype=np.bool_)
+        return np.zeros(unknowns.shape[1:], dtype=bool)
 
 
 @dataclass(frozen=True)
@@ -198,7 +198,7 @@ def search(
     are not halved any more, else as the options of the system say.
     """
     points, options = tree(low, high), system.options
-    first = Pairs(region.max(axis=2, keepdims=True).astype(np.float64), np.zeros(1, dtype=np.int64))
+    first = Pairs(region.max(axis=2, keepdims=True).astype(float), np.zeros(1, dtype=int))
     with quiet():
         beyond = np.asarray(system.limits)[..., None]
         regions = points.hulls(region) if region.shape[2] > 1 else None
@@ -244,7 +244,7 @@ class _Search:
         self.rules = Rules(
             options.margin, options.spread, options.small, self.narrow, options.shrunk, self.sharp
         )
-        self.work = np.zeros(self.points.size.size, dtype=np.int64)
+        self.work = np.zeros(self.points.size.size, dtype=int)
         self.plan = self.system.plan(self.parameters)
 
     def run(self, start: Pairs) -> None:
@@ -273,7 +273,7 @@ class _Search:
         )
         self.work[0] = self.looks
         unique, where, undecided, left = (
-            Pairs(part, np.zeros(part.shape[2], dtype=np.int64)) for part in ends
+            Pairs(part, np.zeros(part.shape[2], dtype=int)) for part in ends
         )
         self.unique.append(unique)
         self.where.append(where)
@@ -418,8 +418,8 @@ class Tree:
 
     def below(self, nodes: IntArray) -> tuple[IntArray, IntArray]:
         """Rows (place among ``nodes``, point) for all points of all of these nodes."""
-        nodes = nodes.astype(np.int64)
-        level = np.frexp(nodes + 1)[1].astype(np.int64) - 1
+        nodes = nodes.astype(int)
+        level = np.frexp(nodes + 1)[1].astype(int) - 1
         span = 1 << (self.depth - level)
         ends = np.cumsum(span)
         places = np.repeat(np.arange(nodes.size), span)
@@ -455,7 +455,7 @@ def tree(low: FloatArray, high: FloatArray) -> Tree:
     count, points = low.shape
     depth = max(0, int(points - 1).bit_length())
     leaves = 1 << depth
-    order = np.full(leaves, -1, dtype=np.int64)
+    order = np.full(leaves, -1, dtype=int)
     order[:points] = np.arange(points)
     low, high = (
         np.concatenate([part, np.full((count, leaves - points), np.nan)], axis=1)

@@ -40,7 +40,7 @@ class Roots:
         cls, ends: FloatArray, alone: FloatArray | None = None, point: IntArray | None = None
     ) -> Roots:
         """Roots, and nothing undecided: each alone in its box and of point 0, where not said."""
-        point = np.zeros(ends.shape[2], dtype=np.int64) if point is None else point
+        point = np.zeros(ends.shape[2], dtype=int) if point is None else point
         return cls(ends, ends if alone is None else alone, point, ends[:, :, :0], point[:0])
 
     @classmethod
@@ -157,7 +157,7 @@ def _refined(
 ) -> tuple[FloatArray, BoolArray]:
     """Boxes contracted until they do not get narrower; and whether one was found empty."""
     ends = ends.copy()
-    empty = np.zeros(point.size, dtype=np.bool_)
+    empty = np.zeros(point.size, dtype=bool)
     for begin in range(0, point.size, boxes.CHUNK):
         rows = np.arange(begin, min(begin + boxes.CHUNK, point.size))
         at = system.prepared(parameters[:, point[rows]])
@@ -193,8 +193,8 @@ def once(ends: FloatArray, alone: FloatArray, point: IntArray) -> tuple[IntArray
     Two boxes of a point hold the same root if one lies where the other's is alone, and different
     ones if they do not meet.
     """
-    keep = np.ones(point.size, dtype=np.bool_)
-    unclear = np.zeros(point.size, dtype=np.bool_)
+    keep = np.ones(point.size, dtype=bool)
+    unclear = np.zeros(point.size, dtype=bool)
     for first, second in neighbours(alone, point):
         alive = keep[first] & keep[second]
         first, second = first[alive], second[alive]

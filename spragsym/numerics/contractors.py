@@ -116,7 +116,7 @@ def by_each_row(
     """
     n = middle.shape[0]
     every = np.arange(n)
-    ends, none = np.full((2, *middle.shape), np.inf), np.zeros(middle.shape[1], dtype=np.bool_)
+    ends, none = np.full((2, *middle.shape), np.inf), np.zeros(middle.shape[1], dtype=bool)
     for shift in range(n):
         rows = (every + shift) % n
         A, b = slopes.ends[:, rows], values.ends[:, rows]
@@ -188,7 +188,7 @@ def inverse(matrices: FloatArray) -> FloatArray:
     n = matrices.shape[0]
     if (extension := compiled_for(n)) is not None:
         made = np.empty(matrices.shape)
-        extension.inverse(np.ascontiguousarray(matrices, dtype=np.float64), n, made)
+        extension.inverse(np.ascontiguousarray(matrices, dtype=float), n, made)
         return made
     with quiet():
         if n == 1:

@@ -41,7 +41,7 @@ class DoubleDouble(NDArrayOperatorsMixin):
     __slots__ = ("high", "low")
 
     def __init__(self, high: FloatArray | float, low: FloatArray | float = 0.0) -> None:
-        self.high, self.low = np.asarray(high, dtype=np.float64), np.asarray(low, dtype=np.float64)
+        self.high, self.low = np.asarray(high, dtype=float), np.asarray(low, dtype=float)
 
     @property
     def shape(self) -> Shape:

@@ -121,7 +121,7 @@ class Intervals(Arithmetic):
     @classmethod
     def between(cls, low: ArrayLike, high: ArrayLike) -> Intervals:
         """[low, high], element by element."""
-        one, other = np.asarray(low, dtype=np.float64), np.asarray(high, dtype=np.float64)
+        one, other = np.asarray(low, dtype=float), np.asarray(high, dtype=float)
         if one.shape != other.shape:
             one, other = np.broadcast_arrays(one, other)
         return cls(pair(-one, other))

@@ -120,7 +120,7 @@ class Plan:
         given, boxes = both
         count = given.shape[2]
         wide, step, left = np.empty((3, *given.shape))
-        verdicts, along = np.empty(count, dtype=np.int8), np.empty(count, dtype=np.int64)
+        verdicts, along = np.empty(count, dtype=np.int8), np.empty(count, dtype=int)
         compiled.decided(
             self.held,
             np.ascontiguousarray(given),

@@ -358,7 +358,7 @@ def _assembled(recording: Recording, found: Sequence[int]) -> Tape:
         slots[number] = slot
         free += [slots[operand] for operand in set(operands) if last[operand] == number]
     lines += [(codes["store"], row, slots[index], 0) for row, index in enumerate(found)]
-    numbers = np.array([value for value, _ in recording.numbers], dtype=np.float64)
+    numbers = np.array([value for value, _ in recording.numbers], dtype=float)
     return Tape(
         np.array(lines, dtype=np.int32).tobytes(), numbers.tobytes(), len(found), max(used, 1)
     )

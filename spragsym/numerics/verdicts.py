@@ -87,7 +87,7 @@ def judged(boxes: Looked, rules: Rules) -> Judged:
     if extension is None:
         return by_numpy(boxes, rules)
     step, left = np.empty((2, 2, n, count))
-    verdicts, along = np.empty(count, dtype=np.int8), np.empty(count, dtype=np.int64)
+    verdicts, along = np.empty(count, dtype=np.int8), np.empty(count, dtype=int)
     extension.judged(
         np.ascontiguousarray(boxes.values.ends),
         np.ascontiguousarray(boxes.slopes.ends),
@@ -133,7 +133,7 @@ def by_numpy(boxes: Looked, rules: Rules) -> Judged:
     noise = found.noise[:, rest]
     now = with_room(ends, boxes.ends[:, :, rest], noise, rules.margin)
     closed = np.logical_and.reduce(found.ends[:, :, rest] < wide[:, :, rest])
-    verdicts, along = proved.astype(np.int8), np.zeros(proved.size, dtype=np.int64)
+    verdicts, along = proved.astype(np.int8), np.zeros(proved.size, dtype=int)
     left = np.zeros_like(boxes.ends)
     left[:, :, rest] = now
     verdicts[rest] = _divided(boxes, rest, now, noise, closed, rules)

@@ -137,7 +137,7 @@ class Balance(Forces, StateSystem):
         there.
         """
         if not self.torsions:
-            return np.zeros(parameters.shape[1:], dtype=np.bool_)
+            return np.zeros(parameters.shape[1:], dtype=bool)
         return self.at_poles(Boxes(self, unknowns, parameters), times * self.options.pole)
 
     @property
@@ -147,7 +147,7 @@ class Balance(Forces, StateSystem):
 
     def at_poles(self, at: Evaluation | Boxes, width: float) -> BoolArray:
         """Whether boxes up to a width hold a pole."""
-        out = np.zeros(at.shape, dtype=np.bool_)
+        out = np.zeros(at.shape, dtype=bool)
         for dx, dy in at.anchors if self.torsions else ():
             out |= dx.holds_zero() & dy.holds_zero() & (np.maximum(dx.width, dy.width) < width)
         return out

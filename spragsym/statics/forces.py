@@ -206,7 +206,7 @@ class Forces:
         """Mask of points where gaps are on this side of their contacts' borders or on them, and
         where one is beyond; all on this side where none opens.
         """
-        inside = np.ones(gaps[0].shape, dtype=np.bool_)
+        inside = np.ones(gaps[0].shape, dtype=bool)
         beyond = ~inside
         for gap, closed, room in zip(gaps, self.closed, self.rooms, strict=False):
             if closed:
@@ -442,7 +442,7 @@ class Evaluation:
         """Whether the slope of one friction law is shown not to be 0, over one of its exponentials:
         also where that is too small for floats.
         """
-        out = np.zeros(self.shape, dtype=np.bool_)
+        out = np.zeros(self.shape, dtype=bool)
         sizes = self.of_frictions("friction_slope_by_sizes")
         for terms in itertools.chain(*sizes):
             kept = [

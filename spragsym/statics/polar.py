@@ -242,7 +242,7 @@ def turned_points(
     coordinates, has none of them. ``given`` are parameters, shape (parameters, points), and
     ``regions`` have the shape (2, n, points).
     """
-    done = np.zeros(given.shape[1], dtype=np.bool_)
+    done = np.zeros(given.shape[1], dtype=bool)
     system = (
         _system(balance, given, balance.torsions[0], True) if len(balance.torsions) == 1 else None
     )
@@ -289,7 +289,7 @@ def _of_any_spring(
     """Roots of the points of which all is decided around one of the springs, and which these
     are.
     """
-    done, roots = np.zeros(given.shape[1], dtype=np.bool_), Roots.none(balance.n)
+    done, roots = np.zeros(given.shape[1], dtype=bool), Roots.none(balance.n)
     if balance.torsions:
         points = points[_stiffnesses(balance, given[:, points], "torsions").high.max(axis=0) <= 0]
     for spring in range(balance.springs):
@@ -394,7 +394,7 @@ def _are_equilibria(system: Polar, ends: FloatArray) -> tuple[BoolArray, BoolArr
     """Boxes that may hold an equilibrium; and those of which lengths are proved to be positive,
     angles those of least turning.
     """
-    possible = np.ones((2, ends.shape[2]), dtype=np.bool_)
+    possible = np.ones((2, ends.shape[2]), dtype=bool)
     if system.turns:
         angle = Intervals(ends[:, 0])
         possible &= angle.mignitude <= HALF_TURN, angle.magnitude < np.pi

@@ -161,7 +161,7 @@ def _cut_in_cells(balance: Balance, bounds: Intervals, ends: FloatArray) -> Floa
     low, high = edges[:-1], edges[1:]
     with quiet():
         parameters = balance.prepared(bounds)
-        nowhere = np.zeros(count, dtype=np.bool_)
+        nowhere = np.zeros(count, dtype=bool)
         for _ in range(balance.options.sweeps):
             before = ends
             for index in range(balance.n):
@@ -409,7 +409,7 @@ def _by_contact_force(at: Evaluation) -> FloatArray:
         along[k] = _along_force(at, k, lifted)
         forces[k] = _cut_off(as_intervals(at.contact_force(k, _Pressed()), shape))
     apart = stacked(at.rows("forces", lifted), shape)
-    none = np.zeros(shape, dtype=np.bool_)
+    none = np.zeros(shape, dtype=bool)
     for k in pressed:
         others = sum((along[j] * forces[j] for j in pressed if j != k), apart)
         forces[k], impossible = _balancing(forces[k], others, along[k])
@@ -473,7 +473,7 @@ def _balancing(force: Intervals, apart: Intervals, along: Intervals) -> tuple[In
     """Bounds of the contact's force by its balance with the others in each row that it has a known
     direction in, and where no force balances all of them.
     """
-    ends, none = force.ends, np.zeros(force.shape, dtype=np.bool_)
+    ends, none = force.ends, np.zeros(force.shape, dtype=bool)
     for row in range(apart.shape[0]):
         both = np.fmin(ends, (-apart[row] / along[row]).ends)
         apart_from = width_of(both) < 0

@@ -252,7 +252,7 @@ def _arranged(
         out[point, slot] = values
         return out.reshape(*shape, slots, *values.shape[1:])
 
-    decided = np.ones(size, dtype=np.bool_)
+    decided = np.ones(size, dtype=bool)
     decided[found.undecided_point] = False
     undecided = tuple(
         Undecided(tuple(map(int, np.unravel_index(number, shape))), tuple(low), tuple(high), reason)
@@ -274,7 +274,7 @@ def _arranged(
         "whole": whole.reshape(shape),
     }
     if p.model.has_regimes:
-        ours["touching"] = placed(np.array(touching, dtype=np.str_)[order], "")
+        ours["touching"] = placed(np.array(touching, dtype=str)[order], "")
     made = {
         **{own_name(p.model, name): column for name, column in ours.items()},
         **{name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
@@ -344,14 +344,14 @@ def kinds_of(
             varied or {}, XP
         )
         at = balance.at(list(Intervals(left[:, :n])), values, (count,))
-        pole, anchor = balance.at_poles(at, np.inf), np.zeros(count, dtype=np.bool_)
+        pole, anchor = balance.at_poles(at, np.inf), np.zeros(count, dtype=bool)
         for dx, dy in at.anchors:
             anchor |= dx.holds_zero() & dy.holds_zero()
-        border = np.zeros(count, dtype=np.bool_)
+        border = np.zeros(count, dtype=bool)
         for gap in at.gaps():
             border |= as_intervals(gap, at.shape).holds_zero()
         width = (width_of(left) / scale_of(left).max(axis=0)).max(axis=0)
-        free: BoolArray = np.zeros(count, dtype=np.bool_)
+        free: BoolArray = np.zeros(count, dtype=bool)
         if varied is None:
             forces = balance.residuals(Intervals(left), balance.prepared_at(given))
             free = np.logical_or.reduce(forces.magnitude <= NEGLIGIBLE)

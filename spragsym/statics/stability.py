@@ -142,7 +142,7 @@ def linearized(
 def _combinations(eq: Equilibria, states: tuple[IntArray, ...]) -> tuple[list[Touching], IntArray]:
     """Combinations of contacts that touch in some states, and the number of that of each state."""
     if eq.contact is not None:
-        return [eq.contact], np.zeros(states[-1].size, dtype=np.int64)
+        return [eq.contact], np.zeros(states[-1].size, dtype=int)
     names, which = np.unique(eq["touching"][states], return_inverse=True)
     return [tuple(name.split(", ")) for name in names.tolist()] or [True], which
 
@@ -328,9 +328,7 @@ def _symmetric(balance: Balance, parameters: Intervals) -> BoolArray:
     shape = parameters.shape[1:]
     mus = balance.at((), balance.arguments(parameters), shape).circulatory_frictions
     none = [as_intervals(mu, shape).magnitude <= NEGLIGIBLE for mu in mus]
-    return _without_friction(
-        balance, np.logical_and.reduce(none or [np.ones(shape, dtype=np.bool_)])
-    )
+    return _without_friction(balance, np.logical_and.reduce(none or [np.ones(shape, dtype=bool)]))
 
 
 def _without_friction(balance: Balance, frictionless: BoolArray) -> BoolArray:

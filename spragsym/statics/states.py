@@ -71,7 +71,7 @@ def one_each(
     """One state in contact of every point, known from elsewhere: columns of the shape of the
     points.
     """
-    ones, decided = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
+    ones, decided = np.ones(p.shape, dtype=int), np.ones(p.shape, dtype=bool)
     columns = {
         **places,
         own_name(p.model, "undamped"): undamped,

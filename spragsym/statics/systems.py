@@ -339,7 +339,7 @@ def at_anchors(
 
     Farther from there the direction is known so well that the equations themselves tell.
     """
-    out = np.zeros(boxes.shape, dtype=np.bool_)
+    out = np.zeros(boxes.shape, dtype=bool)
     for spring, near in enumerate(boxes.near_anchors):
         rows = np.flatnonzero(among & ~out & near)
         if rows.size:

@@ -40,8 +40,8 @@ def solve(
     from . import _compiled
 
     settled, rows, here = (
-        np.empty(size, dtype=np.bool_),
-        np.empty(size, dtype=np.int64),
+        np.empty(size, dtype=bool),
+        np.empty(size, dtype=int),
         slice(begin, begin + size),
     )
     first = tuple(out.first[name][here] for name in COLUMNS)

@@ -65,7 +65,7 @@ class _Closed(Linearizing):
         return self._padded(name) if name in COLUMNS else None
 
     def _flags(self, name: str) -> BoolArray:
-        flags = np.zeros(math.prod(self.p.shape), dtype=np.bool_)
+        flags = np.zeros(math.prod(self.p.shape), dtype=bool)
         flags[getattr(self, name)] = True
         return flags.reshape(self.p.shape)
 
@@ -118,11 +118,11 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
         backend.A_THREAD,
         lambda values, begin, size: begin + backend.solve(values, contact, out, begin, size),
     )
-    left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
+    left = np.concatenate([np.empty(0, dtype=int), *unsettled])
     fold, reasons = _escalate(p, contact, out, left) if left.size else (left, {})
     if reasons and not p.shape:
         raise ConvergenceError(reasons[0])
-    decided = np.ones(p.shape, dtype=np.bool_)
+    decided = np.ones(p.shape, dtype=bool)
     decided.flat[list(reasons)] = False
     undecided = tuple(
         Undecided(
@@ -238,7 +238,7 @@ def _escalate(
             folds += [int(rows[row])] * any(state.fold for state in found)
             if found:
                 out.put(rows[row : row + 1], len(found), columns)
-    return np.array(folds, dtype=np.int64), reasons
+    return np.array(folds, dtype=int), reasons
 
 
 def _solve_widely(given: list[FloatArray], contact: bool, out: Slots, rows: IntArray) -> IntArray:

@@ -88,7 +88,7 @@ def made_or_loaded(
         return of.made(
             {
                 **dict(zip(names, table, strict=True)),
-                text: np.array([*words], dtype=np.str_).reshape(shape),
+                text: np.array([*words], dtype=str).reshape(shape),
             },
             columns,
         )

@@ -18,7 +18,7 @@ from . import STATEMENTS, record_text, run
 def _measurements() -> str:
     """The content of measured.json: of the machine where this runs."""
     # Commands that the report names.
-    commands: tuple[tuple[str, ...], ...] = (
+    commands = (
         ("check", "--again"),
         ("check", "--claims", "--again"),
         ("figures", "--out", "figures"),

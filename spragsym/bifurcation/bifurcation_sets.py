@@ -166,7 +166,7 @@ def _of_folds(kind: str, points: Points, balance: Balance) -> BoolArray:
         return np.ones(len(points), dtype=bool)
     # At the ends of a range there are border points, too.
     inside = (kind != "end") | (points.at_border == "")
-    return np.asarray((points.touching == balance.touching) & inside)
+    return (points.touching == balance.touching) & inside
 
 
 def _curve(family: Family, states: FloatArray) -> Curve:

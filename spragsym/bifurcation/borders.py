@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -172,7 +172,7 @@ def _is_singular(balance: Balance, family: Family) -> bool:
 
     # Places with rational numbers at which a determinant that is 0 everywhere is 0.
     for _ in range(12):
-        values: dict[str, Any] = {name: 0 if name in zero else drawn() for name in balance.codes}
+        values = {name: 0 if name in zero else drawn() for name in balance.codes}
         for pair in balance.angles.values():
             values |= dict(zip(pair, circle(), strict=True))
         q, mus = [drawn() for _ in balance.coordinates], [drawn() for _ in balance.rubbing]

@@ -73,7 +73,7 @@ class _States(ByColumn):
 
 def undecided_points(eq: Equilibria, vary: str, cuts: Span) -> FloatArray:
     """Ranges around undecided points, each up to the points beside it, shape (number, 2)."""
-    stops = np.array([cuts[0], *np.asarray(eq.parameters[vary]), cuts[1]])
+    stops = np.array([cuts[0], *eq.parameters[vary], cuts[1]])
     open_ = np.flatnonzero(~eq.decided)
     return np.stack([stops[open_], stops[open_ + 2]], axis=1)
 
@@ -125,7 +125,7 @@ def linked(
         )
     whole = bool(eq.whole.all()) and (turns is None or turns.whole)
     along = Along(balance_of(p.model, eq.contact), p, vary, at, kinds, q, whole)
-    stops = np.asarray(eq.parameters[vary]).tolist()
+    stops = eq.parameters[vary].tolist()
     steps = list(itertools.pairwise(stops))[slice(only, None if only is None else only + 1)]
     given = columns(eq.parameters, along.balance.parameters)
     ends = Intervals.between(given.min(axis=1, keepdims=True), given.max(axis=1, keepdims=True))
@@ -184,7 +184,7 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
         )
         off_mirror = np.abs(across[turned[0]]) > 4 * eq.error[point, slot]
         sides = np.where(off_mirror, np.sign(across[turned[0]]), 0.0)
-    values = np.asarray(eq.parameters[along.vary]).tolist()
+    values = eq.parameters[along.vary].tolist()
     signs = np.sign(np.linalg.det(K))
     found = _States(q, signs, sides, (signs != 0) & (proved == signs))
     return {value: found[point == number] for number, value in enumerate(values)}

@@ -140,4 +140,4 @@ def _enclosed(
         slopes = system.jacobian(Intervals(np.maximum(box, wide)), given)
     rows = [[slopes[i, j] for j in range(count)] for i in range(count)]
     regular = as_intervals(determinant(rows), wide.shape[2:]).signs != 0
-    return step, np.asarray(regular & contractors.inside(step, wide))
+    return step, regular & contractors.inside(step, wide)

@@ -451,7 +451,7 @@ def _crossing_pairs(a: ComplexArray, b: ComplexArray) -> ComplexArray:
         np.minimum(np.abs(before.real), np.abs(after.real))
         > 1e-11 * size  # eigenvalues are known to less
     )
-    return np.asarray(before[passes])
+    return before[passes]
 
 
 def _bisected(

@@ -284,7 +284,7 @@ def vanishes(system: Augmented, end: float, ends: FloatArray) -> BoolArray:
     count, (vary,) = ends.shape[2], system.family.vary
     # 0 as the number, unless it is an angle.
     exactly = end == 0 and vary not in system.balance.angles
-    value: Any = 0 if exactly else Intervals.point(np.full(count, end))
+    value = 0 if exactly else Intervals.point(np.full(count, end))
     try:
         with quiet():
             at = system.state([*Intervals(ends[:, :-1]), value], _at_end(system, end, count))

@@ -251,7 +251,7 @@ def _pressed(continuation: QuasiStaticContinuation, q: FloatArray, error: FloatA
         N = as_intervals(at.contact_force(contact, 1), shape)
     if (N.holds_zero() & (N.magnitude > NEGLIGIBLE)).any():
         raise ConvergenceError("whether a normal force presses a state of sticking is not known")
-    return np.asarray(N.low > 0)
+    return N.low > 0
 
 
 def _sets(

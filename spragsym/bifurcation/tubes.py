@@ -315,7 +315,7 @@ class Tubes(ByColumn):
         """The same by NumPy, from the numbers of what moves and is free."""
         shape, n = self.half.shape[1:], self.n
         fixed = zip(self.balance.parameters, self.fixed, strict=True)
-        values: dict[str, Any] = {
+        values = {
             name: Affine(row, np.zeros((1, *shape))) if row.any() else 0 for name, row in fixed
         }
         values |= {name: given[n + k] for k, name in enumerate((self.vary, *self.free))}

@@ -391,7 +391,7 @@ class _RaySearch:
         found = self.improved(ray[0] * far)
         if found is not None and not self.member(ray * norm(found) * (1 - 1e-6))[0]:
             return found
-        border = np.asarray(ray[0] * self._shortened(ray, far, self.options.fine))
+        border = ray[0] * self._shortened(ray, far, self.options.fine)
         # Just inside of the border.
         found = self.improved(border * (1 - 1e-9))
         return border if found is None or norm(found) > norm(border) else found
@@ -430,7 +430,7 @@ class _RaySearch:
             ends = np.where(
                 rays > 0, self.limits[1] / rays, np.where(rays < 0, self.limits[0] / rays, np.inf)
             )
-        return np.asarray(ends.min(axis=-1))
+        return ends.min(axis=-1)
 
     def _shortened(self, rays: FloatArray, radius: FloatArray, halvings: int) -> FloatArray:
         """Radii of borders on the rays; several parts of each are asked for at once, where rays are

@@ -117,7 +117,7 @@ def jump_margin(
     border = EndOfState(designs, name, first)
 
     def jumped(z: FloatArray) -> BoolArray:
-        return np.asarray(border.ended(z) == 1)
+        return border.ended(z) == 1
 
     def on_fold(z: FloatArray) -> FloatArray | None:
         better = border.near(z, options.steps)

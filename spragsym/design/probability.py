@@ -507,7 +507,7 @@ def _share_of_free(free: Sequence[str], laws: Mapping[str, Shares], pieces: Piec
     """Probability of the sides of each piece but that of what moves."""
     sides = zip(free, pieces.low[:-1], pieces.high[:-1], strict=True)
     parts = [laws[name](high) - laws[name](low) for name, low, high in sides]
-    return np.asarray(np.prod([np.ones(len(pieces)), *parts], axis=0))
+    return np.prod([np.ones(len(pieces)), *parts], axis=0)
 
 
 def _end(law: Quantiles, share: float) -> float:

@@ -230,7 +230,7 @@ class Splitting(Claim):
 
     def fails(self, points: FloatArray) -> BoolArray:
         found = self.settled(self.points(points))[0]
-        ends = np.asarray(found.outcome == Decision.REFUTED)
+        ends = found.outcome == Decision.REFUTED
         begun = found.base.sure & (found.of == points[:-1]).all(axis=(0, 1))
         rows = np.flatnonzero(begun & (found.outcome == Decision.OPEN))
         fixed = np.repeat(self.tubes.fixed, rows.size, axis=1)

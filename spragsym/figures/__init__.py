@@ -192,7 +192,7 @@ def plot(result: Result, ax: Axes | None = None, **options: Any) -> Any:
 
 
 @singledispatch
-def _drawn(result: Result, ax: Axes | None, **options: Any) -> Any:
+def _drawn(result: Result, ax: Axes | None, **options: Any) -> object:
     """A result on axes; of one that no function is registered for, the first column of numbers over
     another that varies, or over the row.
     """
@@ -215,7 +215,7 @@ def _drawn(result: Result, ax: Axes | None, **options: Any) -> Any:
 
 
 @singledispatch
-def _whole(result: Result, **options: Any) -> Any:
+def _whole(result: Result, **options: Any) -> object:
     """A result as a figure of its own, of kinds that are registered; others on pyplot's axes."""
     return _drawn(result, ax=None, **options)
 

@@ -323,7 +323,7 @@ def on_surface(mu0: FloatArray, theta0: FloatArray, x: FloatArray) -> FloatArray
 def figure_cusp_friction(*, n: int = 41) -> Sheet:
     """The lowest fold over each parameter: why Figures 8 to 10 come out as they do."""
     figure, axes = panels(2, 2, DOUBLE, 4.6)
-    shown: dict[str, _Samples] = {
+    shown = {
         "beta": ((0.0, 3.0), (0.0, 1.0, 2.0), (1.0, 2.0), ()),
         "alpha": ((1e-3, 1.0), (0.007, 0.07, 0.7), (0.007, 0.07), (0.1, 1.0, 10.0)),
         "sigma": ((3e-3, 3.0), (0.01, 0.1, 1.0), (0.01, 0.1), (0.1, 0.2, 0.5)),

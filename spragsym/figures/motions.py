@@ -284,7 +284,7 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
         draw_phase(late, axes[row, 1], of=name, length=size, speed=size / time, labels=phase)
         draw_spectrum(late, name, axes[row, 2], length=size, frequency=1 / time, labels=spectrum)
         found = late.spectrum(0.0, of=name)
-        columns: tuple[Table, ...] = (
+        columns = (
             {"t": time * motion.t, name: size * motion[name]},
             {name: size * late[name], rate: size / time * late[rate]},
             {"frequency": found.frequency / time, "amplitude": size * found.amplitude},

@@ -261,7 +261,7 @@ def _of_motion(report: Facts, lives: Oscillation) -> Rows:
     yield picture(phase), caption
     across, hertz = ("kHz", 1e-3) if lives.frequency_hz >= 1e3 else ("Hz", 1.0)
     labels = f"frequency in {across}", f"amplitude of {name} in {unit}"
-    shown: Any = {"length": size, "frequency": hertz / time, "labels": labels}
+    shown = {"length": size, "frequency": hertz / time, "labels": labels}
     if lives.kind == "cycle":
         stems = partial(draw_harmonics, lives.motion, name, **shown)
         what = f"{name} moves at multiples of {lives.frequency_hz * hertz:.4g} {across} alone"

@@ -367,7 +367,7 @@ class LinearDirection(ByColumn):
 
     def reach(self) -> FloatArray:
         """Largest distance from the value."""
-        return np.asarray(np.abs(self.slopes).sum(axis=0))
+        return np.abs(self.slopes).sum(axis=0)
 
     def where(self, mine: BoolArray, other: LinearDirection) -> LinearDirection:
         """This one for some boxes, another for the rest."""

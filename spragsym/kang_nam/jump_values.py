@@ -313,4 +313,4 @@ def _decided(given: dict[str, FloatArray]) -> tuple[FloatArray, IndexArray]:
 def _place(theta: FloatArray) -> FloatArray:
     """w = t/(t + τ) with t = tan(θ/2)."""
     s, c = np.sin(0.5 * theta), np.cos(0.5 * theta)
-    return np.asarray(s / (s + bernstein.SCALE * c))
+    return s / (s + bernstein.SCALE * c)

@@ -108,7 +108,7 @@ def linked(
     two meet. Of every fold it is proved which two of three these are. Of the two that begin at a
     pitchfork the upper goes on: along F_y = 0, x grows with θ.
     """
-    values, counts = (np.asarray(column).tolist() for column in (eq.parameters[vary], eq.count))
+    values, counts = (column.tolist() for column in (eq.parameters[vary], eq.count))
     steps = list(itertools.pairwise(zip(values, counts, strict=True)))
     return [
         _over(one, two, vary, turns)

@@ -98,7 +98,7 @@ class Quantities:
         >>> round(found.scale("N", brake), 12), round(found.scale("s", brake), 12)
         (50.0, 0.2)
         """
-        result: Any = 1.0
+        result = 1.0
         for name, power in self.powers(unit).items():
             result = (
                 result * values[name] ** power if power else result

@@ -156,7 +156,7 @@ def parsed(unit: str) -> pint.Unit:
 def _size(unit: str) -> Fraction | float:
     """Size of one unit in metres, grams, seconds and radians."""
     one = _registry().Quantity(Fraction(1), parsed(unit))
-    size: Fraction | float = one.to_root_units().magnitude
+    size = one.to_root_units().magnitude
     return size
 
 
@@ -248,7 +248,7 @@ class Carried:
             return self._elements(value)
         return self._of_library(value)
 
-    def _elements(self, array: NDArray[Any]) -> Any:
+    def _elements(self, array: NDArray[Any]) -> object:
         if array.dtype != object:
             if array.size:
                 self.units.add("")

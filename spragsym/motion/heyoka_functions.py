@@ -34,7 +34,7 @@ class HeyokaFunctions:
         #: Names and arguments of all that was called.
         self.called: list[tuple[str, Any]] = []
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> object:
         hy = library()
         found = getattr(hy, name)
         if isinstance(found, hy.expression):

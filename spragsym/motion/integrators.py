@@ -12,7 +12,6 @@ import importlib.metadata
 import importlib.util
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -98,7 +97,7 @@ def integrate(problem: Problem, backend: str) -> Solution:
     if problem.scales and backend == "compiled":
         backend = "scipy"  # which makes the same steps, and takes a field in any units
     try:
-        integrators: dict[str, ModuleType] = {
+        integrators = {
             "heyoka": with_heyoka,
             "compiled": with_compiled,
             "scipy": with_scipy,

@@ -856,10 +856,10 @@ class Trajectory(Named):
         t, at, error, event, contact = map(
             self._own, ("t", "event_t", "error", "event", "event_contact")
         )
-        data: dict[str, Any] = {name: (t, self[name]) for name in self.components}
+        data = {name: (t, self[name]) for name in self.components}
         if self.error is not None:
             data[error] = (t, self.error)
-        coords: dict[str, Any] = {t: self.t}
+        coords = {t: self.t}
         if self.events is not None:
             coords[at] = self.events.t
             data[event] = (at, self.events.which.astype(np.int8))
@@ -1050,7 +1050,7 @@ def _error(found: Trajectory, problem: Problem) -> FloatArray:
             # finest run up to a ninth, as the error of its interpolant does not fall
             # as the tolerance does.
             difference = np.abs(found.state - at).max(axis=0) / (1.0 - 0.25)
-            return np.asarray(np.maximum.accumulate(difference))
+            return np.maximum.accumulate(difference)
     return np.full(found.t.shape, np.nan)
 
 

@@ -288,7 +288,7 @@ class BatchIntegrator:
         #: takes.
         self.told = max(0, min(len(field.modes[0]), len(self.pars) - self.constants))
 
-    def _border(self, row: int, border: Border, seen: tuple[Any, Any, Any]) -> Any:
+    def _border(self, row: int, border: Border, seen: tuple[Any, Any, Any]) -> object:
         """The terminal event of a border: a level that is positive within its mode; None where it
         is constant.
 

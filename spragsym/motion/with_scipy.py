@@ -130,7 +130,7 @@ class Flight:
 
         rtol = tolerance(self.problem, self.stiff)
         # Absolute tolerance of flows, as a share of the relative one.
-        options: dict[str, Any] = {
+        options = {
             "rtol": rtol,
             "atol": rtol * (1e-3 if self.interpolated else (1e-15 / 2.3e-14)),
             "first_step": first,
@@ -143,7 +143,7 @@ class Flight:
         """
         field, duration, clock = self.problem.field, self.problem.t_end, 0.0
         m, most = field.size, self.problem.max_steps or MAX_STEPS
-        first: float | None = None
+        first = None
         mode, looked, steps = (
             start_mode(
                 self.problem, whole[:m], Deviations(self.directions, whole[m:].reshape(m, -1))

@@ -249,7 +249,7 @@ def as_number(value: Any) -> Rounded:
     return value if isinstance(value, Rounded) else Rounded(value)
 
 
-def _spread(number: Rounded) -> Any:
+def _spread(number: Rounded) -> object:
     """Sum of the terms' absolute values."""
     return np.abs(number.terms).sum(axis=0) if isinstance(number, Affine) else _ZERO
 

@@ -78,7 +78,7 @@ def determinant(rows: Matrix) -> Any:
     """By the first row; entries of any number type, integers 0 among them."""
     if not rows:
         return 1
-    total: Any = 0
+    total = 0
     for j, entry in enumerate(rows[0]):
         if not is_zero(entry):
             total = total + entry * cofactor(rows, 0, j)
@@ -115,7 +115,7 @@ class Polynomial(Arithmetic):
 
     def __mul__(self, other: Number | Polynomial) -> Polynomial:
         two = other.coefficients if isinstance(other, Polynomial) else [other]
-        out: list[Any] = [0] * (len(self.coefficients) + len(two) - 1)
+        out = [0] * (len(self.coefficients) + len(two) - 1)
         for i, a in enumerate(self.coefficients):
             for j, b in enumerate(two):
                 if not (is_zero(a) or is_zero(b)):
@@ -209,7 +209,7 @@ def linear_solution(
                 continue
             factor = rows[i][k] / rows[k][k]
             rows[i] = [a - factor * b for a, b in zip(rows[i], rows[k], strict=True)]
-    solution: list[Any] = [0] * n
+    solution = [0] * n
     for k in reversed(range(n)):
         rest = rows[k][n]
         for j in range(k + 1, n):

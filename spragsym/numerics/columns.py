@@ -54,7 +54,7 @@ class ByColumn:
     def concatenated(self, *others: Self) -> Self:
         """These, and others."""
 
-        def joined(one: object, *more: Any) -> Any:
+        def joined(one: object, *more: Any) -> object:
             return (
                 one.concatenated(*more)
                 if isinstance(one, ByColumn)

@@ -224,8 +224,8 @@ def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
 def product(Y: FloatArray, ends: FloatArray) -> FloatArray:
     """Ends of Y times a matrix of intervals of shape (2, n, columns, N)."""
     n = Y.shape[1]
-    total: FloatArray = np.zeros(1)
-    size: FloatArray = np.zeros(1)
+    total = np.zeros(1)
+    size = np.zeros(1)
     for k in range(n):
         part = scaled(ends[:, None, k], Y[None, :, k, None])
         total, size = total + part, size + np.abs(part)

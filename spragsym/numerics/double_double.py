@@ -60,14 +60,14 @@ class DoubleDouble(NDArrayOperatorsMixin):
     def __getitem__(self, key: Any) -> DoubleDouble:
         return self.each(lambda part: np.asarray(part[key]))
 
-    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> object:
         if method != "__call__" or options or ufunc not in _UFUNCS:
             return NotImplemented
         return _UFUNCS[ufunc](*inputs)
 
     def __array_function__(
         self, function: object, types: object, arguments: tuple[Any, ...], options: dict[str, Any]
-    ) -> Any:
+    ) -> object:
         if options or function is not np.where:
             return NotImplemented
         flag, one, other = arguments

@@ -290,7 +290,7 @@ class _Task:
         slopes = self._slopes([u, *others])
         matrix, zero = [row[1:] for row in slopes[1:]], Ball(0, 0, 0, u.bits)
         steps = linear_solution(matrix, [row[0] for row in slopes[1:]], _largest_pivot)
-        series: list[list[Any]] = [
+        series = [
             [u, 1],
             *([value, zero - step] for value, step in zip(others, steps, strict=True)),
         ]

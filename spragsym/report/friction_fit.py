@@ -48,7 +48,7 @@ def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
     moving = speed[speed > 0]
 
     def shape(d: float) -> FloatArray:
-        return np.asarray(laws.friction(0.0, 1.0, speed, d))
+        return laws.friction(0.0, 1.0, speed, d)
 
     def best(log_d: float) -> Span:
         """μ₀, and the sum of squares that it leaves."""

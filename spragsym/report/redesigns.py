@@ -279,7 +279,7 @@ class _RedesignSearch:
         """A change, or the first further one with a proof; else the first without a brake that
         jumps among many samples.
         """
-        open_one: Change | None = None
+        open_one = None
         tried: list[Numbers] = []
         for after in self._further(least) if least else ():
             printed = self._printed(after)

@@ -228,7 +228,7 @@ def _place(kind: type) -> tuple[str, str]:
     return kind.__module__, kind.__qualname__
 
 
-def _read(given: Model | None, held: dict[str, Any]) -> Any:
+def _read(given: Model | None, held: dict[str, Any]) -> object:
     """Object that :func:`_written` wrote under the name of its kind, of which the parts are read
     before.
     """

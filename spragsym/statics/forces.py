@@ -181,7 +181,7 @@ class Forces:
         A parameter that is 0 everywhere, and may be, is the number 0: products with it and
         exponentials of it are exact.
         """
-        values: dict[str, Any] = dict(zip(self.codes, prepared, strict=False))
+        values = dict(zip(self.codes, prepared, strict=False))
         return values | {name: 0 for name in self.may_vanish if values[name].is_nothing()}
 
     def over(self, bounds: Intervals) -> dict[str, Any]:

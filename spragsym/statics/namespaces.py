@@ -226,7 +226,7 @@ def follows(balance: Balance, values: Values, odd: Collection[int]) -> bool:
     """Whether the rows of these coordinates, and no others, change their signs with them; the gap
     does not.
     """
-    xp: Any = _ParityFunctions()
+    xp = _ParityFunctions()
     q = [Parity(i in odd) for i in range(balance.n)]
     given = {name: 0 if is_zero(value) else Parity(False) for name, value in values.items()}
     at = balance.at(q, given, xp=xp)

@@ -235,4 +235,4 @@ def _parted(ends: FloatArray, periodic: Sequence[int]) -> tuple[BoolArray, BoolA
     across = np.logical_or.reduce(
         (low <= end) & (high >= end) | (low <= TURN_BEGIN) & (high >= TURN_BEGIN)
     )
-    return np.asarray(beyond), np.asarray(across)
+    return beyond, across

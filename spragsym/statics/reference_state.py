@@ -191,7 +191,7 @@ def is_reference(
     parameters = balance.prepared(bounds)
     with quiet():
         codes, proved = stability.types_over(balance, parameters, ends)
-        own = np.asarray(proved & (codes == EquilibriumType.STABLE))
+        own = proved & (codes == EquilibriumType.STABLE)
         if _has_stiffness(balance.model):
             reach, convex = _little_strained(balance, parameters, ends, box)
             return own & convex & _one_at_most(balance, parameters, reach)
@@ -210,7 +210,7 @@ def _one_at_most(balance: Balance, parameters: Intervals, reach: FloatArray) -> 
     one = Intervals.point(-np.eye(balance.n)[:, :, None])
     left = Intervals(contractors.product(contractors.inverse(K.middle), K.ends)) + one
     # Far more than the roundings of a product and a sum of n numbers.
-    return np.asarray(left.magnitude.sum(axis=1).max(axis=0) < 1 - 1e-9)
+    return left.magnitude.sum(axis=1).max(axis=0) < 1 - 1e-9
 
 
 def _strain_energy(balance: Balance, parameters: Intervals) -> Callable[[Sequence[Any]], Any]:
@@ -233,8 +233,8 @@ def _little_strained(
         return (sum(map(mul, rows, q), 0 * value) * 0.5).magnitude
 
     off = 0.5 * n * stiffness.width.max(axis=(0, 1))
-    low, most = _stiffest(stiffness.middle, np.asarray(np.isfinite(off)))
-    convex = np.asarray(low - off > LEAST_CONVEXITY * (most + off))
+    low, most = _stiffest(stiffness.middle, np.isfinite(off))
+    convex = low - off > LEAST_CONVEXITY * (most + off)
     S = np.where(convex, stiffness.middle - off * np.eye(n)[:, :, None], np.eye(n)[:, :, None])
     along = np.sqrt(np.diagonal(np.linalg.inv(np.moveaxis(S, 2, 0)), axis1=1, axis2=2)).T
     # What counts as alike is a share of the largest energy of all states.

@@ -234,7 +234,7 @@ def _with_anchors(
 
 
 def _bounded(ends: FloatArray) -> BoolArray:
-    return np.asarray(np.logical_and.reduce(ends < FARTHEST * 1e-6, axis=(0, 1)))
+    return np.logical_and.reduce(ends < FARTHEST * 1e-6, axis=(0, 1))
 
 
 def _in_pieces(
@@ -335,7 +335,7 @@ def _near_anchors(at: Evaluation, ends: FloatArray) -> FloatArray:
         if len(places) < balance.n:
             hull[:] = np.inf
             break
-        q: list[Any] = [0] * balance.n
+        q = [0] * balance.n
         anchor = replace(at, q=q).anchors[spring]
         for index, end in zip(places, anchor, strict=True):
             hull[:, index] = np.maximum(hull[:, index], rounded_outward(end.ends + LEVER_LENGTH))

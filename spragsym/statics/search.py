@@ -78,7 +78,7 @@ def balances_of(
     if contact is None:
         # Where all contacts are open nothing touches, unless some never open.
         always = not all(entry["unilateral"] for entry in model.contacts)
-        combinations: list[Touching] = [key for key in model.regimes if key or always]
+        combinations = [key for key in model.regimes if key or always]
     else:
         combinations = [_combination(model, contact)]
     balances = [Balance(model, key, law, options=options) for key in combinations]

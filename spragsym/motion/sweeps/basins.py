@@ -122,7 +122,7 @@ def basin(
                 f"{name} has the shape {values.shape}; give one axis of numbers"
             )
     (one, first), (other, second) = axes.items()
-    options: dict[str, Any] = {one + "0": first[:, None], other + "0": second, **starts}
+    options = {one + "0": first[:, None], other + "0": second, **starts}
     sweep = rms_sweep(p, **options)
     field = sweep.model.field
     one_limit = partial(

@@ -403,7 +403,7 @@ def _record(statistics: MotionStatistics | Exception, problem: Problem, backend:
     (mean, spread), (lost, _, *reversals) = statistics.moments(), statistics.events[: Event.STICK]
     field = problem.field
     names = ("mean", *(f"mean_{name}" for name in field.coordinates[1:]))
-    measures: dict[str, Any] = {
+    measures = {
         "rms": math.hypot(mean, spread),
         "spread": spread,
         "largest": max(map(abs, statistics.reach)),

@@ -13,7 +13,7 @@ from dataclasses import fields as dataclass_fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .core.errors import MissingExtraError, ParameterError
+from .core.errors import MissingExtraError, ParameterError, require_kind
 from .models.load import load, page_of
 
 if TYPE_CHECKING:
@@ -237,6 +237,9 @@ def check(paper: str | os.PathLike[str], model: str | os.PathLike[str] | None = 
     misprint ay + sigma/L*(1 - L)*(sin(theta0) - y) + beta*y - N + kappa = 0
 
     """
+    for name, given in (("paper", paper), ("model", model)):
+        if given is not None or name == "paper":
+            require_kind(name, given, (str, os.PathLike), "the path of a file")
     path = Path(paper)
     try:
         from .derive.statements import papers, verdicts

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..core.errors import ConvergenceError, ParameterError
+from ..core.errors import ConvergenceError, ParameterError, one_of
 from ..core.progress import doing
 from ..core.questions import Method, question
 from ..core.remarks import At, Remark
@@ -268,6 +268,8 @@ def critical_value(
     from scipy.optimize import brentq
 
     rising, over = p.model.rising_over(along, over, "along")
+    for argument, name in (("along", rising), ("over", over)):
+        one_of(argument, name, p.model.parameters)
     if vary not in p.ranges or vary in (rising, over):
         others = ", ".join(name for name in p.ranges if name not in (rising, over))
         raise ParameterError(

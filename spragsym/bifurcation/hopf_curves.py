@@ -170,8 +170,9 @@ def onset_curves(
     >>> found.changes["V"].round(4).tolist()  # where F‴ = 0, at (1 + √2) v_s
     [0.2414]
     """
-    p.model.require_answered("onset_curves")
-    vary = model_of(p).two(vary)
+    model = model_of(p)
+    model.require_answered("onset_curves")
+    vary = model.two(vary)
     as_count("n", n, 2)
     options = options or ContinuationOptions()
     balances = balances_of(p.model, options=options.asked)

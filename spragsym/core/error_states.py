@@ -4,6 +4,7 @@ operations, of which a caller's own changes no answer, and arguments that it tak
 
 from __future__ import annotations
 
+import builtins
 import functools
 import inspect
 from collections.abc import Callable, Mapping
@@ -11,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from .errors import ParameterTypeError, hint
+from .errors import ParameterTypeError, SpragsymError, hint
 from .type_variables import P, R
 
 
@@ -27,8 +28,11 @@ def in_usual_state(function: Callable[P, R]) -> Callable[P, R]:
         with np.errstate(divide="warn", over="warn", under="ignore", invalid="warn"):
             try:
                 return function(*args, **options)
-            except TypeError as error:
-                _require_arguments(function, args, options, str(error))
+            except (TypeError, AttributeError, ValueError) as error:
+                if isinstance(error, TypeError):
+                    _require_arguments(function, args, options, str(error))
+                if not isinstance(error, SpragsymError):
+                    _require_kinds(function, args, options)
                 raise
 
     return calculated
@@ -58,3 +62,32 @@ def _require_arguments(
         raise ParameterTypeError(
             f"{function.__name__}: {error}{meant or f'; call it as {called}'}"
         ) from None
+
+
+def _require_kinds(
+    function: Callable[..., Any], args: tuple[Any, ...], options: Mapping[str, Any]
+) -> None:
+    """Refuse the first argument that is of no class in its annotation."""
+    general = inspect.unwrap(function)
+    signature = inspect.signature(general)
+    for name, value in signature.bind_partial(*args, **options).arguments.items():
+        words = str(signature.parameters[name].annotation).split(" | ")
+        if not any(_may_be(word.partition("[")[0], value, general) for word in words):
+            kinds = " or ".join(word for word in words if word != "None")
+            remedy = "one, or leave it out" if "None" in words else "one"
+            raise ParameterTypeError(f"{name} = {value!r:.60} is no {kinds}; give {remedy}")
+
+
+def _may_be(word: str, value: object, general: Callable[..., Any]) -> bool:
+    """Whether a value is of the class that a word of an annotation names, or that is not known, as
+    of numbers, which arrays may be too.
+    """
+    found = general.__globals__.get(word) or getattr(builtins, word, None)
+    if word == "None" or word.endswith("Options"):  # named only where types are checked
+        return word in (
+            "None" if value is None else "",
+            *(it.__name__ for it in type(value).__mro__),
+        )
+    if not isinstance(found, type) or found in (float, int, bool):
+        return True
+    return isinstance(value, found)

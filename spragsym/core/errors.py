@@ -123,10 +123,11 @@ def one_of(name: str, given: object, allowed: Iterable[str]) -> str:
     return str(given)
 
 
-def require_kind(name: str, value: object, kind: type, remedy: str) -> None:
+def require_kind(name: str, value: object, kind: type | tuple[type, ...], remedy: str) -> None:
     """Raise unless an argument is what its name says, as a result of another question."""
     if not isinstance(value, kind):
-        raise ParameterTypeError(f"{name} = {value!r:.60} is no {kind.__name__}; give {remedy}")
+        kinds = " or ".join(it.__name__ for it in (kind if isinstance(kind, tuple) else (kind,)))
+        raise ParameterTypeError(f"{name} = {value!r:.60} is no {kinds}; give {remedy}")
 
 
 def latin(text: str) -> str:

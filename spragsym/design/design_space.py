@@ -21,7 +21,7 @@ import numpy as np
 
 from ..bifurcation.tubes import Tubes
 from ..bifurcation.turning_points import secants, size_of
-from ..core.errors import ConvergenceError, ParameterError
+from ..core.errors import ConvergenceError, ParameterError, require_kind
 from ..core.options import Options, limit, option
 from ..core.progress import doing
 from ..models.parameters import POSITIVE, ParameterSet, Range, as_number, set_of
@@ -149,6 +149,7 @@ def space(
     argument ``what`` gives none.
     """
     design = base if isinstance(base, Design) else _design(base)
+    require_kind(what, change, Iterable, "names of what may change, or tolerances by name")
     names = (change,) if isinstance(change, str) else tuple(change)
     for name in names:
         if name not in design.given:

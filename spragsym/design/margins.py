@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.errors import ConvergenceError, ParameterError
+from ..core.errors import ConvergenceError, ParameterError, require_kind
 from ..core.questions import Method, model_of, question
 from ..models.parameters import FloatArray, ParameterSet, as_number
 from ..models.quantities import QuantityValues
@@ -257,12 +257,14 @@ def redesign(
     """
     model = model_of(p)
     ranges = model.Parameters.ranges
+    require_kind("target", target, Mapping, "values below which nothing may end, by name")
     if not target or not set(target) <= set(ranges):
         raise ParameterError(
             f"target = {dict(target)!r}; give parameters of {model.name} below whose values "
             "nothing may end"
         )
     designs, options = space(p, change, "change"), options or MarginOptions()
+    begin = None if begin is None else as_number("begin", begin)
     borders = list[EndOfState]()
     for name, value in target.items():
         if name in designs.names:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..core.error_states import in_usual_state
-from ..core.errors import ConvergenceError, ParameterError, one_of
+from ..core.errors import ConvergenceError, ParameterError, one_of, require_kind
 from ..core.progress import advance
 from ..core.questions import Method, model_of
 from ..display import Table
@@ -401,6 +401,7 @@ def jump_probability(
     True
     """
     one_of("method", method, get_args(Method))
+    require_kind("distribution", distribution, (tuple, Mapping), "values and ranges by name")
     if isinstance(distribution, tuple):
         asked, in_si = model_of(distribution), isinstance(distribution[0], QuantityValues)
     else:

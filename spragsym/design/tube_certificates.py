@@ -14,9 +14,9 @@ from ..bifurcation.crossings import crossed
 from ..bifurcation.tubes import Place, Tubes
 from ..bifurcation.turning_points import passed, size_of
 from ..core.error_states import in_usual_state
-from ..core.errors import ParameterError
+from ..core.errors import ParameterError, one_of
 from ..core.questions import Method, model_of, question
-from ..models.parameters import ParameterSet, Ranges, as_count, as_ranges
+from ..models.parameters import ParameterSet, Ranges, as_count, as_number, as_ranges
 from ..models.quantities import Unit, checked_units
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ..statics.balance import BalanceInUnits
@@ -257,6 +257,7 @@ def claims(
     """A claim of :func:`certify` about a box of parameters, by two corners of it."""
     low, high = corners
     model = low.model
+    one_of("claim", claim, ("no jump", *STATES))
     if claim in STATES:
         if vary is not None:
             raise ParameterError(
@@ -269,11 +270,8 @@ def claims(
                 "that hold them"
             )
         return ClaimOfStates(low, high, claim)
-    if claim != "no jump":
-        raise ParameterError(
-            f"claim = {claim!r} is not one of {', '.join(map(repr, ('no jump', *STATES)))}"
-        )
     vary, begin = model.rising(vary, begin)
+    begin = as_number("begin", begin)
     box = Splitting(
         low, high, vary, begin, checked_units(units, model.parameters, model.about["angles"])
     )

@@ -445,7 +445,7 @@ MISTAKES: list[tuple[Callable[[], Any], str]] = [
     (lambda: ss.jump_value(BASE), "theta0"),
     (lambda: ss.jump_value(AT, direction="down"), "direction = 'down'"),
     (lambda: ss.jump_value(AT, "kappa", direction="left"), "direction = 'left'"),
-    (lambda: ss.certify(LATER, "no sprag"), "'no sprag'.*'no flutter'"),
+    (lambda: ss.certify(LATER, "no sprag"), "'no sprag'.*no flutter"),
     (lambda: ss.certify(LATER, between={"mu0": (0.5, 0.1)}), r"between\['mu0'\] = \(0\.5, 0\.1\)"),
     (lambda: ss.certify(LATER.replace(mu0=[0.6, 0.7])), "low"),
     (lambda: ss.jump_margin(AT, {}), "scale"),

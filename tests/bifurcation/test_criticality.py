@@ -274,3 +274,17 @@ def test_an_onset_without_one_of_the_motion_names_where_that_is() -> None:
     found = ss.diagram(p, "mu0", between={"mu0": (0.05, 3.0)})
     (label,) = (one for one in found.labels if one.label == "H")
     assert label.value == pytest.approx(float(onsets.mu0[0]) / np.tanh(0.2), rel=0.01)
+
+
+def test_a_box_over_which_a_law_has_no_bound_is_left_to_more_digits(stick_slip: Any) -> None:
+    """Beside it another keeps its coefficient."""
+    V, error = stick_slip["V"][0], stick_slip.error[:1]
+    point = np.array([[*stick_slip.state(0), V]]).T
+    near = ends_around(point, 1.01 * error * scale_of(point))
+    whole = near.copy()
+    whole[:, -1, 0] = -1e305, 1e305
+    given = np.repeat(np.array([stick_slip.given(0)]).T, 2, axis=1)
+    ends = np.concatenate([near, whole], axis=2)
+    one, other = coefficients(Balance(ss.load("stick_slip")), given, ends, ("V",))
+    assert other is None
+    assert one.lyapunov == pytest.approx(by_floats(stick_slip)[0].lyapunov, rel=1e-12)

@@ -686,6 +686,16 @@ DRIFT = field_of(
 
 
 @pytest.mark.thorough
+def test_deviations_that_are_lost_in_the_shortest_stretch_are_too_stiff() -> None:
+    """Of x″ = 1 − v one keeps its size and the other shrinks by exp(−t): to 0.008 in 4.9, which is
+    2⁻¹³ of an interval.
+    """
+    system = System(Flow.of(DRIFT, None), (1.0,), ss.MotionOptions(lost=0.1, interval=4e4))
+    with pytest.raises(ss.errors.ConvergenceError, match=r"more than 10 in 4\.88\d+ time units"):
+        exponents.rates_along(system, np.array([0.0, 0.9]), 64e4)
+
+
+@pytest.mark.thorough
 def test_a_steady_drift_is_no_cycle_that_a_longer_motion_reaches() -> None:
     """As soon as the speed is constant over what deviations take to decay, on any scale of time."""
     for scale, (decays, drifts) in itertools.product((0.05, 10.0), ((12.0, False), (16.0, True))):

@@ -134,3 +134,5 @@ def test_cycles_beside_what_rests_are_one_or_two_by_what_moves() -> None:
     model = model_of(BESIDE, "beside")
     assert same_limit(one, same, model.field, _constants(model))
     assert not same_limit(one, other, model.field, _constants(model))
+    away = Outcome(Regime.LIFT_OFF)
+    assert same_limit(away, away, model.field, _constants(model)) is True

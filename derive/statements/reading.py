@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
@@ -164,38 +164,54 @@ def equations_of(
     text: str, statement: Statement, it: Derivation, book: Book, *, matrices: bool = True
 ) -> list[Equation]:
     """Equations of a text in the language of a statement, with the names of its paper."""
-    objects = book.objects(it) if matrices else ()
-    shapes = {name: held.shape for name, held in objects if held.shape is not None}
-    shapes |= book.shapes
-    is_scale = statement.word == "scale"
-    names = {*it.names} - ({str(TIME)} if not is_scale else set())
-    given = book.defined.keys() | book.shapes.keys() | book.bound.keys()
-    known = frozenset(names | given | book.values(it).keys())
-    coordinates = tuple(map(str, it.model.coordinates))
-    laws = frozenset(map(str, (*it.normals, *it.coefficients)))
-
-    def is_argument(name: str, inside: Node) -> bool:
-        """Whether it is what a definition is printed with, or the speed of a friction."""
-        if name in book.arguments:
-            return printed(inside) == printed(book.arguments[name])
-        speed = speeds.get(name)
-        if speed is None or not symbols(inside) <= it.names.keys():
-            return False
-        return sp.expand(to_sympy(inside, it.names) - speed) == 0
-
-    still = {} if statement.word in (*MOVING, "friction") else dict.fromkeys(it.model.rates, 0)
-    rubbed = zip(map(str, it.coefficients), it.speeds, strict=False)
-    speeds = {name: speed.subs(still) for name, speed in rubbed}
-    has_roots = statement.word == "characteristic"
-    known |= {FREQUENCY} if has_roots else set()
-    vocabulary = Vocabulary(known, coordinates, book.renamed, shapes, laws, has_roots, is_argument)
+    vocabulary = _vocabulary(statement, it, book, matrices)
     if statement.is_latex and not statement.transcribed:
         from .latex import read_latex
 
+        is_scale = statement.word == "scale"
         found = read_latex(text.replace(r"\to", " = ") if is_scale else text, vocabulary)
     else:
         found = read_sympy(text, vocabulary)
+    if FREQUENCY in it.names or not vocabulary.has_roots:
+        return found
     return [Equation(_in_lambda(one.left), _in_lambda(one.right)) for one in found]
+
+
+def _vocabulary(statement: Statement, it: Derivation, book: Book, matrices: bool) -> Vocabulary:
+    """Names that may stand in a statement."""
+    objects = book.objects(it) if matrices else ()
+    shapes = {name: held.shape for name, held in objects if held.shape is not None}
+    given = book.defined.keys() | book.shapes.keys() | book.bound.keys() | book.values(it).keys()
+    has_roots = statement.word == "characteristic"
+    names = {*it.names, *given, *([FREQUENCY] if has_roots else [])}
+    names -= {str(TIME)} if statement.word != "scale" else set()
+    return Vocabulary(
+        frozenset(names),
+        tuple(map(str, it.model.coordinates)),
+        book.renamed,
+        shapes | book.shapes,
+        frozenset(map(str, (*it.normals, *it.coefficients))),
+        has_roots,
+        _arguments(statement, it, book),
+    )
+
+
+def _arguments(statement: Statement, it: Derivation, book: Book) -> Callable[[str, Node], bool]:
+    """Whether an expression in brackets behind a name is what its definition is printed with, or
+    the sliding speed of a friction, at rest where the statement is about that.
+    """
+    still = {} if statement.word in (*MOVING, "friction") else dict.fromkeys(it.model.rates, 0)
+    rubbed = zip(map(str, it.coefficients), it.speeds, strict=False)
+    speeds = {name: speed.subs(still) for name, speed in rubbed}
+
+    def is_argument(name: str, inside: Node) -> bool:
+        if name in book.arguments:
+            return printed(inside) == printed(book.arguments[name])
+        if name not in speeds or not symbols(inside) <= it.names.keys():
+            return False
+        return sp.expand(to_sympy(inside, it.names) - speeds[name]) == 0
+
+    return is_argument
 
 
 def _in_lambda(tree: Node) -> Node:
@@ -245,7 +261,12 @@ def _new_names(equations: list[Equation], it: Derivation, book: Book) -> dict[st
             others.append((right.value, left.value))
         else:
             values[left.value] = right
-    return values | {other: values[name] for other, name in others if name in values}
+    for other, name in others:
+        if name in values:
+            values[other] = values[name]
+        else:
+            values[name] = Node("symbol", value=other)
+    return values
 
 
 def _defined(statement: Statement, new: Mapping[str, Node], it: Derivation, book: Book) -> Verdict:
@@ -300,9 +321,9 @@ def _item(
     for name, value in bound.items():
         values[name] = numeric(value, values)
     defined: dict[str, Node] = {}  # not those in names that this form lacks
-    for name, tree in book.defined.items():
-        if symbols(tree) <= values.keys() | defined.keys():
-            defined[name] = tree
+    left = dict(book.defined)
+    while ready := [name for name in left if symbols(left[name]) <= values.keys() | defined.keys()]:
+        defined |= {name: left.pop(name) for name in ready}
     sides = [one.right if held.is_value and one.left.kind == "symbol" else one for one in equations]
     for side in sides:
         parts = (side,) if isinstance(side, Node) else (side.left, side.right)

@@ -11,7 +11,7 @@ import sympy as sp
 pytest.importorskip("sympy")
 
 from spragsym.derive import pages
-from spragsym.derive.statements import papers, verdicts
+from spragsym.derive.statements import papers, reading, verdicts
 from spragsym.derive.statements.tree import (
     FUNCTIONS,
     OF_SEVERAL,
@@ -397,3 +397,28 @@ def test_a_reversed_equation_may_be_divided_by_a_parameter() -> None:
     found = verdicts.check(papers.Paper("", "", {}, statements), COUPLING)
     assert [row.status for row in found.rows] == ["confirmed", "confirmed"]
     assert found.conventions == ("x of the print is -x of the page",)
+
+
+def test_definitions_of_one_row_and_of_each_other() -> None:
+    """Several names in a row, one value of two names, and a name before its own definition."""
+    texts = [
+        ("a", r"p_1 = k_x + k_y, \quad p_2 = p_3 = k/2", "definition"),
+        ("b", r"p_4 = p_5", "definition"),
+        ("c", r"p_5 = p_1 - k_y", "definition"),
+        ("d", r"m\ddot x + p_4 x + p_2 (x - y) - (p_3 - k/2) y = \mu N", "motion x"),
+        ("e", r"m\ddot x + p_4 x + p_2 (x + y) - (p_3 - k/2) y = \mu N", "motion x"),
+    ]
+    statements = tuple(
+        papers.Statement(one, about, text, is_latex=True, form="units")
+        for one, text, about in texts
+    )
+    rows = verdicts.check(papers.Paper("", "", {}, statements), COUPLING).rows
+    assert [row.status for row in rows] == [*["definition"] * 3, "confirmed", "misprint"]
+
+
+def test_a_frequency_of_the_page_is_its_own() -> None:
+    """Only where the page has no such name are powers of a frequency those of λ."""
+    one = papers.Statement("a", "characteristic", "frequency**2 - 1 = 0", False, form="scaled")
+    (item,) = reading.opened(papers.Paper("", "", {}, (one,)), COUPLING)[1]
+    assert isinstance(item, reading.Item)
+    assert printed(item.equations[0].left) == "-lam**2 - 1"

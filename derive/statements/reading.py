@@ -321,9 +321,11 @@ def _item(
     for name, value in bound.items():
         values[name] = numeric(value, values)
     defined: dict[str, Node] = {}  # not those in names that this form lacks
-    left = dict(book.defined)
-    while ready := [name for name in left if symbols(left[name]) <= values.keys() | defined.keys()]:
-        defined |= {name: left.pop(name) for name in ready}
+    pending = dict(book.defined)
+    while ready := [
+        name for name, tree in pending.items() if symbols(tree) <= values.keys() | defined.keys()
+    ]:
+        defined |= {name: pending.pop(name) for name in ready}
     sides = [one.right if held.is_value and one.left.kind == "symbol" else one for one in equations]
     for side in sides:
         parts = (side,) if isinstance(side, Node) else (side.left, side.right)

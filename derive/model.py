@@ -341,7 +341,7 @@ class Page:
         ):  # as one in degrees is
             raise refused(
                 f"the domain {domain} of the angle {name} is wider than a turn; angles are in "
-                "radians, as (0, pi)"
+                "radians, as (0, pi), and one of several turns, as of a rope, has the unit 1"
             )
         for other in self.parameters:
             if other.becomes == (becomes or name):

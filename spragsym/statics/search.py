@@ -354,7 +354,7 @@ def kinds_of(
         free: BoolArray = np.zeros(count, dtype=bool)
         if varied is None:
             forces = balance.residuals(Intervals(left), balance.prepared_at(given))
-            free = np.logical_or.reduce(forces.magnitude <= NEGLIGIBLE)
+            free = np.logical_or.reduce(forces.magnitude <= NEGLIGIBLE) & (width > 1e-9)
     small = width <= 1e-3
     *kinds, wide = KINDS.values()
     return np.select(

@@ -1,0 +1,62 @@
+"""A mass whose state without a load lies exactly at the border of its contact."""
+
+import time
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from tests.oracles.user_pages import model_of
+
+pytest.importorskip("sympy")
+
+TOUCHING = '''r"""A mass that rests on a belt as if it were not there."""
+from spragsym.derive.model import Page, tanh
+page = Page("A mass that a load presses on a belt, if there is one.")
+m = page.unit("m", "kg", "mass")
+k_c = page.unit("k_c", "N/m", "stiffness of the belt")
+a = page.unit("a", "m", "length")
+mu = page.parameter("mu", "1", "friction", ">= 0", 0.4)
+P = page.parameter("P", "N", "load", "real", 0.0)
+k = page.parameter("k", "N/m", "stiffness", "> 0", 0.3)
+V = page.parameter("V", "m/s", "speed", ">= 0", 0.5)
+d = page.parameter("d", "s/m", "steepness", "> 0", 10.0)
+x = page.coordinate("x", "m", "along")
+y = page.coordinate("y", "m", "across")
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2) / 2)
+page.potential(k * (x**2 + y**2 + (x + y)**2) / 2 + k_c * x**4 / a**2)
+page.force(-P, along=y)
+page.contact(y, lambda depth: k_c * depth)
+page.friction(x, V, lambda v: mu * tanh(d * v), at_rest=mu)
+'''
+
+
+@pytest.mark.thorough
+def test_a_state_that_just_touches_is_no_line_of_states() -> None:
+    eq = ss.equilibria(model_of(TOUCHING, "just_touching").Parameters())
+    assert not eq.complete
+    assert [it.low == pytest.approx((0, 0), abs=1e-300) for it in eq.undecided] == [True]
+    assert "just touches" in eq.undecided[0].reason
+
+
+@pytest.mark.thorough
+def test_a_probability_of_which_nothing_is_known_is_told_soon() -> None:
+    p = model_of(TOUCHING, "just_touching").Parameters()
+    begin = time.process_time()
+    found = ss.jump_probability((p.replace(mu=0.36, k=0.25), p.replace(mu=0.44, k=0.35)), vary="mu")
+    assert (found.low, found.high) == (0.0, 1.0)
+    assert time.process_time() - begin < 30
+
+
+@pytest.mark.thorough
+def test_pressed_by_a_load_it_has_one_state() -> None:
+    """Linear along x but for x³: a root of a polynomial."""
+    eq = ss.equilibria(model_of(TOUCHING, "just_touching").Parameters(P=0.2))
+    assert eq.complete
+    assert eq.count == 1
+    # (k + k + k_c) y + k x = −P, and k (2 x + y) + 4 x³ + μ k_c y = 0 with N = −y.
+    k, mu, load = 0.3, 0.4, 0.2
+    y = np.polynomial.Polynomial([-load, -k]) / (2 * k + 1)
+    row = np.polynomial.Polynomial([0, 2 * k, 0, 4]) + (k + mu) * y
+    (root,) = [it.real for it in row.roots() if abs(it.imag) < 1e-12 and y(it.real) < 0]
+    np.testing.assert_allclose([eq["x"][0], eq["y"][0]], [root, y(root)], rtol=1e-12)

@@ -127,18 +127,19 @@ class Quantities:
         """Ranges of quantities: units of measure are positive, others as their parameters, at units
         of these values.
 
-        Without values, in those of the parameters, of which ends other than 0 are rare.
+        Without values an end other than 0 of one with a dimension is not known but for its sign.
         """
         found = {name: replace(POSITIVE, unit=unit) for name, unit in self.bases.items()}
         for quantity, name in self.parameters.items():
-            allowed = self.model.Parameters.ranges[name]
-            scale = 1.0 if values is None else self.scale(self.units[quantity], values)
-            found[quantity] = replace(
-                allowed,
-                low=scale * allowed.low,
-                high=scale * allowed.high,
-                unit=self.units[quantity],
-            )
+            allowed, unit = self.model.Parameters.ranges[name], self.units[quantity]
+            low, high, open_low = allowed.low, allowed.high, allowed.open_low
+            if values is not None:
+                scale = self.scale(unit, values)
+                low, high = scale * low, scale * high
+            elif any(self.powers(unit).values()):
+                open_low |= low > 0
+                low, high = 0.0 if low >= 0 else -math.inf, 0.0 if high <= 0 else math.inf
+            found[quantity] = replace(allowed, low=low, high=high, open_low=open_low, unit=unit)
         return found
 
     @cached_property

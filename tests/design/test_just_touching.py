@@ -1,11 +1,14 @@
 """A mass whose state without a load lies exactly at the border of its contact."""
 
+import re
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.report.example import example
 from tests.oracles.user_pages import model_of
 
 pytest.importorskip("sympy")
@@ -29,6 +32,8 @@ page.force(-P, along=y)
 page.contact(y, lambda depth: k_c * depth)
 page.friction(x, V, lambda v: mu * tanh(d * v), at_rest=mu)
 '''
+
+LEVER = 'b = page.parameter("b", "m", "lever", "> 1", 1.6)'
 
 
 @pytest.mark.thorough
@@ -60,3 +65,18 @@ def test_pressed_by_a_load_it_has_one_state() -> None:
     row = np.polynomial.Polynomial([0, 2 * k, 0, 4]) + (k + mu) * y
     (root,) = [it.real for it in row.roots() if abs(it.imag) < 1e-12 and y(it.real) < 0]
     np.testing.assert_allclose([eq["x"][0], eq["y"][0]], [root, y(root)], rtol=1e-12)
+
+
+@pytest.mark.thorough
+def test_the_domain_of_a_length_is_one_of_its_number(tmp_path: Path) -> None:
+    """A length above 1 is one above the unit of length, of millimetres in the example of a file."""
+    page = TOUCHING.replace('"stiffness", "> 0", 0.3)', '"stiffness", "> 0", 0.3)\n' + LEVER)
+    page = page.replace("page.force(-P, along=y)", "page.force(-P * b / a, along=y)")
+    model = model_of(page, "with_a_lever")
+    text = example(model)
+    (tmp_path / "lever.toml").write_text(text)
+    ss.Study.from_file(tmp_path / "lever.toml", trust=True)
+    short = tmp_path / "short.toml"
+    short.write_text(re.sub(r'\nb = "[^"]*"', '\nb = "0.1 mm"', text))
+    with pytest.raises(ss.errors.ParameterError, match="b = 0"):
+        ss.Study.from_file(short, trust=True).report()
